@@ -43,7 +43,7 @@ pub use outcome::{Computed, Fate, FixedSteps, Outcome};
 pub use plate::{Plate, PlateError, PlateTheory};
 pub use record::{Event, Point, Recorder};
 pub use response::{ContactEnergy, Memory};
-pub use result::{Accuracy, Energy, Impact, InFixedSteps, UnderForces};
+pub use result::{Accuracy, Energy, Impact, UnderForces};
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;

@@ -161,7 +161,8 @@ impl Plan {
             // a swept damping may begin at 0
             (key.set)(&mut input, Some(1.0));
         }
-        !input.resolve().forces.have_closed_form() && self.methods().contains(&Method::ClosedForm)
+        let chosen = |method: Method| method.chosen(&input.resolve().forces, || true, false);
+        self.methods().into_iter().map(chosen).any(|method| method.is_none())
     }
 
     /// Whether the last digits of the table depend on the machine, as they do for methods of another library.

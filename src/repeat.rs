@@ -190,7 +190,7 @@ fn strike(
     let mut before = spot.clone();
     let mut impact = contact.impact_on(spot, speed, solver, None)?;
     if samples.is_some() {
-        let method = if contact.forces().is_none() { Method::ClosedForm } else { Method::Rk8 };
+        let method = Method::ClosedForm.chosen(contact.forces(), || true, true).unwrap_or(Method::Rk8);
         impact.trace = contact.impact_on(&mut before, speed, &Solver { method, ..*solver }, samples)?.trace;
     }
     Ok(impact)

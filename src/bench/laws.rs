@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use super::problems::steel_on_steel;
-use crate::impact::ImpactError;
+use crate::impact::{ImpactError, Solver};
 use crate::law::{LawChoice, Plm, UnloadingExponent};
 use crate::math::functions::pow;
 use crate::strength::flow::FlowCurve;
@@ -48,7 +48,7 @@ pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
             // a law may refuse some of the speeds
             let ((), ns) = timed(|| {
                 for speed in &speeds {
-                    black_box(contact.essentials(black_box(*speed)).ok());
+                    black_box(contact.essentials(black_box(*speed), &Solver::AUTO).ok());
                 }
             });
             rate.ns_per_row = rate.ns_per_row.min(ns / f64::from(ROWS));

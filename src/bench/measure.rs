@@ -103,7 +103,10 @@ impl Rung {
         let runs: Result<Vec<Computed>, _> = phases.iter().map(|phase| self.run(method, *phase, problem)).collect();
         let runs = runs.ok()?;
         let worst = |error: &dyn Fn(&Computed) -> f64| runs.iter().map(error).fold(0.0, max_or_nan);
-        let seen = |run: &Computed| run.fixed_steps.map_or(run.outcome.contact_time, |fixed| fixed.contact_time);
+        let seen = |run: &Computed| {
+            let seen = run.fixed_steps.and_then(|seen| seen.separation_time);
+            seen.unwrap_or(run.outcome.contact_time)
+        };
         Some(Measurement {
             method,
             rung: self,

@@ -56,19 +56,24 @@ pub struct Forces {
 impl Forces {
     /// Whether the law acts alone.
     pub fn is_none(&self) -> bool {
-        self.gravity.is_none() && !self.have_drag()
+        self.gravity.is_none() && self.damping.is_none() && self.plate.is_none()
     }
 
     /// Whether damping or a plate takes energy.
     pub(crate) fn have_drag(&self) -> bool {
-        self.damping.is_some() || self.plate.is_some()
+        self.plate.is_some() || self.damping() != Drag::NONE
     }
 
-    /// Whether an impact under them can be solved without steps on a law of powers and straight lines: without damping, or
-    /// with that of Hunt and Crossley and no gravity; never on a plate.
-    pub(crate) fn have_closed_form(&self) -> bool {
-        let drag = self.damping.map_or(Drag::NONE, |damping| damping.drag(1.0));
-        self.plate.is_none() && drag.eta == 0.0 && (drag.chi == 0.0 || self.gravity.is_none())
+    /// Whether an impact under them has a closed form on a law of powers and straight lines: without damping, or with that of
+    /// Hunt and Crossley and no gravity; never on a plate.
+    pub(super) fn may_close(&self) -> bool {
+        let Drag { chi, eta, .. } = self.damping();
+        self.plate.is_none() && eta == 0.0 && (chi == 0.0 || self.gravity.is_none())
+    }
+
+    /// The damping in units of an impact whose unit of speed is 1 m/s.
+    fn damping(&self) -> Drag {
+        self.damping.map_or(Drag::NONE, |damping| damping.drag(1.0))
     }
 }
 

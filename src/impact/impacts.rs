@@ -35,31 +35,25 @@ impl Contact {
         self.impact(speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
     }
 
-    /// What a table holds of an impact by [`Method::Auto`], without the rest of an [`Impact`]: of the closed form, or by
-    /// rk8 at the default tolerance where there is none, and with damping.
-    pub fn essentials(&self, approach: impl Into<Approach>) -> Result<Essentials, ImpactError> {
-        self.essentials_by(approach, &Solver { method: Method::Auto, ..Solver::default() })
-    }
-
-    /// What a table holds of an impact by this solver.
+    /// What a table holds of an impact by this solver, without the rest of an [`Impact`].
     ///
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision, the law has no answer, the integrator gives up, or the
     /// method does not fit.
     #[inline]
-    pub fn essentials_by(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<Essentials, ImpactError> {
+    pub fn essentials(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<Essentials, ImpactError> {
         let approach = approach.into();
         let [speed, _] = approach.components();
         let case = self.case(None, speed)?;
         // the closed form is the result, or its duration is what the fixed step divides
         let exact = match solver.method {
-            Method::Auto if case.forces.is_conservative() => case.exact(),
-            Method::ClosedForm => Some(case.exact().ok_or(ImpactError::NoClosedForm)?),
-            Method::Verlet => case.exact(),
+            Method::Auto if self.forces().have_drag() => None,
+            Method::Auto | Method::ClosedForm | Method::Verlet => case.exact(),
             _ => None,
         };
+        let method = self.chosen(solver.method, exact.as_ref(), false)?;
         let outcome = match exact {
-            Some(exact) if solver.method != Method::Verlet => exact,
+            Some(exact) if method == Method::ClosedForm => exact,
             _ => run(case.law, case.q, &case.forces, exact.as_ref(), solver, None)?.outcome,
         };
         case.law.accept(&outcome.unloading.peak)?;
@@ -70,12 +64,18 @@ impl Contact {
         Ok(essentials)
     }
 
+    /// What computes an impact of which this is the closed form, if it has one.
+    #[inline]
+    fn chosen(&self, method: Method, exact: Option<&Outcome>, has_trace: bool) -> Result<Method, ImpactError> {
+        method.chosen(self.forces(), || exact.is_some(), has_trace).ok_or(ImpactError::NoClosedForm)
+    }
+
     /// e alone, with the same bits as from [`Contact::essentials`]. Without gravity and damping no times are computed, which
     /// takes half as long; a contact time outside double precision is then no error.
     pub fn restitution(&self, approach: impl Into<Approach>) -> Result<f64, ImpactError> {
         let [speed, _] = approach.into().components();
         if !self.forces().is_none() {
-            return Ok(self.essentials(speed)?.restitution);
+            return Ok(self.essentials(speed, &Solver::AUTO)?.restitution);
         }
         let case = self.case(None, speed)?;
         let (unloading, restitution) = closed_form::energy_balance(case.law, case.q);
@@ -83,11 +83,9 @@ impl Contact {
         Ok(restitution)
     }
 
-    /// Whether [`Method::Auto`] integrates rows of tables: with damping, on a plate, and under gravity where the law is
-    /// neither powers nor straight lines. Elsewhere it takes the closed form.
-    pub(crate) fn auto_integrates(&self) -> bool {
-        let is_open = || self.yielding.as_ref().is_some_and(|(_, law)| !closed_form::closes(law));
-        self.forces().have_drag() || self.forces().gravity.is_some() && is_open()
+    /// Whether an impact that yields has a closed form also under gravity or damping, as [`Method::chosen`] asks.
+    pub(crate) fn closes(&self) -> bool {
+        self.yielding.as_ref().is_none_or(|(_, law)| closed_form::closes(law))
     }
 
     /// Computes one impact at a speed \[m/s\], or an [`Approach`]; with `samples`, with a trace of that many evenly
@@ -122,29 +120,11 @@ impl Contact {
     ) -> Result<(Impact, Outcome), ImpactError> {
         let Case { law, q, forces, .. } = case;
         let exact = case.exact();
-        let method = solver.method.chosen(forces, exact.is_some(), samples.is_some());
-        let is_exact = method == Method::ClosedForm;
-        if is_exact && (exact.is_none() || samples.is_some() && !forces.is_none()) {
-            return Err(ImpactError::NoClosedForm);
-        }
-        let free = forces.without_drag();
-        let undamped = if forces.is_conservative() { exact } else { closed_form::solve_with(law, *q, &free) };
-        if let Some(outcome) = undamped {
-            match law.accept(&outcome.unloading.peak) {
-                Ok(()) if is_exact && samples.is_none() => {}
-                // where an impact leaves double precision it does so here, before it is integrated
-                Ok(()) => drop(Essentials::new(self, speed, case, &outcome)?),
-                Err(error) if forces.is_conservative() => return Err(error.into()),
-                // with damping or on a plate the peak is shallower, and the law may have an answer there
-                Err(_) => {}
-            }
-        }
+        let method = self.chosen(solver.method, exact.as_ref(), samples.is_some())?;
         let solver = Solver { method, ..*solver };
         let computed = run(law, *q, forces, exact.as_ref(), &solver, samples)?;
         let peak = &computed.outcome.unloading.peak;
-        if !forces.is_none() {
-            law.accept(peak)?;
-        }
+        law.accept(peak)?;
         let mut impact = Impact::new(self, speed, case, method, &computed, exact.as_ref())?;
         impact.warnings = validity::warnings(self, &impact, law, peak, &solver);
         Ok((impact, computed.outcome))

@@ -23,15 +23,27 @@ impl Fate {
     }
 }
 
-/// The times at which a code with fixed steps sees peak and separation: each is the end of a step.
+/// What a code with fixed steps sees of an impact: the times of peak and separation, each the end of a step. Dimensionless, or
+/// in an [`Impact`](super::Impact) in seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedSteps {
     /// Length of a step.
     pub step: f64,
-    /// Time of the deepest step.
-    pub loading_time: f64,
-    /// Time of the first step without a pushing force, or of the end of the run of a captured sphere.
-    pub contact_time: f64,
+    /// First touch to the deepest step.
+    pub compression_time: f64,
+    /// First touch to the first step without a pushing force; `None` for a captured sphere.
+    pub separation_time: Option<f64>,
+}
+
+impl FixedSteps {
+    /// The same in seconds, where this is the unit of time.
+    pub(super) fn in_seconds(&self, time: f64) -> Self {
+        Self {
+            step: self.step * time,
+            compression_time: self.compression_time * time,
+            separation_time: self.separation_time.map(|separation| separation * time),
+        }
+    }
 }
 
 /// The outcome of an impact in dimensionless form.

@@ -8,7 +8,7 @@ use super::error::ImpactError;
 use super::essentials::Essentials;
 use super::ledger::{Ledger, TraceRow};
 use super::oblique::{Approach, Inclined, Oblique};
-use super::outcome::{Computed, Fate, Outcome};
+use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::solve::Method;
 use super::warning::Warning;
 use crate::integrate::{IntegrationError, Work};
@@ -26,6 +26,8 @@ pub struct Energy {
     /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the
     /// error of the run as the run itself can see it.
     pub drift: f64,
+    /// What the energy ledger is off by at the end of the contact, relative as `drift`; positive for a gain.
+    pub drift_at_end: f64,
 }
 
 /// The error of the integration against the closed form (both relative).
@@ -72,19 +74,6 @@ pub struct UnderForces {
     pub gravity_work: Option<f64>,
 }
 
-/// What a code with this fixed step sees of the impact. SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InFixedSteps {
-    /// Length of a step \[s\].
-    pub step: f64,
-    /// First touch to the deepest step \[s\].
-    pub compression_time: f64,
-    /// First touch to the first step without a pushing force \[s\]; `None` for a captured sphere.
-    pub separation_time: Option<f64>,
-    /// What the energy ledger is off by at the end of the contact, relative as [`Energy::drift`]; positive for a gain.
-    pub drift_at_end: f64,
-}
-
 /// One impact: every report and every picture reads this. What a table holds of it, it holds too: an impact derefs to its
 /// [`Essentials`], as in `impact.peak_force`. SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,7 +114,7 @@ pub struct Impact {
     /// Fate, losses and work under gravity or damping or on a plate, if the scene names them.
     pub under_forces: Option<UnderForces>,
     /// What a code with fixed steps sees, by [`Method::Verlet`].
-    pub in_fixed_steps: Option<InFixedSteps>,
+    pub in_fixed_steps: Option<FixedSteps>,
     /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
     pub oblique: Option<Oblique>,
     /// Where the model or the run is doubtful.
@@ -211,16 +200,12 @@ impl Impact {
                 recovered: kinetic_in * essentials.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| law.plastic(&outcome.unloading) * energy),
                 drift,
+                drift_at_end: ledger.at_end(),
             },
             work: *work,
             accuracy: Accuracy::of(outcome, exact),
             under_forces,
-            in_fixed_steps: fixed_steps.map(|fixed| InFixedSteps {
-                step: fixed.step * scales.time(),
-                compression_time: fixed.loading_time * scales.time(),
-                separation_time: (!is_captured).then(|| fixed.contact_time * scales.time()),
-                drift_at_end: ledger.at_end(),
-            }),
+            in_fixed_steps: fixed_steps.map(|seen| seen.in_seconds(scales.time())),
             oblique: None,
             warnings: Vec::new(),
             trace,

@@ -2,7 +2,7 @@
 
 use super::closed_form;
 use super::course;
-use super::forces::ScaledForces;
+use super::forces::{Forces, ScaledForces};
 use super::outcome::{Computed, Outcome};
 use super::record::{Recorder, even_times};
 use super::verlet;
@@ -49,16 +49,20 @@ impl Method {
         Self::ALL.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
     }
 
-    /// What computes an impact: the method itself, or what [`Method::Auto`] stands for. That is the closed form for results
-    /// of a motion that nothing damps, where there is one; for a trace, with damping, and under gravity on a law that is
-    /// neither powers nor straight lines, it is rk8.
-    #[must_use]
-    pub fn chosen(self, forces: &ScaledForces, has_closed_form: bool, has_trace: bool) -> Self {
-        match self {
-            Self::Auto if has_closed_form && !has_trace && forces.is_conservative() => Self::ClosedForm,
-            Self::Auto => Self::Rk8,
-            method => method,
+    /// What computes an impact under these forces: the method itself, or what [`Method::Auto`] stands for. That is the closed
+    /// form for results of a motion that nothing damps, where there is one, and rk8 for all else. `None` for
+    /// [`Method::ClosedForm`] where there is none. `closes` says whether the law has closed forms under gravity and damping;
+    /// without them every law has.
+    pub fn chosen(self, forces: &Forces, closes: impl FnOnce() -> bool, has_trace: bool) -> Option<Self> {
+        if !matches!(self, Self::Auto | Self::ClosedForm) {
+            return Some(self);
         }
+        let is_auto = self == Self::Auto;
+        let has_closed_form = forces.is_none() || !has_trace && forces.may_close() && closes();
+        if has_closed_form && !(is_auto && (has_trace || forces.have_drag())) {
+            return Some(Self::ClosedForm);
+        }
+        is_auto.then_some(Self::Rk8)
     }
 }
 
@@ -73,9 +77,14 @@ pub struct Solver {
     pub steps_per_contact: u32,
 }
 
+impl Solver {
+    /// The method that [`Method::Auto`] chooses, at the usual tolerance.
+    pub const AUTO: Self = Self { method: Method::Auto, tolerance: 1e-10, steps_per_contact: 50 };
+}
+
 impl Default for Solver {
     fn default() -> Self {
-        Self { method: Method::Rk8, tolerance: 1e-10, steps_per_contact: 50 }
+        Self { method: Method::Rk8, ..Self::AUTO }
     }
 }
 
@@ -115,9 +124,9 @@ fn along<I: Integrator>(
     Ok(Computed { points: samples.map_or_else(Vec::new, trace), ..Computed::new(outcome, integrator.work()) })
 }
 
-/// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. By
-/// [`Method::ClosedForm`] without one, rk8 computes it. With `samples` it comes with a trace of that many points evenly spaced
-/// over the contact, first touch and separation among them, and a point for every other event.
+/// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. [`Method::Auto`] is
+/// rk8 here, and so is [`Method::ClosedForm`] without a closed form. With `samples` it comes with a trace of that many points
+/// evenly spaced over the contact, first touch and separation among them, and a point for every other event.
 pub fn run(
     law: &Law,
     q: f64,
@@ -130,11 +139,9 @@ pub fn run(
     let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
     let course = (law, q, forces, samples, duration);
     let tolerance = solver.tolerance;
-    match (solver.method.chosen(forces, exact.is_some(), samples.is_some()), exact) {
+    match (solver.method, exact) {
         (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Work::default())),
-        (Method::ClosedForm, _) if forces.is_none() => {
-            Ok(Computed { work: Work::default(), ..along(course, Rk8::new(FINEST))? })
-        }
+        (Method::ClosedForm, Some(_)) => Ok(Computed { work: Work::default(), ..along(course, Rk8::new(FINEST))? }),
         (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(course, Rk8::new(tolerance)),
         (Method::Dopri5, _) => along(course, Library::new(Scheme::Dopri5, tolerance)),
         (Method::Dop853, _) => along(course, Library::new(Scheme::Dop853, tolerance)),

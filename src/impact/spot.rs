@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use super::error::ImpactError;
 use super::result::Impact;
-use super::solve::{Method, Solver};
+use super::solve::Solver;
 use crate::law::{Law, Peak};
 
 /// A place on the half-space. The indentations of all impacts on it count from the original surface, so that first touch is at
@@ -40,22 +40,6 @@ impl Contact {
             (Some((scales, _)), Some(memory)) => memory.residual() * scales.length,
             _ => 0.0,
         }
-    }
-
-    /// Fastest impact on a spot \[m/s\] that leaves it as it is; `None` for a half-space that stays elastic.
-    pub fn elastic_speed(&self, spot: &Spot) -> Option<f64> {
-        let (scales, _) = self.yielding.as_ref()?;
-        let branch = spot.law.as_ref().and_then(Law::branch);
-        let of_branch = branch.map(|branch| scales.speed * (2.5 * branch.capacity()).sqrt());
-        of_branch.or(self.yield_speed.is_finite().then_some(self.yield_speed))
-    }
-
-    /// As [`Contact::closed_form`], on a spot, which then remembers the impact.
-    ///
-    /// # Errors
-    /// [`ImpactError::Range`], see [`Contact::scaled`]; the spot is then as before.
-    pub fn closed_form_on(&self, spot: &mut Spot, speed: f64) -> Result<Impact, ImpactError> {
-        self.impact_on(spot, speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
     }
 
     /// As [`Contact::impact`], on a spot, which then remembers the impact.

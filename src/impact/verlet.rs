@@ -202,7 +202,8 @@ pub(crate) fn march(
         };
         // one evaluation a step, and one at first touch
         let work = Work { steps: n, rejected: 0, force_evaluations: n + 1 };
-        let fixed_steps = Some(FixedSteps { step, loading_time: peak.time, contact_time: time });
+        let separation_time = separates.then_some(time);
+        let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });
         return Ok(Computed { fixed_steps, ..Computed::new(outcome, work) });
     }
     Err(IntegrationError::TooManySteps { steps: most_steps })
@@ -229,7 +230,7 @@ pub(super) fn trace(
     let (mut times, mut states) = (times.take_while(|time| *time < outcome.contact_time).peekable(), Vec::new());
     let touch = motion.state;
     let mut turning = State { speed: 0.0, ..touch };
-    while times.peek().is_some() || motion.state.time < fixed.loading_time {
+    while times.peek().is_some() || motion.state.time < fixed.compression_time {
         let (from, acceleration) = (motion.state, motion.acceleration);
         motion.advance();
         // the way in a step is a parabola
@@ -238,7 +239,7 @@ pub(super) fn trace(
             let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
             states.push((State { time, distance, speed: from.speed + acceleration * t, loss: from.loss }, None));
         }
-        if motion.state.time == fixed.loading_time {
+        if motion.state.time == fixed.compression_time {
             turning = State { time: outcome.loading_time, speed: 0.0, ..motion.state };
         }
     }

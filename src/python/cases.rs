@@ -213,7 +213,8 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     if !speeds.is_empty() {
         warn(py, &py.detach(|| warnings_of(&plan, &contact.inner)))?;
     }
-    let is_exact = plan.scene.forces.is_none() && matches!(plan.scene.solver.method, Method::Auto | Method::ClosedForm);
+    let Scene { forces, solver, .. } = &plan.scene;
+    let is_exact = forces.is_none() && solver.method.chosen(forces, || true, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
         let of = |speed: &f64| match contact.inner.restitution(contact.scene.approach_at(*speed)) {
             Ok(restitution) => (restitution, 0.0),

@@ -33,10 +33,8 @@ pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
 
 /// Refuses a method without a trace, which a run writes.
 pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Error> {
-    if scene.solver.method == Method::ClosedForm && !scene.forces.is_none() {
-        return Err(no_result(scenario, &ImpactError::NoClosedForm));
-    }
-    Ok(())
+    let method = scene.solver.method.chosen(&scene.forces, || true, true);
+    method.map(drop).ok_or_else(|| no_result(scenario, &ImpactError::NoClosedForm))
 }
 
 /// The provenance of results that were computed by this method.

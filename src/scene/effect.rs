@@ -81,10 +81,7 @@ impl Scene {
 
     /// Whether a row of this scene is integrated.
     pub fn is_stepped(&self) -> bool {
-        match self.solver.method {
-            Method::ClosedForm => false,
-            Method::Auto => self.contact().is_ok_and(|contact| contact.auto_integrates()),
-            _ => true,
-        }
+        let closes = || self.contact().map_or(true, |contact| contact.closes());
+        self.solver.method.chosen(&self.forces, closes, false).is_some_and(|method| method != Method::ClosedForm)
     }
 }

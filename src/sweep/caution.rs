@@ -5,7 +5,7 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
-use crate::impact::{Approach, Contact, Impact, Method, Solver, Warning};
+use crate::impact::{Approach, Contact, Impact, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan, put};
@@ -124,6 +124,5 @@ fn tails(variable: &Variable) -> Axis {
 
 /// The impact of one corner, and the radius of its sphere; `None` if it has no result, which the status in the table says.
 fn impact(contact: &Contact, approach: Approach) -> Option<(Impact, f64)> {
-    let solver = Solver { method: Method::Auto, ..Solver::default() };
-    Some((contact.impact(approach, &solver, None).ok()?, contact.sphere().radius))
+    Some((contact.impact(approach, &Solver::AUTO, None).ok()?, contact.sphere().radius))
 }

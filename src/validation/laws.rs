@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::check::{EXPONENTS, deviation, rms};
 use super::dynamic::scenes;
 use crate::error::Error;
-use crate::impact::{Contact, Essentials};
+use crate::impact::{Contact, Essentials, Solver};
 use crate::law::{LawChoice, Plm, PlmCoefficients};
 use crate::material::{HalfSpace, Sphere};
 use crate::reference::quasi_static;
@@ -94,7 +94,7 @@ pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<OfLaw>, Error> {
     let of_law = |(name, law): (String, LawChoice)| {
         let answer = |one: &Reference| {
             let contact = Contact::try_new(one.sphere, one.half_space, law.get()).ok()?;
-            Some(one.off(&contact.essentials(one.speed).ok()?))
+            Some(one.off(&contact.essentials(one.speed, &Solver::AUTO).ok()?))
         };
         let off: Vec<[Option<f64>; 4]> = references.iter().filter_map(answer).collect();
         let of = |what: usize| rms(&off.iter().filter_map(|off| off[what]).collect::<Vec<_>>());

@@ -9,7 +9,7 @@ pub mod reference;
 use std::cell::Cell;
 use std::ops::Range;
 
-use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, closed_form};
+use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
 use plm_impact::law::{Law, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
@@ -98,6 +98,11 @@ pub fn checked<S: Strategy>(
 /// A solver with this method and tolerance.
 pub fn solver(method: Method, tolerance: f64) -> Solver {
     Solver { method, tolerance, ..Solver::default() }
+}
+
+/// The closed form of an impact on a spot, which then remembers it.
+pub fn shot(contact: &Contact, spot: &mut Spot, speed: f64) -> Impact {
+    contact.impact_on(spot, speed, &solver(Method::ClosedForm, 1e-10), None).unwrap()
 }
 
 /// One dimensionless impact.

@@ -43,7 +43,7 @@ proptest! {
     fn nothing_comes_back_that_was_not_spent(scene in any_scene(), n in 1.000_001..2.0_f64, decades in 0.0..2.0_f64) {
         let contact = Scene { exponent: UnloadingExponent::Fixed(n), ..scene }.contact();
         let speed = contact.yield_speed().unwrap() * 10_f64.powf(decades);
-        let Ok(row) = contact.essentials(speed) else { return Ok(()) };
+        let Ok(row) = contact.essentials(speed, &Solver::AUTO) else { return Ok(()) };
         prop_assert!(row.restitution <= 1.0, "{:e}", row.restitution - 1.0);
         prop_assert!(row.plastic_fraction >= 0.0, "{:e}", row.plastic_fraction);
         // recovered and plastic energy add up to the whole energy
@@ -118,7 +118,7 @@ fn a_sphere_that_is_let_go_and_yields_has_a_plastic_share_of_nothing() {
 #[test]
 fn a_spot_remembers_the_limited_branch_and_a_reload_runs_along_it() {
     let contact = steel(1.2).contact();
-    let auto = Solver { method: Method::Auto, ..Solver::default() };
+    let auto = Solver::AUTO;
     let speed = 1.5 * contact.yield_speed().unwrap();
     let mut spot = Spot::fresh();
     let first = contact.impact_on(&mut spot, speed, &auto, None).unwrap();
@@ -126,7 +126,6 @@ fn a_spot_remembers_the_limited_branch_and_a_reload_runs_along_it() {
     let again = contact.impact_on(&mut spot, speed, &auto, None).unwrap();
     assert!(again.restitution == 1.0 && off(again.peak_indentation, first.peak_indentation) < 1e-14);
     assert!(off(again.unloading_exponent, first.unloading_exponent) < 1e-14);
-    assert!(off(contact.elastic_speed(&spot).unwrap(), speed) < 1e-14);
     // faster: no energy was lost so far, so the peak is that of a fresh spot
     for method in [Method::ClosedForm, Method::Rk8] {
         let mut old = spot.clone();
@@ -183,7 +182,7 @@ fn coefficients_that_would_gain_by_themselves_do_not() {
     let contact = Contact::try_new(*scene.contact().sphere(), *scene.contact().half_space(), &plm).unwrap();
     for i in 1..60 {
         let speed = contact.yield_speed().unwrap() * (1.0 + 0.05 * f64::from(i));
-        let row = contact.essentials(speed).unwrap();
+        let row = contact.essentials(speed, &Solver::AUTO).unwrap();
         assert!(row.restitution <= 1.0 && row.plastic_fraction >= 0.0, "{i} {row:?}");
     }
 }

@@ -276,7 +276,7 @@ fn methods_without_steps_say_where_they_end() {
     assert_eq!(contact.impact(3.0, &closed, None), Err(ImpactError::NoClosedForm));
     assert_eq!(contact.closed_form(3.0), Err(ImpactError::NoClosedForm));
     assert!(matches!(contact.closed_form(1e200), Err(ImpactError::Range(_))));
-    let auto = Solver { method: Method::Auto, ..Solver::default() };
+    let auto = Solver::AUTO;
     let method = |forces, samples| under(&Scene::steel(), forces).impact(3.0, &auto, samples).unwrap().method;
     assert_eq!(method(gravity(GRAVITY), None), Method::ClosedForm);
     assert_eq!(method(gravity(GRAVITY), Some(10)), Method::Rk8);

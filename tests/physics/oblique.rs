@@ -59,7 +59,7 @@ fn twelve_impacts_are_those_of_the_reference() {
             assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }
         // a table interpolates for elastic impacts
-        let of_table = contact.essentials(approach).unwrap().rebound.unwrap();
+        let of_table = contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap();
         assert_abs_diff_eq!(-of_table.contact_point_restitution, want, epsilon = 3e-5);
     }
 }
@@ -137,7 +137,7 @@ fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
         let spin = |psi: f64| -psi * 0.1 * speed / (4.0 * contact.shear_ratio() * 5e-3);
         let slides = |psi: f64| {
             let approach = approach(speed, 0.0, 0.1, spin(psi));
-            contact.essentials(approach).unwrap().rebound.unwrap().is_sliding
+            contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap().is_sliding
         };
         let n = contact.closed_form(speed).unwrap().unloading_exponent;
         let end = 2.0 * chi * (1.0 + e) - e * (2.0 * n - 2.0).min(1.0);
@@ -298,7 +298,7 @@ proptest! {
         prop_assert!((ends[1].tangential_speed - rebound.tangential_speed).abs() <= 1e-9 * size);
         prop_assert!((ends[1].spin - rebound.spin).abs() * 2e-3 <= 1e-8 * size);
         // a row of a table is the impact, but for the interpolation of elastic ones
-        let row = contact.essentials(approach).unwrap().rebound.unwrap();
+        let row = contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap();
         let off = (row.contact_point_restitution - rebound.contact_point_restitution).abs();
         prop_assert!(off <= if impact.has_dent() { 1e-9 } else { 6e-5 } || off.is_nan(), "off by {:e} at {:?}", off, rebound);
     }

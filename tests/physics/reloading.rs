@@ -11,7 +11,7 @@ const EXPONENTS: [UnloadingExponent; 3] =
 fn dented(exponent: UnloadingExponent) -> (Contact, Spot, Impact) {
     let contact = Scene { exponent, ..Scene::steel() }.contact();
     let mut spot = Spot::fresh();
-    let first = contact.closed_form_on(&mut spot, 3.0).unwrap();
+    let first = shot(&contact, &mut spot, 3.0);
     (contact, spot, first)
 }
 
@@ -40,7 +40,7 @@ fn hits_below_the_old_peak_are_elastic_and_leave_the_memory_to_the_last_bit() {
         let before = (bits(spot.memory()), contact.dent_depth(&spot).to_bits());
         for i in 1..=10_000 {
             let speed = first.rebound_speed * f64::from(i) / 10_000.0;
-            let essentials = contact.closed_form_on(&mut spot, speed).unwrap().essentials;
+            let essentials = shot(&contact, &mut spot, speed).essentials;
             assert_eq!(essentials.restitution, 1.0);
             assert_eq!(essentials.plastic_fraction, 0.0);
             assert_eq!(essentials.residual_indentation.to_bits(), first.residual_indentation.to_bits());
@@ -66,9 +66,9 @@ fn the_speed_of_the_rebound_ends_exactly_at_the_old_peak() {
         for speed in (1..=3000).map(|i| 0.011 * f64::from(i)) {
             let contact = Scene { exponent, ..Scene::steel() }.contact();
             let mut spot = Spot::fresh();
-            let first = contact.closed_form_on(&mut spot, speed).unwrap();
+            let first = shot(&contact, &mut spot, speed);
             let before = bits(spot.memory());
-            let again = contact.closed_form_on(&mut spot, first.rebound_speed).unwrap();
+            let again = shot(&contact, &mut spot, first.rebound_speed);
             assert_eq!(bits(spot.memory()), before);
             assert!(before.is_some(), "a dent");
             assert_eq!(again.restitution, 1.0);
@@ -79,7 +79,6 @@ fn the_speed_of_the_rebound_ends_exactly_at_the_old_peak() {
             assert!(off(again.peak_force, first.peak_force) < 1e-14);
             assert!(off(again.peak_indentation, first.peak_indentation) < 1e-14);
             assert!(off(again.peak_contact_radius, first.peak_contact_radius) < 1e-14);
-            assert!(off(contact.elastic_speed(&spot).unwrap(), first.rebound_speed) < 1e-14);
         }
     }
 }
@@ -91,11 +90,10 @@ fn equal_shots_approach_the_dent_that_can_hold_their_energy() {
         let (contact, mut spot, first) = dented(exponent);
         let mut before = first;
         for _ in 0..1000 {
-            let shot = contact.closed_form_on(&mut spot, 3.0).unwrap();
+            let shot = shot(&contact, &mut spot, 3.0);
             assert!(shot.restitution >= before.restitution && shot.residual_indentation >= before.residual_indentation);
             before = shot;
         }
-        assert!(off(contact.elastic_speed(&spot).unwrap(), 3.0) < 1e-13);
         assert!(off(before.restitution, 1.0) < 1e-13);
         assert!(
             off(
@@ -160,7 +158,7 @@ fn a_trace_tells_reloading_from_yielding() {
 fn fixed_steps_run_up_the_branch_too() {
     let (contact, spot, first) = dented(UnloadingExponent::Paper);
     for speed in [0.5 * first.rebound_speed, 4.0] {
-        let exact = contact.closed_form_on(&mut spot.clone(), speed).unwrap();
+        let exact = shot(&contact, &mut spot.clone(), speed);
         let by_steps = plm_impact::impact::Solver { steps_per_contact: 20_000, ..solver(Method::Verlet, 1e-10) };
         let hit = contact.impact_on(&mut spot.clone(), speed, &by_steps, Some(40)).unwrap();
         // separation is at the first step without force: an error of first order in the step, 1/20 000
@@ -177,7 +175,6 @@ fn a_spot_can_be_made_from_a_memory() {
     // a spot that never yielded is fresh
     let elastic = Scene::steel().law().loaded_to(0.9);
     assert_eq!(Spot::loaded_to(&contact, elastic), Spot::fresh());
-    assert_eq!(contact.elastic_speed(&Spot::fresh()), contact.yield_speed());
 }
 
 #[test]
@@ -215,9 +212,9 @@ proptest! {
         let tolerance = 10_f64.powf(log_tolerance);
         let speed = q * scene.yield_speed();
         let mut spot = Spot::fresh();
-        let first = contact.closed_form_on(&mut spot, speed).unwrap();
+        let first = shot(&contact, &mut spot, speed);
         let mut exact_spot = spot.clone();
-        let exact = contact.closed_form_on(&mut exact_spot, ratio * speed).unwrap();
+        let exact = shot(&contact, &mut exact_spot, ratio * speed);
         prop_assert!(exact.residual_indentation >= first.residual_indentation);
         prop_assert!(exact.energy.drift < 1e-12, "{:e}", exact.energy.drift);
         // after the knot at 1.7 the straight piece lets the plastic work of a soft sphere (kappa 0.95) fall, and e
@@ -247,8 +244,8 @@ proptest! {
         let contact = scene.contact();
         let speed = q * scene.yield_speed();
         let mut spot = Spot::fresh();
-        let first = contact.closed_form_on(&mut spot, speed).unwrap();
-        let second = contact.closed_form_on(&mut spot, ratio * speed).unwrap();
+        let first = shot(&contact, &mut spot, speed);
+        let second = shot(&contact, &mut spot, ratio * speed);
         let excess = ratio * ratio - first.restitution * first.restitution;
         if excess > 1e-12 && first.restitution < 1.0 {
             let single = contact.closed_form(speed * (1.0 + excess).sqrt()).unwrap();
@@ -271,8 +268,8 @@ fn energy_gained_at_a_knot_is_said() {
     let (contact, speed) = (scene.contact(), 1.945 * scene.yield_speed());
     let mut spot = Spot::fresh();
     let is_gain = |impact: &Impact| impact.warnings.iter().any(|warning| warning.kind == WarningKind::EnergyGain);
-    let first = contact.closed_form_on(&mut spot, speed).unwrap();
+    let first = shot(&contact, &mut spot, speed);
     assert!(first.restitution < 1.0 && !is_gain(&first));
-    let second = contact.closed_form_on(&mut spot, speed).unwrap();
+    let second = shot(&contact, &mut spot, speed);
     assert!(second.restitution > 1.0 && is_gain(&second), "{}", second.restitution);
 }

@@ -215,7 +215,7 @@ fn a_half_space_that_hardens_radiates_by_the_same_integral() {
 fn stepped_impacts_and_tables_radiate_what_the_closed_form_does() {
     let contact = Bodies::steel(Some(345e6)).contact();
     let exact = contact.closed_form(3.0).unwrap();
-    let row = contact.essentials(3.0).unwrap();
+    let row = contact.essentials(3.0, &Solver::AUTO).unwrap();
     assert_eq!(row.wave_loss_fraction, exact.wave_loss_fraction);
     assert_eq!(row.restitution_with_waves(), exact.restitution_with_waves());
     for method in [Method::Rk8, Method::Dop853] {
@@ -270,8 +270,8 @@ fn waves_are_left_out_where_the_force_jumps_and_the_way_out_is_said() {
         let speed = times * yield_speed;
         let impact = printed.closed_form(speed).unwrap();
         assert_eq!((impact.wave_loss_fraction.is_none(), says(&impact)), (jumps, jumps), "{times}");
-        assert_eq!(printed.essentials(speed).unwrap().wave_loss_fraction.is_none(), jumps);
-        assert!(crossed.essentials(speed).unwrap().wave_loss_fraction.unwrap() > 0.0, "{times}");
+        assert_eq!(printed.essentials(speed, &Solver::AUTO).unwrap().wave_loss_fraction.is_none(), jumps);
+        assert!(crossed.essentials(speed, &Solver::AUTO).unwrap().wave_loss_fraction.unwrap() > 0.0, "{times}");
     }
 }
 

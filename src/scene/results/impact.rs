@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::entry::{Needs, Reported, file, results};
 use crate::impact::{
-    Contact, Essentials, Event, Impact, InFixedSteps, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
+    Contact, Essentials, Event, FixedSteps, Impact, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
 };
 
 /// One impact.
@@ -49,7 +49,7 @@ impl Single<'_> {
     }
 
     /// The value, if the steps are fixed.
-    fn verlet<V>(&self, value: fn(&InFixedSteps) -> V) -> Option<V> {
+    fn verlet<V>(&self, value: fn(&FixedSteps) -> V) -> Option<V> {
         self.impact.in_fixed_steps.as_ref().map(value)
     }
 }
@@ -165,7 +165,8 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
         "verlet.separation_time_s" in Time as "separation {}" if VERLET: of.verlet(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
-        "verlet.energy_drift_at_end" in Error as "energy drift at the end {}" if VERLET: of.verlet(|seen| seen.drift_at_end);
+        "verlet.energy_drift_at_end" in Error as "energy drift at the end {}" if VERLET:
+            of.verlet(|_| ()).map(|()| of.impact.energy.drift_at_end);
         /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below.
         "energy.kinetic_in_J" in Energy as "energy": of.impact.energy.kinetic_in;
         /// Kinetic energy of the sphere at separation.

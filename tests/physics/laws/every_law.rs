@@ -187,7 +187,7 @@ fn outside_its_range_a_law_has_no_answer() {
     // the impact returns this error
     let contact = contact(&Scene::case_3(), &LawChoice::from_name("mesarovic_johnson").unwrap());
     assert!(contact.impact(0.01, &solver(Method::Rk8, 1e-10), None).unwrap_err().to_string().contains("no answer"));
-    assert!(contact.essentials(0.01).is_err());
+    assert!(contact.essentials(0.01, &Solver::AUTO).is_err());
 }
 
 #[test]
@@ -225,7 +225,7 @@ fn extreme_bodies_give_numbers_or_a_refusal() {
             };
             let contact = contact(&scene, &choice);
             for speed in [1e-6, 1e-2, 1.0, 100.0, 1e4] {
-                if let Ok(row) = contact.essentials(speed) {
+                if let Ok(row) = contact.essentials(speed, &Solver::AUTO) {
                     let numbers = [
                         row.restitution,
                         row.contact_time,

@@ -116,7 +116,7 @@ fn an_impact_deeper_than_the_data_is_warned_of_and_no_other() {
         let Ok(contact) = Contact::try_new(sphere, half_space, law.get()) else { continue };
         for step in 0..60 {
             let speed = 0.01 * 1.3_f64.powi(step);
-            let Ok(impact) = contact.impact(speed, &Solver { method: Method::Auto, ..Solver::default() }, None) else {
+            let Ok(impact) = contact.impact(speed, &Solver::AUTO, None) else {
                 continue;
             };
             let is_deeper = impact.peak_indentation > contact.deepest();
