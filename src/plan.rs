@@ -8,7 +8,7 @@ mod source;
 use crate::impact::Method;
 use crate::scene::results::{Column, columns};
 use crate::scene::taken::Body;
-use crate::scene::{Input, Key, Scene, Use};
+use crate::scene::{Input, Key, Scene, Use, without_effect};
 use axis::{Axis, Word};
 use random::Variable;
 pub use source::Source;
@@ -116,27 +116,20 @@ impl Plan {
 
     /// A key that varies without any effect on the table, and why.
     pub fn unused(&self) -> Option<(&'static str, String)> {
-        let paths = self.paths();
-        let varies = |path: &str| paths.contains(&path);
-        let cases = self.worded();
-        let is_plastic = cases.iter().any(|input| input.resolve().half_space.yield_strength.is_some());
-        paths.iter().copied().find_map(|path| {
-            let key = Key::find(path);
-            let problem = if path.starts_with("law.") && !path.starts_with("law.plm.") && varies("law") {
+        let (paths, cases) = (self.paths(), self.worded());
+        let has_laws = paths.contains(&"law");
+        paths.into_iter().find_map(|path| {
+            let problem = if has_laws && path.starts_with("law.") && !path.starts_with("law.plm.") {
                 "cannot vary together with \"law\": give it in the table of its law".to_owned()
-            } else if key.is_some_and(|key| !cases.iter().any(|input| key.has_effect(input, Use::Rows))) {
-                format!("is not used: {}", key?.why_without_effect())
-            } else if path == "law" && !is_plastic {
-                "is not used: without half_space.yield_strength the contact stays elastic".to_owned()
             } else {
-                return None;
+                format!("is not used: {}", without_effect(path, &cases, Use::Rows)?)
             };
             Some((path, problem))
         })
     }
 
     /// The inputs under all laws and methods of the axes, with the first values of the other axes.
-    fn worded(&self) -> Vec<Input> {
+    pub fn worded(&self) -> Vec<Input> {
         let mut all = vec![self.input_at(&vec![0; self.axes().len()])];
         for axis in self.axes().iter().filter(|axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..])) {
             let with = |input: &Input, place| {

@@ -45,12 +45,11 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 use crate::impact::Warning;
-use crate::law::LawChoice;
 use crate::plan::axis::Setting;
 use crate::scene::read::Reader;
 use crate::scene::taken::Taken;
 use crate::scene::written::add_places;
-use crate::scene::{EITHER, Input, KEYS, Key, Scene, Use};
+use crate::scene::{EITHER, Input, KEYS, Key, Scene, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 use file::Tables;
 pub use file::every_key;
@@ -88,10 +87,6 @@ const NEEDED: [&str; 7] = [
 
 /// The key of the file of measurements.
 const DATA: &str = "calibrate.data";
-
-/// Why a law has no effect.
-const ELASTIC: &str =
-    "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out";
 
 impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
@@ -204,7 +199,7 @@ impl Scenario {
     pub fn resolve(&self) -> Result<Scene, Error> {
         let input = self.first_impact()?;
         let mut scene = self.scene_of(&input);
-        scene.warnings = self.without_effect(&input, Use::Impact, scene.half_space.yield_strength.is_none());
+        scene.warnings = self.without_effect(&[input], Use::Impact);
         Ok(scene)
     }
 
@@ -269,25 +264,14 @@ impl Scenario {
         Ok(self.as_given())
     }
 
-    /// Warnings about keys that the scenario gives, and that have no effect on what is computed. They are allowed, as the file
-    /// may also be run in another way.
-    fn without_effect(&self, input: &Input, of: Use, is_elastic: bool) -> Vec<Warning> {
+    /// Warnings about keys that the scenario gives, and that have no effect on what is computed of these inputs. They are
+    /// allowed, as the file may also be run in another way. Keys that are needed are no mistake.
+    fn without_effect(&self, inputs: &[Input], of: Use) -> Vec<Warning> {
         let needed = if of == Use::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
-        let is_needed = |path: &str| needed.contains(&path);
-        let is_in_place = |path: &str| EITHER.iter().any(|[one, other]| is_needed(one) && *other == path);
-        let is_open = |key: &&Key| self.document.has(key.path) && !is_needed(key.path) && !is_in_place(key.path);
-        // of another law than the PLM the whole table has no effect
-        let is_idle = |key: &&Key| match key.path.strip_prefix("law.") {
-            Some(law) => is_elastic && law.starts_with("plm."),
-            None => !key.has_effect(input, of),
-        };
-        let keys = KEYS.iter().filter(is_open).filter(is_idle).map(|key| (key.path, key.why_without_effect()));
-        let law = match &self.input.law {
-            LawChoice::Plm(_) => Some("law.plm.coefficients"),
-            LawChoice::Hertz(_) => None,
-            _ => Some("law"),
-        };
-        let law = law.filter(|key| is_elastic && self.document.has(key));
-        keys.chain(law.map(|key| (key, ELASTIC))).map(|(key, reason)| Warning::unused(key, reason)).collect()
+        let is_needed = |path: &str| needed.iter().any(|key| *key == path || EITHER.contains(&[*key, path]));
+        let numbers =
+            KEYS.iter().map(|key| key.path).filter(|path| self.document.has(path) && !path.starts_with("law."));
+        let given = numbers.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
+        given.filter_map(|path| Some(Warning::unused(path, without_effect(path, inputs, of)?))).collect()
     }
 }

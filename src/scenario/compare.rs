@@ -92,7 +92,7 @@ impl Scenario {
         }
         let of_sphere = of_sphere(sphere.radius, &sphere.material, None, None);
         comparison.warnings = of_sphere.chain(of_half_space(&HalfSpace { density: None, ..half_space })).collect();
-        comparison.warnings.extend(self.without_effect(&self.input, Use::Comparison, false));
+        comparison.warnings.extend(self.without_effect(std::slice::from_ref(&self.input), Use::Comparison));
         Ok(comparison)
     }
 

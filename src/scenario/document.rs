@@ -173,6 +173,14 @@ impl Document {
         self.places.contains_key(key)
     }
 
+    /// The keys that are given below this beginning, and tables without any key.
+    pub(super) fn inside(&self, begin: &str) -> Vec<&str> {
+        let keys = self.places.range(begin.to_owned()..).map(|(key, _)| key.as_str());
+        let keys: Vec<&str> = keys.take_while(|key| key.starts_with(begin)).collect();
+        let is_inner = |key: &str, other: &&str| other.strip_prefix(key).is_some_and(|rest| rest.starts_with('.'));
+        keys.iter().copied().filter(|key| !keys.iter().any(|other| is_inner(key, other))).collect()
+    }
+
     /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
     pub fn missing(&self, table: &str, key: &str) -> Error {
         self.refuse(table, missing(key, table))

@@ -7,7 +7,7 @@ use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material};
-use crate::scene::{Scene, Use};
+use crate::scene::{Input, Scene, Use};
 use crate::units::{Dimension, human};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
@@ -44,7 +44,6 @@ impl Scenario {
             return Err(self.document.missing("", "indentation"));
         };
         let specimens = self.specimens(given)?;
-        let is_elastic = specimens.iter().all(|specimen| specimen.half_space.yield_strength.is_none());
         let targets = self.targets(given)?;
         let Scene { sphere, law, samples, .. } = self.as_given();
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
@@ -55,6 +54,8 @@ impl Scenario {
         self.check_flow(&self.input)?;
         let flow = self.input.half_space.flow_stress.curve();
         self.check_strength(flow, &law, specimens.first().map(|first| &first.half_space))?;
+        let inputs: Vec<Input> = specimens.iter().map(|specimen| self.input_on(&specimen.half_space)).collect();
+        let warnings = self.without_effect(&inputs, Use::Indentation);
         Ok(IndentationScene {
             indenter: Indenter {
                 radius: sphere.radius,
@@ -65,8 +66,17 @@ impl Scenario {
             law,
             targets,
             samples,
-            warnings: self.without_effect(&self.input, Use::Indentation, is_elastic),
+            warnings,
         })
+    }
+
+    /// The input with one of the half-spaces.
+    fn input_on(&self, &HalfSpace { material, yield_strength, .. }: &HalfSpace) -> Input {
+        let mut input = self.input.clone();
+        input.half_space.youngs_modulus = Some(material.youngs_modulus);
+        input.half_space.poissons_ratio = Some(material.poissons_ratio);
+        input.half_space.yield_strength = yield_strength;
+        input
     }
 
     fn targets(&self, given: &IndentationInput) -> Result<Vec<Target>, Error> {

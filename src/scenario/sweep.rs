@@ -1,10 +1,9 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
-use super::axes::{LAW, METHOD, RandomKeys};
+use super::axes::{METHOD, RandomKeys};
 use super::{Kind, Scenario};
 use crate::error::Error;
-use crate::impact::{ImpactError, Method, Warning};
-use crate::law::LawChoice;
+use crate::impact::{ImpactError, Method};
 use crate::plan::axis::{Axis, Word};
 use crate::plan::{Cases, MOST_CASES, Plan};
 use crate::scene::Use;
@@ -25,7 +24,6 @@ impl Scenario {
             // a table has no trace, so the closed form is enough
             input.solver.method = Some(Method::Auto);
         }
-        let own_law = input.law.clone();
         let refuse = |path: &str, message: String| Err(self.refuse_varied(path, message));
         let cases = match (&self.tables.sweep, &self.tables.monte_carlo) {
             (None, None) => return Ok(None),
@@ -34,9 +32,9 @@ impl Scenario {
                 for word in axes.iter_mut().flat_map(Axis::words_mut) {
                     // the law of the scenario keeps the parameters that the scenario gives
                     if let Word::Law(law) = word
-                        && law.name() == own_law.name()
+                        && law.name() == input.law.name()
                     {
-                        law.clone_from(&own_law);
+                        law.clone_from(&input.law);
                     }
                 }
                 self.refuse_mixture(&axes)?;
@@ -49,11 +47,7 @@ impl Scenario {
         let mut plan = Plan::new(input, cases);
         let is_varied = |taken: &&Taken| plan.axes().iter().any(|axis| axis.path() == taken.body.material());
         plan.scene.materials = self.taken.iter().filter(|taken| !is_varied(taken)).cloned().collect();
-        // a key that varies may give the half-space its yield strength
-        let is_elastic = plan.scene.half_space.yield_strength.is_none();
-        plan.scene.warnings = self.without_effect(&plan.input, Use::Impact, is_elastic);
-        let unused_law = self.unused_law(&own_law, plan.axes());
-        plan.scene.warnings.extend(unused_law);
+        plan.scene.warnings = self.without_effect(&plan.worded(), Use::Impact);
         self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = plan.unused() {
             return refuse(path, problem);
@@ -105,14 +99,6 @@ impl Scenario {
         }
         let message = format!("is for tables, and this scenario is {scene}: leave it out, or give an impact a [sweep]");
         Err(self.document.refuse("output.columns", message))
-    }
-
-    /// The warning about the table of a law that is not on the axis of laws.
-    fn unused_law(&self, own: &LawChoice, axes: &[Axis]) -> Option<Warning> {
-        let laws = axes.iter().find(|axis| axis.path() == LAW)?.words();
-        let is_used = !self.document.has(LAW) || laws.iter().any(|law| law.name() == own.name());
-        let reason = "no case is under that law; name it in \"law\" of [sweep], or leave its table out";
-        (!is_used).then(|| Warning::unused(&format!("law.{}", own.about().name), reason))
     }
 }
 

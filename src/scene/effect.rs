@@ -3,6 +3,7 @@
 use super::keys::Key;
 use super::{Input, Scene};
 use crate::impact::Method;
+use crate::law::LawChoice;
 use crate::material::Pair;
 
 /// What is computed of a scene.
@@ -18,15 +19,64 @@ pub enum Use {
     Comparison,
 }
 
-impl Key {
-    /// Whether a computation gets something else when this key has another value.
-    pub fn has_effect(&self, input: &Input, of: Use) -> bool {
-        let mut other = input.clone();
-        let Some(value) = self.other_value(input) else { return true };
-        (self.set)(&mut other, Some(value));
-        other.resolve().reaching(of) != input.resolve().reaching(of)
-    }
+/// Why nothing that is computed of these inputs depends on a key; `None` if something does. Only numeric keys and keys of laws
+/// are looked at, a law by its table too.
+pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static str> {
+    let is_idle = |input: &Input| {
+        changed(path, input).is_some_and(|other| other.resolve().reaching(of) == input.resolve().reaching(of))
+    };
+    inputs.iter().all(is_idle).then(|| why(path, inputs))
+}
 
+/// The input with another value of a key.
+fn changed(path: &str, input: &Input) -> Option<Input> {
+    let mut other = input.clone();
+    match Key::find(path) {
+        Some(key) => (key.set)(&mut other, Some(key.other_value(input)?)),
+        // the law of an elastic contact, whether it is named or not
+        None if path == "law.hertz" && is_of_law(path, input) => return None,
+        None if is_of_law(path, input) => {
+            other.law = LawChoice::all().into_iter().find(|law| law.name() != input.law.name())?;
+        }
+        None if path.starts_with("law.") => {}
+        None => return None,
+    }
+    Some(other)
+}
+
+/// Whether a key is that of the law of an input, or stands in the table of that law.
+fn is_of_law(path: &str, input: &Input) -> bool {
+    let mut parts = path.split('.');
+    parts.next() == Some("law") && parts.next().is_none_or(|law| law == input.law.about().name)
+}
+
+/// Why a key has no effect on these inputs.
+fn why(path: &str, inputs: &[Input]) -> &'static str {
+    match path {
+        "impact.drop_height" => "it needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\"",
+        "half_space.density" => {
+            "elastic waves are computed for one impact by the law alone, without gravity and damping; leave the key out"
+        }
+        "sphere.yield_strength" => "it only warns of single impacts and of indentations; leave the key out",
+        "sphere.poissons_ratio" => "the sphere is rigid",
+        "friction.coefficient" | "sphere.moment_of_inertia" => {
+            "without impact.angle or sphere.spin nothing slides; give one of them, or leave the key out"
+        }
+        "half_space.thickness" => "a large plate gives way only to what moves; leave the key out",
+        "half_space.edge_distance" => "it only warns of single impacts; leave the key out",
+        "sphere.density" | "sphere.mass" => "nothing moves here; leave the key out",
+        path if path.starts_with("solver.") => "the closed form takes no steps; give solver.method too",
+        path if inputs.iter().any(|input| is_of_law(path, input)) => {
+            "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out"
+        }
+        path if path.starts_with("law.") => {
+            "no case is under that law; name it in \"law\" of [sweep] or as the only law, or leave the key out"
+        }
+        _ => "nothing that is computed here depends on it; leave the key out",
+    }
+}
+
+impl Key {
     /// Another value than that of the input.
     fn other_value(&self, input: &Input) -> Option<f64> {
         let example = self.quantity.example_value();
@@ -35,29 +85,6 @@ impl Key {
         };
         let mut near = [Some(1.01 * own), Some(0.99 * own), example].into_iter().flatten();
         near.find(|value| *value != own && self.quantity.check(*value).is_ok())
-    }
-
-    /// Why it has none.
-    pub fn why_without_effect(&self) -> &'static str {
-        match self.path {
-            "impact.drop_height" => "it needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\"",
-            "half_space.density" => {
-                "elastic waves are computed for one impact by the law alone, without gravity and damping; leave the key out"
-            }
-            "sphere.yield_strength" => "it only warns of single impacts and of indentations; leave the key out",
-            "sphere.poissons_ratio" => "the sphere is rigid",
-            "friction.coefficient" | "sphere.moment_of_inertia" => {
-                "without impact.angle or sphere.spin nothing slides; give one of them, or leave the key out"
-            }
-            "half_space.thickness" => "a large plate gives way only to what moves; leave the key out",
-            "half_space.edge_distance" => "it only warns of single impacts; leave the key out",
-            "sphere.density" | "sphere.mass" => "nothing moves here; leave the key out",
-            path if path.starts_with("solver.") => "the closed form takes no steps; give solver.method too",
-            path if path.starts_with("law.") => {
-                "no case is under that law, or there is no half_space.yield_strength and the contact stays elastic; leave the key out"
-            }
-            _ => "nothing that is computed here depends on it; leave the key out",
-        }
     }
 }
 
