@@ -24,7 +24,6 @@ pub mod identify;
 pub mod minimum;
 pub mod problem;
 pub mod profile;
-pub mod quantity;
 pub mod statistics;
 
 use nalgebra::DMatrix;
@@ -37,6 +36,7 @@ use crate::progress::Counter;
 use crate::scenario::Scenario;
 use crate::scenario::calibrate::{Source, Wanted};
 use crate::scene::Scene;
+use crate::scene::measured::Measured;
 use crate::units::csv_text::refused;
 use crate::units::four_digits;
 use crate::units::human;
@@ -48,7 +48,6 @@ pub use found::{Calibration, Found, OfLaw};
 use identify::{Identifiability, identify};
 pub use problem::NoAnswer;
 use problem::Problem;
-use quantity::Measured;
 use statistics::{chance, chance_of_runs};
 
 /// Smallest standard deviation, as a share of the value: squares of residuals stay finite.

@@ -13,8 +13,8 @@
 //!
 //! Lines that begin with `#` are comments.
 
-use super::quantity::Measured;
 use crate::error::Error;
+use crate::scene::measured::Measured;
 use crate::scene::quantity::{INDENTATION, LOAD, Quantity};
 use crate::scene::{KEYS, Key};
 use crate::units::csv_text::{CsvText, refused};

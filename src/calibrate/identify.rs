@@ -8,8 +8,8 @@ use nalgebra::{DMatrix, DVector};
 use super::data::{Data, Value};
 use super::minimum::Place;
 use super::problem::Problem;
-use super::quantity::Measured;
 use crate::math::functions::{exp, ln};
+use crate::scene::measured::Measured;
 use crate::units::four_digits;
 use crate::units::rounded::percent;
 

@@ -6,11 +6,11 @@ use super::of_key::{axis_of, title_of};
 use super::style::Style;
 use super::{Axis, Chart, Guide, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
-use crate::calibrate::quantity::Measured;
 use crate::calibrate::statistics::{LEVELS, reach};
 use crate::calibrate::{Calibration, Fit, Found};
 use crate::plan::free::Free;
 use crate::scene::Key;
+use crate::scene::measured::Measured;
 use crate::units::four_digits;
 
 /// Largest number of points in a picture: the eye cannot separate more.

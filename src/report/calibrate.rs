@@ -8,10 +8,10 @@ use super::inputs::Inputs;
 use super::rows::written;
 use crate::calibrate::minimum::Place;
 use crate::calibrate::profile::Ends;
-use crate::calibrate::quantity::Measured;
 use crate::calibrate::{Calibration, Found, Measurements, Noise, OfLaw};
 use crate::error::Error;
 use crate::provenance::Provenance;
+use crate::scene::measured::Measured;
 use crate::scene::results::entry::{file, results};
 use crate::scene::results::{Reported, fields};
 use crate::units::aligned::aligned;
@@ -192,7 +192,7 @@ pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenanc
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
     let mut inputs = Inputs::of(&of.fit.problem.scene);
-    inputs.0.retain(|entry| !varies(&entry.key));
+    inputs.0.retain(|held| !varies(&held.path));
     super::summary::of(fields(&results(), &Calibrated { measured, of }), &inputs, provenance)
 }
 

@@ -9,9 +9,10 @@ use crate::scene::Input;
 use crate::scene::field::Field as _;
 use crate::scene::key::AnyKey;
 use crate::scene::key::Form::{self, Axes, Count, Items, List, Number, Table, Text, Variables, Word, WordOrTable};
+use crate::scene::measured::{Deviations, MeasuredInput};
 use crate::scene::quantity::{
-    DEPTH_RATIO, DEVIATION, ENERGY, FORCE, IMPACTS, INDENTATION, LEEB, LENGTH, LOAD, MODEL_ERROR, MODULUS,
-    POISSONS_RATIO, RESTITUTION, SHOT_SPEED, SPEED, STRENGTH, TIME,
+    DEPTH_RATIO, ENERGY, FORCE, IMPACTS, INDENTATION, LENGTH, LOAD, MODULUS, POISSONS_RATIO, SHOT_SPEED, SPEED,
+    STRENGTH,
 };
 use crate::scene::read::{Reader, items};
 use crate::scene::table::{self, Table as _, tables};
@@ -70,9 +71,7 @@ tables! {
         /// Laws to compare, in the order of table and picture.
         laws: Option<Vec<String>> as List(&Word(&OWN_UNLOADINGS)) => "all but walton_braun",
     }
-}
 
-tables! {
     /// `[calibrate]`
     pub(super) struct CalibrateInput {
         /// File of measurements (CSV), relative to the scenario.
@@ -87,52 +86,6 @@ tables! {
         noise: Option<Deviations> as WordOrTable(&NOISES, Deviations::keys) => "columns `_sd` of the data, else \"estimate\"",
         /// The measurements themselves.
         measured: Option<MeasuredInput> as Table(MeasuredInput::keys),
-    }
-}
-
-tables! {
-    /// `[calibrate.noise]`; without any number they are to be estimated.
-    pub(super) struct Deviations {
-        /// Error of the law as a share of each value, added in quadrature, independent from value to value.
-        model: Option<f64> as Number(&MODEL_ERROR) => "0",
-        /// Standard deviation of this measurement, where the data have no column for it.
-        restitution: Option<f64> as Number(&DEVIATION),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        rebound_speed: Option<f64> as Number(&SPEED),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        rebound_height: Option<f64> as Number(&LENGTH),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        leeb: Option<f64> as Number(&DEVIATION),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        dent_diameter: Option<f64> as Number(&LENGTH),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        dent_depth: Option<f64> as Number(&LENGTH),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        contact_time: Option<f64> as Number(&TIME),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        peak_force: Option<f64> as Number(&FORCE),
-        /// Standard deviation of this measurement, where the data have no column for it.
-        force: Option<f64> as Number(&FORCE),
-    }
-
-    /// `[calibrate.measured]`
-    pub(super) struct MeasuredInput {
-        /// Rebound speed over impact speed, measured in the impact of the scenario: in place of data.
-        restitution: Option<f64> as Number(&RESTITUTION),
-        /// Speed of the rebound, measured in the impact of the scenario: in place of data.
-        rebound_speed: Option<f64> as Number(&SPEED),
-        /// Height of the rebound, measured in the impact of the scenario: in place of data.
-        rebound_height: Option<f64> as Number(&LENGTH),
-        /// Leeb hardness: 1000 times the restitution, measured in the impact of the scenario: in place of data.
-        leeb: Option<f64> as Number(&LEEB),
-        /// Diameter of the dent's rim, measured in the impact of the scenario: in place of data.
-        dent_diameter: Option<f64> as Number(&LENGTH),
-        /// Depth of the dent, measured in the impact of the scenario: in place of data.
-        dent_depth: Option<f64> as Number(&LENGTH),
-        /// Time in contact, measured in the impact of the scenario: in place of data.
-        contact_time: Option<f64> as Number(&TIME),
-        /// Largest force, measured in the impact of the scenario: in place of data.
-        peak_force: Option<f64> as Number(&FORCE),
     }
 
     /// `[indentation]`

@@ -3,9 +3,9 @@
 use crate::common::prelude::*;
 use plm_impact::calibrate::data::{Data, Row, Value};
 use plm_impact::calibrate::problem::Problem;
-use plm_impact::calibrate::quantity::Measured;
 use plm_impact::math::functions::normal_quantile;
 use plm_impact::plan::free::Free;
+use plm_impact::scene::measured::Measured;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
