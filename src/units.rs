@@ -8,6 +8,7 @@ pub(crate) mod aligned;
 pub(crate) mod csv_text;
 mod dimension;
 mod format;
+pub(crate) mod names;
 #[doc(hidden)]
 pub mod nearest;
 mod parse;

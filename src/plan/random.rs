@@ -72,6 +72,15 @@ impl Variable {
 }
 
 impl Distribution {
+    /// Its name, and its two ends, or mean and standard deviation before truncation.
+    pub fn parts(&self) -> (&'static str, [f64; 2]) {
+        match *self {
+            Self::Uniform { from, to } => ("uniform", [from, to]),
+            Self::Normal { mean, sd } => ("normal", [mean, sd]),
+            Self::Lognormal { mean, sd } => ("lognormal", [mean, sd]),
+        }
+    }
+
     /// Standard deviation and mean of the logarithm of a lognormal.
     fn logarithmic(mean: f64, sd: f64) -> (f64, f64) {
         let variance = ln_1p(powi(sd / mean, 2));

@@ -2,52 +2,21 @@
 //! the unit in every name.
 
 use serde::ser::{Serialize, Serializer};
-use serde_json::Value;
 
 use crate::impact::Method;
 use crate::plan::axis::{Axis, Word};
 use crate::plan::{Plan, YIELD_STRENGTH};
-use crate::scene::field::Held;
+use crate::scene::field::{Held, show_word};
 use crate::scene::taken::Body;
 use crate::scene::{Input, Scene};
-use crate::units::describe;
-
-/// A key and its value.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
-    /// As in the file, with dots.
-    pub key: String,
-    /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
-    pub column: String,
-    /// In SI, or a word.
-    pub value: Value,
-    /// The value as text, for the terminal.
-    pub text: String,
-}
-
-impl Entry {
-    fn of(Held { path: key, quantity, value }: Held) -> Self {
-        let text = match (quantity, value.as_f64(), value.as_str()) {
-            (Some(quantity), Some(number), _) => describe(number, quantity.dimension),
-            (.., Some(word)) => word.to_owned(),
-            _ => value.to_string(),
-        };
-        let unit = quantity.map_or("", |quantity| quantity.dimension.suffix());
-        Self { column: key.replace('.', "_") + unit, key, value, text }
-    }
-
-    fn word(key: &str, word: String) -> Self {
-        Self::of(Held { path: key.to_owned(), quantity: None, value: word.into() })
-    }
-}
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Inputs(pub Vec<Entry>);
+pub struct Inputs(pub Vec<Held>);
 
 impl Serialize for Inputs {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|entry| (&entry.column, &entry.value)))
+        serializer.collect_map(self.0.iter().map(|held| (held.column(), &held.value)))
     }
 }
 
@@ -61,18 +30,18 @@ impl Inputs {
             // an elastic half-space does not use the keys of the law
             path => (can_yield || !path.starts_with("law")) && !held.value.is_null(),
         };
-        let mut entries: Vec<Entry> = Input::of(scene).held().into_iter().filter(is_used).map(Entry::of).collect();
+        let mut entries: Vec<Held> = Input::of(scene).held().into_iter().filter(is_used).collect();
         if scene.hardness.is_some() {
             let rule = if scene.law.flow().is_some() {
                 "hardness and flow_stress: at a plastic strain of 0.08 the flow stress is the mean pressure over 2.9"
             } else {
                 "hardness: mean pressure over 2.9"
             };
-            entries.push(Entry::word("half_space.yield_strength_from", rule.to_owned()));
+            show_word(rule, "half_space.yield_strength_from", &mut entries);
         }
         for taken in &scene.materials {
-            entries.push(Entry::word(taken.body.material(), taken.material.name.clone()));
-            entries.extend(taken.notes().map(|(key, note)| Entry::word(&key, note)));
+            show_word(taken.material.name.as_str(), taken.body.material(), &mut entries);
+            taken.notes().for_each(|(path, note)| show_word(note, &path, &mut entries));
         }
         Self(entries)
     }
@@ -80,7 +49,7 @@ impl Inputs {
     /// Those of them whose keys begin so.
     #[must_use]
     pub fn beginning_with(mut self, begins: &[&str]) -> Self {
-        self.0.retain(|entry| begins.iter().any(|begin| entry.key.starts_with(begin)));
+        self.0.retain(|entry| begins.iter().any(|begin| entry.path.starts_with(begin)));
         self
     }
 
@@ -93,7 +62,7 @@ impl Inputs {
                 let mut input = plan.input.clone();
                 axis.put(place, &mut input);
                 let Self(mut new) = Self::of(&input.resolve());
-                new.retain(|entry| entries.iter().all(|old| old.key != entry.key));
+                new.retain(|entry| entries.iter().all(|old| old.path != entry.path));
                 entries.extend(new);
             }
         }
@@ -117,7 +86,7 @@ impl Inputs {
             "output.samples" => false,
             _ => true,
         };
-        entries.retain(|entry| !varies(&entry.key) && is_shared(&entry.key));
+        entries.retain(|entry| !varies(&entry.path) && is_shared(&entry.path));
         Self(entries)
     }
 }

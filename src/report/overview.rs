@@ -1,7 +1,7 @@
 //! What `check` prints of a scenario: every value in SI and in a suitable unit, and the numbers that follow from them
 //! before anything is run.
 
-use super::inputs::{Entry, Inputs};
+use super::inputs::Inputs;
 use crate::impact::Contact;
 use crate::law::LawChoice;
 use crate::material::Pair;
@@ -18,7 +18,7 @@ type Row = [String; 2];
 pub fn overview(scene: &Scene, contact: &Contact) -> String {
     let mut rows = Vec::new();
     let is_plm = matches!(scene.law, LawChoice::Plm(_));
-    for Entry { key, text, .. } in Inputs::of(scene).0 {
+    for [key, text] in self::rows(Inputs::of(scene)) {
         match key.as_str() {
             // the keys of the PLM name the law
             "law" if is_plm => {}
@@ -48,7 +48,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
 
 /// Keys and values.
 pub(super) fn rows(inputs: Inputs) -> Vec<Row> {
-    inputs.0.into_iter().map(|entry| [entry.key, entry.text]).collect()
+    inputs.0.iter().map(|held| [held.path.clone(), held.text()]).collect()
 }
 
 /// The rows that follow from the pair of bodies.

@@ -48,12 +48,11 @@ fn values(axis: &Axis) -> String {
 }
 
 fn distribution(variable: &Variable) -> String {
-    let say = |value| variable.key.quantity.human(value);
-    let law = match variable.distribution {
-        Distribution::Uniform { from, to } => return format!("uniform from {} to {}", say(from), say(to)),
-        Distribution::Normal { mean, sd } => format!("normal, mean {}, sd {}", say(mean), say(sd)),
-        Distribution::Lognormal { mean, sd } => format!("lognormal, mean {}, sd {}", say(mean), say(sd)),
-    };
+    let (name, parameters) = variable.distribution.parts();
+    let [first, second] = parameters.map(|value| variable.key.quantity.human(value));
+    if let Distribution::Uniform { .. } = variable.distribution {
+        return format!("{name} from {first} to {second}");
+    }
     let kept = percent(variable.kept());
-    format!("{law}, cut to {} (keeps {kept})", variable.key.quantity.allowed())
+    format!("{name}, mean {first}, sd {second}, cut to {} (keeps {kept})", variable.key.quantity.allowed())
 }

@@ -1,4 +1,4 @@
-//! `summary.json` of a table, and its lines for the terminal.
+//! The results of a whole table, beside its rows: its `summary.json`, and its lines for the terminal.
 
 use std::fmt::Write as _;
 
@@ -6,12 +6,63 @@ use serde::Serialize;
 
 use super::inputs::Inputs;
 use crate::error::Error;
-use crate::plan::random;
+use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan};
 use crate::provenance::Provenance;
-use crate::scene::results::table::{Drawn, Totals, drawn, totals};
-use crate::scene::results::{Fields, fields};
+use crate::scene::results::entry::{file, results};
+use crate::scene::results::{Fields, Reported, fields};
 use crate::sweep::count::Tally;
+use crate::sweep::statistics::Distribution;
+
+/// Counts of the rows of a table; if the cases are random, the statistics of their restitutions.
+type Totals<'a> = (&'a Tally, Option<Distribution>);
+
+/// The results of the rows, in the order of `summary.json`.
+pub(super) fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
+    results! { |of: Totals<'a>|
+        /// Rows of the table.
+        "rows": of.0.rows;
+        /// Rows without a result.
+        "failures": of.0.failures;
+        /// Rows that the law has no answer for.
+        "outside_law" if OUTSIDE: (of.0.outside_law > 0).then_some(of.0.outside_law);
+        /// Restitutions that the distribution is made of.
+        "restitution.samples" if RANDOM: of.1.map(|e| e.samples);
+        /// Mean of the restitution.
+        "restitution.mean" if RANDOM: of.1.map(|e| e.mean);
+        /// Standard deviation of the restitution, with n - 1 in the denominator.
+        "restitution.standard_deviation" in Deviation if RANDOM: of.1.map(|e| e.standard_deviation);
+        /// 5 % of the restitutions are smaller.
+        "restitution.quantile_05" if RANDOM: of.1.map(|e| e.quantile_05);
+        /// Half of the restitutions are smaller.
+        "restitution.quantile_50" if RANDOM: of.1.map(|e| e.quantile_50);
+        /// 5 % of the restitutions are larger.
+        "restitution.quantile_95" if RANDOM: of.1.map(|e| e.quantile_95);
+        /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the bins that they come from.
+        "restitution.quantile_resolution" if RANDOM: of.1.map(|e| e.quantile_resolution);
+    }
+}
+
+/// The description of every random key.
+pub(super) fn drawn() -> Vec<Reported<Variable>> {
+    results! { |of: Variable|
+        /// Path of the key.
+        "key": of.key.path;
+        /// Name of its distribution: `uniform`, `normal` or `lognormal`.
+        "distribution": of.distribution.parts().0;
+        /// Mean and standard deviation before truncation, or the two ends; SI.
+        "parameters": of.distribution.parts().1.to_vec();
+        /// Range that the values are cut to.
+        "truncated_to": of.key.quantity.allowed();
+        /// Share of the distribution that lies in that range.
+        "kept": of.kept();
+    }
+}
+
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("Tables: `summary.json`", &totals()) + &file("Tables: every random key in `summary.json`", &drawn())
+}
 
 #[derive(Serialize)]
 struct Results<'a> {
@@ -29,24 +80,13 @@ struct Results<'a> {
 pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: &Provenance) -> Result<String, Error> {
     let (random, seed) = match &plan.cases {
         Cases::MonteCarlo { seed, variables, .. } => {
-            (Some(variables.iter().map(|one| fields(&drawn(), &random_key(one))).collect()), Some(*seed))
+            (Some(variables.iter().map(|one| fields(&drawn(), one)).collect()), Some(*seed))
         }
         Cases::Grid(_) => (None, None),
     };
-    let Tally { rows, failures, outside_law, ref statistics, .. } = *tally;
-    let of = Totals { rows, failures, outside_law, restitution: statistics.distribution() };
-    let results = Results { totals: fields(&totals(), &of), random, seed, warnings };
+    let totals = fields(&totals(), &(tally, tally.statistics.distribution()));
+    let results = Results { totals, random, seed, warnings };
     super::summary::of(results, &Inputs::of_plan(plan), provenance)
-}
-
-fn random_key(variable: &random::Variable) -> Drawn {
-    let (distribution, parameters) = match variable.distribution {
-        random::Distribution::Uniform { from, to } => ("uniform", [from, to]),
-        random::Distribution::Normal { mean, sd } => ("normal", [mean, sd]),
-        random::Distribution::Lognormal { mean, sd } => ("lognormal", [mean, sd]),
-    };
-    let key = variable.key;
-    Drawn { key: key.path, distribution, parameters, truncated_to: key.quantity.allowed(), kept: variable.kept() }
 }
 
 /// The lines about a finished table, for the terminal.

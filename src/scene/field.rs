@@ -8,6 +8,7 @@ use super::key::Form;
 use super::quantity::Quantity;
 use super::read::{Fault, Reader, count, list, number, pair, text, word};
 use super::written::{Node, below};
+use crate::units::describe;
 
 /// A key and its value, for reports.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +19,22 @@ pub struct Held {
     pub quantity: Option<&'static Quantity>,
     /// In SI, or a word.
     pub value: serde_json::Value,
+}
+
+impl Held {
+    /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
+    pub fn column(&self) -> String {
+        self.path.replace('.', "_") + self.quantity.map_or("", |quantity| quantity.dimension.suffix())
+    }
+
+    /// The value for the terminal.
+    pub fn text(&self) -> String {
+        match (self.quantity, self.value.as_f64(), self.value.as_str()) {
+            (Some(quantity), Some(number), _) => describe(number, quantity.dimension),
+            (.., Some(word)) => word.to_owned(),
+            _ => self.value.to_string(),
+        }
+    }
 }
 
 /// A field of a table: where the value of a key is kept.

@@ -19,7 +19,7 @@ pub(super) fn written(status: &str, restitution: Option<f64>) -> Option<Count> {
     if status == OK {
         return Some(Ok(restitution));
     }
-    Failure::ALL.into_iter().find(|failure| failure.name() == status).map(Err)
+    Failure::find(status).map(Err)
 }
 
 /// The status of a row with a result.

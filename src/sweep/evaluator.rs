@@ -8,49 +8,25 @@ use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
 use crate::plan::{Cases, Plan, places};
 use crate::scene::{Input, Key, Scene};
+use crate::units::names::named;
 
-/// Why a row has no numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Failure {
-    /// A quantity is too large or too small for double precision.
-    OutOfFloatRange,
-    /// The integrator's step underflowed.
-    StepUnderflow,
-    /// The integrator ran out of steps.
-    TooManySteps,
-    /// The state was not finite.
-    NotFinite,
-    /// The case lies outside the range of the law.
-    OutsideLaw,
-    /// There is no impact on such a plate.
-    OutsidePlate,
-    /// The method is `closed_form`, but the scene has no closed form.
-    NoClosedForm,
-}
-
-impl Failure {
-    /// Every failure.
-    pub const ALL: [Self; 7] = [
-        Self::OutOfFloatRange,
-        Self::StepUnderflow,
-        Self::TooManySteps,
-        Self::NotFinite,
-        Self::OutsideLaw,
-        Self::OutsidePlate,
-        Self::NoClosedForm,
-    ];
-
-    /// The name in the column `status`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::OutOfFloatRange => "out_of_float_range",
-            Self::StepUnderflow => "step_underflow",
-            Self::TooManySteps => "too_many_steps",
-            Self::NotFinite => "not_finite",
-            Self::OutsideLaw => "outside_law",
-            Self::OutsidePlate => "outside_plate",
-            Self::NoClosedForm => "no_closed_form",
-        }
+named! {
+    /// Why a row has no numbers, and its name in the column `status`.
+    pub enum Failure {
+        /// A quantity is too large or too small for double precision.
+        OutOfFloatRange = "out_of_float_range",
+        /// The integrator's step underflowed.
+        StepUnderflow = "step_underflow",
+        /// The integrator ran out of steps.
+        TooManySteps = "too_many_steps",
+        /// The state was not finite.
+        NotFinite = "not_finite",
+        /// The case lies outside the range of the law.
+        OutsideLaw = "outside_law",
+        /// There is no impact on such a plate.
+        OutsidePlate = "outside_plate",
+        /// The method is `closed_form`, but the scene has no closed form.
+        NoClosedForm = "no_closed_form",
     }
 }
 

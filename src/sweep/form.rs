@@ -8,27 +8,17 @@ use serde::Serialize;
 use super::count::Count;
 use super::evaluator::Rows;
 use crate::output::NewFile;
+use crate::units::names::named;
 
-/// The file format of a table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Format {
-    /// Comma-separated values with one header line.
-    Csv,
-    /// Parquet; needs the cargo feature `parquet`.
-    Parquet,
-}
-
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 2] = [Self::Csv, Self::Parquet];
-
-    /// The file name extension, which is also the word on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Csv => "csv",
-            Self::Parquet => "parquet",
-        }
+named! {
+    /// The file format of a table; its name is the extension, and the word on the command line.
+    #[derive(Serialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Format {
+        /// Comma-separated values with one header line.
+        Csv = "csv",
+        /// Parquet; needs the cargo feature `parquet`.
+        Parquet = "parquet",
     }
 }
 

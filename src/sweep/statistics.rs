@@ -1,14 +1,25 @@
 //! Mean, standard deviation and quantiles of e over any number of rows, in limited memory. The rows are added in the
 //! order of the cases, so threads and shards do not change the result.
 
-use crate::scene::results::table::Distribution;
-
 /// Up to this number of samples the quantiles are exact; with more samples they come from bins.
 const EXACT: usize = 1_000_000;
 /// Width of a bin of e.
 const BIN: f64 = 1e-6;
 /// The bins cover e from 0 to 1.25. Above 1, e is possible only for a sphere that falls into its own dent.
 const BINS: usize = 1_250_000;
+
+/// Statistics of the restitutions of random cases; [`crate::report::sweep`] says what each number is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(missing_docs)]
+pub struct Distribution {
+    pub samples: u64,
+    pub mean: f64,
+    pub standard_deviation: f64,
+    pub quantile_05: f64,
+    pub quantile_50: f64,
+    pub quantile_95: f64,
+    pub quantile_resolution: f64,
+}
 
 /// Collects e, case after case.
 #[derive(Debug, Clone, Default)]
