@@ -84,7 +84,7 @@ pub fn inputs(scenario: &Scenario) -> Inputs {
 
 /// What `check` prints of a comparison.
 pub fn overview(scenario: &Scenario, comparison: &Comparison) -> String {
-    let mut rows = overview::rows(inputs(scenario));
+    let mut rows = overview::rows(&inputs(scenario));
     let names: Vec<String> = comparison.laws.iter().map(LawChoice::name).collect();
     rows.push(["laws".to_owned(), names.join(", ")]);
     rows.push([String::new(), String::new()]);

@@ -89,7 +89,7 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
 
 /// What `check` prints of an indentation: the inputs, the steps, and the contact of every half-space.
 pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
-    let mut rows = overview::rows(inputs(scenario, scene));
+    let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
         let (what, value) = match *target {

@@ -18,7 +18,7 @@ type Row = [String; 2];
 pub fn overview(scene: &Scene, contact: &Contact) -> String {
     let mut rows = Vec::new();
     let is_plm = matches!(scene.law, LawChoice::Plm(_));
-    for [key, text] in self::rows(Inputs::of(scene)) {
+    for [key, text] in self::rows(&Inputs::of(scene)) {
         match key.as_str() {
             // the keys of the PLM name the law
             "law" if is_plm => {}
@@ -47,7 +47,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
 }
 
 /// Keys and values.
-pub(super) fn rows(inputs: Inputs) -> Vec<Row> {
+pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {
     inputs.0.iter().map(|held| [held.path.clone(), held.text()]).collect()
 }
 
