@@ -227,7 +227,7 @@ impl StaticContact {
                 return Err(IndentationError::TooDeep { step: number, indentation, radius });
             }
             let stroke = machine.go_to(goal).ok_or(IndentationError::NoMove { step: number })?;
-            let peak = &stroke.memory().peak;
+            let peak = &stroke.memory.peak;
             self.law.accept(peak).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
                 trace.extend(stroke.points(samples).map(|point| self.row(number, &stroke, point)));
@@ -263,7 +263,7 @@ impl StaticContact {
         let energy = force * length;
         let end = stroke.end();
         let row = self.row(0, stroke, end);
-        let unloading = stroke.memory();
+        let unloading = &stroke.memory;
         let peak = unloading.peak;
         let peak_force = normal("peak force (N)", peak.force * force)?;
         let radius = normal("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;

@@ -163,6 +163,11 @@ impl Law {
         }
     }
 
+    /// The same, where the work is that of the curve.
+    pub(crate) fn turned(&self, index: usize, distance: f64) -> Unloading {
+        self.turned_at(index, distance, self.work_since_fresh(self.loading.pieces()[index].start + distance))
+    }
+
     /// The range of x that the authors of the law state, where a plastic peak is outside of it.
     pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
         let x = peak.indentation;

@@ -7,7 +7,7 @@ use super::curve::LoadingCurve;
 use super::parameters::encode;
 use super::residuals::{Residuals, deviations, rises};
 use crate::error::Error;
-use crate::law::plm::contact_radius::{ContactRadius, RadiusTable};
+use crate::law::plm::contact_radius::RadiusTable;
 use crate::law::{PlmCoefficients, UnloadingExponent};
 use crate::math::least_squares::least_squares;
 use crate::math::power::{farther_or_nan, max_or_nan};
@@ -136,7 +136,7 @@ fn radius_table(curves: &[&LoadingCurve], start: &RadiusTable) -> RadiusTable {
             // the others
             let share = |knot: usize| {
                 let ratio = (0..=free).map(|i| if i == knot { 1.0 } else { 0.0 }).collect();
-                ContactRadius { ratio, ..started.clone() }.ratio_at(equivalent)
+                RadiusTable { ratio, ..started.clone() }.ratio_at(equivalent)
             };
             let shares: Vec<f64> = (1..=free).map(|knot| scale * share(knot)).collect();
             rows.push((shares, scale * (wanted - started.ratio_at(equivalent))));

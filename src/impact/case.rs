@@ -28,48 +28,40 @@ pub(super) struct Case<'a> {
 }
 
 impl Contact {
-    /// Units, law and dimensionless speed of an impact without gravity and damping. In its own units every elastic impact
-    /// is the same.
+    /// Units, law and dimensionless speed of an impact. In its own units every elastic impact is the same.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where peak force, indentation or energy leave double precision.
-    pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), OutOfFloatRange> {
-        match &self.yielding {
-            Some((scales, law)) if speed > self.yield_speed => Ok((*scales, law, ratio(speed, scales)?)),
-            _ => Ok((Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0)),
-        }
+    /// [`ImpactError::Range`] where peak force, indentation or energy leave double precision.
+    pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), ImpactError> {
+        let Case { scales, law, q, .. } = self.case(None, speed)?;
+        Ok((scales, law, q))
     }
 
     /// The impact at a speed. `spot` is the law of a spot that was loaded before; the units are then those of the yield point.
+    /// Under gravity the speed may be 0: a sphere that is let go at rest.
     #[inline]
     pub(super) fn case<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, ImpactError> {
-        if !self.forces().is_none() {
-            return self.case_with_forces(spot, speed);
-        }
-        let (scales, law, q) = match (&self.yielding, spot) {
-            (Some((scales, _)), Some(law)) => (*scales, law, ratio(speed, scales)?),
-            _ => self.scaled(speed)?,
-        };
-        Ok(Case { scales, law, q, forces: ScaledForces::NONE, plate: None })
-    }
-
-    /// The same under gravity or damping, or on a plate. The speed may be 0: a sphere that is let go at rest.
-    fn case_with_forces<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, ImpactError> {
         let gravity = self.forces().gravity.unwrap_or(0.0);
         let weight = self.mass() * gravity;
         // damping and plate remove energy: an impact that stays elastic without them does so with them
         let yields = self.yielding.as_ref().filter(|(scales, law)| {
-            let (q, least) = (speed / scales.speed, self.yield_speed / scales.speed);
-            let until = law.elastic_until();
-            // a law without an elastic regime yields at once
-            spot.is_some() || until == 0.0 || 0.4 * q * q + weight / scales.force * until > 0.4 * least * least
+            let with_weight = || {
+                let (q, least) = (speed / scales.speed, self.yield_speed / scales.speed);
+                let until = law.elastic_until();
+                // a law without an elastic regime yields at once
+                until == 0.0 || 0.4 * q * q + weight / scales.force * until > 0.4 * least * least
+            };
+            spot.is_some() || speed > self.yield_speed || weight > 0.0 && with_weight()
         });
         let (scales, law, q) = match yields {
             Some((scales, law)) => {
-                let ratio = speed / scales.speed;
-                let energy = ratio * ratio + weight / scales.force;
-                normal("kinetic energy and weight in units of those at first yield", energy)?;
-                (*scales, spot.unwrap_or(law), ratio)
+                let q = speed / scales.speed;
+                let quantity = match gravity {
+                    0.0 => "kinetic energy in units of that at first yield",
+                    _ => "kinetic energy and weight in units of those at first yield",
+                };
+                normal(quantity, q * q + weight / scales.force)?;
+                (*scales, spot.unwrap_or(law), q)
             }
             None if gravity > 0.0 => {
                 let scales = self.scales_of_drop(speed, gravity)?;
@@ -77,6 +69,9 @@ impl Contact {
             }
             None => (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0),
         };
+        if self.forces().is_none() {
+            return Ok(Case { scales, law, q, forces: ScaledForces::NONE, plate: None });
+        }
         let drag = self.forces().damping.map_or(Drag::NONE, |damping| damping.drag(scales.speed));
         let mut forces = ScaledForces { weight: weight / scales.force, drag };
         let mut plate = None;
@@ -102,13 +97,6 @@ impl Contact {
         let contact_radius = (self.pair().radius * length).sqrt();
         Ok(Scales { length, force, speed: (speed * speed + 2.0 * gravity * length).sqrt(), contact_radius })
     }
-}
-
-/// q = v/V in the units of the yield point.
-fn ratio(speed: f64, scales: &Scales) -> Result<f64, OutOfFloatRange> {
-    let ratio = speed / scales.speed;
-    normal("kinetic energy in units of that at first yield", ratio * ratio)?;
-    Ok(ratio)
 }
 
 /// Hertz without end: the law of every impact that stays elastic, in its own units.

@@ -90,7 +90,7 @@ pub fn integrate<I: Integrator>(
         at.distance = entry_of(law, piece);
     };
 
-    let unloading = law.unloading(law.state_at(piece, at.distance - entry_of(law, piece)));
+    let unloading = law.turned(piece, at.distance - entry_of(law, piece));
     if let Some(recorder) = recorder.as_deref_mut() {
         recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, at);
     }

@@ -54,7 +54,9 @@ impl Waves {
         if law.loading.jump_before(unloading.peak.indentation).is_some() {
             return Ok(None);
         }
-        let integral = loading_integral(law, &unloading.peak) + unloading_integral(unloading);
+        let (pieces, peak) = (law.loading.pieces(), unloading.peak.indentation);
+        let of_loading = integral(&pieces[..=law.loading.index_at(peak)], peak);
+        let integral = of_loading + integral(&[unloading.branch()], peak);
         // ½ m v² = (2/5) q² Φ L
         let ratio = scales.speed / speed;
         let fraction = 2.5
@@ -76,21 +78,17 @@ pub fn restitution_with_waves(restitution: f64, loss_fraction: f64) -> f64 {
     (restitution * restitution - loss_fraction).max(0.0).sqrt()
 }
 
-/// ∫ f'² |u| dx from first touch to the peak.
-fn loading_integral(law: &Law, peak: &Peak) -> f64 {
-    let curve = &law.loading;
-    let last = curve.index_at(peak.indentation);
-    let most = curve.pieces()[last].work_at(peak.indentation);
+/// ∫ f'² |u| dx along these pieces to a turn at x = `turn`, or from there back.
+fn integral(pieces: &[Piece], turn: f64) -> f64 {
+    let most = pieces.last().map_or(0.0, |last| last.work_at(turn));
     let speed_at = |work: f64| (2.0 * ACCELERATION * (most - work)).max(0.0).sqrt();
     let mut integral = 0.0;
     let mut entry = speed_at(0.0);
-    for (i, piece) in curve.pieces()[..=last].iter().enumerate() {
-        let (end, exit) = match curve.pieces().get(i + 1) {
-            Some(next) if i < last => (next.start, speed_at(next.work)),
-            _ => (peak.indentation, 0.0),
-        };
+    for (i, piece) in pieces.iter().enumerate() {
+        let next = pieces.get(i + 1);
+        let (end, exit) = next.map_or((turn, 0.0), |next| (next.start, speed_at(next.work)));
         integral += match piece.shape {
-            Shape::Power { exponent, lead: 0.0, .. } if i == last => {
+            Shape::Power { exponent, lead: 0.0, .. } if next.is_none() => {
                 let run = end - piece.start;
                 power_integral(&Peak { indentation: run, force: piece.force_at(end), elastic_approach: run }, exponent)
             }
@@ -101,17 +99,6 @@ fn loading_integral(law: &Law, peak: &Peak) -> f64 {
         entry = exit;
     }
     integral
-}
-
-/// ∫ f'² |u| dx from the peak to separation.
-fn unloading_integral(unloading: &Unloading) -> f64 {
-    let peak = &unloading.peak;
-    if unloading.is_power() {
-        return power_integral(peak, unloading.exponent);
-    }
-    let most = unloading.capacity();
-    let speed_at = |work: f64| (2.0 * ACCELERATION * (most - work)).max(0.0).sqrt();
-    integral_by_quadrature(&unloading.branch(), peak.indentation, speed_at)
 }
 
 /// From rest at a peak along f = f_m (d/ε)^n to d = 0, or the other way:

@@ -1,86 +1,70 @@
 //! A contact in a testing machine: dimensionless, stroke after stroke, all in closed form.
 
-use crate::law::unloading::GRAZING;
 use crate::law::{Branch, Law, Peak, Unloading};
 
 /// A step that moves by less than this share of the indentation counts as no move: it is rounding.
 const STILL: f64 = 1e-12;
 
-/// A contact that is indented slowly: where it is, and what it remembers.
+/// A contact that is indented slowly: where it is, and the law by which it goes on, which holds what it remembers.
 #[derive(Debug, Clone)]
-pub(super) struct Machine<'a> {
-    law: &'a Law,
+pub(super) struct Machine {
+    law: Law,
     indentation: f64,
-    /// The branch from the largest state so far.
-    memory: Option<Unloading>,
 }
 
-impl<'a> Machine<'a> {
-    /// At first touch.
-    pub fn new(law: &'a Law) -> Self {
-        Self { law, indentation: 0.0, memory: None }
+impl Machine {
+    /// At first touch, under the law of fresh surface.
+    pub fn new(law: &Law) -> Self {
+        Self { law: law.clone(), indentation: 0.0 }
     }
 
     /// The x at which the force is `force` ≥ 0.
     pub fn indentation_at_force(&self, force: f64) -> f64 {
-        match &self.memory {
-            Some(unloading) if force <= unloading.peak.force => {
-                unloading.peak.residual() + unloading.recovered_at(force)
-            }
+        match self.law.branch() {
+            Some(branch) if force <= branch.peak.force => branch.peak.residual() + branch.recovered_at(force),
             _ => self.law.loading.indentation_at_force(force),
         }
     }
 
     /// Goes to `indentation` ≥ 0; `None` if the contact is there already.
-    pub fn go_to(&mut self, indentation: f64) -> Option<Stroke<'a>> {
-        let from = self.indentation;
+    pub fn go_to(&mut self, indentation: f64) -> Option<Stroke> {
+        let from = std::mem::replace(&mut self.indentation, indentation);
         if (indentation - from).abs() <= STILL * from.max(indentation) {
             return None;
         }
-        let before = self.memory;
-        if before.is_none_or(|unloading| indentation > unloading.peak.indentation) {
-            self.memory = Some(self.law.unloading(self.law.loaded_to(indentation)));
-        }
-        self.indentation = indentation;
-        // there is a memory now, as the first step goes in
-        self.memory.map(|after| Stroke { law: self.law, from, to: indentation, before, after })
+        let law = self.law.clone();
+        let known = law.branch().filter(|branch| indentation <= branch.peak.indentation).copied();
+        let memory = known.unwrap_or_else(|| law.unloading(law.loaded_to(indentation)));
+        self.law = law.reloaded(memory.peak);
+        Some(Stroke { law, from, to: indentation, memory })
     }
 }
 
 /// One stroke of the machine: in or out, never both.
 #[derive(Debug, Clone)]
-pub(super) struct Stroke<'a> {
-    law: &'a Law,
+pub(super) struct Stroke {
+    /// With what the contact remembered before.
+    law: Law,
     from: f64,
     to: f64,
-    before: Option<Unloading>,
-    after: Unloading,
+    /// The branch from the largest state, the step included.
+    pub memory: Unloading,
 }
 
-impl Stroke<'_> {
-    /// The branch from the largest state, the step included.
-    pub fn memory(&self) -> &Unloading {
-        &self.after
-    }
-
+impl Stroke {
     /// Whether the step goes deeper than all before it.
     pub fn is_new_peak(&self) -> bool {
-        self.to > self.deepest_before()
+        self.law.branch().is_none_or(|branch| self.to > branch.peak.indentation)
     }
 
     /// x_r before the step.
     pub fn dent(&self) -> f64 {
-        self.before.map_or(0.0, |unloading| unloading.peak.residual())
-    }
-
-    /// The largest x before the step.
-    fn deepest_before(&self) -> f64 {
-        self.before.map_or(0.0, |unloading| unloading.peak.indentation)
+        self.law.touch()
     }
 
     /// The state at x between the two ends, and its branch.
     fn point(&self, x: f64) -> (Peak, Branch) {
-        if let Some(unloading) = self.before.filter(|unloading| x <= unloading.peak.indentation) {
+        if let Some(unloading) = self.law.branch_at(x) {
             let recovered = x - unloading.peak.residual();
             let branch = match (recovered < 0.0, self.to > self.from) {
                 (true, _) => Branch::Separated,
@@ -102,7 +86,7 @@ impl Stroke<'_> {
     /// `samples` ≥ 2 states, evenly spaced in x, both ends among them, and one at every change of branch.
     pub fn points(&self, samples: usize) -> impl Iterator<Item = (Peak, Branch)> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
-        let changes = self.before.map(|unloading| [unloading.peak.residual(), unloading.peak.indentation]);
+        let changes = self.law.branch().map(|branch| [branch.peak.residual(), branch.peak.indentation]);
         #[allow(clippy::cast_precision_loss)] // at most 10^7 samples
         let share = |i: usize| i as f64 / (samples - 1) as f64;
         let even =
@@ -119,24 +103,12 @@ impl Stroke<'_> {
 
     /// ∫ f dx over the step.
     pub fn work(&self) -> f64 {
-        let stored = |x: f64| self.before.map_or(0.0, |unloading| unloading.stored(x.min(unloading.peak.indentation)));
-        stored(self.to) - stored(self.from) + self.loading_work()
-    }
-
-    /// The part of it on the loading curve.
-    fn loading_work(&self) -> f64 {
-        let deepest = self.deepest_before();
-        if self.is_new_peak() { self.law.loading.work(self.to) - self.law.loading.work(deepest) } else { 0.0 }
+        let work = |x: f64| self.law.loading.work(x.max(self.dent()));
+        work(self.to) - work(self.from)
     }
 
     /// The part of it that does not come back.
     pub fn plastic_work(&self) -> f64 {
-        if !self.is_new_peak() {
-            return 0.0;
-        }
-        let stored = |unloading: &Unloading| unloading.stored(unloading.peak.indentation);
-        let plastic = self.loading_work() - (stored(&self.after) - self.before.as_ref().map_or(0.0, stored));
-        // all comes back but for rounding
-        if plastic.abs() <= GRAZING * stored(&self.after) { 0.0 } else { plastic }
+        if self.is_new_peak() { self.law.plastic(&self.memory) } else { 0.0 }
     }
 }

@@ -19,9 +19,31 @@ pub mod walton_braun;
 pub mod yigit_christoforou;
 
 use super::contact_law::{About, Bodies, ContactLaw};
-use super::plm;
+pub use super::plm;
 use super::published::Rules;
 use crate::strength::flow::FlowCurve;
+
+/// Gives all laws but combinations to a macro: the file of each, which has its name, and its type.
+macro_rules! every_law {
+    ($into:ident) => {
+        $into!(
+            plm::Plm,
+            hertz::Hertz,
+            thornton::Thornton,
+            stronge::Stronge,
+            jackson_green::JacksonGreen,
+            kogut_etsion::KogutEtsion,
+            kogut_komvopoulos::KogutKomvopoulos,
+            yigit_christoforou::YigitChristoforou,
+            ma_liu::MaLiu,
+            brake::Brake,
+            mesarovic_johnson::MesarovicJohnson,
+            walton_braun::WaltonBraun,
+            johnson::Johnson,
+        );
+    };
+}
+pub(crate) use every_law;
 
 macro_rules! laws {
     ($($file:ident::$law:ident),* $(,)?) => {
@@ -58,21 +80,7 @@ macro_rules! laws {
     };
 }
 
-laws!(
-    plm::Plm,
-    hertz::Hertz,
-    thornton::Thornton,
-    stronge::Stronge,
-    jackson_green::JacksonGreen,
-    kogut_etsion::KogutEtsion,
-    kogut_komvopoulos::KogutKomvopoulos,
-    yigit_christoforou::YigitChristoforou,
-    ma_liu::MaLiu,
-    brake::Brake,
-    mesarovic_johnson::MesarovicJohnson,
-    walton_braun::WaltonBraun,
-    johnson::Johnson,
-);
+every_law!(laws);
 
 impl Default for LawChoice {
     fn default() -> Self {

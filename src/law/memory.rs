@@ -2,7 +2,7 @@
 
 use super::curve::Curve;
 use super::piece::Piece;
-use super::unloading::{GRAZING, Peak, Unloading};
+use super::unloading::{Peak, Unloading};
 
 /// What a spot remembers that was loaded before.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,12 +20,6 @@ impl Reloaded {
     #[inline]
     pub(super) fn holds_at(&self, x: f64) -> bool {
         x <= self.branch.peak.indentation
-    }
-
-    /// Whether a reload with this energy turns on the branch.
-    #[inline]
-    pub(super) fn holds(&self, kinetic: f64) -> bool {
-        kinetic <= self.branch.capacity() * (1.0 + GRAZING)
     }
 
     /// The state at a distance from x_r. The distance has digits that x has lost.

@@ -2,7 +2,8 @@
 //! force by its formula.
 
 use crate::math::functions::{exp_m1, ln_1p, pow};
-use crate::math::power::{power, work_share};
+use crate::math::power::{power, power_turn, work_share};
+use crate::math::root::fallen_from;
 use crate::math::smooth::Smooth;
 
 /// How the force goes on from the start of a piece.
@@ -127,21 +128,42 @@ impl Piece {
     /// The same measured from the start of the piece. Close to a start far from zero this distance has digits that x has lost.
     #[inline(always)]
     pub(crate) fn distance_at_work(&self, work: f64) -> f64 {
-        let rest = work - self.work;
+        self.way_to_turn(work - self.work, 0.0)
+    }
+
+    /// The distance from the start of the piece to where a motion turns that begins there with the energy `rest` ≥ 0, pulled by
+    /// a constant force `pull` ≥ 0.
+    #[inline(always)]
+    pub(crate) fn way_to_turn(&self, rest: f64, pull: f64) -> f64 {
         match self.shape {
-            Shape::Power { stiffness, exponent, lead: 0.0 } => {
-                pow((exponent + 1.0) / stiffness * rest, work_share(exponent))
-            }
-            // the root of ½ s d² + f_i d = rest, in the form that does not cancel
+            Shape::Power { stiffness, exponent, lead: 0.0 } => power_turn(stiffness, exponent, rest, pull),
+            // the root of ½ s d² + (f_i − w) d = rest, in the form that does not cancel
             Shape::Straight { slope, .. } => {
-                2.0 * rest / (self.force + (self.force * self.force + 2.0 * slope * rest).sqrt())
+                let net = self.force - pull;
+                let root = (net * net + 2.0 * slope * rest).sqrt();
+                if net > 0.0 || pull == 0.0 { 2.0 * rest / (net + root) } else { (root - net) / slope }
             }
-            Shape::Smooth(smooth) => smooth.distance_at_work(self.start, rest, 0.0),
-            // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
-            Shape::Power { stiffness, exponent, lead } => {
-                let before = stiffness * power(lead, exponent) * lead / (exponent + 1.0);
-                lead * exp_m1(ln_1p(rest / before) / (exponent + 1.0))
-            }
+            Shape::Smooth(smooth) => smooth.distance_at_work(self.start, rest, pull),
+            Shape::Power { stiffness, exponent, lead } => late_turn(stiffness, exponent, lead, rest, pull),
         }
     }
+}
+
+/// [`Piece::way_to_turn`] of a power law whose zero lies `lead` before the start.
+#[cold]
+fn late_turn(stiffness: f64, exponent: f64, lead: f64, rest: f64, pull: f64) -> f64 {
+    let p = exponent + 1.0;
+    let before = stiffness * power(lead, exponent) * lead / p;
+    if pull == 0.0 {
+        // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
+        return lead * exp_m1(ln_1p(rest / before) / p);
+    }
+    let from_zero = rest + before - pull * lead;
+    // where the pull far exceeds the force at the start of the piece, this has lost digits, which Newton's method mends
+    let above = power_turn(stiffness, exponent, from_zero.max(0.0), pull);
+    let d = fallen_from(above, |d| {
+        let force = stiffness * power(d, exponent);
+        (force * d / p - from_zero - pull * d) / (force - pull)
+    });
+    (d - lead).max(0.0)
 }

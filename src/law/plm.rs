@@ -29,7 +29,6 @@ use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
 use crate::material::{HalfSpace, Pair};
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
-pub use contact_radius::ContactRadius;
 pub use hardening::Hardening;
 pub use lines::ElasticLine;
 pub use rule::PlmRule;

@@ -67,8 +67,9 @@ impl Law {
     /// Whether an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
     #[inline]
     pub(crate) fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
-        let stays = |memory: &Reloaded| memory.holds(kinetic + weight * memory.branch.peak.elastic_approach);
-        self.memory.as_deref().is_some_and(stays)
+        self.branch().is_some_and(|branch| {
+            kinetic + weight * branch.peak.elastic_approach <= branch.capacity() * (1.0 + GRAZING)
+        })
     }
 
     /// Index of the piece that an impact with this kinetic energy (in units of Φ L) turns on.

@@ -151,12 +151,15 @@ fn other_quarter_period(exponent: f64) -> f64 {
 ///
 /// With a the root without weight, b the one without `rest`, and d = (a + b) z it is z^(n+1) = â^(n+1) + b̂^n z (hats:
 /// over a + b), convex and not negative at z = 1, so that Newton's method from there falls towards the root.
+#[inline]
 pub(crate) fn power_turn(stiffness: f64, exponent: f64, rest: f64, weight: f64) -> f64 {
+    let of_rest = pow((exponent + 1.0) / stiffness * rest, work_share(exponent));
+    if weight == 0.0 { of_rest } else { power_turn_with_weight(stiffness, exponent, of_rest, weight) }
+}
+
+#[cold]
+fn power_turn_with_weight(stiffness: f64, exponent: f64, of_rest: f64, weight: f64) -> f64 {
     let p = exponent + 1.0;
-    let of_rest = pow(p * rest / stiffness, 1.0 / p);
-    if weight == 0.0 {
-        return of_rest;
-    }
     let of_weight = pow(p * weight / stiffness, 1.0 / exponent);
     let both = of_rest + of_weight;
     let (constant, slope) = (pow(of_rest / both, p), pow(of_weight / both, exponent));

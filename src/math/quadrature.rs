@@ -1,5 +1,4 @@
-//! Integrals: the double exponential rule where an end may be singular, Gauss's rule on panels for smooth functions, and the
-//! time integral ∫ dd/u, whose integrand is itself an integral.
+//! Integrals: the double exponential rule where an end may be singular, and Gauss's rule on panels for smooth functions.
 //!
 //! The double exponential rule is that of Takahasi and Mori (1974), Publ. RIMS 9, 721-741: with
 //! x = a + (b − a)/(1 + exp(−π sinh t)) the trapezoidal rule in t converges exponentially, also where the integrand has an
@@ -83,69 +82,44 @@ pub fn over(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
 /// Nodes of a panel.
 const PANEL: usize = 20;
 
-/// Gauss-Legendre on (0, 1), with the integrals up to every node.
-struct Rule {
-    nodes: [f64; PANEL],
-    weights: [f64; PANEL],
-    /// Row i integrates the polynomial through all nodes from 0 to node i.
-    partial: [[f64; PANEL]; PANEL],
-}
+/// Gauss's rule on (0, 1): nodes and weights.
+static RULE: LazyLock<[[f64; PANEL]; 2]> = LazyLock::new(|| {
+    #[allow(clippy::cast_precision_loss)] // a few nodes
+    let (n, place) = (PANEL as f64, |i: usize| (i as f64 + 0.75) / (PANEL as f64 + 0.5));
+    let nodes: [f64; PANEL] = std::array::from_fn(|i| {
+        let newton = |t: f64, _| {
+            let [before, last] = legendre(t);
+            t - last * (t * t - 1.0) / (n * (t * last - before))
+        };
+        (0..20).fold(-cos(std::f64::consts::PI * place(i)), newton)
+    });
+    let weight = |t: f64| {
+        let [before, last] = legendre(t);
+        let slope = n * (t * last - before) / (t * t - 1.0);
+        1.0 / ((1.0 - t * t) * slope * slope)
+    };
+    [nodes.map(|t| 0.5 * (1.0 + t)), nodes.map(weight)]
+});
 
-static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
-
-/// P_0 … P_n at t.
-fn legendre(t: f64) -> [f64; PANEL + 1] {
-    let mut p = [1.0; PANEL + 1];
-    p[1] = t;
-    let mut k = 1.0;
-    for i in 1..PANEL {
-        p[i + 1] = ((2.0 * k + 1.0) * t * p[i] - k * p[i - 1]) / (k + 1.0);
+/// The last two of Legendre's polynomials at t, of the degrees PANEL − 1 and PANEL.
+fn legendre(t: f64) -> [f64; 2] {
+    let (mut pair, mut k) = ([1.0, t], 1.0);
+    for _ in 1..PANEL {
+        pair = [pair[1], ((2.0 * k + 1.0) * t * pair[1] - k * pair[0]) / (k + 1.0)];
         k += 1.0;
     }
-    p
-}
-
-impl Rule {
-    #[allow(clippy::cast_precision_loss)] // a few nodes
-    fn new() -> Self {
-        let n = PANEL as f64;
-        let mut rule = Self { nodes: [0.0; PANEL], weights: [0.0; PANEL], partial: [[0.0; PANEL]; PANEL] };
-        let mut roots = [0.0; PANEL];
-        for (i, root) in roots.iter_mut().enumerate() {
-            let mut t = -cos(std::f64::consts::PI * (i as f64 + 0.75) / (n + 0.5));
-            for _ in 0..20 {
-                let p = legendre(t);
-                t -= p[PANEL] * (t * t - 1.0) / (n * (t * p[PANEL] - p[PANEL - 1]));
-            }
-            let p = legendre(t);
-            let slope = n * (t * p[PANEL] - p[PANEL - 1]) / (t * t - 1.0);
-            *root = t;
-            rule.nodes[i] = 0.5 * (1.0 + t);
-            rule.weights[i] = 1.0 / ((1.0 - t * t) * slope * slope);
-        }
-        // the polynomial as a sum of Legendre's, whose integrals are (P_k+1 − P_k−1)/(2k + 1)
-        for (i, row) in rule.partial.iter_mut().enumerate() {
-            let up_to = legendre(roots[i]);
-            for (j, entry) in row.iter_mut().enumerate() {
-                let at = legendre(roots[j]);
-                let sum: f64 = (1..PANEL).map(|k| at[k] * (up_to[k + 1] - up_to[k - 1])).sum();
-                *entry = 0.5 * rule.weights[j] * (roots[i] + 1.0 + sum);
-            }
-        }
-        rule
-    }
+    pair
 }
 
 /// Nodes and weights of Gauss's rule on (0, 1).
 pub(crate) fn gauss() -> (&'static [f64; PANEL], &'static [f64; PANEL]) {
-    (&RULE.nodes, &RULE.weights)
+    (&RULE[0], &RULE[1])
 }
 
 /// ∫ f on one panel.
 pub(super) fn panel(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let width = to - from;
-    let rule = &*RULE;
-    width * rule.nodes.iter().zip(&rule.weights).map(|(node, weight)| weight * f(from + width * node)).sum::<f64>()
+    let (width, (nodes, weights)) = (to - from, gauss());
+    width * nodes.iter().zip(weights).map(|(node, weight)| weight * f(from + width * node)).sum::<f64>()
 }
 
 /// ∫ f from `from` to `to` (either may be the larger), both > 0, for an f that is smooth except at x = 0. The panels grow as
@@ -160,49 +134,6 @@ pub(super) fn over_decades(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
         end = begin;
     }
     if to >= from { total } else { -total }
-}
-
-/// ∫ dd/u from `from` to `to` for d'' = −g(d), with u = `exit` at `to` (0: a turning point); g is smooth but for a zero at
-/// `zero` ≤ `from`.
-///
-/// With d = to − ζ (ζ + 2 z), z² = exit²/(2 g(to)) the way beyond `to` that a constant g would leave, the root in
-/// u² = exit² + 2 ∫ g loses its singularity. On every panel in ζ the inner integral is that of the polynomial through the
-/// nodes; panels shrink by 0.6 in the distance from `zero`, which leaves an error of about 7.9⁻²⁰.
-pub(super) fn time(g: impl Fn(f64) -> f64, zero: f64, from: f64, to: f64, exit: f64) -> f64 {
-    /// What is nearer to the zero than this share of the way counts as smooth: where g goes with d^1.5, 1e-10 of the work is
-    /// done there, and the rule is off by 1e-6 of that at most.
-    const NEAREST: f64 = 1e-4;
-    if to <= from {
-        return 0.0;
-    }
-    let rule = &*RULE;
-    let z = (0.5 * exit * exit / g(to)).max(0.0).sqrt();
-    // ζ of a distance below `to`
-    let zeta = |way: f64| way / ((way + z * z).sqrt() + z);
-    let floor = NEAREST * (to - zero);
-    let (mut total, mut square, mut near) = (0.0, exit * exit, 0.0);
-    let mut end = to;
-    while end > from {
-        let reach = zero + 0.6 * (end - zero);
-        let begin = if reach > from + 0.05 * (end - from) && reach - zero > floor { reach } else { from };
-        let far = zeta(to - begin);
-        let width = far - near;
-        let mut rates = [0.0; PANEL];
-        let mut halves = [0.0; PANEL];
-        for i in 0..PANEL {
-            let at = near + width * rule.nodes[i];
-            // −dd/dζ
-            halves[i] = 2.0 * (at + z);
-            rates[i] = halves[i] * g(to - at * (at + 2.0 * z));
-        }
-        for ((half, weight), parts) in halves.iter().zip(&rule.weights).zip(&rule.partial) {
-            let inner: f64 = parts.iter().zip(&rates).map(|(part, rate)| part * rate).sum();
-            total += width * weight * half / (square + 2.0 * width * inner).sqrt();
-        }
-        square += 2.0 * width * rule.weights.iter().zip(&rates).map(|(weight, rate)| weight * rate).sum::<f64>();
-        (end, near) = (begin, far);
-    }
-    total
 }
 
 #[cfg(test)]
@@ -235,12 +166,6 @@ mod tests {
         for k in 0..39 {
             let exact = 1.0 / f64::from(k + 1);
             approx::assert_relative_eq!(panel(0.0, 1.0, |x| powi(x, k)), exact, max_relative = 1e-14);
-        }
-        for k in 0..20 {
-            for i in 0..PANEL {
-                let got: f64 = (0..PANEL).map(|j| RULE.partial[i][j] * powi(RULE.nodes[j], k)).sum();
-                approx::assert_abs_diff_eq!(got, powi(RULE.nodes[i], k + 1) / f64::from(k + 1), epsilon = 1e-15);
-            }
         }
     }
 }

@@ -172,16 +172,26 @@ impl Smooth {
         bracketed((low, high), 0.5 * (low + high), is_near, at)
     }
 
+    /// The work over the last stretch `by` before a distance, with all digits of a short stretch.
+    fn work_before(&self, start: f64, to: f64, by: f64) -> f64 {
+        // how far the formula is from its zero: at d = 0 or, for a function of x, at x = 0
+        let place = match self.formula.variable {
+            Variable::Indentation => start + to,
+            Variable::RootOfDistance => to,
+        };
+        if by < 0.5 * place {
+            by * quadrature::panel(0.0, 1.0, |share| self.value(start, to - by * share))
+        } else {
+            self.work(start, to - by, to)
+        }
+    }
+
     /// The time of a motion d'' = −c f between two distances, from the lower to the upper, where the speed is `exit` (0 for a
     /// turning point). The same as that of the way back.
     #[cold]
     pub fn time(&self, start: f64, from: f64, to: f64, exit: f64, c: f64) -> f64 {
-        // the formula is smooth but for its zero: at d = 0 or, for a function of x, at x = 0
-        let zero = match self.formula.variable {
-            Variable::Indentation => -start,
-            Variable::RootOfDistance => 0.0,
-        };
-        quadrature::time(|d| c * self.value(start, d), zero, from, to, exit)
+        let square = |before: f64| exit * exit + 2.0 * c * self.work_before(start, to, before);
+        quadrature::integrate(to - from, |_, before| 1.0 / square(before).sqrt())
     }
 }
 

@@ -13,7 +13,7 @@ use super::table::{Table as _, keys, tables};
 use super::words::{HARDNESSES, JUMPS, LOADINGS, UNLOADINGS};
 use super::written::{COMBINED, Node};
 use crate::law::catalogue::{
-    brake::Brake, hertz::Hertz, jackson_green::JacksonGreen, johnson::Johnson, kogut_etsion::KogutEtsion,
+    brake::Brake, every_law, hertz::Hertz, jackson_green::JacksonGreen, johnson::Johnson, kogut_etsion::KogutEtsion,
     kogut_komvopoulos::KogutKomvopoulos, ma_liu::MaLiu, mesarovic_johnson::MesarovicJohnson, stronge::Stronge,
     thornton::Thornton, walton_braun::WaltonBraun, yigit_christoforou::YigitChristoforou,
 };
@@ -95,10 +95,10 @@ tables! {
 
 /// The laws by their names, with the table of each.
 macro_rules! laws {
-    ($($name:literal $law:ident),* $(,)?) => {
+    ($($file:ident::$law:ident),* $(,)?) => {
         /// The keys of all laws.
         pub fn keys(path: &str, into: &mut Vec<AnyKey>) {
-            $(<$law>::keys(&format!("{path}.{}", $name), into);)*
+            $(<$law>::keys(&format!("{path}.{}", stringify!($file)), into);)*
             HalvesInput::keys(&format!("{path}.{COMBINED}"), into);
         }
 
@@ -107,7 +107,7 @@ macro_rules! laws {
             fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
                 let Some(table) = chosen(self, node, reader)? else { return Ok(()) };
                 match self {
-                    $(Self::$law(law) => reader.within($name, |reader| law.read(form, table, reader)),)*
+                    $(Self::$law(law) => reader.within(stringify!($file), |reader| law.read(form, table, reader)),)*
                     Self::Combined(_) => {}
                 }
                 Ok(())
@@ -115,14 +115,14 @@ macro_rules! laws {
             fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
                 show_word(self.name(), path, into);
                 match self {
-                    $(Self::$law(law) => law.show(form, concat!("law.", $name), into),)*
+                    $(Self::$law(law) => law.show(form, concat!("law.", stringify!($file)), into),)*
                     Self::Combined(_) => {}
                 }
             }
             fn numeric() -> Vec<Numeric<Self>> {
                 let mut keys = Vec::new();
                 $(keys.extend(<$law>::numeric().into_iter().map(|key| key.within(
-                    $name,
+                    stringify!($file),
                     |choice| if let Self::$law(law) = choice { Some(law) } else { None },
                     |choice| if let Self::$law(law) = choice { Some(law) } else { None },
                 )));)*
@@ -132,21 +132,7 @@ macro_rules! laws {
     };
 }
 
-laws!(
-    "plm" Plm,
-    "hertz" Hertz,
-    "thornton" Thornton,
-    "stronge" Stronge,
-    "jackson_green" JacksonGreen,
-    "kogut_etsion" KogutEtsion,
-    "kogut_komvopoulos" KogutKomvopoulos,
-    "yigit_christoforou" YigitChristoforou,
-    "ma_liu" MaLiu,
-    "brake" Brake,
-    "mesarovic_johnson" MesarovicJohnson,
-    "walton_braun" WaltonBraun,
-    "johnson" Johnson,
-);
+every_law!(laws);
 
 const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
 

@@ -22,7 +22,7 @@ use crate::integrate::Drag;
 use crate::law::Law;
 use crate::law::piece::{Piece, Shape};
 use crate::math::functions::{atan, atan2, exp, exp_m1, ln_1p};
-use crate::math::power::{max_or_nan, power, power_turn};
+use crate::math::power::{max_or_nan, power};
 use crate::math::quadrature;
 use crate::math::root::falls_through;
 
@@ -38,47 +38,14 @@ fn peak(law: &Law, kinetic: f64, weight: f64) -> (usize, f64) {
     };
     let piece = &pieces[last];
     let rest = (kinetic + weight * (piece.start - touch) - piece.work).max(0.0);
-    (last, way_to_turn(piece, rest, weight))
+    (last, piece.way_to_turn(rest, weight))
 }
 
 /// The whole way from first touch to the turning point of an impact of energy `kinetic`, as it would be without damping.
 pub(crate) fn way_to_peak(law: &Law, kinetic: f64, forces: &ScaledForces) -> f64 {
     let pieces = law.loading.pieces();
-    if forces.is_none() {
-        let last = &pieces[law.turning_piece(kinetic)];
-        return (last.start - pieces[0].start) + last.distance_at_work(kinetic);
-    }
     let (last, distance) = peak(law, kinetic, forces.weight);
     pieces[last].start - law.touch() + distance
-}
-
-/// Distance from the start of a piece, passed with energy `rest`, to the turning point.
-fn way_to_turn(piece: &Piece, rest: f64, weight: f64) -> f64 {
-    match piece.shape {
-        Shape::Straight { slope, .. } => {
-            let pull = piece.force - weight;
-            let root = (pull * pull + 2.0 * slope * rest).sqrt();
-            if pull > 0.0 { 2.0 * rest / (pull + root) } else { (root - pull) / slope }
-        }
-        Shape::Power { stiffness, exponent, lead: 0.0 } => power_turn(stiffness, exponent, rest, weight),
-        Shape::Smooth(smooth) => smooth.distance_at_work(piece.start, rest, weight),
-        Shape::Power { stiffness, exponent, lead } => {
-            let p = exponent + 1.0;
-            let from_zero = rest + stiffness * power(lead, exponent) * lead / p - weight * lead;
-            let mut d = power_turn(stiffness, exponent, from_zero.max(0.0), weight);
-            // where the weight far exceeds the force at the start of the piece, digits are lost: Newton's method from above,
-            // as in `power_turn`, mends that
-            for _ in 0..60 {
-                let force = stiffness * power(d, exponent);
-                let next = d - (force * d / p - from_zero - weight * d) / (force - weight);
-                if next >= d || !next.is_finite() {
-                    break;
-                }
-                d = next;
-            }
-            (d - lead).max(0.0)
-        }
-    }
 }
 
 /// The function G(u) of the text above, and its inverse.
@@ -168,7 +135,7 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome>
     let speeds = Speeds { chi };
     let kinetic = speeds.energy(q) / ACCELERATION;
     let (last, distance) = peak(law, kinetic, weight);
-    let unloading = law.unloading(law.state_at(last, distance));
+    let unloading = law.turned(last, distance);
     if !unloading.is_power() {
         return None;
     }

@@ -30,32 +30,18 @@ pub struct RadiusTable {
 }
 
 impl RadiusTable {
-    /// Λ and G for a sphere of this κ² on a half-space that yields at this a_Y/R.
-    pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> ContactRadius {
+    /// The same in units of a_Y: for a sphere of this κ² on a half-space that yields at this a_Y/R.
+    #[must_use]
+    pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> Self {
         let slope = self.geometry_slope + self.geometry_slope_kappa_squared * kappa_squared;
-        ContactRadius {
-            from: self.from.clone(),
-            ratio: self.ratio.clone(),
+        Self {
             geometry_from: self.geometry_from / yield_radius_ratio,
             geometry_slope: slope * yield_radius_ratio,
+            geometry_slope_kappa_squared: 0.0,
+            ..self.clone()
         }
     }
-}
 
-/// Λ and G as functions of A. The default is Hertz's contact at any depth, Λ = G = 1.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ContactRadius {
-    /// A of the knots of Λ.
-    pub from: Vec<f64>,
-    /// Λ there.
-    pub ratio: Vec<f64>,
-    /// A from which G grows.
-    pub geometry_from: f64,
-    /// dG/dA from there on.
-    pub geometry_slope: f64,
-}
-
-impl ContactRadius {
     /// Λ at A: a polyline, constant outside its knots.
     pub fn ratio_at(&self, equivalent_radius: f64) -> f64 {
         let above = self.from.partition_point(|knot| *knot <= equivalent_radius);
@@ -69,7 +55,7 @@ impl ContactRadius {
         }
     }
 
-    /// G at A.
+    /// G at A, of a table in units of a_Y.
     pub fn geometry_at(&self, equivalent_radius: f64) -> f64 {
         1.0 + self.geometry_slope * (equivalent_radius - self.geometry_from).max(0.0)
     }

@@ -1,6 +1,6 @@
 //! How the PLM unloads: elastic approach, exponent and contact radius at a point of its loading curve.
 
-use super::contact_radius::ContactRadius;
+use super::contact_radius::RadiusTable;
 use super::hardening::Hardening;
 use super::lines::ElasticLine;
 use crate::law::published::Limits;
@@ -13,8 +13,8 @@ pub struct PlmRule {
     pub line: ElasticLine,
     /// How a half-space that hardens changes it.
     pub hardening: Option<Hardening>,
-    /// The contact radius.
-    pub radius: ContactRadius,
+    /// The contact radius, in units of a_Y.
+    pub radius: RadiusTable,
     /// Which exponent the branch has.
     pub exponent: UnloadingExponent,
 }
