@@ -38,17 +38,20 @@ pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), PlotError>)
 fn encoded(buffer: &[u8]) -> Result<Vec<u8>, PlotError> {
     let n = OVERSAMPLING as usize;
     let width = SIZE.0 as usize;
+    let count = OVERSAMPLING * OVERSAMPLING;
     let mut pixels = Vec::with_capacity(3 * width * SIZE.1 as usize);
     for rows in buffer.chunks_exact(3 * n * width * n) {
-        let mut sums = vec![0_u16; 3 * width];
+        let mut sums = vec![0_u32; 3 * width];
         for row in rows.chunks_exact(3 * n * width) {
-            for (at, byte) in row.iter().enumerate() {
-                sums[at / (3 * n) * 3 + at % 3] += u16::from(*byte);
+            for (sum, drawn) in sums.chunks_exact_mut(3).zip(row.chunks_exact(3 * n)) {
+                for pixel in drawn.chunks_exact(3) {
+                    for (channel, byte) in sum.iter_mut().zip(pixel) {
+                        *channel += u32::from(*byte);
+                    }
+                }
             }
         }
-        let count = OVERSAMPLING * OVERSAMPLING;
-        pixels
-            .extend(sums.into_iter().map(|sum| u8::try_from((u32::from(sum) + count / 2) / count).unwrap_or(u8::MAX)));
+        pixels.extend(sums.iter().map(|sum| u8::try_from((sum + count / 2) / count).unwrap_or(u8::MAX)));
     }
     let mut file = Vec::new();
     let mut encoder = Encoder::new(&mut file, SIZE.0, SIZE.1);
