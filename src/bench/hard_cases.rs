@@ -1,28 +1,15 @@
-//! Impacts that are hard for integrators, each with its restitution and the source of it.
+//! Impacts that are hard for integrators, each with its exact outcome and the source of its restitution.
 //!
 //! All are dimensionless: a [`Law`] and a speed ratio. Some come from scenes in SI units that are hard, such as nanometres or
 //! a modulus ratio of 10¹².
 
-use crate::bench::problems::{kinked_law, steel_speed_ratio, stiff_law};
-use crate::impact::closed_form::energy_balance;
-use crate::impact::{Contact, ImpactError};
+use crate::bench::problems::{Problem, kinked_law, steel_speed_ratio, stiff_law};
+use crate::impact::closed_form;
+use crate::impact::{Contact, ImpactError, Outcome, ScaledForces};
 use crate::law::curve::Curve;
 use crate::law::{Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::{pow, powi};
-
-#[derive(Debug, Clone)]
-pub struct HardCase {
-    /// What is hard.
-    pub name: &'static str,
-    /// Where the restitution comes from.
-    pub origin: &'static str,
-    pub law: Law,
-    /// q = v/V.
-    pub speed: f64,
-    /// e, exact.
-    pub restitution: f64,
-}
 
 const BALANCE: &str = "balance of energy, e^2 = f_m eps_m/((n + 1) w_m), without stepping";
 const ELASTIC: &str = "elastic: what was spent comes back, e = 1 exactly";
@@ -67,11 +54,11 @@ impl Extreme {
     }
 }
 
-/// A case whose restitution is the closed form's.
-fn balanced(name: &'static str, law: Law, speed: f64) -> HardCase {
-    let (_, restitution) = energy_balance(&law, speed);
-    let origin = if restitution == 1.0 { ELASTIC } else { BALANCE };
-    HardCase { name, origin, law, speed, restitution }
+/// A case whose exact outcome is the closed form's.
+fn balanced(name: &'static str, law: Law, speed: f64) -> Problem {
+    let exact = closed_form::solve(&law, speed);
+    let about = if exact.restitution == 1.0 { ELASTIC } else { BALANCE };
+    Problem { name, about, law, speed, forces: ScaledForces::NONE, exact }
 }
 
 /// A law of `count` straight pieces, the knots spaced by the factor `ratio`, close to f = x^1.2 beyond x = 1.7.
@@ -81,15 +68,15 @@ fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
     Law { loading, ..law.clone() }
 }
 
-/// All of them.
+/// All of them. Where the restitution comes from is what each says about itself.
 ///
 /// # Errors
 /// [`ImpactError`], which none of their numbers is near.
-pub fn hard_cases() -> Result<Vec<HardCase>, ImpactError> {
+pub fn hard_cases() -> Result<Vec<Problem>, ImpactError> {
     let (steel, _) = STEEL.law()?;
     let (hertz, stiffest, as_stiff) = (Law::hertz(), stiff_law(1e12), stiff_law(1.0));
     let (many, close) = (many_knots(&steel, 200, 1.02), many_knots(&steel, 5, 1.0 + 1e-12));
-    let mut cases: Vec<HardCase> = [
+    let mut cases: Vec<Problem> = [
         ("v = v_Y (1 - 1e-3)", &steel, 1.0 - 1e-3),
         ("v = v_Y (1 - 1e-6)", &steel, 1.0 - 1e-6),
         ("v = v_Y (1 - 1e-9)", &steel, 1.0 - 1e-9),
@@ -138,7 +125,8 @@ pub fn hard_cases() -> Result<Vec<HardCase>, ImpactError> {
     }
     // in SI units other programs fail on these three; the restitution of the first is an independent 30-digit value
     let first = balanced("P4a: 1 um at 10 m/s", kinked_law(), steel_speed_ratio(10.0));
-    cases.push(HardCase { origin: PRINTED, restitution: 0.301_220_801_577_325_58, ..first });
+    let exact = Outcome { restitution: 0.301_220_801_577_325_58, ..first.exact.clone() };
+    cases.push(Problem { about: PRINTED, exact, ..first });
     cases.push(balanced("P4b: 1 m at 1e-6 m/s", kinked_law(), steel_speed_ratio(1e-6)));
     cases.push(balanced("P4c: 1 nm at 100 m/s, Hertz alone", hertz, steel_speed_ratio(100.0)));
     Ok(cases)

@@ -120,6 +120,12 @@ impl Rung {
     }
 }
 
+/// The errors and the cost of three methods at the default tolerance on a hard case. They are not timed.
+pub fn measure_hard(case: &Problem) -> Vec<Measurement> {
+    let rung = Rung::Tolerance(Solver::default().tolerance);
+    [Method::Rk8, Method::Dop853, Method::Dopri5].into_iter().filter_map(|method| rung.measured(method, case)).collect()
+}
+
 /// Measures every method on a problem, with all settings that do not fail. Each round times every setting for about `burst`.
 pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Measurement> {
     let methods = METHODS.into_iter().filter(|method| serves(*method, problem));

@@ -1,11 +1,10 @@
-//! The report of `bench`: a CSV file of all settings, a picture of each problem, and a page in Markdown.
+//! The report of `bench`: a CSV file of all settings and hard cases, one of the laws, a picture of each problem, and a page
+//! in Markdown with one table.
 
-use super::hard_cases::HardCase;
 use super::laws::Rate;
 use super::measure::{METHODS, Measurement, Rung, serves};
 use super::problems::Problem;
-use crate::impact::{Computed, Method, ScaledForces, Solver, closed_form, run};
-use crate::integrate::IntegrationError;
+use crate::impact::Method;
 use crate::math::power::max_or_nan;
 use crate::output::OutputFile;
 use crate::plot::PlotError;
@@ -29,48 +28,75 @@ const COLUMNS: [Column; 9] = [
     ("peak_force_error", |m| error(m.peak_force_error)),
     ("force_evaluations", |m| m.work.force_evaluations.to_string()),
     ("steps", |m| m.work.steps.to_string()),
-    ("ns_per_impact", |m| format!("{:.1}", m.ns_per_impact)),
+    // a hard case is not timed
+    ("ns_per_impact", |m| if m.ns_per_impact.is_finite() { format!("{:.1}", m.ns_per_impact) } else { String::new() }),
 ];
 
 fn error(value: f64) -> String {
     format!("{value:.3e}")
 }
 
-pub fn csv(all: &[Measured]) -> Result<OutputFile, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(std::iter::once("problem").chain(COLUMNS.map(|(name, _)| name)))?;
-    for (problem, measurements) in all {
-        for m in measurements {
+/// Every setting on every problem, then the hard cases at the default tolerance.
+pub fn settings(all: &[Measured]) -> Result<OutputFile, csv::Error> {
+    let rows = all.iter().flat_map(|(problem, measurements)| {
+        measurements.iter().map(|m| {
             let cells = COLUMNS.map(|(_, cell)| cell(m));
-            writer.write_record(std::iter::once(problem.name).chain(cells.iter().map(String::as_str)))?;
-        }
-    }
-    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(OutputFile { name: "speed_vs_error.csv".into(), bytes })
+            std::iter::once(problem.name.to_owned()).chain(cells).collect()
+        })
+    });
+    csv("speed_vs_error.csv", std::iter::once("problem").chain(COLUMNS.map(|(name, _)| name)), rows)
 }
 
-/// The page with all tables, as Markdown. `rates` are the rows of the table of how fast tables are written, `laws` the times of
-/// a row by law.
-///
-/// # Errors
-/// What a method reports on a hard case: none is expected to.
-pub fn page(
-    all: &[Measured],
-    cases: &[HardCase],
-    laws: &[Rate],
-    rates: Vec<Vec<String>>,
-) -> Result<String, IntegrationError> {
-    let columns = "columns | computing all results | CSV, end to end | Parquet, end to end";
-    Ok(format!(
+/// The time of a row, and of a contact, by law.
+pub fn laws(rates: &[Rate]) -> Result<OutputFile, csv::Error> {
+    let rows = rates
+        .iter()
+        .map(|rate| vec![rate.law.clone(), format!("{:.1}", rate.ns_per_row), format!("{:.1}", rate.ns_per_contact)]);
+    csv("rows_by_law.csv", ["law", "ns_per_row", "ns_per_contact"], rows)
+}
+
+fn csv<'a>(
+    name: &str,
+    columns: impl IntoIterator<Item = &'a str>,
+    rows: impl Iterator<Item = Vec<String>>,
+) -> Result<OutputFile, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(columns)?;
+    for row in rows {
+        writer.write_record(row)?;
+    }
+    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
+    Ok(OutputFile { name: name.into(), bytes })
+}
+
+/// How fast a table of some columns is computed and written.
+pub struct TableRate {
+    pub columns: usize,
+    /// Rows a second computed, written as CSV, and written as Parquet; the last is 0 in a build without it.
+    pub rows_per_second: [f64; 3],
+}
+
+/// The page, as Markdown, with the times of the problems as its table.
+pub fn page(all: &[Measured], laws: &[Rate], tables: &[TableRate]) -> String {
+    let slowest = |time: fn(&Rate) -> f64| microseconds(laws.iter().map(time).fold(0.0, f64::max));
+    let fastest = |time: fn(&Rate) -> f64| microseconds(laws.iter().map(time).fold(f64::INFINITY, f64::min));
+    format!(
         include_str!("page.md"),
-        ratios = ratio_table(all),
         times = time_table(all),
-        verlet = verlet_table(all),
-        hard_cases = hard_case_table(cases)?,
-        laws = law_table(laws),
+        fastest_row = fastest(|rate| rate.ns_per_row),
+        slowest_row = slowest(|rate| rate.ns_per_row),
+        fastest_contact = fastest(|rate| rate.ns_per_contact),
+        slowest_contact = slowest(|rate| rate.ns_per_contact),
         threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-        tables = table(columns, rates).trim_end(),
-    ))
+        tables = tables.iter().map(sentence).collect::<String>().trim_end(),
+    )
+}
+
+/// What is said of the speed of a table.
+fn sentence(of: &TableRate) -> String {
+    let [computed, csv, parquet] = of.rows_per_second.map(|rate| format!("{:.1}", 1e-6 * rate));
+    let parquet = if cfg!(feature = "parquet") { parquet } else { "(built without it)".to_owned() };
+    format!("* {} columns: {computed} million computed, {csv} as CSV, {parquet} as Parquet.\n", of.columns)
 }
 
 /// Smaller errors are drawn here: a logarithmic axis has no zero.
@@ -95,8 +121,6 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
     Ok(OutputFile { name, bytes: lines.to_png()? })
 }
 
-const THRESHOLDS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
-
 /// The shortest time of a setting that keeps within a threshold \[ns\].
 fn time_to_reach(measurements: &[Measurement], method: Method, threshold: f64) -> Option<f64> {
     let reaching = measurements.iter().filter(|m| m.method == method && m.reaches(threshold));
@@ -114,100 +138,51 @@ fn microseconds(ns: f64) -> String {
     }
 }
 
-/// A table in Markdown. `names` has the names of its columns, separated by bars.
-fn table(names: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let names = names.split(" | ").map(str::to_owned).collect();
-    markdown(&std::iter::once(names).chain(rows).collect::<Vec<_>>())
-}
-
-/// Time of one impact \[µs\] to each threshold, and how many times as long Dop853 of `ode_solvers` takes.
+/// Time of one impact \[µs\] by method and threshold. Behind that of a library method stands how many times as long as rk8 it
+/// takes.
 fn time_table(all: &[Measured]) -> String {
-    let mut rows = Vec::new();
-    for (problem, measurements) in all {
-        for method in METHODS.into_iter().filter(|method| serves(*method, problem)) {
-            let cell = |threshold| {
-                let reference = time_to_reach(measurements, Method::Dop853, threshold);
-                match (time_to_reach(measurements, method, threshold), reference) {
-                    (Some(ns), Some(of_library)) => format!("{} ({:.1} ×)", microseconds(ns), of_library / ns),
-                    (Some(ns), None) => microseconds(ns),
-                    (None, _) => "–".to_owned(),
-                }
-            };
-            let names = [problem.name, method.name()].map(str::to_owned);
-            rows.push(names.into_iter().chain(THRESHOLDS.map(cell)).collect());
-        }
-    }
-    table("problem | method | 1e-3 | 1e-6 | 1e-9 | 1e-12", rows)
-}
-
-/// Time of a row of a table, and of a contact, by law.
-fn law_table(laws: &[Rate]) -> String {
-    let row = |rate: &Rate| vec![rate.law.clone(), microseconds(rate.ns_per_row), microseconds(rate.ns_per_contact)];
-    table("law | a row | a new contact", laws.iter().map(row))
-}
-
-/// The ratios that rk8 is judged by.
-fn ratio_table(all: &[Measured]) -> String {
+    let names = [
+        "problem",
+        "closed form",
+        "rk8, 1e-6",
+        "rk8, 1e-9",
+        "rk8, 1e-12",
+        "dop853, 1e-6",
+        "dop853, 1e-9",
+        "dopri5, 1e-6",
+        "dopri5, 1e-9",
+        "verlet, 1e-3",
+        "steps of verlet for e within 1 %",
+    ];
     let row = |(problem, measurements): &Measured| {
         let time = |method, threshold| time_to_reach(measurements, method, threshold);
-        let [rk8, dop853, closed] = [Method::Rk8, Method::Dop853, Method::ClosedForm];
-        let ratio = |a: Method, b: Method, threshold| match (time(a, threshold), time(b, threshold)) {
-            (Some(a), Some(b)) if a / b < 100.0 => format!("{:.1}", a / b),
-            (Some(a), Some(b)) => format!("{:.0}", a / b),
+        let alone = |method, threshold| time(method, threshold).map_or_else(|| "–".into(), microseconds);
+        let beside = |method, threshold| match (time(method, threshold), time(Method::Rk8, threshold)) {
+            (Some(ns), Some(of_rk8)) => format!("{} ({:.1} ×)", microseconds(ns), ns / of_rk8),
             _ => "–".to_owned(),
         };
         vec![
             problem.name.to_owned(),
-            ratio(dop853, rk8, 1e-9),
-            ratio(dop853, rk8, 1e-6),
-            time(rk8, 1e-12).map_or_else(|| "–".into(), |ns| format!("{} µs", microseconds(ns))),
-            ratio(rk8, closed, 1e-9),
+            alone(Method::ClosedForm, 1e-9),
+            alone(Method::Rk8, 1e-6),
+            alone(Method::Rk8, 1e-9),
+            alone(Method::Rk8, 1e-12),
+            beside(Method::Dop853, 1e-6),
+            beside(Method::Dop853, 1e-9),
+            beside(Method::Dopri5, 1e-6),
+            beside(Method::Dopri5, 1e-9),
+            beside(Method::Verlet, 1e-3),
+            steps_of_verlet(measurements),
         ]
     };
-    let names = "problem | Dop853 ÷ rk8 at 1e-9 | at 1e-6 | rk8 reaches 1e-12 in | rk8 ÷ closed form at 1e-9";
-    table(names, all.iter().map(row))
+    markdown(&std::iter::once(names.map(str::to_owned).into()).chain(all.iter().map(row)).collect::<Vec<_>>())
 }
 
-/// Steps per contact that velocity Verlet needs. A number of steps serves if it and all finer settings keep within the
-/// threshold.
-fn verlet_table(all: &[Measured]) -> String {
-    let row = |(problem, measurements): &Measured| {
-        let ladder = || measurements.iter().filter(|m| m.method == Method::Verlet);
-        let errors: [fn(&Measurement) -> f64; 3] =
-            [|m| m.restitution_error, |m| m.contact_time_error, |m| m.separation_error];
-        let mut row = vec![problem.name.to_owned()];
-        for error in errors {
-            for threshold in [1e-2, 1e-3] {
-                let last_bad = ladder().filter(|m| error(m) > threshold).filter_map(steps).max().unwrap_or(0);
-                let needed = ladder().filter_map(steps).filter(|steps| *steps > last_bad).min();
-                row.push(needed.map_or_else(|| format!("more than {last_bad}"), |steps| steps.to_string()));
-            }
-        }
-        row
-    };
-    let names = "problem | e within 1 % | e within 0.1 % | contact time within 1 % | contact time within 0.1 % | separation seen within 1 % | separation seen within 0.1 %";
-    table(names, all.iter().map(row))
-}
-
-fn steps(measurement: &Measurement) -> Option<u32> {
-    if let Rung::Steps(steps) = measurement.rung { Some(steps) } else { None }
-}
-
-/// The larger relative error of e and contact time of each stepping method at its default tolerance on every hard case.
-fn hard_case_table(cases: &[HardCase]) -> Result<String, IntegrationError> {
-    let mut rows = Vec::new();
-    for case in cases {
-        let exact = closed_form::solve(&case.law, case.speed);
-        let mut row = vec![case.name.to_owned(), format!("{:.4}", case.restitution)];
-        for method in [Method::Rk8, Method::Dop853, Method::Dopri5] {
-            let solver = Solver { method, ..Solver::default() };
-            let Computed { outcome, .. } =
-                run(&case.law, case.speed, &ScaledForces::NONE, Some(&exact), &solver, None)?;
-            let of_restitution = (outcome.restitution / case.restitution - 1.0).abs();
-            let of_time = (outcome.contact_time / exact.contact_time - 1.0).abs();
-            row.push(format!("{:.0e}", max_or_nan(of_restitution, of_time)));
-        }
-        rows.push(row);
-    }
-    Ok(table("hard case | e | rk8 | dop853 | dopri5", rows))
+/// Steps per contact from which on velocity Verlet keeps e within 1 %. A number of steps serves if all finer settings do too.
+fn steps_of_verlet(measurements: &[Measurement]) -> String {
+    let ladder =
+        || measurements.iter().filter_map(|m| if let Rung::Steps(steps) = m.rung { Some((steps, m)) } else { None });
+    let last_bad = ladder().filter(|(_, m)| m.restitution_error > 1e-2).map(|(steps, _)| steps).max().unwrap_or(0);
+    let needed = ladder().map(|(steps, _)| steps).filter(|steps| *steps > last_bad).min();
+    needed.map_or_else(|| format!("more than {last_bad}"), |steps| steps.to_string())
 }

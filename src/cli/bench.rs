@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
+use plm_impact::bench::report::TableRate;
 use plm_impact::bench::throughput::throughput;
 use plm_impact::bench::{hard_cases, laws, measure, problems, report};
 use plm_impact::error::Error;
@@ -13,7 +14,7 @@ use plm_impact::scenario::Scenario;
 
 use super::terminal::other;
 
-/// Measure speed against error of every method: CSV, pictures, and tables on the terminal and as Markdown
+/// Measure speed against error of every method: CSV, pictures, and a page, on the terminal and as Markdown
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact bench --out bench
@@ -43,16 +44,20 @@ pub fn bench(arguments: &Arguments) -> Result<(), Error> {
         let measurements = measure::measure(&problem, arguments.quick, rounds, burst);
         all.push((problem, measurements));
     }
-    let cases = hard_cases::hard_cases().map_err(other("hard cases"))?;
     super::terminal::note(format_args!("measuring laws"));
     let laws = laws::rates(rounds).map_err(other("laws"))?;
     super::terminal::note(format_args!("measuring tables"));
-    let rates = table_rates(&directory, arguments.quick)?;
-    let text = report::page(&all, &cases, &laws, rates).map_err(other("hard cases"))?;
-    let mut files = vec![report::csv(&all)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
+    let tables = table_rates(&directory, arguments.quick)?;
+    let text = report::page(&all, &laws, &tables);
+    let mut files = vec![report::laws(&laws)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
         files.push(report::picture(measured)?);
     }
+    for case in hard_cases::hard_cases().map_err(other("hard cases"))? {
+        let measurements = measure::measure_hard(&case);
+        all.push((case, measurements));
+    }
+    files.push(report::settings(&all)?);
     let path = directory.path().to_owned();
     directory.write(&files)?;
     super::terminal::print(&text)?;
@@ -74,17 +79,16 @@ impact = { speed = "1 m/s" }
 const NINE: &str =
     r#"output.columns=["contact_time_s", "peak_force_N", "peak_indentation_m", "residual_indentation_m"]"#;
 
-/// How fast tables are computed and written: a row of the report for each table.
-fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<Vec<Vec<String>>, Error> {
-    let measure = |columns: Option<&str>| -> Result<Vec<String>, Error> {
+/// How fast tables of nine columns, and of all, are computed and written.
+fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<[TableRate; 2], Error> {
+    let measure = |columns: Option<&str>| -> Result<TableRate, Error> {
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
         let plan = table::plan(&scenario)?;
         let rounds = if is_quick { 1 } else { 7 };
-        let rates = super::threads::with(None, || throughput(&plan, directory.path(), rounds))??;
-        let written = |rate: f64| if rate > 0.0 { format!("{rate:.2e}") } else { "(built without the feature)".into() };
-        Ok(std::iter::once(plan.column_names().len().to_string()).chain(rates.map(written)).collect())
+        let rows_per_second = super::threads::with(None, || throughput(&plan, directory.path(), rounds))??;
+        Ok(TableRate { columns: plan.column_names().len(), rows_per_second })
     };
-    Ok(vec![measure(Some(NINE))?, measure(None)?])
+    Ok([measure(Some(NINE))?, measure(None)?])
 }
