@@ -4,7 +4,6 @@
 
 use plm_impact::bench::hard_cases::hard_cases;
 use plm_impact::bench::problems::{Problem, kinked_law, steel_speed_ratio};
-use plm_impact::impact::Outcome;
 
 use crate::common::prelude::*;
 
