@@ -24,6 +24,7 @@ pub mod published;
 pub mod reloading;
 pub mod unloading;
 
+use crate::units::names::named;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
 use curve::Curve;
@@ -45,31 +46,19 @@ pub enum Rule {
     Published(Box<Published>),
 }
 
-/// The branch of its law that a contact is on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Branch {
-    /// Loading without a dent so far.
-    Elastic,
-    /// Loading, the dent grows.
-    Plastic,
-    /// Loading in a dent made before, back up its unloading branch.
-    Reloading,
-    /// Unloading.
-    Unloading,
-    /// The sphere is above the dent, without contact. An impact ends there.
-    Separated,
-}
-
-impl Branch {
-    /// `elastic`, `plastic`, `reloading`, `unloading` or `separated`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Elastic => "elastic",
-            Self::Plastic => "plastic",
-            Self::Reloading => "reloading",
-            Self::Unloading => "unloading",
-            Self::Separated => "separated",
-        }
+named! {
+    /// The branch of its law that a contact is on.
+    pub enum Branch {
+        /// Loading without a dent so far.
+        Elastic = "elastic",
+        /// Loading, the dent grows.
+        Plastic = "plastic",
+        /// Loading in a dent made before, back up its unloading branch.
+        Reloading = "reloading",
+        /// Unloading.
+        Unloading = "unloading",
+        /// The sphere is above the dent, without contact. An impact ends there.
+        Separated = "separated",
     }
 }
 
@@ -114,15 +103,23 @@ impl Law {
         if x <= self.limits.elastic_until * (1.0 + f64::EPSILON) { &Rule::Elastic } else { &self.rule }
     }
 
+    /// How fresh surface unloads from a point (x, f) of the loading curve that took the work `spent`.
+    #[inline(always)]
+    fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
+        let peak = |elastic_approach| Peak { indentation: x, force, elastic_approach };
+        match self.rule_at(x) {
+            Rule::Elastic => Unloading::power(peak(x), 1.5),
+            Rule::Polyline(rule) => rule.unloading(peak(rule.elastic_approach(x, force)), spent),
+            Rule::Published(rule) => rule.unloading(x, force, spent),
+        }
+    }
+
     /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        if let Some(branch) = self.branch_at(x) {
-            return x - branch.peak.residual();
-        }
-        match self.rule_at(x) {
-            Rule::Elastic => x,
-            Rule::Polyline(rule) => rule.elastic_approach(x, force),
-            Rule::Published(rule) => rule.unloading(x, force, self.work_since_fresh(x)).peak.elastic_approach,
+        match (self.branch_at(x), self.rule_at(x)) {
+            (Some(branch), _) => x - branch.peak.residual(),
+            (None, Rule::Polyline(rule)) => rule.elastic_approach(x, force),
+            _ => self.left_at(x, force, self.work_since_fresh(x)).peak.elastic_approach,
         }
     }
 
@@ -141,7 +138,9 @@ impl Law {
         match self.rule_at(peak.indentation) {
             Rule::Elastic => Unloading::power(peak, 1.5),
             Rule::Polyline(rule) => rule.unloading(peak, self.work_since_fresh(peak.indentation)),
-            Rule::Published(rule) => rule.unloading_of(peak, self.work_since_fresh(peak.indentation)),
+            Rule::Published(rule) => {
+                rule.unloading(peak.indentation, peak.force, self.work_since_fresh(peak.indentation))
+            }
         }
     }
 
@@ -154,13 +153,7 @@ impl Law {
         }
         let piece = &self.loading.pieces()[index];
         let indentation = piece.start + distance;
-        let force = piece.force_at(indentation);
-        let peak = |elastic_approach| Peak { indentation, force, elastic_approach };
-        match self.rule_at(indentation) {
-            Rule::Elastic => Unloading::power(peak(indentation), 1.5),
-            Rule::Polyline(rule) => rule.unloading(peak(rule.elastic_approach(indentation, force)), spent),
-            Rule::Published(rule) => rule.unloading(indentation, force, spent),
-        }
+        self.left_at(indentation, piece.force_at(indentation), spent)
     }
 
     /// The same, where the work is that of the curve.

@@ -21,6 +21,7 @@ pub mod sequence;
 
 use crate::impact::{Contact, Impact, ImpactError, Method, Solver, Spot};
 use crate::progress::Counter;
+use crate::units::names::named;
 use flight::Flight;
 pub use sequence::{End, Hit, Sequence};
 
@@ -30,25 +31,13 @@ pub const MOST_IMPACTS: u64 = 1_000_000;
 /// Rows of a trace that are recorded in all; impacts after that have none.
 pub const MOST_ROWS: usize = 200_000;
 
-/// Where the impacts hit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// All on one spot.
-    Same,
-    /// Each on fresh surface.
-    Fresh,
-}
-
-impl Place {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Same, Self::Fresh];
-
-    /// Its name in scenarios and reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Same => "same",
-            Self::Fresh => "fresh",
-        }
+named! {
+    /// Where the impacts hit.
+    pub enum Place {
+        /// All on one spot.
+        Same = "same",
+        /// Each on fresh surface.
+        Fresh = "fresh",
     }
 }
 

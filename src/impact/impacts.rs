@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use super::result::Impact;
 use super::solve::{Method, Solver, run};
 use super::{closed_form, validity};
-use crate::law::Rule;
+use crate::law::{Law, Peak, Rule};
 
 impl Case<'_> {
     /// The exact outcome, where there is one.
@@ -99,34 +99,32 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let approach = approach.into();
-        let [speed, _] = approach.components();
-        let case = self.case(None, speed)?;
-        let (mut impact, outcome) = self.impact_of(&case, speed, solver, samples)?;
-        if let Some(inclined) = Inclined::new(self, &case, &outcome, approach) {
-            impact.add_friction(&inclined, approach)?;
-            impact.warnings.extend(validity::of_oblique(self, &impact, approach));
-        }
-        Ok(impact)
+        self.impact_under(None, approach.into(), solver, samples).map(|(impact, ..)| impact)
     }
 
-    /// The same of a case at that speed, with its dimensionless outcome.
-    pub(super) fn impact_of(
-        &self,
-        case: &Case,
-        speed: f64,
+    /// The same with its law and peak. `spot` is the law of a spot that was loaded before.
+    pub(super) fn impact_under<'a>(
+        &'a self,
+        spot: Option<&'a Law>,
+        approach: Approach,
         solver: &Solver,
         samples: Option<usize>,
-    ) -> Result<(Impact, Outcome), ImpactError> {
-        let Case { law, q, forces, .. } = case;
+    ) -> Result<(Impact, &'a Law, Peak), ImpactError> {
+        let [speed, _] = approach.components();
+        let case = self.case(spot, speed)?;
+        let Case { law, q, forces, .. } = &case;
         let exact = case.exact();
         let method = self.chosen(solver.method, exact.as_ref(), samples.is_some())?;
         let solver = Solver { method, ..*solver };
         let computed = run(law, *q, forces, exact.as_ref(), &solver, samples)?;
-        let peak = &computed.outcome.unloading.peak;
-        law.accept(peak)?;
-        let mut impact = Impact::new(self, speed, case, method, &computed, exact.as_ref())?;
-        impact.warnings = validity::warnings(self, &impact, law, peak, &solver);
-        Ok((impact, computed.outcome))
+        let peak = computed.outcome.unloading.peak;
+        law.accept(&peak)?;
+        let mut impact = Impact::new(self, speed, &case, method, &computed, exact.as_ref())?;
+        impact.warnings = validity::warnings(self, &impact, law, &peak, &solver);
+        if let Some(inclined) = Inclined::new(self, &case, &computed.outcome, approach) {
+            impact.add_friction(&inclined, approach)?;
+            impact.warnings.extend(validity::of_oblique(self, &impact, approach));
+        }
+        Ok((impact, law, peak))
     }
 }

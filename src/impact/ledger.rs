@@ -5,6 +5,8 @@ use super::contact::Contact;
 use super::oblique::Rubbing;
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Point};
+use super::scales::ACCELERATION;
+use crate::integrate::State;
 use crate::law::{Branch, Peak};
 
 /// One row of a trace.
@@ -81,13 +83,13 @@ impl<'a> Ledger<'a> {
 
     /// A row of the trace.
     pub(super) fn row(&self, point: &Point) -> TraceRow {
-        let Point { time, indentation: x, speed, force, total_force, elastic_approach, loss, is_unloading, event } =
-            *point;
+        let Point { at: State { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
+        let Peak { indentation: x, force, elastic_approach } = state;
         let Case { law, scales, .. } = self.case;
         let potential = if is_unloading {
             self.outcome.unloading.stored_of(elastic_approach) + self.spent
         } else {
-            law.work_to(&Peak { indentation: x, force, elastic_approach })
+            law.work_to(&state)
         };
         let branch = match () {
             () if is_unloading => Branch::Unloading,
@@ -109,7 +111,7 @@ impl<'a> Ledger<'a> {
             branch,
             rubbing: None,
             event,
-            energy_drift: self.drift(speed, potential, loss, x),
+            energy_drift: self.drift(speed, potential, loss / ACCELERATION, x),
         }
     }
 }

@@ -3,23 +3,15 @@
 use super::record::Point;
 use crate::integrate::Work;
 use crate::law::Unloading;
+use crate::units::names::named;
 
-/// How a contact ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fate {
-    /// The total contact force vanished.
-    Separated,
-    /// It never vanishes: the sphere stays.
-    Captured,
-}
-
-impl Fate {
-    /// `separated` or `captured`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Separated => "separated",
-            Self::Captured => "captured",
-        }
+named! {
+    /// How a contact ended.
+    pub enum Fate {
+        /// The total contact force vanished.
+        Separated = "separated",
+        /// It never vanishes: the sphere stays.
+        Captured = "captured",
     }
 }
 

@@ -30,6 +30,7 @@ use super::scales::Scales;
 use crate::law::Law;
 use crate::material::HalfSpace;
 use crate::math::functions::{pow, powi};
+use crate::units::names::named;
 
 /// The plate that is hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,26 +43,15 @@ pub struct Plate {
     pub theory: PlateTheory,
 }
 
-/// How a plate gives way.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum PlateTheory {
-    /// As a thin one.
-    #[default]
-    Zener,
-    /// With the first term of a thick one.
-    Thick,
-}
-
-impl PlateTheory {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::Zener, Self::Thick];
-
-    /// Its name in scenarios.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Zener => "zener",
-            Self::Thick => "thick",
-        }
+named! {
+    /// How a plate gives way.
+    #[derive(Default)]
+    pub enum PlateTheory {
+        /// As a thin one.
+        #[default]
+        Zener = "zener",
+        /// With the first term of a thick one.
+        Thick = "thick",
     }
 }
 

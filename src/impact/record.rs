@@ -27,20 +27,12 @@ pub enum Event {
 /// A point of a trace, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// τ.
-    pub time: f64,
-    /// x.
-    pub indentation: f64,
-    /// u.
-    pub speed: f64,
-    /// Force of the law.
-    pub force: f64,
+    /// τ, u and what drag has taken; the distance is that of its leg.
+    pub at: State,
+    /// Where the law is: x, its force, and ε, the part of x recovered if unloaded from here.
+    pub state: Peak,
     /// Force with damping.
     pub total_force: f64,
-    /// ε: the part of x recovered if unloaded from here.
-    pub elastic_approach: f64,
-    /// What drag has taken so far, in units of Φ L.
-    pub loss: f64,
     /// Whether compression is over.
     pub is_unloading: bool,
     /// The event, if it is one.
@@ -48,20 +40,18 @@ pub struct Point {
 }
 
 impl Point {
-    /// Of a motion on the loading curve, where the state of the law is `loaded`; `at.distance` is not used.
+    /// Of a motion on the loading curve, where the state of the law is `state`.
     pub(super) fn loading(
-        loaded: Peak,
+        state: Peak,
         slope: impl FnOnce() -> f64,
         drag: Drag,
         at: &State,
         event: Option<Event>,
     ) -> Self {
-        let Peak { indentation, force, elastic_approach } = loaded;
-        let of_drag = || drag.at(force, || slope() / ACCELERATION).0 * at.speed;
+        let of_drag = || drag.at(state.force, || slope() / ACCELERATION).0 * at.speed;
         // at lift-off the total force is zero but for rounding
-        let total_force = if drag.is_in_contact() { max_or_nan(force + of_drag(), 0.0) } else { force };
-        let (time, speed, loss) = (at.time, at.speed, at.loss / ACCELERATION);
-        Self { time, indentation, speed, force, total_force, elastic_approach, loss, is_unloading: false, event }
+        let total_force = if drag.is_in_contact() { max_or_nan(state.force + of_drag(), 0.0) } else { state.force };
+        Self { at: *at, state, total_force, is_unloading: false, event }
     }
 
     /// Of a motion on the unloading branch; distances count from the residual indentation.

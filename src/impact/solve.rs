@@ -10,45 +10,28 @@ use crate::integrate::library::{Library, Scheme};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
 use crate::law::Law;
+use crate::units::names::named;
 
-/// How an impact is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// The cheapest that is exact for the scene, see [`Method::chosen`].
-    Auto,
-    /// Our adaptive Runge-Kutta-Nyström of order 8.
-    Rk8,
-    /// `ode_solvers` Dormand-Prince 5(4).
-    Dopri5,
-    /// `ode_solvers` Dormand-Prince 8(5,3).
-    Dop853,
-    /// Velocity Verlet with a fixed step, as DEM codes do.
-    Verlet,
-    /// Energy balance and exact times, no stepping; a trace is run by rk8 at a tolerance of 1e-14.
-    ClosedForm,
+named! {
+    /// How an impact is computed.
+    #[derive(Hash)]
+    pub enum Method {
+        /// The cheapest that is exact for the scene, see [`Method::chosen`].
+        Auto = "auto",
+        /// Our adaptive Runge-Kutta-Nyström of order 8.
+        Rk8 = "rk8",
+        /// `ode_solvers` Dormand-Prince 5(4).
+        Dopri5 = "dopri5",
+        /// `ode_solvers` Dormand-Prince 8(5,3).
+        Dop853 = "dop853",
+        /// Velocity Verlet with a fixed step, as DEM codes do.
+        Verlet = "verlet",
+        /// Energy balance and exact times, no stepping; a trace is run by rk8 at a tolerance of 1e-14.
+        ClosedForm = "closed_form",
+    }
 }
 
 impl Method {
-    /// Every method, with its name in scenarios and reports.
-    pub const ALL: [(&'static str, Self); 6] = [
-        ("auto", Self::Auto),
-        ("rk8", Self::Rk8),
-        ("dopri5", Self::Dopri5),
-        ("dop853", Self::Dop853),
-        ("verlet", Self::Verlet),
-        ("closed_form", Self::ClosedForm),
-    ];
-
-    /// The method of this name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(known, _)| *known == name).map(|(_, method)| *method)
-    }
-
-    /// Its name in scenarios and reports.
-    pub fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
-    }
-
     /// What computes an impact under these forces: the method itself, or what [`Method::Auto`] stands for. That is the closed
     /// form for results of a motion that nothing damps, where there is one, and rk8 for all else. `None` for
     /// [`Method::ClosedForm`] where there is none. `closes` says whether the law has closed forms under gravity and damping;

@@ -53,9 +53,7 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let case = self.case(spot.law.as_ref(), speed)?;
-        let (impact, outcome) = self.impact_of(&case, speed, solver, samples)?;
-        let (law, peak) = (case.law, outcome.unloading.peak);
+        let (impact, law, peak) = self.impact_under(spot.law.as_ref(), speed.into(), solver, samples)?;
         if !law.is_elastic_to(peak.indentation) {
             spot.law = Some(law.reloaded(peak));
         }

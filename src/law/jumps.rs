@@ -1,15 +1,18 @@
 //! Loading laws that are printed piece by piece, where the force jumps from one piece to the next.
 
 use crate::math::root::halved;
+use crate::units::names::named;
 
-/// How the jumps of a force that was printed piece by piece are treated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Jumps {
-    /// Kept, at the printed limits.
-    #[default]
-    Printed,
-    /// Removed: every piece goes on until the next one crosses it.
-    Crossed,
+named! {
+    /// How the jumps of a force that was printed piece by piece are treated.
+    #[derive(Default)]
+    pub enum Jumps {
+        /// Kept, at the printed limits.
+        #[default]
+        Printed = "printed",
+        /// Removed: every piece goes on until the next one crosses it.
+        Crossed = "crossed",
+    }
 }
 
 /// The place where an excess that is positive at `from` falls to zero, by bisection. `None` if it is not positive at `from`, or

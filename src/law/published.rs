@@ -214,12 +214,6 @@ impl Published {
         at.unloaded((self.recovery)(at)).0
     }
 
-    /// The branch from a peak that took the work `spent`.
-    #[cold]
-    pub(super) fn unloading_of(&self, peak: Peak, spent: f64) -> Unloading {
-        Unloading::new(peak, (self.recovery)(self.loaded(peak.indentation, peak.force, spent)).shape)
-    }
-
     /// Whether the law has an answer for a peak that took the work `spent`.
     #[cold]
     pub(super) fn accept(&self, peak: &Peak, spent: f64) -> Result<(), OutsideLaw> {

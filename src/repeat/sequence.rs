@@ -5,33 +5,22 @@ use std::ops::Deref;
 use super::flight::Flight;
 use crate::impact::{Energy, Essentials, Fate, Impact, Method, UnderForces, Warning};
 use crate::math::power::max_or_nan;
+use crate::units::names::named;
 
-/// Why a series ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum End {
-    /// The list of shots is finished.
-    Shots,
-    /// As many impacts as were asked for.
-    Impacts,
-    /// The next impact would be slower than `until`.
-    Until,
-    /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g. Under
-    /// viscous damping it may lift off, but not high enough to leave the spot.
-    Captured,
-    /// The rebound does not lift the sphere out of its dent onto the fresh surface that was asked for.
-    InDent,
-}
-
-impl End {
-    /// Its name in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Shots => "shots",
-            Self::Impacts => "impacts",
-            Self::Until => "until",
-            Self::Captured => "captured",
-            Self::InDent => "in_dent",
-        }
+named! {
+    /// Why a series ended.
+    pub enum End {
+        /// The list of shots is finished.
+        Shots = "shots",
+        /// As many impacts as were asked for.
+        Impacts = "impacts",
+        /// The next impact would be slower than `until`.
+        Until = "until",
+        /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g. Under
+        /// viscous damping it may lift off, but not high enough to leave the spot.
+        Captured = "captured",
+        /// The rebound does not lift the sphere out of its dent onto the fresh surface that was asked for.
+        InDent = "in_dent",
     }
 }
 

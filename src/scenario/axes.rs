@@ -70,7 +70,7 @@ fn each<T>(keys: &DeTable, reader: &mut Reader, read: fn(&Name, &Node) -> Result
 fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
     let path = name.get_ref();
     if path == METHOD {
-        let method = |item: &Node| named(&METHODS, item, Method::from_name).map(Word::Method);
+        let method = |item: &Node| named(&METHODS, item, Method::find).map(Word::Method);
         return words(METHOD, node, "[\"rk8\", \"dop853\"]", method);
     }
     if path == LAW {

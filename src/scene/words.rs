@@ -17,7 +17,7 @@ const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<Stri
 }
 
 /// Names of integration methods.
-pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.iter().map(|(name, _)| name)));
+pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.map(Method::name)));
 /// Names of whole laws.
 pub static LAWS: Words = words("law", "laws", || laws(LawChoice::has_loading));
 /// The same, as an axis takes them.
@@ -34,9 +34,9 @@ pub static OWN_UNLOADINGS: Words = words("unloading", "unloadings", || laws(LawC
 /// Where repeated impacts hit.
 pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
 /// What is done about a jump of the printed formulas.
-pub static JUMPS: Words = words("word", "words here", || texts(["printed", "crossed"]));
+pub static JUMPS: Words = words("word", "words here", || texts(Jumps::ALL.map(Jumps::name)));
 /// Forms of the hardness of Jackson and Green.
-pub static HARDNESSES: Words = words("word", "words here", || texts(["exponential", "cosine"]));
+pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
 /// How the noise of measurements is given, if not by numbers.
 pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
 /// How the range of a key is searched.
@@ -82,20 +82,12 @@ macro_rules! named {
 }
 
 named! {
-    Option<Method>: Method::from_name;
+    Option<Method>: Method::find;
     Option<&'static Material>: find;
-    Option<PlateTheory>: |name: &str| PlateTheory::ALL.into_iter().find(|theory| theory.name() == name);
-    Option<Place>: |name: &str| Place::ALL.into_iter().find(|place| place.name() == name);
-    Jumps: |name: &str| match name {
-        "printed" => Some(Self::Printed),
-        "crossed" => Some(Self::Crossed),
-        _ => None,
-    };
-    Hardness: |name: &str| match name {
-        "exponential" => Some(Self::Exponential),
-        "cosine" => Some(Self::Cosine),
-        _ => None,
-    };
+    Option<PlateTheory>: PlateTheory::find;
+    Option<Place>: Place::find;
+    Jumps: Jumps::find;
+    Hardness: Hardness::find;
 }
 
 impl Field for UnloadingExponent {

@@ -15,17 +15,19 @@
 use thiserror::Error;
 
 use super::flow::{FlowCurve, yield_strength_of_power};
+use crate::units::names::named;
 use crate::units::number;
 
-/// A scale of hardness.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
-    /// Vickers.
-    Vickers,
-    /// Brinell, with a ball of hard metal.
-    Brinell,
-    /// Rockwell C.
-    RockwellC,
+named! {
+    /// A scale of hardness.
+    pub enum Scale {
+        /// Vickers.
+        Vickers = "HV",
+        /// Brinell, with a ball of hard metal.
+        Brinell = "HB",
+        /// Rockwell C.
+        RockwellC = "HRC",
+    }
 }
 
 /// Plastic strain at which the strength from a hardness is the flow stress (Tabor).
@@ -45,10 +47,10 @@ const VICKERS_AREA: f64 = 0.9272;
 #[error(
     "{} {} is outside of the conversion table (DIN 50150, ISO 18265 table A.1, steels), which goes from {} to {} {}; give the Vickers hardness or a mean pressure such as \"3 GPa\"",
     number(*.value),
-    .scale.symbol(),
+    .scale.name(),
     number(.range.0),
     number(.range.1),
-    .scale.symbol()
+    .scale.name()
 )]
 pub struct OutsideTable {
     /// The number.
@@ -60,22 +62,9 @@ pub struct OutsideTable {
 }
 
 impl Scale {
-    /// All scales.
-    pub const ALL: [Self; 3] = [Self::Vickers, Self::Brinell, Self::RockwellC];
-
-    /// The symbol that is written after a number.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Vickers => "HV",
-            Self::Brinell => "HB",
-            Self::RockwellC => "HRC",
-        }
-    }
-
     /// The scale of this symbol; HBW is a newer name of HB.
     pub fn from_symbol(symbol: &str) -> Option<Self> {
-        let symbol = if symbol == "HBW" { "HB" } else { symbol };
-        Self::ALL.into_iter().find(|scale| scale.symbol() == symbol)
+        Self::find(if symbol == "HBW" { "HB" } else { symbol })
     }
 
     /// Mean pressure \[Pa\] under the pyramid of a Vickers test, for a metal of this hardness.
@@ -90,7 +79,7 @@ impl Scale {
     /// The rows of the conversion table of this scale, by rising number: number and HV.
     fn table(self) -> Vec<(f64, f64)> {
         let row = |line: &str| {
-            let (number, vickers) = line.strip_prefix(self.symbol())?.strip_prefix(',')?.split_once(',')?;
+            let (number, vickers) = line.strip_prefix(self.name())?.strip_prefix(',')?.split_once(',')?;
             Some((number.parse().ok()?, vickers.parse().ok()?))
         };
         include_str!("hardness.csv").lines().filter_map(row).collect()

@@ -58,8 +58,8 @@ fn overrides_change_keys_as_the_shell_hands_them_over() {
     assert_eq!(scene.solver.tolerance, 1e-6);
     assert_eq!(scene.samples, 7);
     let set = |given: String| resolve(STEEL, &[&given]).unwrap();
-    for (name, method) in Method::ALL {
-        assert_eq!(set(format!("solver.method={name}")).solver.method, method);
+    for method in Method::ALL {
+        assert_eq!(set(format!("solver.method={}", method.name())).solver.method, method);
     }
     let [paper, fixed] = [("1.5", UnloadingExponent::Paper), ("2", UnloadingExponent::Fixed(2.0))];
     for (value, exponent) in [paper, fixed, ("1.25", UnloadingExponent::Fixed(1.25))] {

@@ -48,9 +48,9 @@ impl Motion {
         let outcome = course::integrate(law, q, forces, &mut Rk8::new(1e-10), Some(&mut recorder))?;
         let radius = |point: &Point| {
             if point.is_unloading {
-                outcome.unloading.grip_of(point.elastic_approach)
+                outcome.unloading.grip_of(point.state.elastic_approach)
             } else {
-                point.force / point.elastic_approach
+                point.state.force / point.state.elastic_approach
             }
         };
         #[allow(clippy::cast_precision_loss)]
@@ -60,7 +60,7 @@ impl Motion {
         let times = (1..2 * SPRINGS).map(|k| Self::time_of(step, k));
         let points = recorder.points(law, &outcome.unloading, forces.drag, times);
         for point in points.iter().filter(|point| point.event.is_none()) {
-            motion.push(radius(point), point.force);
+            motion.push(radius(point), point.state.force);
         }
         motion.radius.resize(2 * SPRINGS + 1, 0.0);
         motion.pressure.resize(2 * SPRINGS + 1, 0.0);

@@ -8,6 +8,7 @@ use crate::law::jumps::{Jumps, crossing};
 use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{exp, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
+use crate::units::names::named;
 
 /// The law of Jackson and Green.
 ///
@@ -45,14 +46,16 @@ pub struct JacksonGreen {
     pub jumps: Jumps,
 }
 
-/// How H_G falls with a/R.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Hardness {
-    /// Jackson and Green 2005.
-    #[default]
-    Exponential,
-    /// The later form with a cosine.
-    Cosine,
+named! {
+    /// How H_G falls with a/R.
+    #[derive(Default)]
+    pub enum Hardness {
+        /// Jackson and Green 2005.
+        #[default]
+        Exponential = "exponential",
+        /// The later form with a cosine.
+        Cosine = "cosine",
+    }
 }
 
 /// Where the fit begins.
