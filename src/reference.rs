@@ -3,16 +3,26 @@
 //! rebound hardness and oblique rebounds. The head of each table in `src/reference` says
 //! where it comes from, how it was obtained and its error.
 
-/// Functions that read tables which are compiled in.
-macro_rules! tables {
-    ($($(#[doc = $about:literal])+ $read:ident: $row:ty = $file:literal;)+) => {$(
-        $(#[doc = $about])+
-        pub fn $read() -> Result<Vec<$row>, $crate::error::Error> {
-            $crate::reference::rows($file, include_str!($file))
+/// Rows of tables that are compiled in: their fields, each with the name of its column where that is another one, and the
+/// function that reads the table of such rows, if there is one.
+macro_rules! rows {
+    ($($(#[$about:meta])* pub struct $row:ident $(read by $read:ident from $file:literal)? {
+        $($(#[$of_field:meta])* $vis:vis $field:ident $(as $column:literal)?: $type:ty,)+
+    })+) => {$(
+        $(#[$about])*
+        #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
+        pub struct $row {
+            $($(#[$of_field])* $(#[serde(rename = $column)])? $vis $field: $type,)+
         }
+
+        $(
+            /// All rows of the table.
+            pub fn $read() -> Result<Vec<$row>, $crate::error::Error> {
+                $crate::reference::rows($file, include_str!($file))
+            }
+        )?
     )+};
 }
-
 pub mod hardening;
 pub mod impacts;
 pub mod measured;
@@ -44,7 +54,7 @@ pub(crate) fn damaged(table: &str, problem: &str) -> Error {
 }
 
 /// Rows of a table.
-pub(crate) fn rows<T: DeserializeOwned>(table: &'static str, text: &str) -> Result<Vec<T>, Error> {
+fn rows<T: DeserializeOwned>(table: &'static str, text: &str) -> Result<Vec<T>, Error> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let rows = reader.deserialize().collect::<Result<Vec<T>, csv::Error>>();
     rows.map_err(|error| damaged(table, &error.to_string()))

@@ -64,7 +64,8 @@ pub fn integrate<I: Integrator>(
             path.leg = Leg::Outward(f64::INFINITY);
         }
         path.rest = None;
-        let creep = static_point.filter(|(_, of)| *of == piece).and_then(|(point, _)| {
+        let on_piece = |point: &StaticPoint| law.loading.index_at(point.indentation) == piece;
+        let creep = static_point.filter(on_piece).and_then(|point| {
             let distance = point.indentation - law.loading.pieces()[piece].start + entry_of(law, piece);
             near_rest(forces, &point, distance, &at, &mut path)
         });
@@ -158,7 +159,7 @@ fn start(law: &Law, touch: State, forces: &ScaledForces) -> State {
         return touch;
     }
     let pull = ACCELERATION * forces.weight;
-    let distance = 1e-22 * forces.static_on_loading(law).0.distance;
+    let distance = 1e-22 * forces.static_on_loading(law).distance;
     let speed = (2.0 * distance * pull).sqrt();
     State { time: speed / pull, distance, speed, loss: 0.0 }
 }

@@ -124,7 +124,7 @@ impl ScaledForces {
     /// come so far.
     pub(super) fn static_point(&self, law: &Law, unloading: &Unloading) -> StaticPoint {
         if unloading.peak.force < self.weight {
-            self.static_on_loading(law).0
+            self.static_on_loading(law)
         } else {
             self.static_on_unloading(law, unloading)
         }
@@ -138,13 +138,11 @@ impl ScaledForces {
         StaticPoint { indentation: law.dent(&unloading.peak).residual() + distance, distance, slope }
     }
 
-    /// The same on the loading curve, and its piece.
-    pub(super) fn static_on_loading(&self, law: &Law) -> (StaticPoint, usize) {
-        let pieces = law.loading.pieces();
-        let index = pieces.partition_point(|piece| piece.force <= self.weight).saturating_sub(1);
-        let indentation = pieces[index].indentation_at_force(self.weight);
-        let slope = pieces[index].slope_at(indentation);
-        (StaticPoint { indentation, distance: indentation - law.touch(), slope }, index)
+    /// The same on the loading curve.
+    pub(super) fn static_on_loading(&self, law: &Law) -> StaticPoint {
+        let indentation = law.loading.indentation_at_force(self.weight);
+        let slope = law.loading.pieces()[law.loading.index_at(indentation)].slope_at(indentation);
+        StaticPoint { indentation, distance: indentation - law.touch(), slope }
     }
 
     /// Where an overdamped sphere comes to rest: it creeps up to the static point, and never passes it. `None` where it swings

@@ -1,4 +1,5 @@
-//! The list of laws, combinations of two of them, and the laws that are not public. Each law has a file of its own.
+//! The list of laws, combinations of two of them, and the laws that are not public. Each law has a file of its own; where it
+//! was published stands in `facts.csv`.
 //!
 //! F/F_Y, δ_r/δ_m and e of every law at six depths of case 3 of Xie et al. (2024) agree with an independent program to
 //! all its digits (3 to 4), with one exception: that program took a² = 4c²Rδ for the dents of `mesarovic_johnson`, which

@@ -54,23 +54,3 @@ pub(crate) fn polynomial(function: impl Fn(f64) -> f64) -> Polynomial {
 pub(crate) fn value(polynomial: &Polynomial, t: f64) -> f64 {
     polynomial.iter().rev().fold(0.0, |sum, coefficient| sum * t + coefficient)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math::functions::pow;
-
-    #[test]
-    fn a_polynomial_is_its_function_to_rounding() {
-        // √(3 + t), whose singular point is as far from the interval as the rule above says; a sum of 18 terms is rounded some
-        // times
-        let root = polynomial(|t| (3.0 + t).sqrt());
-        // t¹⁷, the last power
-        let power = polynomial(|t| pow(t.abs(), 17.0).copysign(t));
-        for i in 0..=100 {
-            let t = f64::from(i) / 50.0 - 1.0;
-            approx::assert_relative_eq!(value(&root, t), (3.0 + t).sqrt(), max_relative = 3e-15);
-            approx::assert_abs_diff_eq!(value(&power, t), pow(t.abs(), 17.0).copysign(t), epsilon = 1e-14);
-        }
-    }
-}

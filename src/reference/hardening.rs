@@ -1,7 +1,5 @@
 //! A half-space that hardens: unloadings of finite elements.
 
-use serde::Deserialize;
-
 use super::rows;
 use super::unloading::Unloaded;
 use crate::error::Error;
@@ -9,21 +7,19 @@ use crate::law::Bodies;
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 
-/// The two materials, and how the half-space hardens.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct Materials {
-    #[serde(rename = "half_space_youngs_modulus_Pa")]
-    half_space_modulus: f64,
-    half_space_poissons_ratio: f64,
-    #[serde(rename = "sphere_youngs_modulus_Pa")]
-    sphere_modulus: f64,
-    sphere_poissons_ratio: f64,
-    /// σ_Y \[Pa\].
-    #[serde(rename = "yield_strength_Pa")]
-    pub yield_strength: f64,
-    /// In words, such as "power 0.1"; empty in a table without hardening.
-    #[serde(default)]
-    pub flow: String,
+rows! {
+    /// The two materials, and how the half-space hardens.
+    pub struct Materials {
+        half_space_modulus as "half_space_youngs_modulus_Pa": f64,
+        half_space_poissons_ratio: f64,
+        sphere_modulus as "sphere_youngs_modulus_Pa": f64,
+        sphere_poissons_ratio: f64,
+        /// σ_Y \[Pa\].
+        pub yield_strength as "yield_strength_Pa": f64,
+        /// In words, such as "power 0.1"; empty in a table without hardening.
+        #[serde(default)]
+        pub flow: String,
+    }
 }
 
 impl Materials {

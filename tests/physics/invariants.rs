@@ -156,6 +156,9 @@ fn the_smallest_and_the_largest_scenes_are_computed_or_refused_by_name() {
                             "{impact:?}"
                         );
                         assert!(impact.restitution <= 1.0 + 1e-9);
+                        // of an elastic impact, (2/5) F_m δ_m = ½ m v²
+                        let stored = 0.4 * impact.peak_force * impact.peak_indentation;
+                        assert!(impact.has_dent() || off(stored, impact.kinetic_in) < 1e-9, "{impact:?}");
                         computed += 1;
                     }
                     Err(ImpactError::Range(_)) => {}

@@ -16,8 +16,6 @@ use crate::law::published::{OutsideLaw, Rules, hertzian};
 ///
 /// It was made for Brake's own loading law, which is not public in full. With the loading of Jackson and Green it leaves far
 /// smaller dents than finite elements do. Name a loading under `[law.combined]`.
-///
-/// Brake (2015), Int. J. Solids Struct. 62, 104.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Brake;
 

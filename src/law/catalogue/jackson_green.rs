@@ -34,8 +34,6 @@ use crate::units::names::named;
 /// 0.3 it may be beyond the range of the fit: then the crossed law has no answer beyond first yield.
 /// The residual indentation would exceed δ_m from x_m = 10⁴ on, and the fits have no meaning beyond a = R or σ_Y/E* = 0.05:
 /// there the law has no answer. Fitted for a/R ≤ 0.412 and σ_Y/E* from 0.00105 to 0.0081, a deformable sphere on a rigid flat.
-///
-/// Jackson and Green (2005), J. Tribol. 127, 343; Jackson, Chusoipin and Green (2005), J. Tribol. 127, 484.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct JacksonGreen {
     /// C; `None`: 1.295 exp(0.736 ν).

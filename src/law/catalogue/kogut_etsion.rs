@@ -36,8 +36,6 @@ use crate::math::functions::pow;
 ///
 /// Fitted for 1 ≤ x ≤ 110, a deformable sphere on a rigid flat. The two exponents of the residual and n are from memory,
 /// not seen in print.
-///
-/// Kogut and Etsion (2002), J. Appl. Mech. 69, 657; Etsion, Kligerman and Kadin (2005), Int. J. Solids Struct. 42, 3716.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KogutEtsion {
     /// K H/σ_Y; `None`: 2.8 (0.454 + 0.41 ν).

@@ -32,8 +32,6 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 ///
 /// **Its own unloading is not public** (a fit of δ_r to δ_m and E*/σ_Y). Here it unloads by the paper's law with the elastic
 /// approach that the PLM has at the same force.
-///
-/// Kogut and Komvopoulos (2004), J. Mater. Res. 19, 3641.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KogutKomvopoulos {
     /// How the printed jumps are treated.

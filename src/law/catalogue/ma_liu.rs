@@ -26,8 +26,6 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// The structure is that of the abstract: three regimes, fixed by hardness and one geometric parameter, joined with equal
 /// slopes, and Hertzian unloading. The constants and the fully plastic slope were not seen in print. Take its numbers as an
 /// example of the form.
-///
-/// Ma and Liu (2015), J. Appl. Mech. 82, 121006.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MaLiu {
     /// H/σ_Y.

@@ -27,8 +27,6 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 ///
 /// Just above yield loading and unloading do not fit together: the force grows with twice Hertz's slope, and the unloading
 /// gives back up to 17 % more energy than the loading takes. Between δ/δ_Y of about 1.1 and 2.5 (ν = 0.3) the law has no answer.
-///
-/// Stronge (2000), Impact Mechanics, Cambridge University Press, ch. 6; unloading as Eq. 2 of Xie et al. (2024).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stronge {
     /// ϑ.

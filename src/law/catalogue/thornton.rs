@@ -22,8 +22,6 @@ use crate::law::published::{Loading, Rules, hertzian};
 /// The straight line is tangent to Hertz at δ_y. In units of δ_y and F_y: f = 1 + 1.5 (x − 1), R_p/R = ((2f + 1)/3)^1.5/f.
 ///
 /// e(v) in closed form, q = V_y/V: e = (6√3/5)^½ √(1 − q²/6) (q/(q + 2√(6/5 − q²/5)))^¼, 1.185 q^¼ for fast impacts.
-///
-/// Thornton (1997), J. Appl. Mech. 64, 383; Thornton and Ning (1998), Powder Technology 99, 154.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Thornton {
     /// p_y \[Pa\]; `None`: C_ν σ_Y.

@@ -20,8 +20,6 @@ use crate::law::published::{Loading, Recovered, Rules};
 /// | k_1/k_2 | `stiffness_ratio` | 1 | 0 < k_1/k_2 ≤ 1; 0.5 if not given |
 ///
 /// e is the same at all speeds: there is no elastic regime. Both stiffnesses are fitted, none follows from the materials.
-///
-/// Walton and Braun (1986), J. Rheol. 30, 949.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WaltonBraun {
     /// k_1 δ_Y/F_Y.

@@ -27,8 +27,6 @@ use crate::math::functions::cbrt;
 ///
 /// From memory: the form is consistent, but no text of it could be opened. Not MYC 2012 and not CYM 2013, whose unloading
 /// may have other terms.
-///
-/// Yigit and Christoforou (1994), Compos. Eng. 4, 1143.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct YigitChristoforou {
     /// C; `None`: 2 √0.68.

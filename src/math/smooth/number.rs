@@ -127,23 +127,3 @@ impl Mul<f64> for Jet {
         Self { value: self.value * factor, slope: self.slope * factor, curvature: self.curvature * factor }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_jet_has_the_derivatives_of_central_differences() {
-        fn formula<N: Number>(x: N) -> N {
-            let root = x.powf(0.5);
-            (-root).exp() * x.ln() + (x * 0.3).sin() / (x + 2.0) + -(x * 0.1).asin() * x.cos()
-        }
-        let (x, h) = (1.7, 1e-4);
-        let jet = formula(Jet::variable(x));
-        let (below, at, above) = (formula(x - h), formula(x), formula(x + h));
-        approx::assert_relative_eq!(jet.value, at, max_relative = 1e-15);
-        // the error of central differences is h²/6 f''' and rounding over h²
-        approx::assert_relative_eq!(jet.slope, (above - below) / (2.0 * h), max_relative = 1e-7);
-        approx::assert_relative_eq!(jet.curvature, (above - 2.0 * at + below) / (h * h), max_relative = 1e-5);
-    }
-}
