@@ -65,10 +65,9 @@ pub fn integrate<I: Integrator>(
         }
         path.rest = None;
         let on_piece = |point: &StaticPoint| law.loading.index_at(point.indentation) == piece;
-        let creep = static_point.filter(on_piece).and_then(|point| {
-            let distance = point.indentation - law.loading.pieces()[piece].start + entry_of(law, piece);
-            near_rest(forces, &point, distance, &at, &mut path)
-        });
+        let place = |point: &StaticPoint| place_of(law, piece, point.indentation);
+        let creep = static_point.filter(on_piece);
+        let creep = creep.and_then(|point| near_rest(forces, &point, place(&point), &at, &mut path));
         let begun = at.distance;
         let landing = go(&path, &mut at, Some(piece), recorder.as_deref_mut())?;
         if let Some(recorder) = recorder.as_deref_mut().filter(|_| awaits_yield) {
@@ -144,7 +143,7 @@ pub fn integrate<I: Integrator>(
 
 /// Marks first yield where a leg along this piece passed it, and says whether it did.
 fn marks_yield(law: &Law, piece: usize, [begun, end]: [f64; 2], recorder: &mut Recorder) -> bool {
-    let distance = law.elastic_until() - law.loading.pieces()[piece].start + entry_of(law, piece);
+    let distance = place_of(law, piece, law.elastic_until());
     let is_passed = distance > begun && end > distance;
     if is_passed && let Some(state) = recorder.passage(distance) {
         recorder.mark(Event::Yield, state);
@@ -207,4 +206,9 @@ fn way_out(law: &Law, index: usize) -> (Restoring, Leg) {
 /// The distance of the integrator at the start of a piece.
 fn entry_of(law: &Law, index: usize) -> f64 {
     law.loading.pieces()[index].shape.lead()
+}
+
+/// The distance of the integrator at x on a piece.
+fn place_of(law: &Law, index: usize, x: f64) -> f64 {
+    x - law.loading.pieces()[index].start + entry_of(law, index)
 }

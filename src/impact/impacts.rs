@@ -59,7 +59,7 @@ impl Contact {
         case.law.accept(&outcome.unloading.peak)?;
         let mut essentials = Essentials::new(self, speed, &case, &outcome)?;
         if let Some(inclined) = Inclined::new(self, &case, &outcome, approach) {
-            essentials.rebound = Some(inclined.rebound(&inclined.slip()?)?);
+            essentials.rebound = Some(inclined.rebound(&inclined.slip(false)?)?);
         }
         Ok(essentials)
     }

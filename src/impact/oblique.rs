@@ -28,7 +28,7 @@ use crate::integrate::IntegrationError;
 use crate::law::Rule;
 use crate::material::{Material, OutOfFloatRange};
 use crate::math::functions::{atan2, sin_cos};
-use mindlin::{Motion, SPRINGS};
+use mindlin::Motion;
 
 /// How a sphere comes in, beside its speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -222,47 +222,36 @@ impl<'a> Inclined<'a> {
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
     }
 
-    /// The slip where it is known without a run: the contact point does not move, or it slides all the time.
-    fn without_run(&self) -> Option<Slip> {
+    /// How the slip speed changes: known at once where the contact point does not move, or slides all the time; else from a
+    /// run. One that is followed has an error, and friction on the way.
+    pub(super) fn slip(&self, is_followed: bool) -> Result<Slip, IntegrationError> {
         if self.slip == 0.0 {
-            return Some(Slip::new(0.0));
+            return Ok(Slip::new(0.0));
         }
-        let ratio = 1.0 - 2.0 * self.chi * (1.0 + self.outcome.restitution) / self.psi.abs();
-        self.slides().then(|| Slip { is_sliding: true, ..Slip::new(ratio) })
-    }
-
-    fn motion(&self) -> Result<Cow<'static, Motion>, IntegrationError> {
-        if self.is_elastic() {
-            return Motion::elastic().map(Cow::Borrowed);
+        if self.slides() {
+            let ratio = 1.0 - 2.0 * self.chi * (1.0 + self.outcome.restitution) / self.psi.abs();
+            return Ok(Slip { is_sliding: true, ..Slip::new(ratio) });
         }
-        Motion::new(self.case.law, self.case.q, &self.case.forces).map(Cow::Owned)
-    }
-
-    /// Whether the normal motion is that of all elastic impacts.
-    fn is_elastic(&self) -> bool {
-        self.case.law.rule == Rule::Elastic && self.case.forces.is_none()
-    }
-
-    /// The slip for a row of a table.
-    pub(super) fn slip(&self) -> Result<Slip, IntegrationError> {
-        if let Some(slip) = self.without_run() {
-            return Ok(slip);
-        }
-        if self.is_elastic() && self.contact.moment_of_inertia().is_none() {
+        // the normal motion of all elastic impacts is the same
+        let is_elastic = self.case.law.rule == Rule::Elastic && self.case.forces.is_none();
+        if !is_followed && is_elastic && self.contact.moment_of_inertia().is_none() {
             return self.contact.curve().ratio(self.psi.abs()).map(Slip::new);
         }
-        Ok(Slip::new(self.motion()?.run(self.psi * self.case.q, self.chi, 1, |_, _| ())))
-    }
-
-    /// The slip with its error, and friction on the way.
-    pub(super) fn followed_slip(&self) -> Result<Slip, IntegrationError> {
-        if let Some(slip) = self.without_run() {
-            return Ok(slip);
-        }
-        let motion = self.motion()?;
-        let mut points = Vec::with_capacity(2 * SPRINGS + 1);
+        let motion = if is_elastic {
+            Cow::Borrowed(Motion::elastic()?)
+        } else {
+            Cow::Owned(Motion::new(self.case.law, self.case.q, &self.case.forces)?)
+        };
         let sigma = self.psi * self.case.q;
-        let ratio = motion.run(sigma, self.chi, 1, |slip, force| points.push([slip, force]));
+        let mut points = Vec::new();
+        let ratio = motion.run(sigma, self.chi, 1, |slip, force| {
+            if is_followed {
+                points.push([slip, force]);
+            }
+        });
+        if !is_followed {
+            return Ok(Slip::new(ratio));
+        }
         let error = (ratio - motion.run(sigma, self.chi, 2, |_, _| ())).abs() / 3.0;
         Ok(Slip { error, course: Some((motion, points)), ..Slip::new(ratio) })
     }

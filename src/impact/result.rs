@@ -214,7 +214,7 @@ impl Impact {
 
     /// Adds what friction makes of an oblique impact, of which all else is the normal motion.
     pub(super) fn add_friction(&mut self, inclined: &Inclined, approach: Approach) -> Result<(), ImpactError> {
-        let slip = inclined.followed_slip()?;
+        let slip = inclined.slip(true)?;
         self.speed = approach.speed;
         self.essentials.rebound = Some(inclined.rebound(&slip)?);
         self.oblique = Some(inclined.oblique(&slip));
