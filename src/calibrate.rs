@@ -6,7 +6,7 @@
 //! noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
 //! of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
 //! the noise in quadrature, and is independent from value to value. If the noise is not known, it is taken as the same
-//! share of every value and estimated from the scatter.
+//! share of every value that the law gives, and estimated from the scatter.
 //!
 //! The intervals are those of the profile likelihood. An interval holds all values of a key for which the sum,
 //! minimised over the other key, is at most z² above its minimum. If the noise is estimated, Student's t² replaces z².

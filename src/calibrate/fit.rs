@@ -2,11 +2,13 @@
 
 use nalgebra::DMatrix;
 
-use super::minimum::{Grid, Place, minima};
+use super::minimum::{Grid, Place, minima, minima_from};
 use super::problem::{NoAnswer, Problem, TAILS};
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
 const NO_SCATTER: f64 = 1e-6;
+/// If the law gives less than this share of a reading, the noise is that of this share.
+const LEAST: f64 = 0.5;
 
 /// What is known of the noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,10 +62,18 @@ impl<'a> Fit<'a> {
             true => Noise::estimated(&problem, 1.0),
             false => Noise::Given,
         };
-        // with long tails the scale comes from the median of the residuals; scale and keys are found in turn
+        // the noise of shares is a share of what the law gives: shares of the readings would give low readings more
+        // weight, and pull the law down. Outliers are told by the median of the residuals. Either is found in turn with
+        // the keys
+        let has_shares = matches!(noise, Noise::Estimated { share: Some(_), .. }) && !problem.data.is_curve();
+        let rounds = if is_robust { 8 } else { 4 };
         let (mut whole, sizes) = (1.0, problem.data.sizes());
-        for _ in 0..if is_robust { 8 } else { 1 } {
+        for round in 1..=if is_robust || has_shares { rounds } else { 1 } {
             let (Noise::Estimated { .. }, Some(place)) = (noise, found.first()) else { break };
+            if has_shares {
+                let shares = problem.predict(&place.shares)?.into_iter().zip(&sizes);
+                problem.deviations = shares.map(|(law, size)| whole * law.abs().max(LEAST * size)).collect();
+            }
             let residuals = problem.residuals(&place.shares)?;
             let scale = scatter(&residuals, keys, is_robust);
             let shares = problem.counted.iter().map(|at| scale * problem.deviations[*at] / sizes[*at]);
@@ -78,6 +88,9 @@ impl<'a> Fit<'a> {
             if is_robust {
                 grid = Grid::of(&problem);
                 found = minima(&problem, &grid);
+            } else if has_shares && round < rounds {
+                let starts: Vec<Vec<f64>> = found.into_iter().map(|place| place.shares).collect();
+                found = minima_from(&problem, &starts);
             } else {
                 for place in &mut found {
                     place.sum = problem.sum(&place.shares);

@@ -134,7 +134,11 @@ fn is_same(a: f64, b: f64) -> bool {
 
 /// The minima of all basins, the lowest first; empty if the law gives no result anywhere.
 pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
-    let starts = grid.basins(problem);
+    minima_from(problem, &grid.basins(problem))
+}
+
+/// The minima of the basins in which these places lie, the lowest first.
+pub fn minima_from(problem: &Problem, starts: &[Vec<f64>]) -> Vec<Place> {
     let mut places: Vec<Place> =
         starts.iter().map(|start| past_kinks(problem, polished(problem, start, None))).collect();
     places.retain(|place| place.sum.is_finite());

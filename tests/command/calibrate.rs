@@ -92,11 +92,11 @@ fn with_an_unknown_noise_the_scatter_gives_it() {
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = \"estimate\""));
     let (_, summary) = calibrated(&text, &restitutions(), &[], 0);
     let key = &summary["keys"][0];
-    near(&key["estimate"], 348.4131e6, 3e-5);
-    near(&key["sd"], 5.7211e6, 0.02);
-    near(&summary["estimated_noise"], 0.024_342_1, 1e-5);
+    near(&key["estimate"], 349.2813e6, 3e-5);
+    near(&key["sd"], 5.8213e6, 0.02);
+    near(&summary["estimated_noise"], 0.024_649_8, 1e-5);
     // Student's t with 9 degrees of freedom
-    for (interval, wanted) in [("interval_68", [341.842e6, 354.627e6]), ("interval_95", [334.908e6, 361.972e6])] {
+    for (interval, wanted) in [("interval_68", [342.706e6, 355.616e6]), ("interval_95", [335.702e6, 363.066e6])] {
         ends(&key[interval]).iter().zip(wanted).for_each(|(end, wanted)| near(end, wanted, 1e-4));
     }
     assert!(summary["p"].is_null());
