@@ -1,7 +1,5 @@
 //! Output of impacts under gravity and damping.
 
-use plm_impact::plot::Pictures;
-use plm_impact::run::{Order, Outcome, Run, impact, way};
 use serde_json::Value;
 
 use crate::common::prelude::*;
@@ -12,29 +10,21 @@ fn drop() -> String {
 }
 
 fn scenario(more: &str, overrides: &[&str]) -> Scenario {
-    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    Scenario::from_text("drop.toml", &(drop() + more), &overrides).unwrap()
-}
-
-/// Runs one impact.
-fn run(scenario: &Scenario) -> Outcome {
-    let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
-    run(scenario, &Order { command: "test", pictures: Pictures::None, progress: &Counter::default() }).unwrap()
+    read(&(drop() + more), overrides)
 }
 
 /// `summary.json` and the header of `trace.csv`.
 fn output(scenario: &Scenario) -> (Value, String) {
-    let run = run(scenario);
-    let bytes = |name: &str| run.files.iter().find(|file| file.name == name).unwrap().bytes.clone();
-    let trace = String::from_utf8(bytes("trace.csv")).unwrap();
-    (serde_json::from_slice(&bytes("summary.json")).unwrap(), trace.lines().next().unwrap().to_owned())
+    let run = outcome(scenario);
+    let header = file_of(&run, "trace.csv").lines().next().unwrap().to_owned();
+    (serde_json::from_str(&file_of(&run, "summary.json")).unwrap(), header)
 }
 
 /// The numbers are in tests/same_numbers, and their balance in tests/physics.
 #[test]
 fn keys_and_columns_are_there_only_where_the_scene_names_their_cause() {
     let keys = ["/outcome", "/energy/gravity_work_J", "/energy/damping_J", "/static_indentation_m"];
-    let plain = Scenario::from_text("plain.toml", STEEL, &[]).unwrap();
+    let plain = read(STEEL, NONE);
     for (scenario, present, has_closed_form) in [
         (plain, [false; 4], true),
         (scenario("", &[]), [true, true, false, false], true),
@@ -47,7 +37,7 @@ fn keys_and_columns_are_there_only_where_the_scene_names_their_cause() {
     }
     // at separation the force of the law alone is not zero, and elastic energy is left: (2/5) F (δ − δ_r) on the branch
     // of exponent 3/2
-    let (_, _, impact) = impact::compute(&scenario("[damping]\nviscous = 0.1\n", &[]), Some(400)).unwrap();
+    let (_, _, impact) = run::impact::compute(&scenario("[damping]\nviscous = 0.1\n", &[]), Some(400)).unwrap();
     let last = impact.trace.last().unwrap();
     let held = 0.4 * last.elastic_force.unwrap() * (last.indentation - impact.residual_indentation);
     let stored = impact.under_forces.unwrap().stored_at_separation.unwrap();
@@ -66,7 +56,7 @@ fn a_captured_sphere_has_no_contact_time_and_one_at_rest_no_restitution() {
 
 /// The line on the closed form in the table of an impact, and the warnings. The line on energy always has its drift.
 fn closed_form_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
-    let run = run(scenario);
+    let run = outcome(scenario);
     let line = |name: &str| run.text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
     assert!(line("energy").contains(", drift "), "{}", run.text);
     (line("closed form"), run.warnings)

@@ -1,8 +1,6 @@
 //! The files of an impact agree with the computed impact: keys, values, rows.
 
-use plm_impact::plot::Pictures;
 use plm_impact::provenance::FORMAT;
-use plm_impact::run::{Order, Run, way};
 use serde_json::Value;
 
 use crate::common::prelude::*;
@@ -21,12 +19,9 @@ struct Ran {
 fn ran(set: &[&str]) -> Ran {
     let scenario = read(STEEL, &[&["output.samples=40"], set].concat());
     let (_, contact, impact) = run::impact::compute(&scenario, Some(SAMPLES)).unwrap();
-    let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
-    let order = Order { command: "plm-impact run", pictures: Pictures::None, progress: &Counter::default() };
-    let outcome = run(&scenario, &order).unwrap();
-    let file = |name: &str| text(&outcome.files.iter().find(|file| file.name == name).unwrap().bytes);
-    let summary = serde_json::from_str(&file("summary.json")).unwrap();
-    Ran { contact, impact, summary, trace: file("trace.csv"), table: outcome.text }
+    let outcome = outcome(&scenario);
+    let summary = serde_json::from_str(&file_of(&outcome, "summary.json")).unwrap();
+    Ran { contact, impact, summary, trace: file_of(&outcome, "trace.csv"), table: outcome.text }
 }
 
 #[test]

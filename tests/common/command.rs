@@ -5,6 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
+use plm_impact::plot::Pictures;
+use plm_impact::progress::Counter;
+use plm_impact::run::{Order, Outcome, Run, way};
+use plm_impact::scenario::{Kind, Scenario};
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -71,6 +75,18 @@ impl Desk {
         names.sort();
         names
     }
+}
+
+/// Runs the one impact of a scenario in memory, without pictures.
+pub fn outcome(scenario: &Scenario) -> Outcome {
+    let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
+    let order = Order { command: "plm-impact run", pictures: Pictures::None, progress: &Counter::default() };
+    run(scenario, &order).unwrap()
+}
+
+/// The text of one of its files.
+pub fn file_of(outcome: &Outcome, name: &str) -> String {
+    text(&outcome.files.iter().find(|file| file.name == name).unwrap().bytes)
 }
 
 /// Calls the command in a directory.

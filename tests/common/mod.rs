@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
-use plm_impact::law::{Law, Plm, UnloadingExponent};
+use plm_impact::law::{ContactLaw, Law, Plm, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::math::power::max_or_nan;
 use plm_impact::scenario::Scenario;
@@ -36,6 +36,9 @@ yield_strength = "345 MPa"
 [impact]
 speed = "3 m/s"
 "#;
+
+/// No overrides.
+pub const NONE: &[&str] = &[];
 
 /// The scenario of this text, with these overrides.
 pub fn read(text: &str, set: &[impl ToString]) -> Scenario {
@@ -142,6 +145,20 @@ pub fn apart(got: &Impact, want: &Impact) -> f64 {
     .fold(0.0, max_or_nan)
 }
 
+/// An integral to about 14 digits, also where the integrand has the singularity of a root at an end: the trapezoidal rule in
+/// t, with x = from + length/(1 + exp(−π sinh t)) (Takahasi and Mori 1974).
+pub fn integral(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    const STEP: f64 = 1.0 / 32.0;
+    let length = to - from;
+    let term = |i: i32| {
+        let t = STEP * f64::from(i);
+        let near = 1.0 / (1.0 + (std::f64::consts::PI * t.abs().sinh()).exp());
+        let x = if t < 0.0 { from + length * near } else { to - length * near };
+        f(x) * std::f64::consts::PI * t.cosh() * near * (1.0 - near)
+    };
+    STEP * length * (-115..=115).map(term).sum::<f64>()
+}
+
 /// A sphere on a half-space, SI units.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene {
@@ -178,9 +195,19 @@ impl Scene {
     }
 
     pub fn try_contact(&self) -> Result<Contact, ImpactError> {
-        let sphere = Sphere { radius: self.radius, material: self.sphere, density: self.density, yield_strength: None };
-        let half_space = HalfSpace { material: self.half_space, yield_strength: self.yield_strength, density: None };
+        let (sphere, half_space) = self.parts();
         Contact::try_new(sphere, half_space, &Plm { exponent: self.exponent, ..Plm::default() })
+    }
+
+    pub fn parts(&self) -> (Sphere, HalfSpace) {
+        let half_space = HalfSpace { material: self.half_space, yield_strength: self.yield_strength, density: None };
+        (Sphere::elastic(self.radius, self.sphere, self.density), half_space)
+    }
+
+    /// The contact under another law than that of its exponent.
+    pub fn contact_by(&self, law: &dyn ContactLaw) -> Contact {
+        let (sphere, half_space) = self.parts();
+        Contact::try_new(sphere, half_space, law).unwrap()
     }
 
     pub fn yield_speed(&self) -> f64 {

@@ -143,9 +143,8 @@ fn a_spot_remembers_the_limited_branch_and_a_reload_runs_along_it() {
 
 #[test]
 fn indentation_and_comparison_obey_the_same_rule() {
-    let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-    let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
-    let indenter = Indenter { radius: 5e-3, material: steel, yield_strength: None };
+    let (sphere, half_space) = Scene::steel().parts();
+    let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     let exponent = UnloadingExponent::Fixed(1.2);
     let contact = StaticContact::try_new(indenter, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
     let (bodies, law) = (Bodies::new(contact.pair(), &half_space).unwrap(), self::steel(1.2).law());
@@ -177,9 +176,7 @@ fn coefficients_that_would_gain_by_themselves_do_not() {
     table.force.slope_kappa_squared = vec![0.0];
     table.elastic_approach.first_slope = 1.99;
     table.check().unwrap();
-    let scene = Scene::steel();
-    let plm = Plm::new(&table, UnloadingExponent::Paper);
-    let contact = Contact::try_new(*scene.contact().sphere(), *scene.contact().half_space(), &plm).unwrap();
+    let contact = Scene::steel().contact_by(&Plm::new(&table, UnloadingExponent::Paper));
     for i in 1..60 {
         let speed = contact.yield_speed().unwrap() * (1.0 + 0.05 * f64::from(i));
         let row = contact.essentials(speed, &Solver::AUTO).unwrap();

@@ -8,13 +8,9 @@ use plm_impact::scene::Scene;
 
 use crate::common::prelude::*;
 
-fn read(text: &str) -> Scenario {
-    Scenario::from_text("s.toml", text, &[]).unwrap()
-}
-
 fn steel(tables: &str) -> Scene {
     let flow = "[half_space.flow_stress]\npower = { exponent = 0.15 }\n[impact]";
-    read(&(STEEL.replace("[impact]", flow) + tables)).resolve().unwrap()
+    scene(&(STEEL.replace("[impact]", flow) + tables), NONE)
 }
 
 /// The series for the time on the first pieces against the sum of the times on all pieces: the same law with its curve made
@@ -33,7 +29,7 @@ fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
     ];
     for (steel, flow) in flows {
         let text = steel.replace("[impact]", &format!("[half_space.flow_stress]\n{flow}\n[impact]"));
-        let contact = read(&text).resolve().unwrap().contact().unwrap();
+        let contact = contact(&text, NONE);
         for k in 0..200 {
             let speed = 0.02 * 1.05_f64.powi(k);
             let (_, law, q) = contact.scaled(speed).unwrap();
@@ -103,7 +99,7 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
         }
         for (strength, e) in column(&table, name).iter().zip(column(&table, "restitution")) {
             let alone = STEEL.replace("\"345 MPa\"", strength);
-            let scene = read(&alone).resolve().unwrap();
+            let scene = scene(&alone, NONE);
             let impact = scene.contact().unwrap().closed_form(scene.speed).unwrap();
             assert!(off(e.parse().unwrap(), impact.restitution) < 1e-14, "{strength}");
         }
@@ -137,8 +133,7 @@ proptest! {
     ) {
         let points = format!("points = [[{strain}, {}], [{}, {}]]", 345e6 * first, 3.0 * strain, 345e6 * first * second);
         let text = STEEL.replace("[impact]", &format!("[half_space.flow_stress]\n{points}\n[damping]\nviscous = {zeta}\n[impact]"));
-        let scene = read(&text.replace("3 m/s", &format!("{speed} m/s"))).resolve().unwrap();
-        let contact = scene.contact().unwrap();
+        let contact = contact(&text.replace("3 m/s", &format!("{speed} m/s")), NONE);
         let impact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         prop_assert!(impact.energy.drift < 1e-8, "{}", impact.energy.drift);
         prop_assert!(impact.restitution > 0.0 && impact.restitution <= 1.0 + 1e-9);

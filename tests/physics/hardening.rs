@@ -7,15 +7,11 @@ use plm_impact::validation::check::rms;
 
 use crate::common::prelude::*;
 
-const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-const STEEL_SPHERE: Sphere = Sphere { radius: 5e-3, material: STEEL, density: 7850.0, yield_strength: None };
-const STEEL_HALF_SPACE: HalfSpace = HalfSpace { material: STEEL, yield_strength: Some(345e6), density: None };
 const EXPONENTS: [UnloadingExponent; 3] =
     [UnloadingExponent::Paper, UnloadingExponent::PressureShape, UnloadingExponent::Fixed(1.3)];
 
 fn steel(flow: Option<FlowCurve>, exponent: UnloadingExponent) -> Contact {
-    let plm = Plm { exponent, flow, ..Plm::default() };
-    Contact::try_new(STEEL_SPHERE, STEEL_HALF_SPACE, &plm).unwrap()
+    Scene::steel().contact_by(&Plm { exponent, flow, ..Plm::default() })
 }
 
 #[test]
@@ -183,7 +179,8 @@ fn a_curve_steeper_than_youngs_modulus_is_refused_with_its_place() {
         (points(&[[0.0, 345e6 * (1.0 + 1e-12)], [0.1, 700e6]]), None),
     ] {
         let plm = Plm { flow: Some(curve.clone()), ..Plm::default() };
-        let got = Contact::try_new(STEEL_SPHERE, STEEL_HALF_SPACE, &plm).map(|_| ()).map_err(|error| error.to_string());
+        let (sphere, half_space) = Scene::steel().parts();
+        let got = Contact::try_new(sphere, half_space, &plm).map(|_| ()).map_err(|error| error.to_string());
         match place {
             None => assert_eq!(got, Ok(()), "{curve:?}"),
             Some(place) => assert!(got.as_ref().is_err_and(|error| error.contains(place)), "{curve:?}: {got:?}"),
@@ -197,11 +194,11 @@ fn a_curve_steeper_than_youngs_modulus_is_refused_with_its_place() {
 fn an_exponent_that_no_branch_can_have_gives_back_what_was_spent() {
     // e 1.6 GPa sphere on E = 437 GPa, as steep as the elastic line allows
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
-    let half_space = HalfSpace { material: material(437e9), yield_strength: Some(130e6), density: None };
-    let sphere = Sphere { material: material(1.6e9), ..STEEL_SPHERE };
+    let (sphere, half_space, yield_strength) = (material(1.6e9), material(437e9), Some(130e6));
+    let scene = Scene { sphere, half_space, yield_strength, ..Scene::steel() };
     for flow in [FlowCurve::Voce { saturation: 22.7, rate: 148.0 }, FlowCurve::Power { exponent: 0.5 }] {
         let plm = Plm { exponent: UnloadingExponent::PressureShape, flow: Some(flow), ..Plm::default() };
-        let contact = Contact::try_new(sphere, half_space, &plm).unwrap();
+        let contact = scene.contact_by(&plm);
         let yields = contact.yield_speed().unwrap();
         let mut held = 0;
         for i in 1..200 {

@@ -12,14 +12,8 @@ mod with_forces;
 
 use crate::common::prelude::*;
 
-fn parts(scene: &Scene) -> (Sphere, HalfSpace) {
-    let sphere = Sphere { radius: scene.radius, material: scene.sphere, density: scene.density, yield_strength: None };
-    let half_space = HalfSpace { material: scene.half_space, yield_strength: scene.yield_strength, density: None };
-    (sphere, half_space)
-}
-
 fn bodies(scene: &Scene) -> Bodies {
-    let (sphere, half_space) = parts(scene);
+    let (sphere, half_space) = scene.parts();
     let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space).unwrap();
     Bodies::new(&pair, &half_space).unwrap()
 }
@@ -58,9 +52,4 @@ fn whole_laws() -> Vec<(String, LawChoice)> {
         laws.push(LawChoice::from_name(pair).unwrap());
     }
     laws.into_iter().map(|law| (format!("{} {law:?}", law.name()), law)).collect()
-}
-
-fn contact(scene: &Scene, law: &LawChoice) -> Contact {
-    let (sphere, half_space) = parts(scene);
-    Contact::try_new(sphere, half_space, law.get()).unwrap()
 }

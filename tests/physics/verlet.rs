@@ -120,9 +120,7 @@ fn other_methods_have_no_steps_to_tell_of() {
 #[test]
 fn the_steps_per_contact_are_kept_on_a_formula_under_gravity() {
     let law = LawChoice::from_name("jackson_green").unwrap();
-    let steel = Scene::steel().contact();
-    let contact = Contact::try_new(*steel.sphere(), *steel.half_space(), law.get()).unwrap();
-    let contact = contact.with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
+    let contact = Scene::steel().contact_by(law.get()).with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
     for speed in [0.05, 0.5, 3.0, 50.0] {
         let steps = contact.impact(speed, &verlet(50), None).unwrap().work.steps;
         assert!((49..=54).contains(&steps), "{speed}: {steps}");

@@ -3,7 +3,7 @@
 #![cfg(unix)]
 use std::fs;
 use std::os::unix::fs::{FileTypeExt as _, symlink};
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::common::prelude::*;
@@ -22,18 +22,6 @@ fn sweep(points: u32) -> String {
 fn start(desk: &Desk, arguments: &[&str]) -> Child {
     let mut command = Command::new(PROGRAM);
     command.current_dir(desk.path("")).args(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
-}
-
-fn code(output: &Output) -> Option<i32> {
-    output.status.code()
-}
-
-/// Runs the command, which has to end with this code, and returns its standard error.
-fn ends(desk: &Desk, arguments: &[&str], want: i32) -> String {
-    let output = desk.call(arguments);
-    let message = text(&output.stderr);
-    assert_eq!(code(&output), Some(want), "{arguments:?}: {message}");
-    message
 }
 
 /// Waits until `is_so` is true or the child ends; returns whether the child is still running.
@@ -65,7 +53,7 @@ fn what_runs_left_that_were_killed_an_hour_ago_is_removed_by_the_next_run_of_the
         let hours = if *name == young { 0 } else { 2 };
         file.set_modified(std::time::SystemTime::now() - Duration::from_secs(3600 * hours)).unwrap();
     }
-    ends(&desk, &["run", "s.toml", "--out", "out"], 0);
+    desk.ends(&["run", "s.toml", "--out", "out"], 0);
     assert!(stale.iter().all(|name| !desk.path("out").join(name).exists()), "{:?}", desk.files("out"));
     // a young one may be that of a run at work
     assert!(others.iter().chain([&young]).all(|name| desk.path("out").join(name).exists()), "{:?}", desk.files("out"));
@@ -80,9 +68,9 @@ fn no_link_is_followed() {
             fs::write(desk.path("mine"), "mine").unwrap();
             let (mine, link) = (desk.path("mine"), desk.path("out").join(name));
             if is_hard { fs::hard_link(&mine, &link) } else { symlink(&mine, &link) }.unwrap();
-            ends(&desk, &["run", "s.toml", "--out", "out"], 2);
+            desk.ends(&["run", "s.toml", "--out", "out"], 2);
             // with --force a result that is a hard link is replaced, and the file under its other name is kept
-            ends(&desk, &["run", "s.toml", "--out", "out", "--force"], if is_hard { 0 } else { 2 });
+            desk.ends(&["run", "s.toml", "--out", "out", "--force"], if is_hard { 0 } else { 2 });
             assert_eq!(desk.read("mine"), "mine", "{name}");
         }
     }
@@ -94,12 +82,12 @@ fn pipes_and_devices_are_not_replaced() {
     fs::create_dir(desk.path("out")).unwrap();
     let pipe = desk.path("out/table.csv");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    let message = ends(&desk, &["run", "s.toml", "--out", "out"], 2);
+    let message = desk.ends(&["run", "s.toml", "--out", "out"], 2).1;
     assert!(message.contains("table.csv: cannot be written: it is a device or a pipe"), "{message}");
-    ends(&desk, &["run", "s.toml", "--out", "out", "--force"], 2);
+    desk.ends(&["run", "s.toml", "--out", "out", "--force"], 2);
     let curves: Vec<String> =
         (1..=3).map(|i| format!("{}/src/reference/fe_loading_case{i}.csv", env!("CARGO_MANIFEST_DIR"))).collect();
-    ends(&desk, &["fit-plm", &curves[0], &curves[1], &curves[2], "-o", "out/table.csv", "--force"], 2);
+    desk.ends(&["fit-plm", &curves[0], &curves[1], &curves[2], "-o", "out/table.csv", "--force"], 2);
     assert!(fs::symlink_metadata(&pipe).unwrap().file_type().is_fifo());
     assert_eq!(desk.files("out"), ["table.csv"]);
 }
@@ -110,27 +98,27 @@ fn files_of_others_are_replaced_by_force_alone() {
     fs::create_dir(desk.path("out")).unwrap();
     fs::write(desk.path("out/trace.csv"), "mine").unwrap();
     let arguments = ["run", "s.toml", "--out", "out"];
-    let message = ends(&desk, &arguments, 2);
+    let message = desk.ends(&arguments, 2).1;
     assert!(message.contains("out/trace.csv: exists, and is no result of this program"), "{message}");
     assert_eq!((desk.read("out/trace.csv"), desk.files("out")), ("mine".to_owned(), vec!["trace.csv".to_owned()]));
-    ends(&desk, &["run", "s.toml", "--out", "out", "--force"], 0);
+    desk.ends(&["run", "s.toml", "--out", "out", "--force"], 0);
     assert!(desk.read("out/trace.csv").starts_with("time_s,"));
     // as after a kill between two files, or in a fresh clone with a picture: a file that begins with the same line gives way
     fs::remove_file(desk.path("out/summary.json")).unwrap();
-    ends(&desk, &arguments, 0);
+    desk.ends(&arguments, 0);
     // a table is refused before any row is computed
     let desk = Desk::with(sweep(2));
     fs::create_dir(desk.path("out")).unwrap();
     fs::write(desk.path("out/summary.json"), "mine").unwrap();
-    ends(&desk, &arguments, 2);
+    desk.ends(&arguments, 2);
     assert_eq!(desk.files("out"), ["summary.json"]);
     fs::rename(desk.path("out/summary.json"), desk.path("out/table.csv")).unwrap();
-    ends(&desk, &arguments, 2);
+    desk.ends(&arguments, 2);
     assert_eq!(desk.read("out/table.csv"), "mine");
     // a file of coefficients
     fs::write(desk.path("c.toml"), "mine").unwrap();
     let curve = format!("{}/src/reference/fe_loading_case1.csv", env!("CARGO_MANIFEST_DIR"));
-    let message = ends(&desk, &["fit-plm", &curve, "-o", "c.toml"], 2);
+    let message = desk.ends(&["fit-plm", &curve, "-o", "c.toml"], 2).1;
     assert!(message.contains("c.toml: exists"), "{message}");
     assert_eq!(desk.read("c.toml"), "mine");
 }
@@ -143,34 +131,34 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
         fs::write(desk.path(folder).join("s.toml"), STEEL.replace("3 m/s", &format!("{} m/s", folder.len()))).unwrap();
     }
     fs::write(desk.path("b/s.toml"), STEEL).unwrap();
-    ends(&desk, &["run", "a/s.toml"], 0);
+    desk.ends(&["run", "a/s.toml"], 0);
     let first = desk.read("plots/s/summary.json");
-    let message = ends(&desk, &["run", "b/s.toml"], 2);
+    let message = desk.ends(&["run", "b/s.toml"], 2).1;
     assert!(message.contains("holds results of a/s.toml, and these are of b/s.toml"), "{message}");
     assert_eq!(desk.read("plots/s/summary.json"), first);
     // an edited scenario, overrides, and a copy of the scenario are allowed
-    let message = ends(&desk, &["run", "a/s.toml", "--set", "impact.speed=2"], 0);
+    let message = desk.ends(&["run", "a/s.toml", "--set", "impact.speed=2"], 0).1;
     assert!(message.contains("plots/s: replaces the results of a/s.toml as it was, or with other --set"), "{message}");
     // the same again has nothing to say, also from another folder
     let arguments = ["run", "../a/s.toml", "--set", "impact.speed=2", "--out", "../plots/s"];
     assert!(!text(&crate::common::command::call(&desk.path("b"), &arguments).stderr).contains("replaces"));
     fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
-    ends(&desk, &["run", "a/s.toml"], 0);
+    desk.ends(&["run", "a/s.toml"], 0);
     fs::write(desk.path("b/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
-    ends(&desk, &["run", "b/s.toml"], 0);
+    desk.ends(&["run", "b/s.toml"], 0);
     fs::write(desk.path("a/s.toml"), STEEL).unwrap();
-    ends(&desk, &["run", "a/s.toml"], 2);
+    desk.ends(&["run", "a/s.toml"], 2);
     // with --force only the files of the new run are left
     fs::write(desk.path("a/s.toml"), sweep(2)).unwrap();
-    ends(&desk, &["run", "a/s.toml", "--force"], 0);
+    desk.ends(&["run", "a/s.toml", "--force"], 0);
     assert_eq!(desk.files("plots/s"), ["restitution.png", "summary.json", "table.csv"]);
 }
 
 #[test]
 fn signals_end_other_long_work_at_once_and_nothing_is_left() {
     let desk = Desk::with("");
-    ends(&desk, &["init", "repeat"], 0);
-    ends(&desk, &["init", "calibrate"], 0);
+    desk.ends(&["init", "repeat"], 0);
+    desk.ends(&["init", "calibrate"], 0);
     // impacts that take some milliseconds each
     let slow = ["--set", "solver.method=verlet", "--set", "solver.steps_per_contact=1000000", "--out", "out/deep"];
     let repeat = [&["run", "repeat.toml", "--set", "repeat.impacts=100000"][..], &slow].concat();
@@ -186,7 +174,7 @@ fn signals_end_other_long_work_at_once_and_nothing_is_left() {
             let begun = Instant::now();
             let output = child.wait_with_output().unwrap();
             let said = text(&output.stderr);
-            assert_eq!(code(&output), Some(want), "{arguments:?}: {said}");
+            assert_eq!(output.status.code(), Some(want), "{arguments:?}: {said}");
             assert_eq!(said, "error: interrupted; nothing was written\n");
             assert!(begun.elapsed() < Duration::from_secs(20));
             assert!(!desk.path("out").exists(), "{arguments:?}");

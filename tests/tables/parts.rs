@@ -137,23 +137,23 @@ fn thirty_kills(rows_per_part: Option<u32>, runs: &[&[&str]]) {
 #[test]
 fn after_thirty_kills_the_same_command_makes_the_same_table() {
     thirty_kills(None, &[&[]]);
-    thirty_kills(Some(400), &[&[]]);
-    thirty_kills(Some(400), &[&["--shard", "0/2"], &["--shard", "1/2"]]);
+    thirty_kills(Some(1000), &[&[]]);
+    thirty_kills(Some(1000), &[&["--shard", "0/2"], &["--shard", "1/2"]]);
 }
 
 #[test]
 #[cfg(feature = "parquet")]
 fn after_thirty_kills_a_table_as_parquet_is_the_same_too() {
     thirty_kills(None, &[&["--format", "parquet"]]);
-    thirty_kills(Some(400), &[&["--format", "parquet"]]);
-    thirty_kills(Some(200), &[&["--format", "parquet", "--shard", "0/2"], &["--format", "parquet", "--shard", "1/2"]]);
+    thirty_kills(Some(1000), &[&["--format", "parquet"]]);
+    thirty_kills(Some(500), &[&["--format", "parquet", "--shard", "0/2"], &["--format", "parquet", "--shard", "1/2"]]);
 }
 
 #[test]
 fn of_two_writers_none_is_refused_and_nothing_is_lost() {
     let desk = Desk::with(random());
     let kinds: Vec<(Option<u32>, Vec<&str>)> =
-        formats().iter().flat_map(|format| [None, Some(200)].map(|rows| (rows, vec!["--format", *format]))).collect();
+        formats().iter().flat_map(|format| [None, Some(600)].map(|rows| (rows, vec!["--format", *format]))).collect();
     for (rows, more) in &kinds {
         ends(run(&desk, "alone", *rows, more), 0);
         for _ in 0..20 / kinds.len() {

@@ -15,10 +15,7 @@ fn summary(tables: &str) -> serde_json::Value {
 }
 
 fn rows(text: &str) -> Rows {
-    let plan = Scenario::from_text("test", text, &[]).unwrap().plan().unwrap().unwrap();
-    let mut rows = Rows::default();
-    Evaluator::new(&plan).rows(0..plan.count(), &mut rows);
-    rows
+    rows_of(text, NONE)
 }
 
 #[test]
@@ -46,9 +43,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
         "restitution,contact_time_s,peak_force_N,peak_indentation_m,residual_indentation_m,dent_radius_m,recovered_fraction,plastic_fraction,status"
     ));
     let first: Vec<&str> = table.lines().nth(1).unwrap().split(',').collect();
-    let scene = Scenario::from_text("one", STEEL, &["impact.speed=3".to_owned(), "sphere.radius=0.002".to_owned()]);
-    let scene = scene.unwrap().resolve().unwrap();
-    let impact = scene.contact().unwrap().closed_form(3.0).unwrap();
+    let impact = contact(STEEL, &["impact.speed=3", "sphere.radius=0.002"]).closed_form(3.0).unwrap();
     let number = |i: usize| first[i].parse::<f64>().unwrap();
     // the digits give exactly the numbers of a single impact
     assert_eq!(number(4), impact.restitution);
@@ -142,16 +137,12 @@ law = ["plm", "thornton"]
     (0..plan.count()).for_each(|case| evaluator.rows(case..case + 1, &mut single));
     assert!(single.results == whole.results);
     let e = |case: usize| whole.results[case].unwrap().restitution;
-    let contact = |given: &[&str]| {
-        let given: Vec<String> = given.iter().map(|&key| key.to_owned()).collect();
-        Scenario::from_text("one", STEEL, &given).unwrap().resolve().unwrap().contact().unwrap()
-    };
     let radius = "sphere.radius=0.02";
     for (case, exponent) in [(19_996, "1.3"), (19_997, "1.4")] {
-        let contact = contact(&[radius, &format!("law.plm.unloading_exponent={exponent}")]);
+        let contact = contact(STEEL, &[radius, &format!("law.plm.unloading_exponent={exponent}")]);
         assert_eq!(e(case), contact.closed_form(3.0).unwrap().restitution, "{exponent}");
     }
-    assert_eq!(e(19_999), contact(&[radius, "law=thornton"]).closed_form(3.0).unwrap().restitution);
+    assert_eq!(e(19_999), contact(STEEL, &[radius, "law=thornton"]).closed_form(3.0).unwrap().restitution);
     let table = |threads: &str| {
         let desk = Desk::with(&text);
         desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none", "--threads", threads], 0);

@@ -67,7 +67,7 @@ fn a_whole_cycle_of_indentation_gives_strength_and_modulus() {
     near(&summary["keys"][1]["estimate"], 210e9, 1e-5);
     assert!(summary["keys"][1]["interval_95"]["low"].as_f64().unwrap() > 150e9);
     // the new scenario indents as deep as the data
-    desk.ends(&["run", "o/calibrated.toml", "--out", "p"], 0);
+    desk.ends(&["run", "o/calibrated.toml", "--out", "p", "--pictures", "none"], 0);
     let again = desk.json("p/summary.json");
     assert!(again.to_string().contains("unloading_stiffness"), "{again}");
 }
@@ -112,7 +112,7 @@ fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
     let estimate = summary["keys"][0]["estimate"].as_f64().unwrap();
     let written = new.split("yield_strength = \"").nth(1).unwrap().split(" MPa\"").next().unwrap();
     assert_eq!(format!("{written}e6").parse::<f64>().unwrap(), estimate, "{new}");
-    desk.ends(&["run", "o/calibrated.toml", "--set", "impact.speed=2.5", "--out", "p"], 0);
+    desk.ends(&["run", "o/calibrated.toml", "--set", "impact.speed=2.5", "--out", "p", "--pictures", "none"], 0);
     let again = desk.json("p/summary.json");
     let predicted = numbers(&desk.read("o/residuals.csv"), "predicted")[6];
     near(&again["restitution"], predicted, 1e-8);
@@ -138,7 +138,7 @@ fn nothing_that_is_there_is_overwritten() {
     std::fs::create_dir(desk.path("data")).unwrap();
     std::fs::rename(desk.path("d.csv"), desk.path("data/e.csv")).unwrap();
     std::fs::copy(desk.path("data/e.csv"), desk.path("data/o'brien \\ é.csv")).unwrap();
-    desk.ends(&["calibrate", "s.toml", "data/e.csv", "--out", "p"], 0);
+    desk.ends(&["calibrate", "s.toml", "data/e.csv", "--out", "p", "--pictures", "none"], 0);
     desk.ends(&["calibrate", "s.toml", "data/o'brien \\ é.csv", "--out", "r", "--pictures", "none"], 0);
     desk.ends(&["run", "s.toml", "--set", "calibrate.data=data/e.csv", "--out", "q"], 0);
     assert_eq!(desk.read("p/residuals.csv"), desk.read("q/residuals.csv"));

@@ -5,7 +5,7 @@ use std::fs;
 
 use plm_impact::fit;
 
-use super::reference;
+use super::{CURVES, reference};
 use crate::common::prelude::*;
 
 const HEADER: &str = "# sphere.youngs_modulus = 208 GPa\n# sphere.poissons_ratio = 0.3\n# half_space.youngs_modulus = 210 GPa\n\
@@ -14,8 +14,8 @@ const HEADER: &str = "# sphere.youngs_modulus = 208 GPa\n# sphere.poissons_ratio
 /// The curve of case 3 in another form.
 fn written(header: &str, columns: &str, row: impl Fn(&LoadingPoint) -> Vec<f64>) -> String {
     let mut text = format!("{header}{columns}\n");
-    for point in LoadingCurve::load(&reference(3)).unwrap().points {
-        let cells: Vec<String> = row(&point).iter().map(ToString::to_string).collect();
+    for point in &CURVES[2].points {
+        let cells: Vec<String> = row(point).iter().map(ToString::to_string).collect();
         writeln!(text, "{}", cells.join(",")).unwrap();
     }
     text
@@ -23,7 +23,7 @@ fn written(header: &str, columns: &str, row: impl Fn(&LoadingPoint) -> Vec<f64>)
 
 #[test]
 fn a_curve_in_si_units_is_the_same_curve() {
-    let want = LoadingCurve::load(&reference(3)).unwrap();
+    let want = &CURVES[2];
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
     let half_space = HalfSpace { material: material(210e9), yield_strength: Some(345e6), density: None };
     let pair = Pair::try_new(0.035, &material(208e9), &half_space).unwrap();
@@ -53,7 +53,7 @@ fn a_curve_in_si_units_is_the_same_curve() {
 
 #[test]
 fn a_curve_as_a_spreadsheet_writes_it_is_the_same_curve() {
-    let want = LoadingCurve::load(&reference(3)).unwrap();
+    let want = &CURVES[2];
     let text = fs::read_to_string(reference(3)).unwrap();
     let with_mark = LoadingCurve::parse("mark", &format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
     assert_eq!(with_mark.points, want.points);

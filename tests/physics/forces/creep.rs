@@ -103,23 +103,21 @@ fn an_impact_with_a_row_that_is_no_number_has_no_result() {
 #[test]
 fn a_leg_takes_no_more_steps_than_the_limit_in_all_its_calls() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);
-    for chi in [1e6, 1e9] {
+    for (chi, method) in [(1e6, Method::Rk8), (1e9, Method::Rk8), (1e6, Method::Dopri5), (1e9, Method::Dop853)] {
         let damping = Some(Damping::HuntCrossley(chi));
         let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
-        for (method, _) in STEPPING {
-            match contact.impact(1.0, &solver(method, 1e-6), None) {
-                Ok(impact) => assert!(impact.work.steps + impact.work.rejected < 10_000_000, "{}", method.name()),
-                Err(ImpactError::Integration(error)) => {
-                    let says_so = matches!(
-                        error,
-                        IntegrationError::TooManySteps { steps: 1_000_000 }
-                            | IntegrationError::Creeping { steps: 1_000_000 }
-                            | IntegrationError::StepUnderflow { .. }
-                    );
-                    assert!(says_so, "{}: {error}", method.name());
-                }
-                Err(other) => panic!("{other}"),
+        match contact.impact(1.0, &solver(method, 1e-6), None) {
+            Ok(impact) => assert!(impact.work.steps + impact.work.rejected < 10_000_000, "{}", method.name()),
+            Err(ImpactError::Integration(error)) => {
+                let says_so = matches!(
+                    error,
+                    IntegrationError::TooManySteps { steps: 1_000_000 }
+                        | IntegrationError::Creeping { steps: 1_000_000 }
+                        | IntegrationError::StepUnderflow { .. }
+                );
+                assert!(says_so, "{}: {error}", method.name());
             }
+            Err(other) => panic!("{other}"),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{contact, factor, law_of};
+use super::{factor, law_of};
 use crate::common::prelude::*;
 
 /// Thornton (1997): e(v) in closed form, its limit 1.185 q^¼, and the yield speed in the same paper.
@@ -10,7 +10,7 @@ use crate::common::prelude::*;
 fn thornton_gives_his_closed_form() {
     let scene = Scene::case_3();
     for pressure in [None, Some(900e6)] {
-        let contact = contact(&scene, &LawChoice::Thornton(Thornton { yield_pressure: pressure }));
+        let contact = scene.contact_by(&Thornton { yield_pressure: pressure });
         let (pair, mass) = (contact.pair(), contact.mass());
         let p_y = pressure.unwrap_or(pair.yield_point.unwrap().factor * 345e6);
         // V_y = (π/2E*)² (8 π R³/(15 m))^½ p_y^(5/2)
@@ -38,7 +38,7 @@ fn thornton_gives_his_closed_form() {
 #[test]
 fn johnson_gives_his_closed_form() {
     let scene = Scene::case_3();
-    let contact = contact(&scene, &LawChoice::from_name("johnson").unwrap());
+    let contact = scene.contact_by(LawChoice::from_name("johnson").unwrap().get());
     for speed in [1.0, 3.0, 10.0] {
         let e = contact.closed_form(speed).unwrap().restitution;
         let (p_d, coefficient) = (3.0 * 345e6, 0.3 * PI.powf(1.25) * 4_f64.powf(0.75));
@@ -63,7 +63,7 @@ fn jackson_and_green_give_the_fitted_restitution_of_their_impacts() {
 
 #[test]
 fn two_straight_lines_give_one_restitution() {
-    let contact = contact(&Scene::case_3(), &LawChoice::from_name("walton_braun").unwrap());
+    let contact = Scene::case_3().contact_by(&WaltonBraun::default());
     for speed in [1e-9, 1e-3, 1.0, 50.0] {
         assert!(off(contact.closed_form(speed).unwrap().restitution, 0.5_f64.sqrt()) < 1e-14);
     }

@@ -3,7 +3,7 @@
 use plm_impact::law::catalogue::brake::Brake;
 use proptest::prop_assert;
 
-use super::{bodies, contact, factor, law_of, parts, whole_laws};
+use super::{bodies, factor, law_of, whole_laws};
 use crate::common::prelude::*;
 
 /// Depths of peaks in units of δ_Y: below, at and around the printed jumps, and far beyond them.
@@ -92,7 +92,7 @@ fn forces_jump_where_the_print_does_and_nowhere_with_crossed_pieces() {
 #[test]
 fn the_closed_form_traces_every_law_without_error() {
     for (name, choice) in whole_laws() {
-        let contact = contact(&Scene::case_3(), &choice);
+        let contact = Scene::case_3().contact_by(choice.get());
         // 5 m/s is in the range of all these laws
         for (method, drift) in [(Method::ClosedForm, 1e-12), (Method::Rk8, 2e-9)] {
             let impact = contact.impact(5.0, &solver(method, 1e-10), Some(60)).unwrap();
@@ -125,7 +125,7 @@ fn impact_loss(contact: &Contact) -> f64 {
 fn plm_from_its_two_halves_is_the_plm() {
     let scene = Scene::case_3();
     let whole = scene.contact();
-    let halves = contact(&scene, &LawChoice::from_name("plm + plm").unwrap());
+    let halves = scene.contact_by(LawChoice::from_name("plm + plm").unwrap().get());
     for speed in [1e-3, 0.05, 1.0, 10.0] {
         assert_eq!(whole.closed_form(speed).unwrap(), halves.closed_form(speed).unwrap());
     }
@@ -185,14 +185,14 @@ fn outside_its_range_a_law_has_no_answer() {
     // loading is stiffer than Hertz, so there is no dent from which the shifted Hertz curve could start
     assert!(refused("stronge + yigit_christoforou", 5.2).is_some());
     // the impact returns this error
-    let contact = contact(&Scene::case_3(), &LawChoice::from_name("mesarovic_johnson").unwrap());
+    let contact = Scene::case_3().contact_by(LawChoice::from_name("mesarovic_johnson").unwrap().get());
     assert!(contact.impact(0.01, &solver(Method::Rk8, 1e-10), None).unwrap_err().to_string().contains("no answer"));
     assert!(contact.essentials(0.01, &Solver::AUTO).is_err());
 }
 
 #[test]
 fn half_a_law_is_refused_and_not_taken_for_hertz() {
-    let (sphere, half_space) = parts(&Scene::case_3());
+    let (sphere, half_space) = Scene::case_3().parts();
     let loading = Box::new(LawChoice::from_name("brake").unwrap());
     let unloading = Box::new(LawChoice::from_name("plm").unwrap());
     let combined = Combined { loading, unloading };
@@ -223,7 +223,7 @@ fn extreme_bodies_give_numbers_or_a_refusal() {
                 yield_strength: Some(strength),
                 ..Scene::case_3()
             };
-            let contact = contact(&scene, &choice);
+            let contact = scene.contact_by(choice.get());
             for speed in [1e-6, 1e-2, 1.0, 100.0, 1e4] {
                 if let Ok(row) = contact.essentials(speed, &Solver::AUTO) {
                     let numbers = [
@@ -288,7 +288,7 @@ fn every_law_is_an_honest_contact() {
 fn a_damped_impact_is_judged_by_its_own_peak() {
     let choice = LawChoice::from_name("thornton + jackson_green").unwrap();
     let damped = Forces { damping: Some(Damping::Viscous(0.8)), ..Forces::default() };
-    let bare = contact(&Scene::steel(), &choice);
+    let bare = Scene::steel().contact_by(choice.get());
     assert!(matches!(bare.closed_form(200.0), Err(ImpactError::Law(OutsideLaw::Range { .. }))));
     let contact = bare.with_forces(damped);
     let impact = |speed: f64| contact.impact(speed, &solver(Method::Rk8, 1e-8), None);

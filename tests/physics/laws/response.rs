@@ -2,15 +2,6 @@
 
 use crate::common::prelude::*;
 
-const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-
-fn bodies(yield_strength: Option<f64>) -> (Sphere, HalfSpace) {
-    (
-        Sphere { radius: 5e-3, material: STEEL, density: 7850.0, yield_strength: None },
-        HalfSpace { material: STEEL, yield_strength, density: None },
-    )
-}
-
 /// Energy is conserved. During loading, unloading and reloading, the work on the contact (trapezoids of the force) is
 /// the stored energy plus the plastic work. At the peak and at the end both agree with the closed form.
 #[test]
@@ -18,8 +9,7 @@ fn the_work_of_the_force_is_stored_or_taken_by_the_dent() {
     // the others have no loading curve
     let whole = LawChoice::all().into_iter().filter(LawChoice::has_loading);
     for law in whole.clone() {
-        let (sphere, half_space) = bodies(Some(345e6));
-        let contact = Contact::try_new(sphere, half_space, law.get()).expect("a contact");
+        let contact = Scene::steel().contact_by(law.get());
         let exact = contact.closed_form(1.0).expect("an impact at 1 m/s");
         let deepest = exact.peak_indentation;
         let mut memory = Memory::default();
@@ -54,8 +44,7 @@ fn the_work_of_the_force_is_stored_or_taken_by_the_dent() {
 #[test]
 fn the_stiffness_is_the_slope_of_the_force() {
     for strength in [Some(345e6), None] {
-        let (sphere, half_space) = bodies(strength);
-        let contact = Contact::try_new(sphere, half_space, &Plm::default()).expect("a contact");
+        let contact = Scene { yield_strength: strength, ..Scene::steel() }.contact();
         let mut memory = Memory::default();
         contact.force(2e-5, &mut memory);
         for (indentation, memory) in [(1e-8, Memory::default()), (3e-5, memory), (1.95e-5, memory)] {
@@ -74,8 +63,7 @@ fn the_stiffness_is_the_slope_of_the_force() {
 fn what_no_contact_can_have_gives_no_number_and_leaves_the_memory() {
     let hostile = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 5e-324, 1e-5, f64::MAX];
     for strength in [Some(345e6), None] {
-        let (sphere, half_space) = bodies(strength);
-        let contact = Contact::try_new(sphere, half_space, &Plm::default()).expect("a contact");
+        let contact = Scene { yield_strength: strength, ..Scene::steel() }.contact();
         for case in 0..hostile.len().pow(4) {
             let [indentation, a, b, c] =
                 [0, 1, 2, 3].map(|place| hostile[case / hostile.len().pow(place) % hostile.len()]);
@@ -109,10 +97,11 @@ fn an_impact_deeper_than_the_data_is_warned_of_and_no_other() {
         _ => false,
     };
     let (mut warned, mut not_warned) = (0, 0);
-    for (law, strength) in
-        LawChoice::all().into_iter().map(|law| (law, Some(345e6))).chain([(LawChoice::default(), None)])
+    let elastic = Scene { yield_strength: None, ..Scene::steel() };
+    for (law, scene) in
+        LawChoice::all().into_iter().map(|law| (law, Scene::steel())).chain([(LawChoice::default(), elastic)])
     {
-        let (sphere, half_space) = bodies(strength);
+        let (sphere, half_space) = scene.parts();
         let Ok(contact) = Contact::try_new(sphere, half_space, law.get()) else { continue };
         for step in 0..60 {
             let speed = 0.01 * 1.3_f64.powi(step);

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use plm_impact::law::curve::Curve;
 use plm_impact::law::published::{Loading, PeakState, Rules};
 
-use super::parts;
 use crate::common::prelude::*;
 
 /// A law that loads along the curve of Hertz; the dent is this share of the indentation.
@@ -27,10 +26,9 @@ impl ContactLaw for Dented {
 /// e² = ((2/5) (1 − r^2.5) − r^1.5 (1 − r))/((2/5) (1 − r^1.5)) for a dent r, from the area under the shifted curve.
 #[test]
 fn a_dent_however_shallow_is_landed_on() {
-    let (sphere, half_space) = parts(&Scene::case_3());
     for halves in 0..34 {
         let r = 0.5 * 10f64.powf(-0.5 * f64::from(halves));
-        let contact = Contact::try_new(sphere, half_space, &Dented(r)).unwrap();
+        let contact = Scene::case_3().contact_by(&Dented(r));
         let root = r.sqrt();
         let square = (0.4 * (1.0 - r * r * root) - r * root * (1.0 - r)) / (0.4 * (1.0 - r * root));
         for times in [2.0, 2.37, 7.5, 16.0] {

@@ -3,11 +3,11 @@
 use plm_impact::indentation::Memory as Largest;
 use plm_impact::indentation::Target::{Indentation as To, Load};
 
-use super::{bodies, contact, law_of, parts, whole_laws};
+use super::{bodies, law_of, whole_laws};
 use crate::common::prelude::*;
 
 fn pressed(law: &LawChoice) -> StaticContact {
-    let (sphere, half_space) = parts(&Scene::case_3());
+    let (sphere, half_space) = Scene::case_3().parts();
     let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     StaticContact::try_new(indenter, &half_space, law.get()).unwrap()
 }
@@ -18,9 +18,9 @@ fn pressed(law: &LawChoice) -> StaticContact {
 fn an_indentation_gives_back_what_the_impact_to_its_depth_does() {
     let scene = Scene::case_3();
     let point = bodies(&scene).yield_point;
-    let yield_speed = point.speed(parts(&scene).0.mass()).unwrap();
+    let yield_speed = point.speed(scene.parts().0.mass()).unwrap();
     for (name, law) in whole_laws() {
-        let (moving, slow) = (contact(&scene, &law), pressed(&law));
+        let (moving, slow) = (scene.contact_by(law.get()), pressed(&law));
         let mut compared = 0;
         for speed in [0.7, 20.0, 100.0].map(|times| times * yield_speed) {
             // outside the range of the law, both have no result
@@ -82,7 +82,7 @@ fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
     assert!(error.to_string().starts_with("step 2: the law has no answer"), "{error}");
     slow.indent(&[To(0.5 * length), To(30.0 * length)], Some(100)).unwrap();
     // a law without loading is refused
-    let (sphere, half_space) = parts(&Scene::case_3());
+    let (sphere, half_space) = Scene::case_3().parts();
     let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     let brake = LawChoice::from_name("brake").unwrap();
     assert!(matches!(StaticContact::try_new(indenter, &half_space, brake.get()), Err(IndentationError::Law(_))));

@@ -1,12 +1,12 @@
 //! Every law under gravity and damping, with its own unloading branch, first yield and elastic regime.
 
-use super::{contact, whole_laws};
+use super::whole_laws;
 use crate::common::prelude::*;
 
 const NOTHING: Damping = Damping::Viscous(0.0);
 
 fn under(scene: &Scene, law: &LawChoice, gravity: Option<f64>, damping: Option<Damping>) -> Contact {
-    contact(scene, law).with_forces(Forces { gravity, damping, ..Forces::default() })
+    scene.contact_by(law.get()).with_forces(Forces { gravity, damping, ..Forces::default() })
 }
 
 fn by_name(name: &str) -> LawChoice {
@@ -41,7 +41,7 @@ fn laws() -> Vec<(String, LawChoice)> {
 fn damping_of_nothing_changes_no_law_at_any_speed() {
     for (name, choice) in laws() {
         let mut compared = 0;
-        let plain = contact(&Scene::case_3(), &choice);
+        let plain = Scene::case_3().contact_by(choice.get());
         for (damping, share) in [NOTHING, Damping::HuntCrossley(0.0)]
             .into_iter()
             .flat_map(|damping| [1e-3, 0.1, 0.5, 0.9, 1.1, 3.0, 50.0].map(|share| (damping, share)))
@@ -106,7 +106,7 @@ fn traces_under_forces_tell_of_yield_and_knots_where_each_law_has_them() {
     };
     let mut compared = 0;
     for (name, choice) in laws().into_iter().chain([("thornton, late".to_owned(), late)]) {
-        let plain = contact(&scene, &choice);
+        let plain = scene.contact_by(choice.get());
         // near the yield speeds of the laws, far beyond, and beyond the ranges that any of these laws refuses
         for speed in [0.025, 1.0, 5.0] {
             let Ok(want) = told(&plain, speed, Method::Rk8) else { continue };
@@ -199,7 +199,7 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
     // and (2/5) F δ is recovered, so e² = 4/5
     let scene = Scene::case_3();
     for name in ["johnson + plm", "mesarovic_johnson + plm"] {
-        let plain = contact(&scene, &by_name(name));
+        let plain = scene.contact_by(by_name(name).get());
         let speed = 4.0 * unit_speed(&plain);
         let weight = gravity_of(&scene, 1e-6);
         for contact in [plain.clone(), plain.with_forces(Forces { gravity: Some(weight), ..Forces::default() })] {
@@ -287,7 +287,7 @@ fn samples_between_long_steps_keep_the_tolerance_on_every_law() {
 fn the_fastest_impact_that_changes_nothing_is_that_of_the_law() {
     let mut compared = 0;
     for (name, choice) in laws() {
-        let contact = contact(&Scene::case_3(), &choice);
+        let contact = Scene::case_3().contact_by(choice.get());
         let Some(yield_speed) = contact.yield_speed() else { continue };
         let (_, law, _) = contact.scaled(10.0 * yield_speed).unwrap();
         let memory = |share: f64| Law::loaded_to(law, share * law.elastic_until());
