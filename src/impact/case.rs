@@ -44,30 +44,25 @@ impl Contact {
         let gravity = self.forces().gravity.unwrap_or(0.0);
         let weight = self.mass() * gravity;
         // damping and plate remove energy: an impact that stays elastic without them does so with them
-        let yields = self.yielding.as_ref().filter(|(scales, law)| {
-            let with_weight = || {
-                let (q, least) = (speed / scales.speed, self.yield_speed / scales.speed);
-                let until = law.elastic_until();
-                // a law without an elastic regime yields at once
-                until == 0.0 || 0.4 * q * q + weight / scales.force * until > 0.4 * least * least
+        let with_weight = || {
+            let (q, least) = (speed / self.scales.speed, self.yield_speed / self.scales.speed);
+            let until = self.law.elastic_until();
+            // a law without an elastic regime yields at once
+            until == 0.0 || 0.4 * q * q + weight / self.scales.force * until > 0.4 * least * least
+        };
+        let (scales, law, q) = if spot.is_some() || speed > self.yield_speed || weight > 0.0 && with_weight() {
+            let q = speed / self.scales.speed;
+            let quantity = match gravity {
+                0.0 => "kinetic energy in units of that at first yield",
+                _ => "kinetic energy and weight in units of those at first yield",
             };
-            spot.is_some() || speed > self.yield_speed || weight > 0.0 && with_weight()
-        });
-        let (scales, law, q) = match yields {
-            Some((scales, law)) => {
-                let q = speed / scales.speed;
-                let quantity = match gravity {
-                    0.0 => "kinetic energy in units of that at first yield",
-                    _ => "kinetic energy and weight in units of those at first yield",
-                };
-                normal(quantity, q * q + weight / scales.force)?;
-                (*scales, spot.unwrap_or(law), q)
-            }
-            None if gravity > 0.0 => {
-                let scales = self.scales_of_drop(speed, gravity)?;
-                (scales, hertz(), speed / scales.speed)
-            }
-            None => (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0),
+            normal(quantity, q * q + weight / self.scales.force)?;
+            (self.scales, spot.unwrap_or(&self.law), q)
+        } else if gravity > 0.0 {
+            let scales = self.scales_of_drop(speed, gravity)?;
+            (scales, hertz(), speed / scales.speed)
+        } else {
+            (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0)
         };
         if self.forces().is_none() {
             return Ok(Case { scales, law, q, forces: ScaledForces::NONE, plate: None });

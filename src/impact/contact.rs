@@ -9,7 +9,7 @@ use super::plate::{PlateError, Under};
 use super::scales::Scales;
 use super::waves::Waves;
 use crate::law::{ContactLaw, Law};
-use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere, normal};
+use crate::material::{HalfSpace, Pair, Sphere, normal};
 use crate::math::functions::pow;
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
@@ -22,8 +22,10 @@ pub struct Contact {
     mass: f64,
     /// Whether the sphere is only the tip of a body, which has the mass.
     is_tip: bool,
-    /// Law and scales of the yielding contact.
-    pub(super) yielding: Option<(Scales, Law)>,
+    /// The law.
+    pub(super) law: Law,
+    /// Its units: those of first yield, or of the sphere's radius for a half-space that stays elastic.
+    pub(super) scales: Scales,
     /// The slowest impact that yields \[m/s\]; infinite without one.
     pub(super) yield_speed: f64,
     /// What acts beside the law.
@@ -47,14 +49,13 @@ impl Contact {
     pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
         let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
-        let scales =
-            pair.yield_point.map(|point| Ok::<_, OutOfFloatRange>(Scales::of_yield(&point, point.speed(mass)?)));
-        let yielding = scales.transpose()?.zip(law.of_pair(&pair, &half_space)?);
+        let (scales, law) = match (&pair.yield_point, law.of_pair(&pair, &half_space)?) {
+            (Some(point), Some(law)) => (Scales::of_yield(point, point.speed(mass)?), law),
+            _ => (Scales::of_radius(&pair, mass), Law::hertz()),
+        };
         // up to there the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
-        let yield_speed = yielding.as_ref().map_or(f64::INFINITY, |(scales, law)| {
-            let until = law.elastic_until();
-            if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) }
-        });
+        let until = law.elastic_until();
+        let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
         let waves = Waves::of(&half_space)?;
         Ok(Self {
             sphere,
@@ -62,7 +63,8 @@ impl Contact {
             pair,
             mass,
             is_tip: false,
-            yielding,
+            law,
+            scales,
             yield_speed,
             forces: Forces::default(),
             under: None,
@@ -93,7 +95,7 @@ impl Contact {
     pub fn with_forces(self, forces: Forces) -> Self {
         let under = forces.plate.map(|plate| match forces.damping {
             Some(_) => Err(PlateError::Damped),
-            None => Under::new(plate, &self.half_space, self.mass, self.yielding.as_ref()),
+            None => Under::new(plate, &self.half_space, self.mass, &self.scales, &self.law),
         });
         Self { forces, under, ..self }
     }
@@ -156,9 +158,8 @@ impl Contact {
 
     /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].
     pub fn yields_at(&self) -> Option<(f64, f64)> {
-        let (scales, law) = self.yielding.as_ref()?;
         self.yield_speed()?;
-        let until = law.elastic_until();
-        Some((scales.length * until, scales.force * crate::math::power::power(until, 1.5)))
+        let until = self.law.elastic_until();
+        Some((self.scales.length * until, self.scales.force * crate::math::power::power(until, 1.5)))
     }
 }

@@ -24,9 +24,7 @@ impl Contact {
     /// Radius of the contact \[m\] as far as friction goes, after [`Contact::force`] gave this memory: that of Hertz with the
     /// law's force and elastic approach on the way in, and in proportion to the stiffness on the way out.
     fn grip(&self, indentation: f64, memory: &Memory) -> f64 {
-        let Some((scales, law)) = &self.yielding else {
-            return (self.sphere().radius * indentation.max(0.0)).sqrt();
-        };
+        let Self { scales, law, .. } = self;
         let Some(peak) = memory.peak(scales.length, scales.force) else { return 0.0 };
         let recovered = indentation / scales.length - peak.residual();
         let grip = if recovered >= peak.elastic_approach {

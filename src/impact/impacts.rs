@@ -85,7 +85,7 @@ impl Contact {
 
     /// Whether an impact that yields has a closed form also under gravity or damping, as [`Method::chosen`] asks.
     pub(crate) fn closes(&self) -> bool {
-        self.yielding.as_ref().is_none_or(|(_, law)| closed_form::closes(law))
+        closed_form::closes(&self.law)
     }
 
     /// Computes one impact at a speed \[m/s\], or an [`Approach`]; with `samples`, with a trace of that many evenly

@@ -121,19 +121,19 @@ pub(super) struct ScaledPlate {
 }
 
 impl Under {
-    /// `law` is that of a half-space that yields, with its scales.
+    /// `law` is that of the contact, in these scales.
     pub(super) fn new(
         plate: Plate,
         half_space: &HalfSpace,
         mass: f64,
-        law: Option<&(Scales, Law)>,
+        scales: &Scales,
+        law: &Law,
     ) -> Result<Self, PlateError> {
         let density = half_space.density.ok_or(PlateError::NoDensity)?;
         let modulus = half_space.material.plane_strain_modulus();
         // 1/(8 √(D ρ h)) with √12/8 = 0.433
         let mobility = 12.0_f64.sqrt() / 8.0 / (modulus * density).sqrt() / plate.thickness / plate.thickness;
         let under = Self { plate, mass, wave_speed: (modulus / density).sqrt(), mobility };
-        let Some((scales, law)) = law else { return Ok(under) };
         if law.loading.jump_before(f64::INFINITY).is_some() {
             return Err(PlateError::Jump);
         }

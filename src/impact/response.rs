@@ -2,7 +2,6 @@
 
 use super::contact::Contact;
 use crate::law::Peak;
-use crate::math::power::power;
 
 /// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros.
 ///
@@ -62,9 +61,7 @@ impl Contact {
         if !memory.is_possible_beside(indentation) {
             return f64::NAN;
         }
-        let Some((scales, law)) = &self.yielding else {
-            return self.hertz(indentation, 1.5);
-        };
+        let Self { scales, law, .. } = self;
         // a force that is asked for twice is the same to the last bit, so that a restarted run goes on as it was
         if indentation == memory.indentation && indentation > 0.0 {
             return memory.force;
@@ -90,16 +87,13 @@ impl Contact {
         if !memory.is_possible_beside(indentation) {
             return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
         }
-        let Some((scales, law)) = &self.yielding else {
-            return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
-        };
+        let Self { scales, law, .. } = self;
         let Some(peak) = memory.peak(scales.length, scales.force) else {
             return ContactEnergy { stored: 0.0 * force, plastic: 0.0 };
         };
         let unloading = law.unloading(peak);
         let stored = unloading.stored_of(indentation / scales.length - peak.residual());
-        let taken = law.loading.work(peak.indentation) - unloading.capacity();
-        ContactEnergy { stored: stored * scales.energy(), plastic: taken * scales.energy() }
+        ContactEnergy { stored: stored * scales.energy(), plastic: law.plastic(&unloading) * scales.energy() }
     }
 
     /// dF/dδ \[N/m\] there, the tangent stiffness: of the unloading branch below the largest indentation so far and at it, of
@@ -108,9 +102,7 @@ impl Contact {
         if !memory.is_possible_beside(indentation) {
             return f64::NAN;
         }
-        let Some((scales, law)) = &self.yielding else {
-            return self.hertz(indentation, 0.5);
-        };
+        let Self { scales, law, .. } = self;
         let x = indentation / scales.length;
         let slope = match memory.peak(scales.length, scales.force) {
             Some(peak) if x <= peak.residual() => 0.0,
@@ -119,11 +111,5 @@ impl Contact {
             _ => law.loading.pieces()[law.loading.index_at(x)].slope_at(x),
         };
         slope * (scales.force / scales.length)
-    }
-
-    /// Hertz's force (exponent 3/2) or its slope (1/2).
-    fn hertz(&self, indentation: f64, exponent: f64) -> f64 {
-        let factor = if exponent == 1.5 { 1.0 } else { 1.5 };
-        if indentation <= 0.0 { 0.0 } else { factor * self.pair().hertz_stiffness() * power(indentation, exponent) }
     }
 }

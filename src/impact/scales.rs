@@ -29,6 +29,12 @@ impl Scales {
         Self { length: point.indentation, force: point.force, speed, contact_radius: point.contact_radius }
     }
 
+    /// Hertz scales of a contact that is as deep as the sphere's radius.
+    pub(crate) fn of_radius(pair: &Pair, mass: f64) -> Self {
+        let (length, force) = (pair.radius, pair.hertz_stiffness() * pair.radius * pair.radius.sqrt());
+        Self { length, force, speed: (0.8 * (force / mass) * length).sqrt(), contact_radius: length }
+    }
+
     /// Hertz scales of an elastic impact of `mass` at `speed`: L = (5 m v²/(4 K))^(2/5), Φ = K L^1.5, V = v.
     ///
     /// # Errors

@@ -23,8 +23,8 @@ impl Spot {
     /// A place of a contact that was loaded to `memory`, in units of the yield point. The place is fresh if that state, or
     /// the half-space, is elastic.
     pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
-        let law = contact.yielding.as_ref().filter(|(_, law)| !law.is_elastic_to(memory.indentation));
-        Self { law: law.map(|(_, law)| law.reloaded(memory)) }
+        let is_elastic = contact.law.is_elastic_to(memory.indentation);
+        Self { law: (!is_elastic).then(|| contact.law.reloaded(memory)) }
     }
 
     /// The largest state so far, in units of the yield point; `None` if the place never yielded.
@@ -36,10 +36,7 @@ impl Spot {
 impl Contact {
     /// Depth of the dent on a spot \[m\]: where the sphere touches next.
     pub fn dent_depth(&self, spot: &Spot) -> f64 {
-        match (&self.yielding, spot.memory()) {
-            (Some((scales, _)), Some(memory)) => memory.residual() * scales.length,
-            _ => 0.0,
-        }
+        spot.memory().map_or(0.0, |memory| memory.residual() * self.scales.length)
     }
 
     /// As [`Contact::impact`], on a spot, which then remembers the impact.

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::case::hertz;
 use super::contact::Contact;
 use super::essentials::OnPlate;
 use super::oblique::{Approach, Incidence};
@@ -127,11 +126,7 @@ impl Contact {
     /// limit, as for springs.
     pub fn deepest(&self) -> f64 {
         let radius = self.sphere().radius;
-        let Some((scales, law)) = &self.yielding else {
-            // Hertz: a^2 = R delta
-            let limit = hertz().limits.widest;
-            return limit * limit * radius;
-        };
+        let Self { scales, law, .. } = self;
         let reaches = |x: f64| {
             let Some(peak) = law.respond(x, None).1 else { return true };
             let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.limits.widest * radius;
