@@ -49,6 +49,12 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         let message = "--speeds: this code takes one constant e; give --speed, or --to csv or acusolve";
         return Err(Error::input(message.to_owned()));
     }
-    let head = lines::Head { scenario, contact: &contact, impact: &impact, friction: scene.friction, command };
+    let head = lines::Head {
+        scenario,
+        contact: &contact,
+        impact: &impact,
+        friction: scene.input.friction.coefficient,
+        command,
+    };
     head.lines(request, &table)
 }

@@ -6,7 +6,7 @@ pub(crate) mod random;
 mod source;
 
 use crate::impact::Method;
-use crate::scene::results::{Column, columns};
+use crate::scene::results::{Column, Needs, columns};
 use crate::scene::taken::Body;
 use crate::scene::{Input, Key, Scene, Use, without_effect};
 use axis::{Axis, Word};
@@ -90,14 +90,31 @@ impl Plan {
         let of_curve = || varies("half_space.youngs_modulus") || varies("half_space.flow_stress.power.exponent");
         let has_curve = self.scene.law.flow().is_some();
         let of_metal = || varies(HARDNESS) || varies(Body::HalfSpace.material());
-        self.scene.hardness.is_some() && (of_metal() || has_curve && of_curve())
+        self.scene.input.half_space.hardness.is_some() && (of_metal() || has_curve && of_curve())
     }
 
     /// The results that the table has.
     pub fn results(&self) -> Vec<Column> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
         let all = columns().into_iter();
-        all.filter(|column| column.missing(&self.scene).is_none() && is_wanted(column.name)).collect()
+        all.filter(|column| self.missing(column.needs).is_none() && is_wanted(column.name)).collect()
+    }
+
+    /// Why a table has no column that needs this; `None` if it has.
+    pub fn missing(&self, needs: Needs) -> Option<&'static str> {
+        let Scene { half_space, incidence, forces, .. } = &self.scene;
+        match needs {
+            Needs::Strength if half_space.yield_strength.is_none() => {
+                Some("without half_space.yield_strength there is no dent")
+            }
+            Needs::Incidence if incidence.is_none() => Some("without impact.angle or sphere.spin nothing slides"),
+            Needs::Density if half_space.density.is_none() => {
+                Some("without half_space.density nothing is known of elastic waves")
+            }
+            Needs::Density if forces.plate.is_some() => Some("with half_space.thickness a plate takes the energy"),
+            Needs::Thickness if forces.plate.is_none() => Some("without half_space.thickness there is no plate"),
+            _ => None,
+        }
     }
 
     /// The names of all columns of the table.
@@ -152,7 +169,7 @@ impl Plan {
         let mut input = self.input.clone();
         for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
             // a swept damping may begin at 0
-            (key.set)(&mut input, Some(1.0));
+            key.set(&mut input, Some(1.0));
         }
         let chosen = |method: Method| method.chosen(&input.resolve().forces, || true, false);
         self.methods().into_iter().map(chosen).any(|method| method.is_none())

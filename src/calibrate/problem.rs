@@ -65,7 +65,7 @@ impl<'a> Problem<'a> {
             let range = &mut ranges[value.row];
             *range = if range.end == 0 { at..at + 1 } else { range.start..at + 1 };
         }
-        let mut input = Input::of(scene);
+        let mut input = Input { law: scene.law.clone(), ..scene.input.clone() };
         for key in free.iter().map(|free| free.key).chain(data.keys.iter().copied()) {
             // it takes away the key in place of which it stands
             key.put(&mut input, 1.0);
@@ -119,7 +119,7 @@ impl<'a> Problem<'a> {
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
         let mut input = self.input.clone();
         for (free, share) in self.free.iter().zip(shares) {
-            (free.key.set)(&mut input, Some(free.at(*share)));
+            free.key.set(&mut input, Some(free.at(*share)));
         }
         let of = |piece: &Vec<usize>| {
             let mut input = input.clone();
@@ -162,7 +162,7 @@ impl<'a> Problem<'a> {
     /// Puts the keys of a row into an input.
     fn with_row(&self, input: &mut Input, row: usize) {
         for (key, value) in self.data.keys.iter().zip(&self.data.rows[row].keys) {
-            (key.set)(input, Some(*value));
+            key.set(input, Some(*value));
         }
     }
 

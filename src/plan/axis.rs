@@ -60,7 +60,7 @@ impl Values {
 }
 
 /// What an axis changes, and to what.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Setting {
     /// A numeric key.
     Number { key: &'static Key, values: Values },
@@ -74,7 +74,7 @@ pub enum Setting {
 }
 
 /// A word of an axis, with what it stands for.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Word {
     /// Of `solver.method`.
     Method(Method),
@@ -96,7 +96,7 @@ impl Word {
 }
 
 /// An axis.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// What it changes.
     pub setting: Setting,
@@ -169,7 +169,7 @@ impl Axis {
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn put(&self, i: u64, input: &mut Input) {
         match &self.setting {
-            Setting::Number { key, values } => (key.set)(input, Some(values.at(i))),
+            Setting::Number { key, values } => key.set(input, Some(values.at(i))),
             Setting::Words { words, .. } => match &words[i as usize] {
                 Word::Method(method) => input.solver.method = Some(*method),
                 Word::Law(law) => input.law.clone_from(law),

@@ -5,7 +5,7 @@ use crate::scene::Key;
 use crate::units::human;
 
 /// A key to find.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Free {
     /// The key.
     pub key: &'static Key,

@@ -32,7 +32,7 @@ pub enum Distribution {
 }
 
 /// A key with random values.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
     /// Which key.
     pub key: &'static Key,

@@ -7,6 +7,7 @@ use crate::impact::Method;
 use crate::plan::axis::{Axis, Word};
 use crate::plan::{Plan, YIELD_STRENGTH};
 use crate::scene::field::{Held, show_word};
+use crate::scene::input::SolverInput;
 use crate::scene::taken::Body;
 use crate::scene::{Input, Scene};
 
@@ -30,8 +31,8 @@ impl Inputs {
             // an elastic half-space does not use the keys of the law
             path => (can_yield || !path.starts_with("law")) && !held.value.is_null(),
         };
-        let mut entries: Vec<Held> = Input::of(scene).held().into_iter().filter(is_used).collect();
-        if scene.hardness.is_some() {
+        let mut entries: Vec<Held> = complete(scene).held().into_iter().filter(is_used).collect();
+        if scene.input.half_space.hardness.is_some() {
             let rule = if scene.law.flow().is_some() {
                 "hardness and flow_stress: at a plastic strain of 0.08 the flow stress is the mean pressure over 2.9"
             } else {
@@ -80,7 +81,8 @@ impl Inputs {
             "sphere.radius" => !varies("sphere.diameter"),
             YIELD_STRENGTH => !plan.derives_strength(),
             "impact.speed" => {
-                plan.scene.drop_height.is_none() || !varies("impact.drop_height") && !varies("gravity.acceleration")
+                plan.scene.input.impact.drop_height.is_none()
+                    || !varies("impact.drop_height") && !varies("gravity.acceleration")
             }
             // a table has no trace
             "output.samples" => false,
@@ -89,4 +91,27 @@ impl Inputs {
         entries.retain(|entry| !varies(&entry.path) && is_shared(&entry.path));
         Self(entries)
     }
+}
+
+/// The keys of a scene, with defaults and with what follows from other keys.
+fn complete(scene: &Scene) -> Input {
+    let mut input = scene.input.clone();
+    let (sphere, half_space) = (&mut input.sphere, &mut input.half_space);
+    (sphere.radius, sphere.diameter) = (Some(scene.sphere.radius), None);
+    (sphere.material, half_space.material) = (None, None);
+    sphere.spin = scene.incidence.map(|incidence| incidence.spin);
+    half_space.yield_strength = scene.half_space.yield_strength;
+    half_space.plate.get_or_insert_default();
+    let flow = &mut half_space.flow_stress;
+    flow.points = flow.points.take().or(flow.table.take());
+    input.impact.angle = scene.incidence.map(|incidence| incidence.angle);
+    input.impact.speed = Some(scene.speed);
+    input.law.clone_from(&scene.law);
+    input.solver = SolverInput {
+        tolerance: Some(scene.solver.tolerance),
+        method: Some(scene.solver.method),
+        steps_per_contact: Some(scene.solver.steps_per_contact.into()),
+    };
+    input.output.samples = Some(scene.samples as u64);
+    input
 }

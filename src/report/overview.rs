@@ -29,7 +29,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
                 rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
             }
             HARDNESS => {
-                let vickers = scene.hardness.map_or(f64::NAN, hardness::vickers);
+                let vickers = scene.input.half_space.hardness.map_or(f64::NAN, hardness::vickers);
                 rows.push([key, format!("{text}, {} HV", four_digits(vickers))]);
             }
             _ => rows.push([key, text]),

@@ -46,7 +46,7 @@ pub fn compute(
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, None)?;
-    let is_precise = scene.law.flow().is_some() || scenario.as_given().hardness.is_some();
+    let is_precise = scene.law.flow().is_some() || scenario.as_given().input.half_space.hardness.is_some();
     let strength = tested.iter().find_map(|one| {
         let steps = one.indentation.steps.iter().map(|step| step.memory.indentation);
         let depth = steps.fold(0.0, f64::max) / scene.indenter.radius;

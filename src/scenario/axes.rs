@@ -25,7 +25,7 @@ pub(super) const METHOD: &str = "solver.method";
 pub(super) const LAW: &str = "law";
 
 /// A body whose material is drawn from its ranges.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct DrawnMaterial {
     pub(super) body: Body,
     /// How many random keys stand before it.
@@ -33,7 +33,7 @@ pub(super) struct DrawnMaterial {
 }
 
 /// `[monte_carlo]`
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct RandomKeys {
     /// Number of samples.
     pub(super) samples: u64,

@@ -138,7 +138,7 @@ impl Scenario {
                 if is_column { ("calibrate.data", format!("its column {path} ")) } else { (path, String::new()) };
             Err(self.refuse_varied(place, what + &message))
         };
-        let mut input = Input::of(&wanted.scene);
+        let mut input = wanted.scene.input.clone();
         let free = wanted.free.iter().map(|free| (free.key, free.from));
         let axis = |(key, value): (&'static Key, f64)| {
             key.put(&mut input, value);

@@ -15,7 +15,7 @@ impl Scenario {
     /// The refusal of the number that is farthest from ordinary ones, where it stands; `None` where no number is extreme.
     pub fn too_extreme(&self, range: &OutOfFloatRange) -> Option<Error> {
         let given = KEYS.iter().filter(|key| self.document.has(key.path));
-        let values = given.filter_map(|key| Some((key, (key.get)(&self.input)?)));
+        let values = given.filter_map(|key| Some((key, key.get(&self.input)?)));
         let distances = values.filter_map(|(key, value)| Some((key, value, decades(value, key.quantity)?)));
         let distances = distances.filter(|(.., decades)| *decades > FAR);
         let (Key { path, quantity, .. }, value, _) = distances.max_by(|a, b| a.2.total_cmp(&b.2))?;

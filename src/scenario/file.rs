@@ -27,13 +27,13 @@ tables! {
         /// Random cases: samples, seed, and keys with distributions.
         monte_carlo: Option<RandomKeys> as Variables,
         /// Impacts one after the other.
-        repeat: Option<RepeatInput> as Table(RepeatInput::keys),
+        repeat: Option<RepeatInput> as Table,
         /// Unloading laws from one peak.
-        compare: Option<CompareInput> as Table(CompareInput::keys),
+        compare: Option<CompareInput> as Table,
         /// Keys that are found from measurements.
-        calibrate: Option<CalibrateInput> as Table(CalibrateInput::keys),
+        calibrate: Option<CalibrateInput> as Table,
         /// Loads and indentations without any impact.
-        indentation: Option<IndentationInput> as Table(IndentationInput::keys),
+        indentation: Option<IndentationInput> as Table,
     }
 
     /// `[repeat]`
@@ -43,7 +43,7 @@ tables! {
         /// Largest number of impacts.
         impacts: Option<u64> as Count(&IMPACTS),
         /// When bouncing ends.
-        until: Option<UntilInput> as Table(UntilInput::keys),
+        until: Option<UntilInput> as Table,
         /// Speed of every shot, in place of [impact] and impacts.
         speeds: Option<Vec<f64>> as List(&Number(&SHOT_SPEED)),
     }
@@ -83,17 +83,17 @@ tables! {
         /// Other laws to fit; all laws are ranked.
         laws: Option<Vec<String>> as List(&Word(&LAWS)) => "none",
         /// Standard deviations of the measurements, or estimate: they are found from the scatter about the fitted law.
-        noise: Option<Deviations> as WordOrTable(&NOISES, Deviations::keys) => "columns `_sd` of the data, else \"estimate\"",
+        noise: Option<Deviations> as WordOrTable(&NOISES) => "columns `_sd` of the data, else \"estimate\"",
         /// The measurements themselves.
-        measured: Option<MeasuredInput> as Table(MeasuredInput::keys),
+        measured: Option<MeasuredInput> as Table,
     }
 
     /// `[indentation]`
     pub(super) struct IndentationInput {
         /// Where the steps end.
-        steps: Option<Vec<StepInput>> as Items(STEPS, STEP, StepInput::keys),
+        steps: Option<Vec<StepInput>> as Items(STEPS, STEP),
         /// Half-spaces, each with a name.
-        half_space: Option<Vec<SpecimenInput>> as Items(SPECIMENS, "a table with a name", SpecimenInput::keys),
+        half_space: Option<Vec<SpecimenInput>> as Items(SPECIMENS, "a table with a name"),
     }
 
     /// A step of an indentation.
@@ -142,8 +142,8 @@ pub(super) fn read(root: &Node, reader: &mut Reader) -> (Input, Tables) {
 /// The numbers that a table gives, by their names in alphabetical order.
 pub(super) fn numbers<T: table::Table>(table: Option<&T>) -> Vec<(String, f64)> {
     let Some(table) = table else { return Vec::new() };
-    let keys = T::numeric().into_iter();
-    let mut all: Vec<_> = keys.filter_map(|key| Some((key.path.to_owned(), (key.get)(table)?))).collect();
+    let fields = T::names().into_iter().zip(table.fields());
+    let mut all: Vec<_> = fields.filter_map(|(name, field)| Some((name.to_owned(), field.given()?))).collect();
     all.sort_by(|a, b| a.0.cmp(&b.0));
     all
 }
@@ -152,8 +152,8 @@ pub(super) fn numbers<T: table::Table>(table: Option<&T>) -> Vec<(String, f64)> 
 pub fn every_key() -> impl Iterator<Item = AnyKey> {
     static ALL: std::sync::LazyLock<Vec<AnyKey>> = std::sync::LazyLock::new(|| {
         let mut all = Vec::new();
-        Input::keys("", &mut all);
-        Tables::keys("", &mut all);
+        Input::default().keys("", &[], &mut all);
+        Tables::default().keys("", &[], &mut all);
         all
     });
     ALL.iter().copied()

@@ -30,7 +30,7 @@ impl Scenario {
             return Err(self.document.one_key(&path(form), &path(second)));
         }
         let is_missing = |key: &&str| key.starts_with(&format!("{}.", path(form)));
-        let missing = KEYS.iter().filter(|key| (key.get)(input).is_none()).map(|key| key.path).find(is_missing);
+        let missing = KEYS.iter().filter(|key| key.get(input).is_none()).map(|key| key.path).find(is_missing);
         match missing.and_then(|key| key.rsplit_once('.')) {
             Some((table, name)) => Err(self.document.missing(table, name)),
             None => Ok(()),

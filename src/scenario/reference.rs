@@ -71,8 +71,8 @@ pub fn written(form: &Form) -> String {
         }
         Form::Word(words) => quoted(&(words.known)()),
         Form::Text(example) => format!("a text such as `\"{example}\"`"),
-        Form::Axes | Form::Variables | Form::Free | Form::Table(_) | Form::Items(..) => "a table, see below".to_owned(),
-        Form::WordOrTable(words, _) => format!("{}, or a table", quoted(&(words.known)())),
+        Form::Axes | Form::Variables | Form::Free | Form::Table | Form::Items(..) => "a table, see below".to_owned(),
+        Form::WordOrTable(words) => format!("{}, or a table", quoted(&(words.known)())),
     }
 }
 

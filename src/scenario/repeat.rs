@@ -40,9 +40,13 @@ impl Scenario {
         let drive = match (&given.speeds, given.impacts, scene.forces.gravity) {
             (Some(speeds), ..) => Drive::Shots(speeds.clone()),
             (None, None, _) => return refuse("repeat", NEEDS_IMPACTS),
-            (None, Some(most), Some(gravity)) => {
-                Drive::Bouncing { gravity, drop_height: scene.drop_height, speed: scene.speed, most, until }
-            }
+            (None, Some(most), Some(gravity)) => Drive::Bouncing {
+                gravity,
+                drop_height: scene.input.impact.drop_height,
+                speed: scene.speed,
+                most,
+                until,
+            },
             (None, Some(most), None) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
         };
         Ok(Some(Repeat { place, drive }))

@@ -104,8 +104,8 @@ fn of_form(form: &Form, quantities: &mut Vec<&'static Quantity>) -> Value {
         Form::Axes => axes(),
         Form::Variables => variables(),
         Form::Free => free(),
-        Form::Table(_) | Form::Items(..) => table(),
-        Form::WordOrTable(words, _) => {
+        Form::Table | Form::Items(..) => table(),
+        Form::WordOrTable(words) => {
             let mut schema = table();
             schema["type"] = json!(["string", "object"]);
             schema["pattern"] = json!(format!("^({})$", (words.known)().join("|")));

@@ -80,7 +80,7 @@ impl Scenario {
         let mut chosen = vec![RESTITUTION];
         for column in columns().iter().filter(|column| names.iter().any(|name| name == column.name)) {
             let name = column.name;
-            if let Some(reason) = column.missing(&plan.scene) {
+            if let Some(reason) = plan.missing(column.needs) {
                 return refuse(format!("\"{name}\" is not there: {reason}"));
             }
             if names.iter().filter(|other| *other == name).count() > 1 {

@@ -32,7 +32,7 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
 fn changed(path: &str, input: &Input) -> Option<Input> {
     let mut other = input.clone();
     match Key::find(path) {
-        Some(key) => (key.set)(&mut other, Some(key.other_value(input)?)),
+        Some(key) => key.set(&mut other, Some(key.other_value(input)?)),
         // the law of an elastic contact, whether it is named or not
         None if path == "law.hertz" && is_of_law(path, input) => return None,
         None if is_of_law(path, input) => {
@@ -80,7 +80,7 @@ impl Key {
     /// Another value than that of the input.
     fn other_value(&self, input: &Input) -> Option<f64> {
         let example = self.quantity.example_value();
-        let Some(own) = (self.get)(input).filter(|own| own.is_finite()) else {
+        let Some(own) = self.get(input).filter(|own| own.is_finite()) else {
             return example.or(Some(self.quantity.range().0.max(1.0)));
         };
         let mut near = [Some(1.01 * own), Some(0.99 * own), example].into_iter().flatten();
@@ -98,8 +98,8 @@ impl Scene {
         if let Some(plate) = forces.plate.as_mut().filter(|_| of == Use::Rows) {
             plate.edge_distance = None;
         }
-        let sliding = self.incidence.map(|incidence| (incidence, self.moment_of_inertia));
-        let motion = is_moving.then_some((self.sphere.density, self.mass, self.speed, forces, sliding));
+        let sliding = self.incidence.map(|incidence| (incidence, self.input.sphere.moment_of_inertia));
+        let motion = is_moving.then_some((self.sphere.density, self.input.sphere.mass, self.speed, forces, sliding));
         let waves = self.half_space.density.filter(|_| is_moving && (forces.is_none() || forces.plate.is_some()));
         let steps = (of == Use::Impact || of == Use::Rows && self.is_stepped()).then_some(&self.solver);
         let doubts = self.sphere.yield_strength.filter(|_| matches!(of, Use::Impact | Use::Indentation));

@@ -1,13 +1,11 @@
 //! The fields of tables: how each type takes the value of a key, and gives it back.
 
-use std::fmt;
-
 use toml::de::DeValue;
 
-use super::key::Form;
+use super::key::{AnyKey, Form};
 use super::quantity::Quantity;
 use super::read::{Fault, Reader, count, list, number, pair, text, word};
-use super::written::{Node, below};
+use super::written::Node;
 use crate::units::describe;
 
 /// A key and its value, for reports.
@@ -47,69 +45,21 @@ pub trait Field {
     }
     /// Puts a checked number there, SI, or nothing.
     fn put(&mut self, _: Option<f64>) {}
-    /// The numeric keys of a table.
-    fn numeric() -> Vec<Numeric<Self>>
-    where
-        Self: Sized,
-    {
-        Vec::new()
+    /// The field of this number, of a table.
+    fn at(&self, _: usize) -> Option<&dyn Field> {
+        None
     }
+    /// The same, to be changed; a table that is not there is made.
+    fn at_mut(&mut self, _: usize) -> Option<&mut dyn Field> {
+        None
+    }
+    /// Adds the keys of a table; the path and the way are those of the table.
+    fn keys(&self, _: &str, _: &[usize], _: &mut Vec<AnyKey>) {}
     /// Adds what it has, for reports.
     fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
         if let (Some((quantity, word)), Some(value)) = (form.number(), self.given()) {
             let value = word.filter(|_| value.is_infinite()).map_or_else(|| value.into(), Into::into);
             into.push(Held { path: path.to_owned(), quantity: Some(quantity), value });
-        }
-    }
-}
-
-/// Reads a number.
-type Get<I> = Box<dyn Fn(&I) -> Option<f64> + Send + Sync>;
-/// Sets a number, or takes it away.
-type Set<I> = Box<dyn Fn(&mut I, Option<f64>) + Send + Sync>;
-
-/// A numeric key of an `I`, which may vary: an axis, a random variable, or found from measurements.
-pub struct Numeric<I> {
-    /// As in the file, with dots: `impact.speed`.
-    pub path: &'static str,
-    /// Dimension and allowed range.
-    pub quantity: &'static Quantity,
-    /// A word that may stand in place of the number.
-    pub word: Option<&'static str>,
-    /// Its number; `None` where it is not given, infinite for the word.
-    pub get: Get<I>,
-    /// Puts a checked number there, SI, or takes it away. It changes nothing else.
-    pub set: Set<I>,
-}
-
-impl<I> fmt::Debug for Numeric<I> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.path)
-    }
-}
-
-impl<I: 'static> Numeric<I> {
-    /// The same key of an `O` that may have such an `I` under this name.
-    pub fn within<O>(
-        self,
-        name: &str,
-        of: impl Fn(&O) -> Option<&I> + Copy + Send + Sync + 'static,
-        of_mut: impl Fn(&mut O) -> Option<&mut I> + Send + Sync + 'static,
-    ) -> Numeric<O> {
-        let Self { path, quantity, word, get, set } = self;
-        Numeric {
-            path: below(name, path).leak(),
-            quantity,
-            word,
-            get: Box::new(move |outer| get(of(outer)?)),
-            set: Box::new(move |outer, value| {
-                // a table is made for a number, but not to say that there is none
-                if (value.is_some() || of(outer).is_some())
-                    && let Some(inner) = of_mut(outer)
-                {
-                    set(inner, value);
-                }
-            }),
         }
     }
 }
@@ -135,9 +85,14 @@ impl<T: Field + Default + 'static> Field for Option<T> {
             field.put(value);
         }
     }
-    fn numeric() -> Vec<Numeric<Self>> {
-        let inner = |key: Numeric<T>| key.within("", Self::as_ref, |table| Some(table.get_or_insert_default()));
-        T::numeric().into_iter().map(inner).collect()
+    fn at(&self, at: usize) -> Option<&dyn Field> {
+        self.as_ref()?.at(at)
+    }
+    fn at_mut(&mut self, at: usize) -> Option<&mut dyn Field> {
+        self.get_or_insert_default().at_mut(at)
+    }
+    fn keys(&self, path: &str, way: &[usize], into: &mut Vec<AnyKey>) {
+        T::default().keys(path, way, into);
     }
     fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
         if let Some(value) = self {
@@ -194,6 +149,9 @@ impl Field for String {
 }
 
 impl<T: Field + Default> Field for Vec<T> {
+    fn keys(&self, path: &str, way: &[usize], into: &mut Vec<AnyKey>) {
+        T::default().keys(&format!("{path}[]"), way, into);
+    }
     fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         match form {
             Form::List(inner) => {
@@ -203,7 +161,7 @@ impl<T: Field + Default> Field for Vec<T> {
                     self.push(one);
                 }
             }
-            Form::Items(example, one_item, _) => {
+            Form::Items(example, one_item) => {
                 let DeValue::Array(items) = node.get_ref() else {
                     return Err(Fault::unexpected(node, &format!("a list of tables: {example}")));
                 };

@@ -2,14 +2,13 @@
 
 use super::field::{Field, Held, show_word};
 use super::key::Form::{self, Count, List, Number, NumberOr, Pair, Table, Text, Word};
-use super::laws;
 use super::quantity::{
     ACCELERATION, ANGLE, DENSITY, DROP_HEIGHT, FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS,
     HUNT_CROSSLEY, LENGTH, MASS, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, SAMPLES, SATURATION, SPEED,
     SPHERE_MODULUS, SPIN, STEPS, STRAIN, STRENGTH, TOLERANCE, VISCOUS,
 };
 use super::read::{Fault, Reader, list, pair};
-use super::table::{Table as _, tables};
+use super::table::tables;
 use super::words::{COLUMNS, MATERIALS, METHODS, PLATES};
 use super::written::Node;
 use crate::impact::{Method, PlateTheory};
@@ -24,23 +23,23 @@ tables! {
     /// which values are set does not matter; [`Input::resolve`] works out what follows from them.
     pub struct Input {
         /// The sphere.
-        sphere: SphereInput as Table(SphereInput::keys),
+        sphere: SphereInput as Table,
         /// The half-space.
-        half_space: HalfSpaceInput as Table(HalfSpaceInput::keys),
+        half_space: HalfSpaceInput as Table,
         /// The impact.
-        impact: ImpactInput as Table(ImpactInput::keys),
+        impact: ImpactInput as Table,
         /// Friction.
-        friction: FrictionInput as Table(FrictionInput::keys),
+        friction: FrictionInput as Table,
         /// Gravity.
-        gravity: GravityInput as Table(GravityInput::keys),
+        gravity: GravityInput as Table,
         /// Damping.
-        damping: DampingInput as Table(DampingInput::keys),
+        damping: DampingInput as Table,
         /// The contact law with its parameters; [`Input::resolve`] gives it the flow curve of the half-space.
-        law: LawChoice as Table(laws::keys),
+        law: LawChoice as Table,
         /// The integration.
-        solver: SolverInput as Table(SolverInput::keys),
+        solver: SolverInput as Table,
         /// Traces and tables.
-        output: OutputInput as Table(OutputInput::keys),
+        output: OutputInput as Table,
     }
 
     /// `[sphere]`
@@ -91,17 +90,17 @@ tables! {
         /// How the plate gives way: as a thin one, or with the first term of a thick one.
         plate: Option<PlateTheory> as Word(&PLATES) => "zener",
         /// How the half-space hardens.
-        flow_stress: FlowInput as Table(FlowInput::keys),
+        flow_stress: FlowInput as Table,
     }
 
     /// `[half_space.flow_stress]`: one of its forms.
     pub struct FlowInput {
         /// A power law.
-        power: Option<PowerInput> as Table(PowerInput::keys),
+        power: Option<PowerInput> as Table,
         /// A stress that rises to a limit.
-        voce: Option<VoceInput> as Table(VoceInput::keys),
+        voce: Option<VoceInput> as Table,
         /// A stress that rises in a straight line.
-        linear: Option<LinearInput> as Table(LinearInput::keys),
+        linear: Option<LinearInput> as Table,
         /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after the
         /// last.
         points: Option<FlowCurve> as List(&Pair(&STRAIN, &STRENGTH)),
@@ -184,7 +183,7 @@ impl Input {
     /// The keys that have a value, for reports: numbers, words and counts in the order of the file.
     pub fn held(&self) -> Vec<Held> {
         let mut held = Vec::new();
-        self.show_keys("", &mut held);
+        self.show(&Table, "", &mut held);
         held
     }
 }

@@ -13,10 +13,9 @@ pub struct AnyKey {
     pub about: &'static str,
     /// Its value where the scenario does not give it, in words; empty where there is none.
     pub default: &'static str,
+    /// The way to its field: the number of the field in each table.
+    pub way: &'static [usize],
 }
-
-/// Adds the keys of a table to a list; the text is the path of the table.
-pub type Keys = fn(&str, &mut Vec<AnyKey>);
 
 /// How a value is written.
 #[derive(Debug, Clone, Copy)]
@@ -42,11 +41,11 @@ pub enum Form {
     /// Numeric keys that a calibration finds, with their ranges.
     Free,
     /// A word, or a table with keys of its own.
-    WordOrTable(&'static Words, Keys),
+    WordOrTable(&'static Words),
     /// A table with keys of its own.
-    Table(Keys),
-    /// A list of tables with keys of their own: how it is written, what an item of it is, and the keys.
-    Items(&'static str, &'static str, Keys),
+    Table,
+    /// A list of tables with keys of their own: how it is written, and what an item of it is.
+    Items(&'static str, &'static str),
 }
 
 /// Words that a key takes.

@@ -3,14 +3,30 @@
 
 use std::sync::LazyLock;
 
-use super::field::{Field as _, Numeric};
+use super::field::Field;
 use super::input::Input;
+use super::quantity::Quantity;
 
-/// A numeric key of the scene of an impact.
-pub type Key = Numeric<Input>;
+/// A numeric key of the scene of an impact, which may vary: an axis, a random variable, or found from measurements.
+#[derive(Debug, PartialEq)]
+pub struct Key {
+    /// As in the file, with dots: `impact.speed`.
+    pub path: &'static str,
+    /// Dimension and allowed range.
+    pub quantity: &'static Quantity,
+    /// A word that may stand in place of the number.
+    pub word: Option<&'static str>,
+    /// The way to its field in an input.
+    way: &'static [usize],
+}
 
 /// All numeric keys of the scene of an impact, in the order of the file.
-pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(Input::numeric);
+pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
+    let mut all = Vec::new();
+    Input::default().keys("", &[], &mut all);
+    let numeric = all.into_iter().filter_map(|key| Some((key, key.form.number()?)));
+    numeric.map(|(key, (quantity, word))| Key { path: key.path, quantity, word, way: key.way }).collect()
+});
 
 /// Keys that stand in place of each other: a scene takes one of the two.
 pub const EITHER: [[&str; 2]; 6] = [
@@ -22,7 +38,25 @@ pub const EITHER: [[&str; 2]; 6] = [
     ["compare.peak_indentation_ratio", "compare.peak_indentation"],
 ];
 
-impl Numeric<Input> {
+impl Key {
+    /// Its number; `None` where it is not given, infinite for the word.
+    pub fn get(&self, input: &Input) -> Option<f64> {
+        let start: &dyn Field = input;
+        self.way.iter().try_fold(start, |table, at| table.at(*at))?.given()
+    }
+
+    /// Puts a checked number there, SI, or takes it away. It changes nothing else.
+    pub fn set(&self, input: &mut Input, value: Option<f64>) {
+        // a table is made for a number, but not to say that there is none
+        if value.is_none() && self.get(input).is_none() {
+            return;
+        }
+        let start: &mut dyn Field = input;
+        if let Some(field) = self.way.iter().try_fold(start, |table, at| table.at_mut(*at)) {
+            field.put(value);
+        }
+    }
+
     /// The name of its column in tables, with its unit: `impact_speed_m_per_s`.
     pub fn column(&self) -> String {
         format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
@@ -38,9 +72,9 @@ impl Numeric<Input> {
         let pair = EITHER.iter().find(|pair| pair.contains(&self.path));
         let other = pair.and_then(|pair| Self::find(if pair[0] == self.path { pair[1] } else { pair[0] }));
         if let Some(other) = other {
-            (other.set)(input, None);
+            other.set(input, None);
         }
-        (self.set)(input, Some(value));
+        self.set(input, Some(value));
     }
 }
 

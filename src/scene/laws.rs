@@ -1,17 +1,18 @@
 //! `[law]`: one table, named by its law, with that law's own keys. The keys stand for fields of the laws themselves.
 
-use std::sync::Arc;
+use std::mem::discriminant;
+use std::sync::{Arc, LazyLock};
 
 use toml::de::DeValue;
 
-use super::field::{Field, Held, Numeric, show_word};
+use super::field::{Field, Held, show_word};
 use super::key::AnyKey;
 use super::key::Form::{self, Number, NumberOr, Text, Word};
 use super::quantity::{AREA_FACTOR, EXPONENT, FACTOR, SHARE, STRENGTH, TRANSITION_RATIO};
 use super::read::{Fault, Reader, items};
-use super::table::{Table as _, keys, tables};
+use super::table::{keys, tables};
 use super::words::{HARDNESSES, JUMPS, LOADINGS, UNLOADINGS};
-use super::written::{COMBINED, Node};
+use super::written::{COMBINED, Node, below};
 use crate::law::catalogue::{
     brake::Brake, every_law, hertz::Hertz, jackson_green::JacksonGreen, johnson::Johnson, kogut_etsion::KogutEtsion,
     kogut_komvopoulos::KogutKomvopoulos, ma_liu::MaLiu, mesarovic_johnson::MesarovicJohnson, stronge::Stronge,
@@ -93,46 +94,61 @@ tables! {
     }
 }
 
-/// The laws by their names, with the table of each.
-macro_rules! laws {
+/// The table of a law; `None` for one of two halves.
+macro_rules! tables_of {
     ($($file:ident::$law:ident),* $(,)?) => {
-        /// The keys of all laws.
-        pub fn keys(path: &str, into: &mut Vec<AnyKey>) {
-            $(<$law>::keys(&format!("{path}.{}", stringify!($file)), into);)*
-            HalvesInput::keys(&format!("{path}.{COMBINED}"), into);
+        fn table(law: &LawChoice) -> Option<&dyn Field> {
+            match law {
+                $(LawChoice::$law(law) => Some(law),)*
+                LawChoice::Combined(_) => None,
+            }
         }
 
-        /// One law, named by its table; PLM if none is.
-        impl Field for LawChoice {
-            fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-                let Some(table) = chosen(self, node, reader)? else { return Ok(()) };
-                match self {
-                    $(Self::$law(law) => reader.within(stringify!($file), |reader| law.read(form, table, reader)),)*
-                    Self::Combined(_) => {}
-                }
-                Ok(())
-            }
-            fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
-                show_word(self.name(), path, into);
-                match self {
-                    $(Self::$law(law) => law.show(form, concat!("law.", stringify!($file)), into),)*
-                    Self::Combined(_) => {}
-                }
-            }
-            fn numeric() -> Vec<Numeric<Self>> {
-                let mut keys = Vec::new();
-                $(keys.extend(<$law>::numeric().into_iter().map(|key| key.within(
-                    stringify!($file),
-                    |choice| if let Self::$law(law) = choice { Some(law) } else { None },
-                    |choice| if let Self::$law(law) = choice { Some(law) } else { None },
-                )));)*
-                keys
+        fn table_mut(law: &mut LawChoice) -> Option<&mut dyn Field> {
+            match law {
+                $(LawChoice::$law(law) => Some(law),)*
+                LawChoice::Combined(_) => None,
             }
         }
     };
 }
 
-every_law!(laws);
+every_law!(tables_of);
+
+/// All laws with their defaults. Their order gives the numbers of their tables.
+static ALL: LazyLock<Vec<LawChoice>> = LazyLock::new(LawChoice::all);
+
+/// One law, named by its table; PLM if none is.
+impl Field for LawChoice {
+    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        let Some(written) = chosen(self, node, reader)? else { return Ok(()) };
+        let name = self.about().name;
+        if let Some(table) = table_mut(self) {
+            reader.within(name, |reader| table.read(form, written, reader));
+        }
+        Ok(())
+    }
+    fn at(&self, at: usize) -> Option<&dyn Field> {
+        table(self).filter(|_| discriminant(self) == discriminant(&ALL[at]))
+    }
+    fn at_mut(&mut self, at: usize) -> Option<&mut dyn Field> {
+        if discriminant(self) == discriminant(&ALL[at]) { table_mut(self) } else { None }
+    }
+    fn keys(&self, path: &str, way: &[usize], into: &mut Vec<AnyKey>) {
+        for (at, law) in ALL.iter().enumerate() {
+            if let Some(table) = table(law) {
+                table.keys(&below(path, law.about().name), &[way, &[at]].concat(), into);
+            }
+        }
+        HalvesInput::default().keys(&below(path, COMBINED), &[], into);
+    }
+    fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
+        show_word(self.name(), path, into);
+        if let Some(table) = table(self) {
+            table.show(form, &below(path, self.about().name), into);
+        }
+    }
+}
 
 const ONE_LAW: &str = "write one table such as [law.plm], or leave [law] out";
 
@@ -175,7 +191,7 @@ fn chosen<'n, 't>(
 /// The law of two halves.
 fn combined(node: &Node, reader: &mut Reader) -> Result<LawChoice, Fault> {
     let mut halves = HalvesInput::default();
-    halves.read(&Form::Table(HalvesInput::keys), node, reader)?;
+    halves.read(&Form::Table, node, reader)?;
     for (half, verb, law) in [("loading", "loads", "plm"), ("unloading", "unloads", "thornton")] {
         if !items(node)?.contains_key(half) {
             let message = format!("the key `{half}` is missing: the law that {verb}, such as {half} = \"{law}\"");

@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use crate::impact::{Contact, Essentials, ImpactError};
 use crate::integrate::IntegrationError;
+use crate::law::LawChoice;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
 use crate::plan::{Cases, Plan, places};
-use crate::scene::{Input, Key, Scene};
+use crate::scene::{Input, Key};
 use crate::units::names::named;
 
 named! {
@@ -86,8 +87,10 @@ struct Known {
 }
 
 impl Known {
-    fn of(scene: &Scene) -> Self {
-        Self { strength: scene.half_space.yield_strength, contact: scene.contact().map_err(Failure::from) }
+    fn of(input: &Input, law: &LawChoice) -> Self {
+        let (sphere, half_space) = input.bodies(law);
+        let contact = input.contact(sphere, half_space, law).map_err(Failure::from);
+        Self { strength: half_space.yield_strength, contact }
     }
 }
 
@@ -129,7 +132,7 @@ impl<'a> Evaluator<'a> {
             let places: Vec<u64> =
                 axes.map(|(axis, stride)| index.checked_div(*stride).unwrap_or(0) % axis.len()).collect();
             let input = plan.input_at(&places);
-            let known = Known::of(&input.resolve());
+            let known = Known::of(&input, &input.hardening_law());
             (input, known)
         };
         let contacts =
@@ -201,7 +204,7 @@ impl<'a> Evaluator<'a> {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             let known = match self.known(&places) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| Known::of(&input.resolve())),
+                None => own.get_or_insert_with(|| Known::of(&input, &input.hardening_law())),
             };
             self.row(&input, known, rows);
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
@@ -229,19 +232,21 @@ impl<'a> Evaluator<'a> {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut input = self.plan.input.clone();
-        let mut scene = input.resolve();
+        let mut law = input.hardening_law();
         let keeps_law = variables.iter().all(|variable| keeps_law(variable.key));
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
-                (draw.key().set)(&mut input, Some(value));
+                draw.key().set(&mut input, Some(value));
                 rows.swept.push(value);
             }
             if let Some((_, known)) = self.contacts.first() {
                 self.row(&input, known, rows);
             } else {
-                scene = if keeps_law { input.resolve_under(scene.law) } else { input.resolve() };
-                self.row(&input, &Known::of(&scene), rows);
+                if !keeps_law {
+                    law = input.hardening_law();
+                }
+                self.row(&input, &Known::of(&input, &law), rows);
             }
         }
     }
@@ -255,14 +260,14 @@ impl<'a> Evaluator<'a> {
         let mut own: Option<Known> = None;
         for case in cases {
             for (key, values) in keys {
-                (key.set)(&mut input, Some(values[case]));
+                key.set(&mut input, Some(values[case]));
             }
             if case > 0 && of_contact.iter().any(|(_, values)| values[case] != values[case - 1]) {
                 own = None;
             }
             let known = match self.contacts.first().filter(|_| of_contact.is_empty()) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| Known::of(&input.resolve())),
+                None => own.get_or_insert_with(|| Known::of(&input, &input.hardening_law())),
             };
             self.row(&input, known, rows);
         }

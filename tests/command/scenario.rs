@@ -70,7 +70,7 @@ fn overrides_change_keys_as_the_shell_hands_them_over() {
 #[test]
 fn a_diameter_is_twice_the_radius() {
     let by_diameter = STEEL.replace("radius = \"5 mm\"", "diameter = \"10 mm\"");
-    assert_eq!(resolve(&by_diameter, &[]).unwrap(), resolve(STEEL, &[]).unwrap());
+    assert_eq!(resolve(&by_diameter, &[]).unwrap().sphere, resolve(STEEL, &[]).unwrap().sphere);
 }
 
 /// What a key needs beside it, and the line of the steel scenario that it takes the place of.
@@ -121,12 +121,11 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         // a key of a law needs this law
         let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
         if key.path != "sphere.radius" {
-            let mut by_key = Input::of(&given(&[&format!("law.{law}={{}}")]));
+            let mut by_key = given(&[&format!("law.{law}={{}}")]).input;
             key.put(&mut by_key, value);
             assert_eq!(by_file, by_key.resolve(), "{}", key.path);
         }
-        let got = (key.get)(&Input::of(&by_file));
-        assert_eq!(got, Some(value).filter(|_| key.path != "sphere.diameter"), "{}", key.path);
+        assert_eq!(key.get(&by_file.input), Some(value), "{}", key.path);
     }
     assert_eq!(Key::find("impact.speed").unwrap().column(), "impact_speed_m_per_s");
     assert!(Key::find("solver.method").is_none());
@@ -139,13 +138,13 @@ fn a_drop_height_is_a_speed_under_gravity() {
     let scene = resolve(&text, &[gravity]).unwrap();
     // √(2 g h)
     assert_eq!(scene.speed, 9.81_f64.sqrt());
-    assert_eq!((scene.forces.gravity, scene.drop_height), (Some(9.81), Some(0.5)));
-    let mut input = Input::of(&scene);
+    assert_eq!((scene.forces.gravity, scene.input.impact.drop_height), (Some(9.81), Some(0.5)));
+    let mut input = scene.input;
     Key::find("gravity.acceleration").unwrap().put(&mut input, 4.0);
     assert_eq!(input.resolve().speed, 2.0, "the height stays");
     Key::find("impact.speed").unwrap().put(&mut input, 3.0);
     let scene = input.resolve();
-    assert_eq!((scene.speed, scene.drop_height), (3.0, None));
+    assert_eq!((scene.speed, scene.input.impact.drop_height), (3.0, None));
     assert_eq!(resolve(&text, &[gravity, "impact.drop_height=0"]).unwrap().speed, 0.0);
     assert_eq!(scene.contact().unwrap().forces().gravity, Some(4.0));
 }
@@ -219,21 +218,6 @@ fn up_to_ten_mistakes_are_told_at_once_each_with_its_place() {
     let message = resolve(&many, &[]).unwrap_err().to_string();
     assert_eq!(message.matches("unknown key").count(), 10, "{message}");
     assert!(message.contains("`x9`") && !message.contains("`x10`"), "{message}");
-}
-
-#[test]
-fn an_input_that_is_made_of_a_scene_resolves_to_this_scene() {
-    for more in [
-        &[][..],
-        &["sphere.youngs_modulus=rigid", "law.plm.unloading_exponent=pressure-shape"],
-        &["law.thornton.yield_pressure=1 GPa", "gravity.acceleration=9.81", "damping.viscous=0.1"],
-        &["half_space.flow_stress.power.exponent=0.2", "solver.tolerance=1e-6", "output.samples=7"],
-        &["solver.method=verlet", "solver.steps_per_contact=70", "sphere.youngs_modulus=rigid"],
-        &["half_space.flow_stress.points=[[0.01, 4e8], [0.1, 5e8]]", "half_space.density=7850"],
-    ] {
-        let scene = resolve(STEEL, more).unwrap();
-        assert_eq!(Input::of(&scene).resolve(), scene, "{more:?}");
-    }
 }
 
 #[test]

@@ -73,7 +73,7 @@ fn a_hardness_and_an_exponent_meet_at_a_strain_of_0_08() {
     let strength = scene.half_space.yield_strength.unwrap();
     assert!(off(strength * (1.0 + 210e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
     // the same after a change of the modulus
-    let mut changed = Input::of(&scene);
+    let mut changed = scene.input;
     Key::find("half_space.youngs_modulus").unwrap().put(&mut changed, 100e9);
     let strength = changed.resolve().half_space.yield_strength.unwrap();
     assert!(off(strength * (1.0 + 100e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);

@@ -6,7 +6,6 @@ use serde::ser::{Serialize, SerializeMap as _, Serializer};
 use serde_json::Value;
 
 use crate::impact::Essentials;
-use crate::scene::Scene;
 use crate::units::Dimension;
 
 /// A result that is found from a `T`.
@@ -90,26 +89,6 @@ impl Needs {
             Self::Density => WAVES,
             Self::Thickness => PLATE,
             Self::Incidence => OBLIQUE,
-        }
-    }
-}
-
-impl Column {
-    /// Why impacts of this scene do not have the column; `None` where they have it.
-    pub fn missing(&self, scene: &Scene) -> Option<&'static str> {
-        match self.needs {
-            Needs::Strength if scene.half_space.yield_strength.is_none() => {
-                Some("without half_space.yield_strength there is no dent")
-            }
-            Needs::Incidence if scene.incidence.is_none() => Some("without impact.angle or sphere.spin nothing slides"),
-            Needs::Density if scene.half_space.density.is_none() => {
-                Some("without half_space.density nothing is known of elastic waves")
-            }
-            Needs::Density if scene.forces.plate.is_some() => {
-                Some("with half_space.thickness a plate takes the energy")
-            }
-            Needs::Thickness if scene.forces.plate.is_none() => Some("without half_space.thickness there is no plate"),
-            _ => None,
         }
     }
 }
