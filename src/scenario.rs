@@ -225,8 +225,7 @@ impl Scenario {
         self.check_flow(&input)?;
         let scene = input.resolve();
         self.check_plate(&scene)?;
-        let flow = input.half_space.flow_stress.curve();
-        self.check_strength(flow, &scene.law, Some(&scene.half_space))?;
+        self.check_strength(&scene)?;
         Ok(input)
     }
 

@@ -3,7 +3,7 @@
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::export::{Request, Target, export as lines};
-use plm_impact::units::{Dimension, parse};
+use plm_impact::scene::quantity::SPEED;
 
 use super::names::one_of;
 use super::scenario::ScenarioArguments;
@@ -39,11 +39,7 @@ pub fn export(arguments: &Arguments) -> Result<(), Error> {
 }
 
 fn speed(option: &str, text: &str) -> Result<f64, Error> {
-    match parse(text, Dimension::Speed) {
-        Ok(speed) if speed > 0.0 && speed.is_finite() => Ok(speed),
-        Ok(_) => Err(Error::input(format!("{option}: \"{text}\" is not allowed: a speed must be > 0 m/s and finite"))),
-        Err(error) => Err(Error::input(format!("{option}: {error}"))),
-    }
+    SPEED.parse(text).map_err(|problem| Error::input(format!("{option}: {problem}")))
 }
 
 fn speeds(text: &str) -> Result<(f64, f64), Error> {

@@ -2,8 +2,6 @@
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
-
 use super::inputs::Inputs;
 use super::{overview, terminal};
 use crate::compare::{Comparison, Origin};
@@ -12,18 +10,10 @@ use crate::law::LawChoice;
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scene::results::compare::{self as results, Row};
-use crate::scene::results::{Fields, fields};
+use crate::scene::results::{fields, lists};
 use crate::units::aligned::aligned;
 use crate::units::four_digits;
 use crate::units::rounded::quantity;
-
-#[derive(Serialize)]
-struct Results<'a> {
-    #[serde(flatten)]
-    peak: Fields,
-    laws: Vec<Fields>,
-    warnings: &'a [String],
-}
 
 /// The peak in one line.
 pub fn state(comparison: &Comparison) -> String {
@@ -61,9 +51,10 @@ pub fn summary(
     inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, Error> {
-    let (peak, of_row) = (fields(&results::peak(), comparison), results::row());
-    let laws = rows.iter().map(|row| fields(&of_row, row)).collect();
-    super::summary::of(Results { peak, laws, warnings }, inputs, provenance)
+    let mut all = fields(&results::peak(), comparison);
+    all.insert("laws".to_owned(), lists(&results::row(), rows));
+    all.insert("warnings".to_owned(), warnings.into());
+    super::summary::of(all, inputs, provenance)
 }
 
 /// The inputs of a comparison, without its peak and its laws.

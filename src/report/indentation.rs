@@ -1,6 +1,6 @@
 //! What is written about an indentation: its inputs, `summary.json`, `trace.csv` and what the terminal shows.
 
-use serde::Serialize;
+use serde_json::Map;
 
 use super::inputs::Inputs;
 use super::rows::csv;
@@ -10,23 +10,10 @@ use crate::indentation::{Target, Tested};
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
-use crate::scene::results::indentation::{self as results, half_space, stepped};
-use crate::scene::results::{Fields, fields};
+use crate::scene::results::indentation::{self as results, stepped};
+use crate::scene::results::{fields, lists};
 use crate::units::aligned::aligned;
 use crate::units::{self, Dimension, describe, human};
-
-#[derive(Serialize)]
-struct Results<'a> {
-    half_spaces: Vec<HalfSpace>,
-    warnings: &'a [String],
-}
-
-#[derive(Serialize)]
-struct HalfSpace {
-    #[serde(flatten)]
-    results: Fields,
-    steps: Vec<Fields>,
-}
 
 /// `summary.json`.
 pub fn summary(
@@ -35,13 +22,14 @@ pub fn summary(
     inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, Error> {
-    let (list, of_step) = (half_space(), results::step());
     let half_space = |one| {
-        let steps = stepped(one).iter().map(|step| fields(&of_step, step)).collect();
-        HalfSpace { results: fields(&list, one), steps }
+        let mut half_space = fields(&results::half_space(), one);
+        half_space.insert("steps".to_owned(), lists(&results::step(), &stepped(one)));
+        half_space
     };
     let half_spaces = tested.iter().map(half_space).collect();
-    super::summary::of(Results { half_spaces, warnings }, inputs, provenance)
+    let all = [("half_spaces".to_owned(), half_spaces), ("warnings".to_owned(), warnings.into())];
+    super::summary::of(Map::from_iter(all), inputs, provenance)
 }
 
 /// `trace.csv`.

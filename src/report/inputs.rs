@@ -57,15 +57,10 @@ impl Inputs {
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
         let Self(mut entries) = Self::of(&plan.scene);
-        let adds_keys = |axis: &&Axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..]);
-        for axis in plan.axes().iter().filter(adds_keys) {
-            for place in 0..axis.len() {
-                let mut input = plan.input.clone();
-                axis.put(place, &mut input);
-                let Self(mut new) = Self::of(&input.resolve());
-                new.retain(|entry| entries.iter().all(|old| old.path != entry.path));
-                entries.extend(new);
-            }
+        for input in plan.worded() {
+            let Self(mut new) = Self::of(&input.resolve());
+            new.retain(|entry| entries.iter().all(|old| old.path != entry.path));
+            entries.extend(new);
         }
         let mut varied = plan.paths();
         if varied.contains(&Body::HalfSpace.material()) {

@@ -1,6 +1,6 @@
 //! `summary.json`: results, inputs and provenance, in SI, with the unit in every name.
 
-use serde::Serialize;
+use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
 use crate::error::Error;
@@ -11,18 +11,11 @@ use crate::scene::results::impact::Single;
 use crate::scene::results::series::Series;
 use crate::scene::results::{fields, impact, series};
 
-/// Results, inputs and provenance.
-#[derive(Serialize)]
-struct Summary<'a, R> {
-    #[serde(flatten)]
-    results: R,
-    inputs: &'a Inputs,
-    provenance: &'a Provenance,
-}
-
 /// The summary of these results, with a newline at its end.
-pub fn of(results: impl Serialize, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    Ok(serde_json::to_string_pretty(&Summary { results, inputs, provenance })? + "\n")
+pub fn of(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+    results.insert("inputs".to_owned(), serde_json::to_value(inputs)?);
+    results.insert("provenance".to_owned(), serde_json::to_value(provenance)?);
+    Ok(serde_json::to_string_pretty(&results)? + "\n")
 }
 
 /// The summary of one impact.
@@ -39,7 +32,7 @@ pub fn of_series(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Resul
     if let Drive::Shots(speeds) = &of.repeat.drive
         && speeds.len() <= LISTED
     {
-        results.0.push(("shot_speeds_m_per_s", speeds.clone().into()));
+        results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
     }
     self::of(results, inputs, provenance)
 }

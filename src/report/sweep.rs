@@ -2,15 +2,13 @@
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
-
 use super::inputs::Inputs;
 use crate::error::Error;
 use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan};
 use crate::provenance::Provenance;
 use crate::scene::results::entry::{file, results};
-use crate::scene::results::{Fields, Reported, fields};
+use crate::scene::results::{Reported, fields, lists};
 use crate::sweep::count::Tally;
 use crate::sweep::statistics::Distribution;
 
@@ -64,28 +62,14 @@ pub(super) fn files() -> String {
     file("Tables: `summary.json`", &totals()) + &file("Tables: every random key in `summary.json`", &drawn())
 }
 
-#[derive(Serialize)]
-struct Results<'a> {
-    #[serde(flatten)]
-    totals: Fields,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    random: Option<Vec<Fields>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    seed: Option<u64>,
-    /// Warnings about the scene, and of those about rows the worst of each kind.
-    warnings: &'a [String],
-}
-
-/// `summary.json`.
+/// `summary.json`. The warnings are about the scene; of those about rows the worst of each kind.
 pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: &Provenance) -> Result<String, Error> {
-    let (random, seed) = match &plan.cases {
-        Cases::MonteCarlo { seed, variables, .. } => {
-            (Some(variables.iter().map(|one| fields(&drawn(), one)).collect()), Some(*seed))
-        }
-        Cases::Grid(_) => (None, None),
-    };
-    let totals = fields(&totals(), &(tally, tally.statistics.distribution()));
-    let results = Results { totals, random, seed, warnings };
+    let mut results = fields(&totals(), &(tally, tally.statistics.distribution()));
+    if let Cases::MonteCarlo { seed, variables, .. } = &plan.cases {
+        results.insert("random".to_owned(), lists(&drawn(), variables));
+        results.insert("seed".to_owned(), (*seed).into());
+    }
+    results.insert("warnings".to_owned(), warnings.into());
     super::summary::of(results, &Inputs::of_plan(plan), provenance)
 }
 

@@ -4,11 +4,10 @@ use super::Scenario;
 use super::beside::FLOW;
 use crate::error::Error;
 use crate::law::LawChoice;
-use crate::material::HalfSpace;
 use crate::plan::{HARDNESS, YIELD_STRENGTH};
 use crate::scene::input::FlowInput;
 use crate::scene::table::Table as _;
-use crate::scene::{Input, KEYS};
+use crate::scene::{Input, KEYS, Scene};
 use crate::strength::flow::FlowCurve;
 
 /// How a curve may be written.
@@ -38,31 +37,23 @@ impl Scenario {
     }
 
     /// Refuses laws and keys that cannot stand beside a flow curve.
-    pub(super) fn check_strength(
-        &self,
-        flow: Option<FlowCurve>,
-        law: &LawChoice,
-        half_space: Option<&HalfSpace>,
-    ) -> Result<(), Error> {
+    pub(super) fn check_strength(&self, scene: &Scene) -> Result<(), Error> {
         let varies = |key: &str| self.varies(key);
-        let has_hardness = self.has(HARDNESS) || varies(HARDNESS);
-        let Some(flow) = flow else { return Ok(()) };
+        let Some(flow) = scene.input.half_space.flow_stress.curve() else { return Ok(()) };
         let refuse = |message: &str| Err(self.document.refuse(FLOW, message));
-        if !matches!(law, LawChoice::Plm(_)) {
-            let name = law.name();
+        if !matches!(scene.law, LawChoice::Plm(_)) {
+            let name = scene.law.name();
             return refuse(&format!("the law {name} has no hardening: leave the table out, or take the law plm"));
         }
         if varies("law") {
             return refuse("only the law plm has hardening: leave the table out, or the axis \"law\"");
         }
-        let Some((half_space, strength)) =
-            half_space.and_then(|half_space| Some((half_space, half_space.yield_strength?)))
-        else {
+        let Some(strength) = scene.half_space.yield_strength else {
             return refuse(
                 "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0",
             );
         };
-        if has_hardness && !matches!(flow, FlowCurve::Power { .. }) {
+        if (self.has(HARDNESS) || varies(HARDNESS)) && !matches!(flow, FlowCurve::Power { .. }) {
             return refuse(
                 "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness",
             );
@@ -72,7 +63,7 @@ impl Scenario {
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
             );
         }
-        let modulus = half_space.material.youngs_modulus;
+        let modulus = scene.half_space.material.youngs_modulus;
         let sound = flow.starts_from(strength).and_then(|()| flow.is_flatter_than(modulus, strength));
         sound.or_else(|error| refuse(&error.to_string()))
     }

@@ -45,15 +45,16 @@ impl Scenario {
         };
         let specimens = self.specimens(given)?;
         let targets = self.targets(given)?;
-        let Scene { sphere, law, samples, .. } = self.as_given();
+        let scene = self.as_given();
+        let samples = scene.samples;
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
         if rows > MOST_ROWS {
             let message = format!("{samples} rows a step make {rows} rows, more than {MOST_ROWS}; take fewer");
             return Err(self.document.refuse("output.samples", message));
         }
         self.check_flow(&self.input)?;
-        let flow = self.input.half_space.flow_stress.curve();
-        self.check_strength(flow, &law, specimens.first().map(|first| &first.half_space))?;
+        self.check_strength(&scene)?;
+        let Scene { sphere, law, .. } = scene;
         let inputs: Vec<Input> = specimens.iter().map(|specimen| self.input_on(&specimen.half_space)).collect();
         let warnings = self.without_effect(&inputs, Use::Indentation);
         Ok(IndentationScene {

@@ -1,12 +1,14 @@
 //! The JSON Schema of a scenario, made from the registry of keys: for editors, and for programs that write scenarios.
 
+use std::ops::Bound;
+
 use serde_json::{Value, json};
 
 use super::Kind;
 use super::file::every_key;
 use crate::law::LawChoice;
 use crate::scene::key::{Form, Words};
-use crate::scene::quantity::{Bound, Quantity};
+use crate::scene::quantity::Quantity;
 use crate::scene::taken::Body;
 use crate::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
 use crate::scene::{EITHER, KEYS};
@@ -133,13 +135,15 @@ fn quantity_of(quantity: &Quantity) -> Value {
 
 fn ranged(kind: &str, quantity: &Quantity) -> Value {
     let mut schema = json!({ "type": kind });
-    let mut bound = |open: &str, closed: &str, bound: Bound| match bound {
-        Bound::Open(value) if value.is_finite() => schema[open] = json!(value),
-        Bound::Closed(value) => schema[closed] = json!(value),
-        Bound::Open(_) => {}
-    };
-    bound("exclusiveMinimum", "minimum", quantity.low);
-    bound("exclusiveMaximum", "maximum", quantity.high);
+    for (excluded, included, bound) in
+        [("exclusiveMinimum", "minimum", quantity.low), ("exclusiveMaximum", "maximum", quantity.high)]
+    {
+        match bound {
+            Bound::Excluded(value) if value.is_finite() => schema[excluded] = json!(value),
+            Bound::Included(value) => schema[included] = json!(value),
+            Bound::Excluded(_) | Bound::Unbounded => {}
+        }
+    }
     schema
 }
 

@@ -1,18 +1,11 @@
 //! The quantities of a scenario: dimension, allowed range, and a hint about values outside of it.
 
 use std::f64::consts::FRAC_PI_2;
+use std::ops::Bound::{self, Excluded, Included};
+use std::ops::RangeBounds as _;
 
 use crate::strength::hardness;
 use crate::units::{self, Dimension, four_digits};
-
-/// An end of a range.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Bound {
-    /// Not itself allowed.
-    Open(f64),
-    /// Allowed.
-    Closed(f64),
-}
 
 /// What a key holds: dimension, allowed range, and what to do outside of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,9 +15,9 @@ pub struct Quantity {
     /// Its dimension.
     pub dimension: Dimension,
     /// Lower end.
-    pub low: Bound,
+    pub low: Bound<f64>,
     /// Upper end.
-    pub high: Bound,
+    pub high: Bound<f64>,
     /// How it may be written.
     pub example: &'static str,
     /// What to do about a value at or below the lower end; may be empty.
@@ -39,8 +32,8 @@ const fn positive(name: &'static str, dimension: Dimension, example: &'static st
     Quantity {
         name,
         dimension,
-        low: Bound::Open(0.0),
-        high: Bound::Open(f64::INFINITY),
+        low: Excluded(0.0),
+        high: Excluded(f64::INFINITY),
         example,
         too_low: "",
         too_high: "",
@@ -49,18 +42,18 @@ const fn positive(name: &'static str, dimension: Dimension, example: &'static st
 }
 
 const fn not_negative(name: &'static str, dimension: Dimension, example: &'static str) -> Quantity {
-    Quantity { low: Bound::Closed(0.0), ..positive(name, dimension, example) }
+    Quantity { low: Included(0.0), ..positive(name, dimension, example) }
 }
 
-const fn number(name: &'static str, low: Bound, high: Bound, example: &'static str) -> Quantity {
+const fn number(name: &'static str, low: Bound<f64>, high: Bound<f64>, example: &'static str) -> Quantity {
     number_in(name, Dimension::Ratio, low, high, example)
 }
 
 const fn number_in(
     name: &'static str,
     dimension: Dimension,
-    low: Bound,
-    high: Bound,
+    low: Bound<f64>,
+    high: Bound<f64>,
     example: &'static str,
 ) -> Quantity {
     Quantity { low, high, ..positive(name, dimension, example) }
@@ -81,22 +74,22 @@ pub const STRENGTH: Quantity = Quantity {
 /// refuses a Vickers hardness that is written without HV.
 pub const HARDNESS: Quantity = Quantity {
     is_hardness: true,
-    low: Bound::Closed(1e5),
+    low: Included(1e5),
     too_low: "a number alone is in Pa; for a Vickers hardness write \"300 HV\"",
     ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
 };
 /// A mass.
 pub const MASS: Quantity = positive("a mass", Dimension::Mass, "\"5.5 g\"");
 /// N of a power law of hardening: beyond 0.5 the law has not been compared with anything.
-pub const HARDENING_EXPONENT: Quantity = number("a hardening exponent", Bound::Closed(0.0), Bound::Closed(0.5), "0.1");
+pub const HARDENING_EXPONENT: Quantity = number("a hardening exponent", Included(0.0), Included(0.5), "0.1");
 /// By how many yield strengths a flow stress rises.
-pub const SATURATION: Quantity = number("a saturation", Bound::Closed(0.0), Bound::Closed(100.0), "1.5");
+pub const SATURATION: Quantity = number("a saturation", Included(0.0), Included(100.0), "1.5");
 /// How fast a flow stress rises over plastic strain.
-pub const HARDENING_RATE: Quantity = number("a rate of hardening", Bound::Open(0.0), Bound::Closed(1e4), "15");
+pub const HARDENING_RATE: Quantity = number("a rate of hardening", Excluded(0.0), Included(1e4), "15");
 /// Slope of a flow stress over plastic strain.
 pub const HARDENING_SLOPE: Quantity = not_negative("a slope of hardening", Dimension::Pressure, "\"4.2 GPa\"");
 /// A plastic strain.
-pub const STRAIN: Quantity = number("a plastic strain", Bound::Closed(0.0), Bound::Closed(10.0), "0.002");
+pub const STRAIN: Quantity = number("a plastic strain", Included(0.0), Included(10.0), "0.002");
 /// A density.
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
@@ -108,34 +101,34 @@ pub const INDENTATION: Quantity = not_negative("an indentation", Dimension::Leng
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
     too_high: "for an incompressible material write 0.4999",
-    ..number("a Poisson's ratio", Bound::Open(-1.0), Bound::Open(0.5), "0.3")
+    ..number("a Poisson's ratio", Excluded(-1.0), Excluded(0.5), "0.3")
 };
 /// The exponent n of the unloading branch.
-pub const EXPONENT: Quantity = number("an unloading exponent", Bound::Open(1.0), Bound::Closed(2.0), "1.5");
+pub const EXPONENT: Quantity = number("an unloading exponent", Excluded(1.0), Included(2.0), "1.5");
 /// A factor of a published law, such as a pressure over the yield strength.
-pub const FACTOR: Quantity = number("a factor", Bound::Open(0.0), Bound::Closed(100.0), "1.6");
+pub const FACTOR: Quantity = number("a factor", Excluded(0.0), Included(100.0), "1.6");
 /// True contact area over the area in which the sphere cuts the original surface: from sink-in to pile-up.
-pub const AREA_FACTOR: Quantity = number("an area factor", Bound::Closed(0.5), Bound::Closed(2.0), "1.43");
+pub const AREA_FACTOR: Quantity = number("an area factor", Included(0.5), Included(2.0), "1.43");
 /// Indentation at full plasticity over that at yield.
-pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Bound::Open(1.0), Bound::Closed(1e6), "110");
+pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Excluded(1.0), Included(1e6), "110");
 /// Indentation over that at first yield, for an indentation that leaves a dent.
-pub const DEPTH_RATIO: Quantity = number("a depth over that at yield", Bound::Open(1.0), Bound::Closed(1e6), "105.1");
+pub const DEPTH_RATIO: Quantity = number("a depth over that at yield", Excluded(1.0), Included(1e6), "105.1");
 /// A force.
 pub const FORCE: Quantity = positive("a force", Dimension::Force, "\"43.5 kN\"");
 /// An energy.
 pub const ENERGY: Quantity = positive("an energy", Dimension::Energy, "\"4.2 J\"");
 /// A ratio of at most 1.
-pub const SHARE: Quantity = number("a ratio", Bound::Open(0.0), Bound::Closed(1.0), "0.5");
+pub const SHARE: Quantity = number("a ratio", Excluded(0.0), Included(1.0), "0.5");
 
 /// The relative tolerance of an integration: from 45 times the spacing of doubles at 1 to where steps have no meaning.
-pub const TOLERANCE: Quantity = number("a tolerance", Bound::Closed(1e-14), Bound::Closed(1e-2), "1e-10");
+pub const TOLERANCE: Quantity = number("a tolerance", Included(1e-14), Included(1e-2), "1e-10");
 /// Rows of a trace: at least its two ends, at most what some hundred megabytes of memory hold.
 pub const SAMPLES: Quantity = Quantity {
     too_high: "a trace is held in memory; for a finer look at a part of it, interpolate between its rows",
-    ..number("a number of samples", Bound::Closed(2.0), Bound::Closed(1e6), "400")
+    ..number("a number of samples", Included(2.0), Included(1e6), "400")
 };
 /// Steps of the fixed-step method: at least one, at most what takes seconds to compute.
-pub const STEPS: Quantity = number("a number of steps", Bound::Closed(1.0), Bound::Closed(1e8), "50");
+pub const STEPS: Quantity = number("a number of steps", Included(1.0), Included(1e8), "50");
 
 /// Gravity.
 pub const ACCELERATION: Quantity = Quantity {
@@ -152,26 +145,26 @@ pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", 
 /// creeps. The number of steps of a creep grows with the square of this fraction, to more than a run can take.
 pub const VISCOUS: Quantity = Quantity {
     too_high: "beyond that a contact only creeps",
-    ..number("a fraction of critical damping", Bound::Closed(0.0), Bound::Closed(1000.0), "0.05")
+    ..number("a fraction of critical damping", Included(0.0), Included(1000.0), "0.05")
 };
 
 /// The speed of one shot of a list.
 pub const SHOT_SPEED: Quantity = Quantity { too_low: "a shot without speed does not touch: leave it out", ..SPEED };
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
-pub const IMPACTS: Quantity = number("a number of impacts", Bound::Closed(1.0), Bound::Closed(1e6), "20");
+pub const IMPACTS: Quantity = number("a number of impacts", Included(1.0), Included(1e6), "20");
 
 /// A measured restitution.
-pub const RESTITUTION: Quantity = number("a restitution", Bound::Open(0.0), Bound::Closed(1.0), "0.49");
+pub const RESTITUTION: Quantity = number("a restitution", Excluded(0.0), Included(1.0), "0.49");
 /// A measured rebound hardness: 1000 times the restitution.
-pub const LEEB: Quantity = number("a Leeb hardness", Bound::Open(0.0), Bound::Closed(1000.0), "760");
+pub const LEEB: Quantity = number("a Leeb hardness", Excluded(0.0), Included(1000.0), "760");
 /// An angle of impact, from the normal.
 pub const ANGLE: Quantity = Quantity {
     too_high: "it is taken from the normal, and at 90 deg the sphere only passes by",
-    ..number_in("an angle", Dimension::Angle, Bound::Closed(0.0), Bound::Open(FRAC_PI_2), "\"30 deg\"")
+    ..number_in("an angle", Dimension::Angle, Included(0.0), Excluded(FRAC_PI_2), "\"30 deg\"")
 };
 /// A spin, forward or backward.
 pub const SPIN: Quantity =
-    number_in("a spin", Dimension::AngularSpeed, Bound::Closed(-1e12), Bound::Closed(1e12), "\"100 rad/s\"");
+    number_in("a spin", Dimension::AngularSpeed, Included(-1e12), Included(1e12), "\"100 rad/s\"");
 /// A moment of inertia.
 pub const MOMENT_OF_INERTIA: Quantity = positive("a moment of inertia", Dimension::MomentOfInertia, "\"1e-6 kg m^2\"");
 /// A coefficient of friction.
@@ -181,16 +174,16 @@ pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
 /// The standard deviation of a plain number.
 pub const DEVIATION: Quantity = positive("a standard deviation", Dimension::Ratio, "0.01");
 /// The error of the law as a share of what it predicts.
-pub const MODEL_ERROR: Quantity = number("a share", Bound::Closed(0.0), Bound::Open(1.0), "0.02");
+pub const MODEL_ERROR: Quantity = number("a share", Included(0.0), Excluded(1.0), "0.02");
 
 /// Random cases of a table.
-pub const SAMPLED: Quantity = number("a number of samples", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "100000");
+pub const SAMPLED: Quantity = number("a number of samples", Included(1.0), Excluded(f64::INFINITY), "100000");
 /// The seed of random numbers.
-pub const SEED: Quantity = number("a seed", Bound::Closed(0.0), Bound::Open(f64::INFINITY), "7");
+pub const SEED: Quantity = number("a seed", Included(0.0), Excluded(f64::INFINITY), "7");
 /// Values of an axis.
 pub const POINTS: Quantity = Quantity {
     too_low: "an axis needs at least one value",
-    ..number("a number of values", Bound::Closed(1.0), Bound::Open(f64::INFINITY), "11")
+    ..number("a number of values", Included(1.0), Excluded(f64::INFINITY), "11")
 };
 
 /// Any positive number of this dimension.
@@ -208,15 +201,7 @@ impl Quantity {
     }
 
     fn check_written(&self, value: f64, written: impl FnOnce() -> String) -> Result<f64, String> {
-        let above = match self.low {
-            Bound::Open(low) => value > low,
-            Bound::Closed(low) => value >= low,
-        };
-        let below = match self.high {
-            Bound::Open(high) => value < high,
-            Bound::Closed(high) => value <= high,
-        };
-        if above && below {
+        if (self.low, self.high).contains(&value) {
             return Ok(value);
         }
         let low = self.range().0;
@@ -269,22 +254,22 @@ impl Quantity {
 
     /// The ends of the allowed range.
     pub fn range(&self) -> (f64, f64) {
-        let (Bound::Open(low) | Bound::Closed(low)) = self.low;
-        let (Bound::Open(high) | Bound::Closed(high)) = self.high;
-        (low, high)
+        let end = |bound| match bound {
+            Excluded(end) | Included(end) => end,
+            Bound::Unbounded => f64::INFINITY,
+        };
+        (end(self.low), end(self.high))
     }
 
     /// The allowed range in words: "> 0 m and finite".
     pub fn allowed(&self) -> String {
         let value = |value| units::si(value, self.dimension);
-        let low = match self.low {
-            Bound::Open(low) => format!("> {}", value(low)),
-            Bound::Closed(low) => format!(">= {}", value(low)),
-        };
-        match self.high {
-            Bound::Open(f64::INFINITY) => format!("{low} and finite"),
-            Bound::Open(high) => format!("{low} and < {}", value(high)),
-            Bound::Closed(high) => format!("{low} and <= {}", value(high)),
+        let (low, high) = self.range();
+        let or_equal = |bound| if matches!(bound, Included(_)) { "=" } else { "" };
+        let low = format!(">{} {}", or_equal(self.low), value(low));
+        if high == f64::INFINITY {
+            return format!("{low} and finite");
         }
+        format!("{low} and <{} {}", or_equal(self.high), value(high))
     }
 }

@@ -17,7 +17,7 @@ pub mod impact;
 pub mod indentation;
 pub mod series;
 
-pub use entry::{Column, Fields, Needs, Reported, Shown, fields};
+pub use entry::{Column, Needs, Reported, Shown, fields, lists};
 
 /// The results of all runs but tables and calibrations as Markdown, a table for every file, or part of one, that has them.
 pub fn files() -> String {

@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use serde::ser::{Serialize, SerializeMap as _, Serializer};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::impact::Essentials;
 use crate::units::Dimension;
@@ -93,34 +92,22 @@ impl Needs {
     }
 }
 
-/// Values by name. A name with a dot stands in a group: `energy.drift` is `drift` in `energy`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fields(pub Vec<(&'static str, Value)>);
-
-impl Serialize for Fields {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        let mut rest = self.0.as_slice();
-        while let Some((name, value)) = rest.first() {
-            let group = |name: &'static str| name.split_once('.').map(|(group, _)| group);
-            let Some(own) = group(name) else {
-                map.serialize_entry(name, value)?;
-                rest = &rest[1..];
-                continue;
-            };
-            let length = rest.iter().take_while(|(name, _)| group(name) == Some(own)).count();
-            let (inner, behind) = rest.split_at(length);
-            let inner = inner.iter().map(|(name, value)| (&name[own.len() + 1..], value.clone()));
-            map.serialize_entry(own, &Self(inner.collect()))?;
-            rest = behind;
+/// The values of all results that are there, by name. A name with a dot stands in a group: `energy.drift` is `drift` in `energy`.
+pub fn fields<T>(results: &[Reported<T>], of: &T) -> Map<String, Value> {
+    let mut all = Map::new();
+    for Reported { name, value, .. } in results {
+        let Some(value) = value(of) else { continue };
+        match name.split_once('.') {
+            None => drop(all.insert((*name).to_owned(), value)),
+            Some((group, name)) => all.entry(group).or_insert_with(|| Map::new().into())[name] = value,
         }
-        map.end()
     }
+    all
 }
 
-/// The values of all results that are there, by name.
-pub fn fields<T>(results: &[Reported<T>], of: &T) -> Fields {
-    Fields(results.iter().filter_map(|result| Some((result.name, (result.value)(of)?))).collect())
+/// The same of several things.
+pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &'a T>) -> Value {
+    all.into_iter().map(|one| fields(results, one)).collect()
 }
 
 pub(super) const YIELDS: &str = "the half-space has a yield strength";
