@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 use allocation_counter::measure;
 use common::Scene;
-use plm_impact::impact::{Damping, ScaledForces, closed_form, course};
+use plm_impact::impact::{Damping, Recorder, ScaledForces, closed_form, course};
 use plm_impact::integrate::Drag;
 use plm_impact::integrate::Integrator;
 use plm_impact::integrate::rk8::Rk8;
@@ -37,7 +37,13 @@ fn rk8_allocates_nothing() {
             let mut rk8 = Rk8::new(tolerance);
             let mut outcome = None;
             let counted = measure(|| {
-                outcome = Some(course::integrate(black_box(&law), speed, &ScaledForces::NONE, &mut rk8, None));
+                outcome = Some(course::integrate(
+                    black_box(&law),
+                    speed,
+                    &ScaledForces::NONE,
+                    &mut rk8,
+                    &mut Recorder::default(),
+                ));
             });
             assert_eq!(counted.count_total, 0, "{name} at {tolerance:e}");
             assert!(outcome.unwrap().unwrap().restitution > 0.0 && rk8.work().steps > 0, "{name} at {tolerance:e}");
@@ -67,7 +73,7 @@ fn gravity_and_damping_allocate_nothing() {
             black_box(closed_form::solve_with(&law, speed, &forces));
             let counted = measure(|| {
                 black_box(closed_form::solve_with(black_box(&law), speed, &forces));
-                course::integrate(&law, speed, &forces, &mut stepper, None).unwrap();
+                course::integrate(&law, speed, &forces, &mut stepper, &mut Recorder::default()).unwrap();
             });
             assert_eq!(counted.count_total, 0, "{name} {forces:?}");
         }

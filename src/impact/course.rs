@@ -30,7 +30,7 @@ pub fn integrate<I: Integrator>(
     q: f64,
     forces: &ScaledForces,
     integrator: &mut I,
-    mut recorder: Option<&mut Recorder>,
+    recorder: &mut Recorder,
 ) -> Result<Outcome, IntegrationError> {
     let distance = way_to_peak(law, 0.4 * q * q, forces);
     let (pull, drag) = (ACCELERATION * forces.weight, forces.drag);
@@ -43,20 +43,13 @@ pub fn integrate<I: Integrator>(
     let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
     let mut at = start(law, touch, forces);
     let mut largest = 0.0;
-    let mut event = Some((Event::Touch, touch));
-    let mut go = |path: &Path, at: &mut State, piece: Option<usize>, recorder: Option<&mut Recorder>| {
-        let track = recorder.map(|recorder| {
-            let first = event.take();
-            recorder.begin(piece, first)
-        });
+    let mut go = |path: &Path, at: &mut State, piece: Option<usize>, recorder: &mut Recorder| {
+        let track = recorder.begin(piece, &touch);
         let Arrival { landing, largest_force } = integrator.traverse(path, at, track)?;
         largest = max_or_nan(largest, largest_force / ACCELERATION);
         Ok(landing)
     };
 
-    // first yield ends no leg, because a trace must not change the steps
-    let yields_at = law.elastic_until();
-    let mut awaits_yield = yields_at > 0.0 && yields_at.is_finite() && law.branch().is_none();
     let mut piece = 0;
     let is_at_rest = loop {
         (path.restoring, path.leg) = way_out(law, piece);
@@ -65,14 +58,11 @@ pub fn integrate<I: Integrator>(
         }
         path.rest = None;
         let on_piece = |point: &StaticPoint| law.loading.index_at(point.indentation) == piece;
-        let place = |point: &StaticPoint| place_of(law, piece, point.indentation);
+        let start = law.loading.pieces()[piece].start;
+        let place = |point: &StaticPoint| point.indentation - start + entry_of(law, piece);
         let creep = static_point.filter(on_piece);
         let creep = creep.and_then(|point| near_rest(forces, &point, place(&point), &at, &mut path));
-        let begun = at.distance;
-        let landing = go(&path, &mut at, Some(piece), recorder.as_deref_mut())?;
-        if let Some(recorder) = recorder.as_deref_mut().filter(|_| awaits_yield) {
-            awaits_yield = !marks_yield(law, piece, [begun, at.distance], recorder);
-        }
+        let landing = go(&path, &mut at, Some(piece), recorder)?;
         if landing != Landing::End || creep.is_some_and(|creep| at.speed <= creep.below) {
             break landing == Landing::Rest || landing == Landing::End;
         }
@@ -80,20 +70,14 @@ pub fn integrate<I: Integrator>(
             // from the place near rest on along the same piece
             continue;
         }
-        let is_end_of_branch = piece == 0 && law.branch().is_some();
         piece += 1;
-        let is_yield = is_end_of_branch || awaits_yield && law.loading.pieces()[piece].start == yields_at;
-        awaits_yield &= !is_yield;
-        if let Some(recorder) = recorder.as_deref_mut() {
-            recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, at);
-        }
+        let is_yield = law.loading.pieces()[piece].start == law.elastic_until();
+        recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, at);
         at.distance = entry_of(law, piece);
     };
 
     let unloading = law.turned(piece, at.distance - entry_of(law, piece));
-    if let Some(recorder) = recorder.as_deref_mut() {
-        recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, at);
-    }
+    recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, at);
     let loading_time = at.time;
     at.distance = unloading.peak.elastic_approach;
     let mut fate = Fate::Captured;
@@ -109,21 +93,19 @@ pub fn integrate<I: Integrator>(
         path.rest = None;
         let static_point = may_creep.then(|| forces.static_on_unloading(law, &unloading));
         let creep = static_point.and_then(|point| near_rest(forces, &point, point.distance, &at, &mut path));
-        let mut landing = go(&path, &mut at, None, recorder.as_deref_mut())?;
+        let mut landing = go(&path, &mut at, None, recorder)?;
         let mut creeps = false;
         if let Some(creep) = creep.filter(|_| landing == Landing::End) {
             creeps = -at.speed <= creep.below;
             if !creeps {
                 path.leg = Leg::Back(end);
-                landing = go(&path, &mut at, None, recorder.as_deref_mut())?;
+                landing = go(&path, &mut at, None, recorder)?;
             }
         }
         if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured && !creeps {
             fate = Fate::Separated;
         }
-        if let Some(recorder) = recorder {
-            recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, at);
-        }
+        recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, at);
     }
     let State { time, distance, speed, loss } = at;
     // nothing was lost, so what is above 1 is the error of the run
@@ -139,16 +121,6 @@ pub fn integrate<I: Integrator>(
         loss: loss / ACCELERATION,
         unloading,
     })
-}
-
-/// Marks first yield where a leg along this piece passed it, and says whether it did.
-fn marks_yield(law: &Law, piece: usize, [begun, end]: [f64; 2], recorder: &mut Recorder) -> bool {
-    let distance = place_of(law, piece, law.elastic_until());
-    let is_passed = distance > begun && end > distance;
-    if is_passed && let Some(state) = recorder.passage(distance) {
-        recorder.mark(Event::Yield, state);
-    }
-    is_passed
 }
 
 /// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
@@ -206,9 +178,4 @@ fn way_out(law: &Law, index: usize) -> (Restoring, Leg) {
 /// The distance of the integrator at the start of a piece.
 fn entry_of(law: &Law, index: usize) -> f64 {
     law.loading.pieces()[index].shape.lead()
-}
-
-/// The distance of the integrator at x on a piece.
-fn place_of(law: &Law, index: usize, x: f64) -> f64 {
-    x - law.loading.pieces()[index].start + entry_of(law, index)
 }

@@ -77,35 +77,31 @@ struct Recorded {
     events: Vec<(Event, State)>,
 }
 
-/// The continuous solution of every leg of a motion, and every event.
+/// The continuous solution of every leg of a motion, and every event; nothing unless it is on.
 #[derive(Debug, Default)]
 pub struct Recorder {
-    legs: Vec<Recorded>,
+    legs: Option<Vec<Recorded>>,
 }
 
 impl Recorder {
-    /// Begins a leg on a piece of the loading curve, or on the unloading branch, perhaps with an event.
-    pub(super) fn begin(&mut self, piece: Option<usize>, event: Option<(Event, State)>) -> &mut Vec<Segment> {
-        let place = self.legs.len();
-        self.legs.push(Recorded { piece, track: Vec::new(), events: event.into_iter().collect() });
-        &mut self.legs[place].track
+    /// One that records.
+    pub fn on() -> Self {
+        Self { legs: Some(Vec::new()) }
+    }
+
+    /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first one begins with this first touch.
+    pub(super) fn begin(&mut self, piece: Option<usize>, touch: &State) -> Option<&mut Vec<Segment>> {
+        let legs = self.legs.as_mut()?;
+        let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
+        legs.push(Recorded { piece, track: Vec::new(), events });
+        legs.last_mut().map(|leg| &mut leg.track)
     }
 
     /// Notes an event on the leg that was begun last.
     pub(super) fn mark(&mut self, event: Event, at: State) {
-        if let Some(leg) = self.legs.last_mut() {
+        if let Some(leg) = self.legs.as_mut().and_then(|legs| legs.last_mut()) {
             leg.events.push((event, at));
         }
-    }
-
-    /// The state on the way out where the leg that was begun last passes a distance.
-    pub(super) fn passage(&self, distance: f64) -> Option<State> {
-        let track = &self.legs.last()?.track;
-        let of = track.partition_point(|segment| segment.at(segment.end).distance < distance);
-        let segment = track.get(of.min(track.len().checked_sub(1)?))?;
-        let begun = of.checked_sub(1).map_or(0.0, |before| track[before].end);
-        let time = falls_through((begun, segment.end), |time| distance - segment.at(time).distance);
-        Some(State { distance, ..segment.at(time) })
     }
 
     /// The points of the motion at these rising times, and its events, in order of time.
@@ -116,8 +112,8 @@ impl Recorder {
         drag: Drag,
         times: impl Iterator<Item = f64>,
     ) -> Vec<Point> {
-        let (mut points, mut times) = (Vec::new(), times.peekable());
-        for Recorded { piece, track, events } in self.legs {
+        let (mut points, mut times, mut begun) = (Vec::new(), times.peekable(), 0.0);
+        for Recorded { piece, track, mut events } in self.legs.into_iter().flatten() {
             let point = |at: &State, event: Option<Event>| {
                 let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
                 let piece = &law.loading.pieces()[index];
@@ -125,6 +121,11 @@ impl Recorder {
                 let distance = at.distance - piece.shape.lead();
                 Point::loading(law.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
             };
+            if let Some(state) = piece.and_then(|index| yielding(law, index, begun, &track)) {
+                let place = events.partition_point(|(_, at)| at.time <= state.time);
+                events.insert(place, (Event::Yield, state));
+            }
+            begun = track.last().map_or(begun, |last| last.end);
             let mut events = events.into_iter().peekable();
             for segment in &track {
                 while let Some(time) = times.next_if(|time| *time < segment.end) {
@@ -138,6 +139,19 @@ impl Recorder {
         }
         points
     }
+}
+
+/// The state of first yield on a leg along a piece, begun at this time, if the leg passes it on the way. It ends no leg, because
+/// a trace must not change the steps.
+fn yielding(law: &Law, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
+    let (piece, yields_at) = (&law.loading.pieces()[index], law.elastic_until());
+    let distance = yields_at - piece.start + piece.shape.lead();
+    let of = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
+    let begun = of.checked_sub(1).map_or(begun, |before| track[before].end);
+    let ahead = |time: f64| distance - track[of].at(time).distance;
+    let is_inside = index == law.loading.index_at(yields_at) && piece.start < yields_at;
+    let is_passed = is_inside && ahead(begun) > 0.0;
+    is_passed.then(|| State { distance, ..track[of].at(falls_through((begun, track[of].end), ahead)) })
 }
 
 /// The times of so many points evenly spaced over a motion of this length, but for both ends, which are events.

@@ -84,7 +84,7 @@ pub(super) fn free_time(
         return Ok(exact.contact_time);
     }
     let mut rk8 = Rk8::new(Solver::default().tolerance);
-    course::integrate(law, q, &free, &mut rk8, None).map(|outcome| outcome.contact_time)
+    course::integrate(law, q, &free, &mut rk8, &mut Recorder::default()).map(|outcome| outcome.contact_time)
 }
 
 /// Tolerance of the run that fills the trace of a closed form.
@@ -98,8 +98,8 @@ fn along<I: Integrator>(
     (law, q, forces, samples, duration): Run<'_>,
     mut integrator: I,
 ) -> Result<Computed, IntegrationError> {
-    let mut recorder = Recorder::default();
-    let outcome = course::integrate(law, q, forces, &mut integrator, samples.map(|_| &mut recorder))?;
+    let mut recorder = if samples.is_some() { Recorder::on() } else { Recorder::default() };
+    let outcome = course::integrate(law, q, forces, &mut integrator, &mut recorder)?;
     let trace = |samples| {
         let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
         recorder.points(law, &outcome.unloading, forces.drag, times)

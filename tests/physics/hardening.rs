@@ -44,7 +44,8 @@ fn gravity_has_its_closed_form() {
         let contact = steel(Some(FlowCurve::Power { exponent: 0.2 }), exponent);
         let speeds = [0.02, 0.1, 0.3, 1.0, 1.5, 3.0, 7.0, 20.0];
         for (_, law, q) in speeds.map(|speed| contact.scaled(speed).unwrap()) {
-            let got = course::integrate(law, q, &ScaledForces::NONE, &mut Rk8::new(1e-10), None).unwrap();
+            let got =
+                course::integrate(law, q, &ScaledForces::NONE, &mut Rk8::new(1e-10), &mut Recorder::default()).unwrap();
             assert!(worst(&got, &closed_form::solve(law, q)) < 1e-9);
         }
         if matches!(exponent, UnloadingExponent::Fixed(_)) {

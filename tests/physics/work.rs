@@ -15,7 +15,7 @@ fn problem(name: &str) -> Problem {
 
 fn work(problem: &Problem, tolerance: f64) -> Work {
     let mut rk8 = Rk8::new(tolerance);
-    course::integrate(&problem.law, problem.speed, &ScaledForces::NONE, &mut rk8, None).unwrap();
+    course::integrate(&problem.law, problem.speed, &ScaledForces::NONE, &mut rk8, &mut Recorder::default()).unwrap();
     rk8.work()
 }
 
@@ -50,7 +50,7 @@ fn rk8_under_drag_takes_the_steps_it_took() {
     for (name, damping, want) in wants {
         let (problem, mut damped) = (problem(name), Damped::new(1e-9));
         let forces = ScaledForces { drag: damping.drag(1.0), ..ScaledForces::NONE };
-        course::integrate(&problem.law, problem.speed, &forces, &mut damped, None).unwrap();
+        course::integrate(&problem.law, problem.speed, &forces, &mut damped, &mut Recorder::default()).unwrap();
         assert_eq!(damped.work(), want, "{name} {damping:?}");
     }
 }

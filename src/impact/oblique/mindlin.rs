@@ -44,8 +44,8 @@ pub struct Motion {
 impl Motion {
     /// The motion at q = v/V.
     pub fn new(law: &Law, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
-        let mut recorder = Recorder::default();
-        let outcome = course::integrate(law, q, forces, &mut Rk8::new(1e-10), Some(&mut recorder))?;
+        let mut recorder = Recorder::on();
+        let outcome = course::integrate(law, q, forces, &mut Rk8::new(1e-10), &mut recorder)?;
         let radius = |point: &Point| {
             if point.is_unloading {
                 outcome.unloading.grip_of(point.state.elastic_approach)

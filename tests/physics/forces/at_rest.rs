@@ -19,7 +19,9 @@ fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
             for tolerance in (30..120).map(|tenths| 10_f64.powf(-0.1 * f64::from(tenths))) {
                 for share in [0.0, 1e-8, 1e-3] {
                     let speed = share * (weight * deepest).sqrt();
-                    let outcome = course::integrate(law, speed, &forces, &mut Rk8::new(tolerance), None).unwrap();
+                    let outcome =
+                        course::integrate(law, speed, &forces, &mut Rk8::new(tolerance), &mut Recorder::default())
+                            .unwrap();
                     let exact = closed_form::solve_with(law, speed, &forces).unwrap();
                     let (got, want) = (outcome.unloading.peak.elastic_approach, exact.unloading.peak.elastic_approach);
                     let at = format!("n = {n}, w = {weight}, {share} at {tolerance:e}");
