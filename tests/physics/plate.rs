@@ -287,3 +287,20 @@ fn a_plate_is_refused_just_below_the_least_thickness() {
     let just = OnPlate { thickness: 1.001 * least, ..steel }.impact(1.0, None);
     assert!(off(just.on_plate.unwrap().inelasticity, 20.0) < 3e-3 && just.restitution < 1e-6);
 }
+
+#[test]
+fn shots_find_the_plate_at_rest_and_on_one_spot_their_dent() {
+    let contact = OnPlate::steel(2e-3).contact();
+    let speeds = vec![3.0, 3.0, 1.0];
+    let run = |place| Repeat { place, drive: Drive::Shots(speeds.clone()) }.run(&contact, &Solver::default(), 0, None);
+    let fresh = run(Place::Fresh).unwrap().hits;
+    for (hit, speed) in fresh.iter().zip(&speeds) {
+        let single = contact.impact(*speed, &Solver::default(), None).unwrap();
+        assert_eq!((hit.restitution, hit.residual_indentation), (single.restitution, single.residual_indentation));
+    }
+    let same = run(Place::Same).unwrap().hits;
+    assert_eq!((same.len(), same[0].restitution), (3, fresh[0].restitution));
+    // the second goes deeper by less than the first did; the third is elastic, and loses to the plate alone
+    assert!(same[1].dent_growth > 0.0 && same[1].dent_growth < 0.5 * same[0].dent_growth);
+    assert!(same[2].dent_growth == 0.0 && fresh[2].restitution < same[2].restitution && same[2].restitution < 1.0);
+}
