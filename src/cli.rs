@@ -6,7 +6,6 @@ mod export;
 mod fit_plm;
 mod init;
 mod materials;
-mod names;
 mod output;
 mod run;
 mod scenario;

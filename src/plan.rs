@@ -74,12 +74,9 @@ impl Plan {
 
     /// The columns of the swept values, and of a yield strength that follows from them.
     pub fn columns(&self) -> Vec<String> {
-        let mut columns: Vec<String> = match &self.cases {
-            Cases::Grid(axes) => axes.iter().map(Axis::column).collect(),
-            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.column()).collect(),
-        };
-        columns.extend(Key::find(YIELD_STRENGTH).filter(|_| self.derives_strength()).map(Key::column));
-        columns
+        let strength = self.derives_strength().then_some(YIELD_STRENGTH);
+        let column = |path: &str| Key::find(path).map_or_else(|| path.replace('.', "_"), Key::column);
+        self.paths().into_iter().chain(strength).map(column).collect()
     }
 
     /// Whether the yield strength of the half-space follows from values that vary: from a hardness, its own or that of its

@@ -197,41 +197,40 @@ impl Scenario {
     /// [`Error`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
     /// bad.
     pub fn resolve(&self) -> Result<Scene, Error> {
-        let input = self.first_impact()?;
-        let mut scene = self.scene_of(&input);
-        scene.warnings = self.without_effect(&[input], Use::Impact);
+        let mut scene = self.first_impact()?;
+        scene.warnings = self.without_effect(std::slice::from_ref(&scene.input), Use::Impact);
         Ok(scene)
     }
 
     /// The bodies and the law of a scenario that needs no impact: its speed is not a number where none is given.
     pub fn resolve_bodies(&self) -> Result<Scene, Error> {
-        self.checked(NEEDED.len() - 1).map(|input| self.scene_of(&input))
+        self.checked(NEEDED.len() - 1)
     }
 
-    /// The input of the first impact.
-    fn first_impact(&self) -> Result<Input, Error> {
-        let shot = self.first_of_speeds()?;
-        let mut input = self.checked(if shot.is_some() { NEEDED.len() - 1 } else { NEEDED.len() })?;
-        if let (Some(speed), Some(key)) = (shot, Key::find("impact.speed")) {
-            key.put(&mut input, speed);
-        }
-        Ok(input)
+    /// The scene of the first impact.
+    fn first_impact(&self) -> Result<Scene, Error> {
+        self.check_speeds()?;
+        self.checked(if self.speeds().is_some() { NEEDED.len() - 1 } else { NEEDED.len() })
     }
 
-    /// The input of the first case, with which the first `needed` of [`NEEDED`] must be given.
-    fn checked(&self, needed: usize) -> Result<Input, Error> {
+    /// The scene of the first case, with which the first `needed` of [`NEEDED`] must be given.
+    fn checked(&self, needed: usize) -> Result<Scene, Error> {
         self.need(&NEEDED[..needed])?;
         let input = self.first_case();
         self.check_flow(&input)?;
-        let scene = input.resolve();
+        let scene = self.scene_of(&input);
         self.check_plate(&scene)?;
         self.check_strength(&scene)?;
-        Ok(input)
+        Ok(scene)
     }
 
-    /// The input with the first value of every key that varies: of its axis or range, or the median of its distribution.
+    /// The input with the first value of every key that varies: of its axis or range, of a list of shots, or the median of its
+    /// distribution.
     fn first_case(&self) -> Input {
         let mut input = self.input.clone();
+        if let Some(speed) = self.speeds().and_then(<[f64]>::first) {
+            input.impact.speed = Some(*speed);
+        }
         for axis in self.tables.sweep.iter().flatten() {
             if let Setting::Number { key, values } = &axis.setting {
                 key.put(&mut input, values.at(0));

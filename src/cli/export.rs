@@ -5,7 +5,7 @@ use plm_impact::error::Error;
 use plm_impact::export::{Request, Target, export as lines};
 use plm_impact::scene::quantity::SPEED;
 
-use super::names::one_of;
+use super::output::one_of;
 use super::scenario::ScenarioArguments;
 
 /// Print the lines that give another code the same rebound: its e, springs, time step, or a table e(v)

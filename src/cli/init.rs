@@ -8,7 +8,7 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::{Kind, template};
 
-use super::names::one_of;
+use super::output::one_of;
 use super::scenario::STANDARD_INPUT;
 use super::terminal::other;
 

@@ -4,13 +4,14 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, SUMMARY};
+use plm_impact::plot::Pictures;
 use plm_impact::run::{Order, Outcome, RESULTS, heed};
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::parts::make_way;
 
-use super::names::PictureArguments;
 use super::watched::Watch;
 
 /// What is written, and where.
@@ -117,4 +118,21 @@ fn quoted(argument: &str) -> String {
     } else {
         format!("'{}'", argument.replace('\'', r"'\''"))
     }
+}
+
+/// Takes the name of one of `all`.
+pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let find = move |given: String| all.into_iter().find(|one| name(*one) == given).ok_or("no such name");
+    PossibleValuesParser::new(all.map(name)).try_map(find)
+}
+
+/// What pictures are written as.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct PictureArguments {
+    /// What pictures are written as: svg stays sharp in any size, and its text can be searched
+    #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = one_of(Pictures::ALL, Pictures::name))]
+    pub format: Pictures,
 }

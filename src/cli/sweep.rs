@@ -13,8 +13,7 @@ use plm_impact::sweep::count::Tally;
 use plm_impact::sweep::parts::Layout;
 use plm_impact::sweep::{Format, Job, Shard};
 
-use super::names::one_of;
-use super::output::{Output, warn};
+use super::output::{Output, one_of, warn};
 use super::watched::Watch;
 
 /// Options of sweeps.

@@ -10,7 +10,7 @@ use plm_impact::plot::Pictures;
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 use plm_impact::validation::{self, Verdict, check, experiments, report};
 
-use super::names::PictureArguments;
+use super::output::PictureArguments;
 use super::watched::Watch;
 
 /// Compare the law with finite elements and measurements: CSV, Markdown, pictures, a summary on the terminal

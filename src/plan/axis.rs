@@ -124,14 +124,6 @@ impl Axis {
         }
     }
 
-    /// Its column in the table, with its unit.
-    pub fn column(&self) -> String {
-        match &self.setting {
-            Setting::Number { key, .. } => key.column(),
-            Setting::Words { path, .. } => path.replace('.', "_"),
-        }
-    }
-
     /// How many values.
     pub fn len(&self) -> u64 {
         match &self.setting {

@@ -7,8 +7,8 @@ use crate::strength::hardness::flow_stress;
 use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
 
-/// The materials whose names begin so, one per line.
-pub fn list(begin: &str) -> String {
+/// A head, and a row for every material whose name begins so.
+pub fn rows(begin: &str) -> Vec<[String; 7]> {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
     rows.extend(all().iter().filter(|entry| entry.name.starts_with(begin)).map(|entry| {
@@ -16,7 +16,12 @@ pub fn list(begin: &str) -> String {
         let [density, modulus, ratio, hardness, exponent] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
     }));
-    let table = aligned(&rows, |column| column == 0 || column == 6);
+    rows
+}
+
+/// The materials whose names begin so, one per line.
+pub fn list(begin: &str) -> String {
+    let table = aligned(&rows(begin), |column| column == 0 || column == 6);
     format!(
         "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
          `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"

@@ -1,7 +1,8 @@
 //! The reference pages: every key, every result, every material.
 
-use crate::scenario::reference::{keys, materials};
+use crate::scenario::reference::keys;
 use crate::scene::results;
+use crate::units::aligned::markdown;
 
 /// A part of a page that the program writes: its name, and its text.
 type Part = (&'static str, fn() -> String);
@@ -20,6 +21,11 @@ pub fn renewed(page: &str) -> (String, usize) {
         format!("{before}{begin}\n\n{}{end}{after}", text())
     };
     (PARTS.iter().fold(page.to_owned(), write), count)
+}
+
+/// All materials as Markdown.
+fn materials() -> String {
+    markdown(&super::materials::rows("")) + "\n"
 }
 
 /// All results as Markdown.

@@ -24,14 +24,6 @@ use crate::units::nearest::did_you_mean;
 pub(super) const METHOD: &str = "solver.method";
 pub(super) const LAW: &str = "law";
 
-/// A body whose material is drawn from its ranges.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct DrawnMaterial {
-    pub(super) body: Body,
-    /// How many random keys stand before it.
-    pub(super) place: usize,
-}
-
 /// `[monte_carlo]`
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct RandomKeys {
@@ -41,8 +33,8 @@ pub(super) struct RandomKeys {
     pub(super) seed: u64,
     /// Random keys in the order of the file.
     pub(super) variables: Vec<Variable>,
-    /// Materials to draw from.
-    pub(super) materials: Vec<DrawnMaterial>,
+    /// Bodies whose materials are drawn from their ranges, each with the number of random keys that stand before it.
+    pub(super) materials: Vec<(Body, usize)>,
 }
 
 impl Field for Option<Vec<Axis>> {
@@ -135,7 +127,7 @@ impl RandomKeys {
             path => {
                 if let Some(body) = Body::of_key(path) {
                     word(&DRAWN, node)?;
-                    self.materials.push(DrawnMaterial { body, place: self.variables.len() });
+                    self.materials.push((body, self.variables.len()));
                 } else {
                     let key = known(name, false)?;
                     self.variables.push(Variable::of(key, distribution(key.quantity, node)?));

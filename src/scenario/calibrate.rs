@@ -68,7 +68,7 @@ impl Scenario {
         let Some(given) = &self.tables.calibrate else {
             return Err(self.document.refuse("", NO_TABLE));
         };
-        let mut input = self.checked(BODIES)?;
+        let mut input = self.checked(BODIES)?.input;
         input.solver.method = input.solver.method.or(Some(Method::Auto));
         let free = free(given, &input);
         for free in &free {

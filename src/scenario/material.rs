@@ -1,7 +1,6 @@
 //! `material`: the values that the bodies take from named materials, where the scenario does not give them itself.
 
 use super::Scenario;
-use super::axes::DrawnMaterial;
 use super::beside::FLOW;
 use super::document::Document;
 use super::file::Tables;
@@ -30,8 +29,8 @@ impl Tables {
     pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<Taken>, Error> {
         let mut all = Vec::new();
         for body in Body::ALL {
-            let random = self.monte_carlo.iter().flat_map(|random| &random.materials);
-            let is_drawn = random.into_iter().any(|drawn| drawn.body == body);
+            let mut random = self.monte_carlo.iter().flat_map(|random| &random.materials);
+            let is_drawn = random.any(|(drawn, _)| *drawn == body);
             let refuse = |message| document.refuse(&format!("monte_carlo.{}", body.material()), message);
             let Some(material) = self.material(input, body) else {
                 if !is_drawn {
@@ -69,12 +68,11 @@ impl Tables {
     /// Replaces the drawn material of a body by random keys.
     fn draw(&mut self, body: Body, drawn: Vec<Variable>) {
         let Some(random) = &mut self.monte_carlo else { return };
-        let Some(at) = random.materials.iter().position(|known| known.body == body) else { return };
-        let (count, place) = (drawn.len(), random.materials[at].place);
-        random.variables.splice(place..place, drawn);
-        for DrawnMaterial { place: later, .. } in random.materials.iter_mut().filter(|later| later.place >= place) {
-            *later += count;
+        let Some(&(_, place)) = random.materials.iter().find(|(known, _)| *known == body) else { return };
+        for (_, later) in random.materials.iter_mut().filter(|(_, later)| *later >= place) {
+            *later += drawn.len();
         }
+        random.variables.splice(place..place, drawn);
     }
 
     /// The material of a body: of the first case, where it varies.

@@ -1,10 +1,9 @@
-//! What the registries say of keys and materials: the tables of the reference page, and what messages tell of a key.
+//! What the registry says of keys: the tables of the reference page, and what messages tell of a key.
 
 use std::fmt::Write as _;
 
 use super::file::every_key;
 use crate::law::LawChoice;
-use crate::materials::Property;
 use crate::scene::Key;
 use crate::scene::key::{AnyKey, Form};
 use crate::scene::keys::varied;
@@ -78,20 +77,6 @@ pub fn written(form: &Form) -> String {
 
 fn quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
-}
-
-/// All materials as Markdown.
-pub fn materials() -> String {
-    let mut text = "| name | material | density | E | ν | hardness | N |\n|---|---|---|---|---|---|---|\n".to_owned();
-    for entry in crate::materials::all() {
-        let value =
-            |property| entry.of(property).map_or_else(|| "\u{2013}".to_owned(), |known| known.taken.text.clone());
-        let [density, modulus, ratio, hardness, exponent] = Property::ALL.map(value);
-        let (name, title) = (&entry.name, &entry.title);
-        let _ = writeln!(text, "| `{name}` | {title} | {density} | {modulus} | {ratio} | {hardness} | {exponent} |");
-    }
-    text.push('\n');
-    text
 }
 
 /// The value that a key takes, in words; that of an axis, of a distribution or of a range is the key that varies.

@@ -11,18 +11,20 @@ const SPOTS: &str =
 const NEEDS_IMPACTS: &str = "the key `impacts` is missing: the most impacts there may be, such as impacts = 20";
 
 impl Scenario {
-    /// The speed of the first shot of a list \[m/s\], if the scenario has one.
-    pub(super) fn first_of_speeds(&self) -> Result<Option<f64>, Error> {
-        let Some(speeds) = self.tables.repeat.as_ref().and_then(|repeat| repeat.speeds.as_ref()) else {
-            return Ok(None);
-        };
+    /// The speeds of a list of shots, if the scenario has one.
+    pub(super) fn speeds(&self) -> Option<&[f64]> {
+        self.tables.repeat.as_ref()?.speeds.as_deref()
+    }
+
+    /// Refuses a list without shots, and one with too many.
+    pub(super) fn check_speeds(&self) -> Result<(), Error> {
         let refuse = |message: String| Err(self.document.refuse("repeat.speeds", message));
-        match speeds.first() {
-            None => refuse("is empty: write the speed of every shot, such as [\"1 m/s\", \"2 m/s\"]".to_owned()),
-            Some(_) if speeds.len() as u64 > MOST_IMPACTS => {
-                refuse(format!("has {} speeds, more than {MOST_IMPACTS}", speeds.len()))
+        match self.speeds().map(<[f64]>::len) {
+            Some(0) => refuse("is empty: write the speed of every shot, such as [\"1 m/s\", \"2 m/s\"]".to_owned()),
+            Some(count) if count as u64 > MOST_IMPACTS => {
+                refuse(format!("has {count} speeds, more than {MOST_IMPACTS}"))
             }
-            Some(first) => Ok(Some(*first)),
+            _ => Ok(()),
         }
     }
 

@@ -19,7 +19,7 @@ impl Scenario {
         if !matches!(self.kind()?, Kind::Sweep | Kind::MonteCarlo) {
             return Ok(None);
         }
-        let mut input = self.first_impact()?;
+        let mut input = self.first_impact()?.input;
         if input.solver.method.is_none() {
             // a table has no trace, so the closed form is enough
             input.solver.method = Some(Method::Auto);

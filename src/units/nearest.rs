@@ -25,30 +25,3 @@ pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str
     let Some(near) = nearest(word, candidates) else { return format!("; {rest}") };
     format!(", did you mean {mark}{near}{mark}? {}", capital(rest))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{did_you_mean, nearest};
-
-    #[test]
-    fn what_there_is_follows_a_question_as_a_sentence_of_its_own() {
-        let of = |word| {
-            format!("unknown law \"{word}\"{}", did_you_mean(word, ["plm", "hertz"], '"', "laws are plm, hertz"))
-        };
-        assert_eq!(of("pml"), "unknown law \"pml\", did you mean \"plm\"? Laws are plm, hertz");
-        assert_eq!(of("water"), "unknown law \"water\"; laws are plm, hertz");
-    }
-
-    #[test]
-    fn a_slip_is_recognised_and_another_word_is_not() {
-        let known = ["radius", "density", "poissons_ratio"];
-        assert_eq!(nearest("raduis", known), Some("radius"));
-        assert_eq!(nearest("poisson_ratio", known), Some("poissons_ratio"));
-        assert_eq!(nearest("Density", known), Some("density"));
-        assert_eq!(nearest("temperature", known), None);
-        assert_eq!(nearest("mPa", ["Pa", "kPa", "MPa"]), Some("MPa"));
-        // the beginning of one name alone
-        assert_eq!(nearest("steel-316", ["steel-s355", "steel-316l-annealed"]), Some("steel-316l-annealed"));
-        assert_eq!(nearest("steel", ["steel-s355", "steel-316l-annealed"]), None);
-    }
-}
