@@ -49,7 +49,7 @@ use crate::plan::axis::Setting;
 use crate::scene::read::Reader;
 use crate::scene::taken::Taken;
 use crate::scene::written::add_places;
-use crate::scene::{EITHER, Input, KEYS, Key, Scene, Use, without_effect};
+use crate::scene::{EITHER, Input, KEYS, Scene, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 use file::Tables;
 pub use file::every_key;
