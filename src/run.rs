@@ -81,9 +81,8 @@ const OF_THE_SPHERE: &str = "leave this key out; the simulation has path and spi
 pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
     let kind = scenario.kind()?;
     if kind != Kind::Impact {
-        let table = Kind::ALL.iter().find(|(_, known)| *known == kind).map_or("", |(name, _)| name);
         let message = "is not a part of a contact of two bodies: leave this table out";
-        return Err(scenario.document.refuse(table, message));
+        return Err(scenario.document.refuse(kind.name(), message));
     }
     let scene = scenario.resolve_bodies()?;
     let Forces { gravity, damping, plate } = scene.forces;

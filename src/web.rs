@@ -48,7 +48,7 @@ pub fn materials() -> String {
 /// Scenarios to begin with, by their kinds.
 #[wasm_bindgen]
 pub fn init() -> String {
-    let of = |(name, kind): (&str, Kind)| (name.to_owned(), json!(template(kind)));
+    let of = |kind: Kind| (kind.name().to_owned(), json!(template(kind)));
     Value::Object(Kind::ALL.into_iter().map(of).collect()).to_string()
 }
 

@@ -21,16 +21,16 @@ use super::terminal::other;
   plm-impact init --out - | plm-impact run - --json")]
 pub struct Arguments {
     /// What is to be run
-    #[arg(default_value = "impact", value_parser = one_of(Kind::ALL, |(name, _)| name))]
-    kind: (&'static str, Kind),
+    #[arg(default_value = "impact", value_parser = one_of(Kind::ALL, Kind::name))]
+    kind: Kind,
     /// File to write; - is standard output [default: KIND.toml]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
-pub fn init(Arguments { kind: (kind, found), out }: &Arguments) -> Result<(), Error> {
-    let text = template(*found);
-    let out = out.clone().unwrap_or_else(|| format!("{kind}.toml").into());
+pub fn init(Arguments { kind, out }: &Arguments) -> Result<(), Error> {
+    let text = template(*kind);
+    let out = out.clone().unwrap_or_else(|| format!("{}.toml", kind.name()).into());
     if out == Path::new(STANDARD_INPUT) {
         return super::terminal::print(text);
     }

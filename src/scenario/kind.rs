@@ -2,37 +2,26 @@
 
 use super::Scenario;
 use crate::error::Error;
+use crate::units::names::named;
 
-/// The kinds of scene, each with its own way to be run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Kind {
-    /// One impact: none of the tables below.
-    Impact,
-    /// `[sweep]`: a table of impacts on axes.
-    Sweep,
-    /// `[monte_carlo]`: a table of random impacts.
-    MonteCarlo,
-    /// `[repeat]`: impacts one after the other.
-    Repeat,
-    /// `[compare]`: unloading laws from one peak.
-    Compare,
-    /// `[calibrate]`: keys that are found from measurements.
-    Calibrate,
-    /// `[indentation]`: loads and indentations without any impact.
-    Indentation,
-}
-
-impl Kind {
-    /// All kinds with their names; every one but the first has a table of that name.
-    pub const ALL: [(&'static str, Self); 7] = [
-        ("impact", Self::Impact),
-        ("sweep", Self::Sweep),
-        ("monte_carlo", Self::MonteCarlo),
-        ("repeat", Self::Repeat),
-        ("compare", Self::Compare),
-        ("indentation", Self::Indentation),
-        ("calibrate", Self::Calibrate),
-    ];
+named! {
+    /// The kinds of scene, each with its own way to be run. Every kind but the first has a table of its name.
+    pub enum Kind {
+        /// One impact: none of the tables below.
+        Impact = "impact",
+        /// A table of impacts on axes.
+        Sweep = "sweep",
+        /// A table of random impacts.
+        MonteCarlo = "monte_carlo",
+        /// Impacts one after the other.
+        Repeat = "repeat",
+        /// Unloading laws from one peak.
+        Compare = "compare",
+        /// Loads and indentations without any impact.
+        Indentation = "indentation",
+        /// Keys that are found from measurements.
+        Calibrate = "calibrate",
+    }
 }
 
 /// A scenario of this kind, with a comment for every key: a test compares them with those of the keys.
@@ -54,12 +43,12 @@ impl Scenario {
     /// # Errors
     /// [`Error`] for tables of two kinds.
     pub fn kind(&self) -> Result<Kind, Error> {
-        let mut given = Kind::ALL[1..].iter().filter(|(table, _)| self.has(table));
+        let mut given = Kind::ALL[1..].iter().filter(|kind| self.has(kind.name()));
         match (given.next(), given.next()) {
-            (None, _) => Ok(Kind::Impact),
-            (Some((_, kind)), None) => Ok(*kind),
-            (Some((first, _)), Some((second, _))) => {
-                Err(self.document.refuse(second, format!("[{first}] is given too; write only one of the two")))
+            (kind, None) => Ok(kind.copied().unwrap_or(Kind::Impact)),
+            (first, Some(second)) => {
+                let first = first.map_or("", |kind| kind.name());
+                Err(self.document.refuse(second.name(), format!("[{first}] is given too; write only one of the two")))
             }
         }
     }

@@ -43,7 +43,7 @@ pub fn schema() -> Value {
     // without the table of another kind it is one impact, and that needs a speed
     let speed = json!({ "anyOf": [{ "required": ["speed"] }, { "required": ["drop_height"] }] });
     let impact = json!({ "required": ["sphere", "half_space", "impact"], "properties": { "impact": speed } });
-    let others = Kind::ALL[1..].iter().map(|(name, _)| json!({ "required": [name] }));
+    let others = Kind::ALL[1..].iter().map(|kind| json!({ "required": [kind.name()] }));
     root["anyOf"] = others.chain([impact]).collect();
     root
 }

@@ -31,10 +31,9 @@ pub fn run(scenario: &Scenario) -> Result<Value, Error> {
         Run::Table => of_table(scenario, &command)?,
     };
     let curve = if kind == Kind::Impact { curve(scenario)? } else { None };
-    let name = Kind::ALL.iter().find(|(_, known)| *known == kind).map_or("", |(name, _)| name);
     let files = files.into_iter().map(|file| (file.name, String::from_utf8_lossy(&file.bytes).into()));
     Ok(json!({
-        "kind": name,
+        "kind": kind.name(),
         "warnings": warnings,
         "text": text,
         "contradiction": contradiction,
