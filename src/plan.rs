@@ -25,9 +25,7 @@ pub enum Cases {
 /// A sweep: a scene and what is changed in it.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// What all cases have in common, with a value for every key that varies.
-    pub input: Input,
-    /// The scene with the first value of every axis, or with the medians of random keys.
+    /// The scene with the first value of every axis, or with the medians of random keys. All cases have its other keys.
     pub scene: Scene,
     /// The cases.
     pub cases: Cases,
@@ -45,8 +43,8 @@ pub const MOST_CASES: u64 = 1 << 63;
 
 impl Plan {
     /// These cases of an input, in which every key that varies has its first value or its median.
-    pub fn new(input: Input, cases: Cases) -> Self {
-        let mut plan = Self { scene: input.resolve(), input, cases, columns: None };
+    pub fn new(input: &Input, cases: Cases) -> Self {
+        let mut plan = Self { scene: input.resolve(), cases, columns: None };
         plan.scene = plan.input_at(&vec![0; plan.axes().len()]).resolve();
         plan
     }
@@ -67,7 +65,7 @@ impl Plan {
 
     /// The input of the case at these places of the axes.
     pub fn input_at(&self, places: &[u64]) -> Input {
-        let mut input = self.input.clone();
+        let mut input = self.scene.input.clone();
         put(self.axes(), places, &mut input);
         input
     }
@@ -163,7 +161,7 @@ impl Plan {
 
     /// Whether a case has the method `closed_form`, but no closed form.
     pub fn lacks_closed_form(&self) -> bool {
-        let mut input = self.input.clone();
+        let mut input = self.scene.input.clone();
         for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
             // a swept damping may begin at 0
             key.set(&mut input, Some(1.0));

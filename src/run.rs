@@ -34,19 +34,13 @@ pub const RESULTS: &[&str] = &[
 
 /// How scenarios of one kind are checked and run.
 #[derive(Debug, Clone, Copy)]
-pub struct Way {
-    /// Checks a scenario; writes nothing.
-    pub check: fn(&Scenario) -> Result<Outcome, Error>,
-    pub run: Run,
-}
-
-/// How a kind is run.
-#[derive(Debug, Clone, Copy)]
-pub enum Run {
+pub enum Way {
     /// At once: all files together.
     Once {
         /// What the scenario is, for messages: "one impact".
         what: &'static str,
+        /// Checks a scenario; writes nothing.
+        check: fn(&Scenario) -> Result<Outcome, Error>,
         run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
     },
     /// Row after row, by [`crate::sweep::Job`].
@@ -55,10 +49,10 @@ pub enum Run {
 
 /// How scenarios of this kind are checked and run.
 pub fn way(kind: Kind) -> Way {
-    let once = |check, what, run| Way { check, run: Run::Once { what, run } };
+    let once = |check, what, run| Way::Once { what, check, run };
     match kind {
         Kind::Impact => once(impact::check, "one impact", impact::run),
-        Kind::Sweep | Kind::MonteCarlo => Way { check: table::check, run: Run::Table },
+        Kind::Sweep | Kind::MonteCarlo => Way::Table,
         Kind::Repeat => once(repeat::check, "impacts one after the other", repeat::run),
         Kind::Compare => once(compare::check, "a comparison of laws", compare::run),
         Kind::Calibrate => once(calibrate::check, "a calibration", calibrate::run),
@@ -68,7 +62,10 @@ pub fn way(kind: Kind) -> Way {
 
 /// Checks a scenario; nothing is written.
 pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    (way(scenario.kind()?).check)(scenario)
+    match way(scenario.kind()?) {
+        Way::Once { check, .. } => check(scenario),
+        Way::Table => table::check(scenario),
+    }
 }
 
 /// What is of a sphere that moves, and not of its contact.

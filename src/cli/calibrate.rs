@@ -4,7 +4,7 @@ use std::path::{PathBuf, absolute};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::run::{Run, way};
+use plm_impact::run::{Way, way};
 use plm_impact::scenario::Kind;
 use plm_impact::scene::words::LAWS;
 
@@ -54,9 +54,9 @@ pub struct Arguments {
 pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load_with(&arguments.settings()?)?;
     scenario.wanted()?;
-    match way(Kind::Calibrate).run {
-        Run::Once { run, .. } => arguments.output.once(arguments.scenario.name(), scenario, run),
-        Run::Table => Ok(()),
+    match way(Kind::Calibrate) {
+        Way::Once { run, .. } => arguments.output.once(arguments.scenario.name(), scenario, run),
+        Way::Table => Ok(()),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::run::{Run, way};
+use plm_impact::run::{Way, way};
 
 use super::output::Output;
 use super::scenario::ScenarioArguments;
@@ -23,12 +23,12 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load()?;
-    match way(scenario.kind()?).run {
-        Run::Once { what, run } => {
+    match way(scenario.kind()?) {
+        Way::Once { what, run, .. } => {
             arguments.sweep.refuse_for(what)?;
             arguments.output.once(arguments.scenario.name(), scenario, run)
         }
-        Run::Table => super::sweep::run(&arguments.sweep, &arguments.output, arguments.scenario.name(), &scenario),
+        Way::Table => super::sweep::run(&arguments.sweep, &arguments.output, arguments.scenario.name(), &scenario),
     }
 }
 

@@ -192,7 +192,7 @@ fn notes(axes: &[Axis]) -> Vec<String> {
 
 /// The yield speed v_Y at a place of the second axis.
 fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
-    let mut input = plan.input.clone();
+    let mut input = plan.scene.input.clone();
     if let Some(second) = axes.get(1) {
         second.put(place, &mut input);
     }

@@ -16,7 +16,7 @@ use crate::output::OutputFile;
 use crate::plot::Pictures;
 use crate::progress::Counter;
 use crate::report;
-use crate::run::{Order, Outcome, Run, table, way};
+use crate::run::{Order, Outcome, Way, table, way};
 use crate::scenario::Scenario;
 use crate::sweep::arrow;
 use crate::sweep::count::Tally;
@@ -90,8 +90,8 @@ fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
 
 fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py, PyAny>> {
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
-    match way(scenario.kind().map_err(exception)?).run {
-        Run::Once { run, .. } => {
+    match way(scenario.kind().map_err(exception)?) {
+        Way::Once { run, .. } => {
             let order = Order { command: &command, pictures: Pictures::Png, progress: &Counter::default() };
             let Outcome { mut warnings, text, files, contradiction } =
                 interruptible(py, |_| run(scenario, &order))?.map_err(exception)?;
@@ -99,7 +99,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
             warn(py, &warnings)?;
             outcome(py, &warnings, &text, files, None)
         }
-        Run::Table => run_table(py, scenario, &command),
+        Way::Table => run_table(py, scenario, &command),
     }
 }
 

@@ -145,7 +145,7 @@ impl Scenario {
             Axis::of_number(key, Values::List(vec![value]))
         };
         let axes = free.chain(columns.iter().map(|key| (*key, 1.0))).map(axis).collect();
-        let plan = Plan { scene: wanted.scene.clone(), ..Plan::new(input, Cases::Grid(axes)) };
+        let plan = Plan::new(&input, Cases::Grid(axes));
         let paths = plan.paths();
         if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
             return refuse(

@@ -44,7 +44,7 @@ impl Scenario {
                 Cases::MonteCarlo { samples: *samples, seed: *seed, variables: variables.clone() }
             }
         };
-        let mut plan = Plan::new(input, cases);
+        let mut plan = Plan::new(&input, cases);
         let is_varied = |taken: &&Taken| plan.axes().iter().any(|axis| axis.path() == taken.body.material());
         plan.scene.materials = self.taken.iter().filter(|taken| !is_varied(taken)).cloned().collect();
         plan.scene.warnings = self.without_effect(&plan.worded(), Use::Impact);

@@ -26,18 +26,11 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
     let ends: Vec<Vec<u64>> = axes.iter().map(ends).collect();
     let all = ends.iter().map(|ends| ends.len() as u64).fold(1, u64::saturating_mul);
     let chosen: Vec<Vec<u64>> = if all <= MOST_CORNERS {
-        let corner = |mut number: u64| {
-            corner(&ends, |count| {
-                let digit = number % count;
-                number /= count;
-                digit
-            })
-        };
-        (0..all).map(corner).collect()
+        (0..all).map(|number| corner(&ends, number)).collect()
     } else {
         // the same in every run
         let mut random = ChaCha8Rng::seed_from_u64(0);
-        let sample = (0..MOST_CORNERS).map(|_| corner(&ends, |count| random.next_u64() % count));
+        let sample = (0..MOST_CORNERS).map(|_| corner(&ends, random.next_u64()));
         one_at_a_time(&ends).chain(sample).collect()
     };
     let computed = chosen.len();
@@ -47,7 +40,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
     let shared = known.or(own.as_ref()).filter(|_| is_one);
     let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
     for places in chosen {
-        let mut input = plan.input.clone();
+        let mut input = plan.scene.input.clone();
         put(axes, &places, &mut input);
         let Some((impact, radius)) = shared.map_or_else(
             || {
@@ -79,10 +72,16 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
     (warnings, deepest)
 }
 
-/// The corner where `choose` takes one of so many ends of every axis.
+/// The corner of this number; beyond the last corner they begin again.
 #[allow(clippy::cast_possible_truncation)] // less than the length of a list
-fn corner(ends: &[Vec<u64>], mut choose: impl FnMut(u64) -> u64) -> Vec<u64> {
-    ends.iter().map(|ends| ends[choose(ends.len() as u64) as usize]).collect()
+fn corner(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
+    let place = |ends: &Vec<u64>| {
+        let count = ends.len() as u64;
+        let place = ends[(number % count) as usize];
+        number /= count;
+        place
+    };
+    ends.iter().map(place).collect()
 }
 
 /// The corners that differ from the first one on one axis.

@@ -143,7 +143,7 @@ impl<'a> Evaluator<'a> {
     /// That of [`Self::listed`] rows alone, without the contacts of a grid; `contact` is that of the plan, if no key changes it.
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let strength = plan.scene.half_space.yield_strength;
-        let known = |contact: &Contact| (plan.input.clone(), Known { strength, contact: Ok(contact.clone()) });
+        let known = |contact: &Contact| (plan.scene.input.clone(), Known { strength, contact: Ok(contact.clone()) });
         let contacts = contact.map(known).into_iter().collect();
         Self { plan, derives_strength: plan.derives_strength(), contacts, strides: Vec::new() }
     }
@@ -231,7 +231,7 @@ impl<'a> Evaluator<'a> {
     fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
-        let mut input = self.plan.input.clone();
+        let mut input = self.plan.scene.input.clone();
         let mut law = input.hardening_law();
         let keeps_law = variables.iter().all(|variable| keeps_law(variable.key));
         for _ in cases {
@@ -256,7 +256,7 @@ impl<'a> Evaluator<'a> {
     /// values only a yield strength that follows from the keys is appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
         let of_contact: Vec<_> = keys.iter().filter(|(key, _)| !keeps_contact(key.path)).collect();
-        let mut input = self.plan.input.clone();
+        let mut input = self.plan.scene.input.clone();
         let mut own: Option<Known> = None;
         for case in cases {
             for (key, values) in keys {

@@ -9,7 +9,7 @@ use crate::plan::Plan;
 use crate::plot::Pictures;
 use crate::progress::Counter;
 use crate::report::sweep::lines;
-use crate::run::{Order, Outcome, Run, table, way};
+use crate::run::{Order, Outcome, Way, table, way};
 use crate::scenario::{Kind, Scenario};
 use crate::sweep::count::{Tally, count};
 use crate::sweep::csv::Csv;
@@ -24,11 +24,11 @@ const BATCH: u64 = 1024;
 pub fn run(scenario: &Scenario) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
-    let Outcome { warnings, text, files, contradiction } = match way(kind).run {
-        Run::Once { run, .. } => {
+    let Outcome { warnings, text, files, contradiction } = match way(kind) {
+        Way::Once { run, .. } => {
             run(scenario, &Order { command: &command, pictures: Pictures::Svg, progress: &Counter::default() })?
         }
-        Run::Table => of_table(scenario, &command)?,
+        Way::Table => of_table(scenario, &command)?,
     };
     let curve = if kind == Kind::Impact { curve(scenario)? } else { None };
     let files = files.into_iter().map(|file| (file.name, String::from_utf8_lossy(&file.bytes).into()));

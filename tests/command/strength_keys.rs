@@ -37,7 +37,7 @@ fn a_mass_is_a_density_said_otherwise() {
     let text = format!("{}[sweep]\n\"sphere.radius\" = [\"1 mm\", \"5 mm\"]\n", with_mass("0.004"));
     let plan =
         Scenario::from_text("s.toml", &text.replace("radius = \"5 mm\"\n", ""), &[]).unwrap().plan().unwrap().unwrap();
-    let mut one = plan.input.clone();
+    let mut one = plan.scene.input.clone();
     for radius in [1e-3, 5e-3, 2e-3] {
         Key::find("sphere.radius").unwrap().put(&mut one, radius);
         assert!(off(one.resolve().contact().unwrap().mass(), 0.004) < 1e-14);

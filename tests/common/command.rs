@@ -7,7 +7,7 @@ use std::process::Output;
 use assert_cmd::Command;
 use plm_impact::plot::Pictures;
 use plm_impact::progress::Counter;
-use plm_impact::run::{Order, Outcome, Run, way};
+use plm_impact::run::{Order, Outcome, Way, way};
 use plm_impact::scenario::{Kind, Scenario};
 use serde_json::Value;
 use tempfile::TempDir;
@@ -79,7 +79,7 @@ impl Desk {
 
 /// Runs the one impact of a scenario in memory, without pictures.
 pub fn outcome(scenario: &Scenario) -> Outcome {
-    let Run::Once { run, .. } = way(Kind::Impact).run else { panic!("one impact is no table") };
+    let Way::Once { run, .. } = way(Kind::Impact) else { panic!("one impact is no table") };
     let order = Order { command: "plm-impact run", pictures: Pictures::None, progress: &Counter::default() };
     run(scenario, &order).unwrap()
 }
