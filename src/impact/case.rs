@@ -10,7 +10,7 @@ use super::scales::{ACCELERATION, Scales};
 use super::solve::free_time;
 use crate::integrate::Drag;
 use crate::law::Law;
-use crate::material::{OutOfFloatRange, normal};
+use crate::material::normal;
 
 /// One impact to be computed.
 #[derive(Debug, Clone, Copy)]
@@ -58,11 +58,9 @@ impl Contact {
             };
             normal(quantity, q * q + weight / self.scales.force)?;
             (self.scales, spot.unwrap_or(&self.law), q)
-        } else if gravity > 0.0 {
-            let scales = self.scales_of_drop(speed, gravity)?;
-            (scales, hertz(), speed / scales.speed)
         } else {
-            (Scales::of_hertz(self.pair(), self.mass(), speed)?, hertz(), 1.0)
+            let scales = Scales::of_hertz(self.pair(), self.mass(), speed, gravity)?;
+            (scales, hertz(), speed / scales.speed)
         };
         if self.forces().is_none() {
             return Ok(Case { scales, law, q, forces: ScaledForces::NONE, plate: None });
@@ -77,20 +75,6 @@ impl Contact {
             plate = Some(scaled);
         }
         Ok(Case { scales, law, q, forces, plate })
-    }
-
-    /// Hertz scales of an elastic impact under gravity: L where (2/5) K L^2.5 = ½ m v² + m g L, Φ = K L^1.5, and
-    /// ½ m V² = (2/5) Φ L.
-    fn scales_of_drop(&self, speed: f64, gravity: f64) -> Result<Scales, OutOfFloatRange> {
-        let stiffness = self.pair().hertz_stiffness();
-        let per_mass = stiffness / self.mass();
-        let length = normal(
-            "peak indentation (m)",
-            crate::math::power::power_turn(per_mass, 1.5, 0.5 * speed * speed, gravity),
-        )?;
-        let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
-        let contact_radius = (self.pair().radius * length).sqrt();
-        Ok(Scales { length, force, speed: (speed * speed + 2.0 * gravity * length).sqrt(), contact_radius })
     }
 }
 

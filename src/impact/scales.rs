@@ -6,6 +6,7 @@
 
 use crate::material::{OutOfFloatRange, Pair, YieldPoint, normal};
 use crate::math::functions::pow;
+use crate::math::power::power_turn;
 
 /// c of x'' = −c f.
 pub const ACCELERATION: f64 = 1.25;
@@ -35,19 +36,25 @@ impl Scales {
         Self { length, force, speed: (0.8 * (force / mass) * length).sqrt(), contact_radius: length }
     }
 
-    /// Hertz scales of an elastic impact of `mass` at `speed`: L = (5 m v²/(4 K))^(2/5), Φ = K L^1.5, V = v.
+    /// Hertz scales of an elastic impact of `mass` at `speed` under `gravity`: L where (2/5) K L^2.5 = ½ m v² + m g L,
+    /// Φ = K L^1.5, and V with ½ m V² = (2/5) Φ L, which is v without gravity.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
-    pub(crate) fn of_hertz(pair: &Pair, mass: f64, speed: f64) -> Result<Self, OutOfFloatRange> {
+    pub(crate) fn of_hertz(pair: &Pair, mass: f64, speed: f64, gravity: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
-        let per_stiffness = 1.25 * mass / stiffness;
-        let power = per_stiffness * (speed * speed);
-        // the root leaves the range of doubles only where the kinetic energy does
-        let power = if power.is_normal() { pow(power, 0.4) } else { pow(per_stiffness.sqrt() * speed, 0.8) };
-        let length = normal("peak indentation (m)", power)?;
+        let (square, per_stiffness) = (speed * speed, 1.25 * mass / stiffness);
+        let power = per_stiffness * square;
+        let length = match gravity {
+            // the root leaves the range of doubles only where the kinetic energy does
+            0.0 if power.is_normal() => pow(power, 0.4),
+            0.0 => pow(per_stiffness.sqrt() * speed, 0.8),
+            _ => power_turn(stiffness / mass, 1.5, 0.5 * square, gravity),
+        };
+        let length = normal("peak indentation (m)", length)?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
-        Ok(Self { length, force, speed, contact_radius: (pair.radius * length).sqrt() })
+        let fastest = if gravity == 0.0 { speed } else { (square + 2.0 * gravity * length).sqrt() };
+        Ok(Self { length, force, speed: fastest, contact_radius: (pair.radius * length).sqrt() })
     }
 
     /// L/V \[s\].
