@@ -3,6 +3,7 @@
 use toml_edit::{DocumentMut, Item, Table, TableLike, Value, value};
 
 use super::NEEDED;
+use crate::scene::written::below;
 
 /// Why a text cannot be changed: it is no TOML.
 pub type NotToml = toml_edit::TomlError;
@@ -37,7 +38,7 @@ pub fn given(text: &str) -> Result<Vec<(String, String)>, NotToml> {
 
 fn collect(path: &str, table: &dyn TableLike, all: &mut Vec<(String, String)>) {
     for (name, item) in table.iter() {
-        let path = if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") };
+        let path = below(path, name);
         match (item.as_table_like(), item.as_value()) {
             (Some(table), _) => collect(&path, table, all),
             (None, Some(Value::String(text))) => all.push((path, text.value().clone())),

@@ -95,21 +95,3 @@ fn line_at(text: &str, position: &Position) -> u64 {
     let skipped = rest.lines().take_while(|line| line.is_empty() || line.starts_with('#')).count();
     position.line() + skipped as u64
 }
-
-#[cfg(test)]
-mod tests {
-    use super::CsvText;
-
-    #[test]
-    fn lines_are_counted_past_comments_and_empty_lines() {
-        let text = "\u{feff}# who\n\n# when\r\na, b\r\n1,2\n\n# one\n# two\n 3 ,4\n5\n";
-        let read = CsvText::new(text).unwrap();
-        assert_eq!((read.line, read.header.iter().collect::<Vec<_>>()), (Some(4), vec!["a", "b"]));
-        let rows: Vec<_> = read.rows().collect();
-        assert_eq!(rows[0].as_ref().unwrap().0, 5);
-        let (line, row) = rows[1].as_ref().unwrap();
-        assert_eq!((*line, &row[0]), (9, "3"));
-        assert_eq!(rows[2].as_ref().unwrap_err().0, Some(10));
-        assert!(CsvText::new("a;b\n1;2\n").unwrap_err().1.contains("commas"));
-    }
-}
