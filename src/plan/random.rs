@@ -122,7 +122,7 @@ impl Distribution {
 /// Draws the values of consecutive cases of one variable.
 #[derive(Debug)]
 pub struct Draws<'a> {
-    variable: &'a Variable,
+    pub variable: &'a Variable,
     generator: ChaCha8Rng,
 }
 
@@ -134,11 +134,6 @@ impl<'a> Draws<'a> {
         // a 64-bit number is two words
         generator.set_word_pos(2 * u128::from(first));
         Self { variable, generator }
-    }
-
-    /// The key the values are of.
-    pub fn key(&self) -> &'static Key {
-        self.variable.key
     }
 
     /// The value of the next case.

@@ -237,7 +237,7 @@ impl<'a> Evaluator<'a> {
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
-                draw.key().set(&mut input, Some(value));
+                draw.variable.key.set(&mut input, Some(value));
                 rows.swept.push(value);
             }
             if let Some((_, known)) = self.contacts.first() {
