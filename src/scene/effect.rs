@@ -33,8 +33,9 @@ fn changed(path: &str, input: &Input) -> Option<Input> {
     let mut other = input.clone();
     match Key::find(path) {
         Some(key) => key.set(&mut other, Some(key.other_value(input)?)),
-        // the law of an elastic contact, whether it is named or not
-        None if path == "law.hertz" && is_of_law(path, input) => return None,
+        // these tables name what holds without them: an elastic contact is under the law of Hertz, and PLM is the law of a
+        // scenario that names none
+        None if matches!(path, "law.hertz" | "law.plm") && is_of_law(path, input) => return None,
         None if is_of_law(path, input) => {
             other.law = LawChoice::all().into_iter().find(|law| law.name() != input.law.name())?;
         }
