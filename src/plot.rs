@@ -39,7 +39,7 @@ pub use histogram::histogram;
 pub use history::history;
 pub use indentation::indentation;
 pub use pictures::Pictures;
-pub use series::{Guide, Look, Series};
+pub use series::{Look, Series};
 pub use style::{Mark, Style};
 
 /// Size of every picture \[px\].

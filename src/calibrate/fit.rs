@@ -66,7 +66,7 @@ impl<'a> Fit<'a> {
         // weight, and pull the law down. Outliers are told by the median of the residuals. Either is found in turn with
         // the keys
         let has_shares = matches!(noise, Noise::Estimated { share: Some(_), .. }) && !problem.data.is_curve();
-        let rounds = if is_robust { 8 } else { 4 };
+        let rounds = if is_robust { 8 } else { 3 };
         let (mut whole, sizes) = (1.0, problem.data.sizes());
         for round in 1..=if is_robust || has_shares { rounds } else { 1 } {
             let (Noise::Estimated { .. }, Some(place)) = (noise, found.first()) else { break };

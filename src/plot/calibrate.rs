@@ -4,7 +4,7 @@
 use super::axis::extremes;
 use super::of_key::{axis_of, title_of};
 use super::style::Style;
-use super::{Axis, Chart, Guide, Series, posterior};
+use super::{Axis, Chart, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::statistics::{LEVELS, reach};
 use crate::calibrate::{Calibration, Fit, Found};
@@ -205,5 +205,5 @@ fn residuals(of: &Calibration) -> Chart {
     let notes = [("chi-square", of.p), ("runs of signs", of.runs.map(|runs| runs.p))];
     let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
     let chart = Chart::new("Residuals", [x, y], series);
-    chart.with_guides(guides.map(|(at, label)| Guide::horizontal(at, label))).with_notes(notes)
+    chart.with_guides(guides.map(|(at, label)| Series::horizontal(at, label))).with_notes(notes)
 }

@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::chart::Chart;
-use super::series::{Guide, Series};
+use super::series::Series;
 use super::style::{PALETTE, Style};
 
 /// A histogram of counts in bars of one width from `low` to `high`. `lines` are vertical lines, such as mean and quantiles,
@@ -22,7 +22,7 @@ pub fn histogram(
     // black, vermillion, reddish purple and green over sky blue, each with its own dash
     let guides = lines.into_iter().enumerate().map(|(i, (at, label))| {
         let color = [PALETTE[6], PALETTE[1], PALETTE[3], PALETTE[2]][i % 4];
-        Guide::vertical(at, label).styled(Style { color, ..Style::of(i).wide(3.5) })
+        Series::vertical(at, label).styled(Style { color, ..Style::of(i).wide(3.5) })
     });
     let axes = [x.between(low, high), Axis::linear("Count", "").between(0.0, 1.06 * highest)];
     Chart::new(title, axes, vec![Series::band("", outline).styled(5)]).with_guides(guides.collect::<Vec<_>>())

@@ -5,7 +5,7 @@ use super::axis::{Axis, extremes};
 use super::chart::{Chart, Panel};
 use super::force_indentation::{force_at_peak, indentations, is_damped, peak_name, title};
 use super::loops;
-use super::series::{Guide, Series};
+use super::series::Series;
 use super::style::{DASHED, GREY, INK, Style};
 use crate::impact::{Impact, TraceRow};
 use crate::units::rounded::quantity;
@@ -42,7 +42,7 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
         Panel::new(y("Indentation", "m", 0.0, impact.peak_indentation), drawn),
         Panel::new(y("Speed", "m/s", slowest.min(0.0), fastest.max(0.0)), vec![speed]),
     ];
-    panels[2].guides.push(Guide::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
+    panels[2].guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
     let x = Axis::engineering("Time", "s").between(0.0, 1.03 * impact.duration());
     Ok(Chart::stacked(title(impact), x, panels).with_guides(times(impact)))
 }
@@ -50,9 +50,9 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
 /// Vertical lines at the peak and at the end.
 fn times(impact: &Impact) -> Vec<Series> {
     let line = Style::line(GREY, 2.5);
-    let peak = Guide::vertical(impact.loading_time, peak_name(impact)).and(quantity(impact.loading_time, "s"));
+    let peak = Series::vertical(impact.loading_time, peak_name(impact)).and(quantity(impact.loading_time, "s"));
     let peak = if is_damped(impact) { peak.and(force_at_peak(impact)) } else { peak };
-    let end = |name: &str| Guide::vertical(impact.duration(), name).and(quantity(impact.duration(), "s")).styled(line);
+    let end = |name: &str| Series::vertical(impact.duration(), name).and(quantity(impact.duration(), "s")).styled(line);
     let mut end = match impact.captured() {
         None => end("Separation").and(format!("rebound at {}", quantity(impact.rebound_speed, "m/s"))),
         Some(under) => {

@@ -82,6 +82,27 @@ impl Series {
         Self::new(name, points, Look::Points)
     }
 
+    /// A guide: a line that is not data, and does not extend the axes. It has an entry in the key if it crosses the box;
+    /// guides with the same texts have one entry.
+    fn guide(look: Look, label: impl Into<String>, dash: Dash) -> Self {
+        Self::new(label, Vec::new(), look).styled(Style::line(GREY, 2.0).dashed(dash))
+    }
+
+    /// A vertical guide at this value of the horizontal axis.
+    pub fn vertical(at: f64, label: impl Into<String>) -> Self {
+        Self::guide(Look::Vertical(at), label, &[4.0, 6.0])
+    }
+
+    /// A horizontal guide at this value of the vertical axis.
+    pub fn horizontal(at: f64, label: impl Into<String>) -> Self {
+        Self::guide(Look::Horizontal(at), label, &[22.0, 8.0])
+    }
+
+    /// A guide along the curve y = y_0 (x/x_0)^slope through (x_0, y_0).
+    pub fn power(through: (f64, f64), slope: f64, label: impl Into<String>) -> Self {
+        Self::guide(Look::Power(through, slope), label, &[12.0, 6.0, 2.0, 6.0])
+    }
+
     /// The same series in this style; a number is a place in the cycle of styles.
     #[must_use]
     pub fn styled(self, style: impl Into<Style>) -> Self {
@@ -168,31 +189,5 @@ impl Series {
     pub(super) fn is_visible(&self, frame: &Frame) -> bool {
         let is_share = |at: f64| (-1e-9..=1.0 + 1e-9).contains(&at);
         self.drawn(frame).iter().any(|point| is_share(frame.x.at(point.0)) && is_share(frame.y.at(point.1)))
-    }
-}
-
-/// Makes guides: lines that are not data. They do not extend the axes. A guide has an entry in the key if it crosses the
-/// box; guides with the same texts have one entry.
-#[derive(Debug)]
-pub struct Guide;
-
-impl Guide {
-    fn with(look: Look, label: impl Into<String>, dash: Dash) -> Series {
-        Series::new(label, Vec::new(), look).styled(Style::line(GREY, 2.0).dashed(dash))
-    }
-
-    /// A vertical line at this value of the horizontal axis.
-    pub fn vertical(at: f64, label: impl Into<String>) -> Series {
-        Self::with(Look::Vertical(at), label, &[4.0, 6.0])
-    }
-
-    /// A horizontal line at this value of the vertical axis.
-    pub fn horizontal(at: f64, label: impl Into<String>) -> Series {
-        Self::with(Look::Horizontal(at), label, &[22.0, 8.0])
-    }
-
-    /// The curve y = y_0 (x/x_0)^slope through (x_0, y_0).
-    pub fn power(through: (f64, f64), slope: f64, label: impl Into<String>) -> Series {
-        Self::with(Look::Power(through, slope), label, &[12.0, 6.0, 2.0, 6.0])
     }
 }

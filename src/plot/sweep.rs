@@ -7,7 +7,7 @@ use crate::impact::{Essentials, Rebound};
 use crate::law::Bodies;
 use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
-use crate::plot::{self, Chart, Guide, Look, Panel, Series, heatmap, histogram};
+use crate::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
 use crate::reference::quasi_static;
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Tally, count};
@@ -104,23 +104,23 @@ fn words(axis: &Axis) -> String {
 }
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
-    let title = capital(&words(axis));
-    let unit = match &axis.setting {
-        Setting::Number { key, .. } if key.quantity.is_hardness => "HV",
-        Setting::Number { key, .. } if key.quantity.dimension == Dimension::Angle => "deg",
-        Setting::Number { key, .. } => key.quantity.dimension.si_unit(),
-        Setting::Words { .. } => "",
-    };
+    let (title, (unit, _)) = (capital(&words(axis)), unit(axis));
     if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
+}
+
+/// The unit of an axis in pictures, and a value of the axis in it.
+fn unit(axis: &Axis) -> (&'static str, fn(f64) -> f64) {
+    match &axis.setting {
+        Setting::Number { key, .. } if key.quantity.is_hardness => ("HV", vickers),
+        Setting::Number { key, .. } if key.quantity.dimension == Dimension::Angle => ("deg", f64::to_degrees),
+        Setting::Number { key, .. } => (key.quantity.dimension.si_unit(), |value| value),
+        Setting::Words { .. } => ("", |place| place),
+    }
 }
 
 /// The value at a place of an axis, in the unit of the picture.
 fn shown(axis: &Axis, place: u64) -> f64 {
-    match &axis.setting {
-        Setting::Number { key, values } if key.quantity.is_hardness => vickers(values.at(place)),
-        Setting::Number { key, values } if key.quantity.dimension == Dimension::Angle => values.at(place).to_degrees(),
-        _ => axis.number(place),
-    }
+    unit(axis).1(axis.number(place))
 }
 
 fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
@@ -137,7 +137,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
             at.iter().map(|place| (shown(first, *place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
         let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| second.label(*curve));
         if first.path() == "impact.speed" && !(is_by_law && number > 0) {
-            let guide = yield_speed(plan, axes, *curve).map(|at| Guide::vertical(at, "yield speed"));
+            let guide = yield_speed(plan, axes, *curve).map(|at| Series::vertical(at, "yield speed"));
             guides.extend(guide.map(|guide| if is_by_law { guide } else { guide.colored(number) }));
         }
         let look = if at.len() <= FEW_POINTS { Look::MarkedLine } else { Look::Line };
@@ -150,7 +150,7 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
         // through the fastest point of the first curve, where the contact is nearest to fully plastic
         let fastest =
             series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
-        guides.extend(fastest.map(|through| Guide::power(through, -0.25, "slope −1/4")));
+        guides.extend(fastest.map(|through| Series::power(through, -0.25, "slope −1/4")));
     }
     let e = if first.is_logarithmic { plot::Axis::log } else { plot::Axis::linear };
     let e = ranged(e("Restitution e", ""), &series);

@@ -19,7 +19,7 @@ use crate::law::PlmCoefficients;
 use crate::math::functions::{exp, ln, sin_cos};
 use crate::output::OutputFile;
 use crate::plot::of_key::title_of;
-use crate::plot::{Axis, Chart, Guide, Pictures, PlotError, Series, Style};
+use crate::plot::{Axis, Chart, Pictures, PlotError, Series, Style};
 use crate::progress::Counter;
 use crate::reference::hardening::unloadings;
 use crate::reference::impacts::Sample;
@@ -77,7 +77,7 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
     let series = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
     let y = Axis::linear("Law over finite elements − 1", "%").between(-7.0, 4.0);
     let chart = Chart::new("Restitution of load cycles, five pairs of materials", [depths(), y], series);
-    ("error-restitution".to_owned(), chart.with_guides([Guide::horizontal(0.0, "")]))
+    ("error-restitution".to_owned(), chart.with_guides([Series::horizontal(0.0, "")]))
 }
 
 /// The restitution of one case.

@@ -1,7 +1,7 @@
 //! Pictures: curves lie at the places of their values, text stays text and on the sheet. Places are read from the SVG;
 //! one test compares it with the PNG, which is drawn from the same data.
 
-use plm_impact::plot::{self, Axis, Chart, Guide, Panel, PlotError, Series, heatmap, histogram};
+use plm_impact::plot::{self, Axis, Chart, Panel, PlotError, Series, heatmap, histogram};
 use roxmltree::Node;
 
 use crate::common::prelude::*;
@@ -165,8 +165,11 @@ fn a_curve_lies_where_its_values_are() {
 fn curves_and_guides_are_cut_at_the_axes() {
     let unit = |title: &str| Axis::linear(title, "").between(0.0, 1.0);
     let curves = vec![vec![(-1.0, 0.25), (2.0, 0.25)], vec![(0.5, -5.0), (0.5, 5.0)], vec![(-3.0, 9.0), (9.0, 9.0)]];
-    let guides =
-        vec![Guide::vertical(7.0, "outside"), Guide::horizontal(0.75, "level"), Guide::power((0.5, 0.5), 1.0, "slope")];
+    let guides = vec![
+        Series::vertical(7.0, "outside"),
+        Series::horizontal(0.75, "level"),
+        Series::power((0.5, 0.5), 1.0, "slope"),
+    ];
     let drawn = Drawn::of(&lines([unit("x"), unit("y")], curves).with_guides(guides));
     let near = |a: f64, b: f64| (a - b).abs() < 1e-3;
     let inside: Vec<_> = drawn.shares(VERMILLION).into_iter().filter(|(x, _)| *x < 1.01).collect();

@@ -5,28 +5,14 @@ use crate::common::prelude::*;
 /// Contact time of a Hertz impact times v/δ_max: (4/5) B(2/5, 1/2).
 const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
 
-fn any_body() -> impl Strategy<Value = Material> {
-    (6.0..13.0_f64, -0.9..0.49_f64)
-        .prop_map(|(log_e, poissons_ratio)| Material { youngs_modulus: 10_f64.powf(log_e), poissons_ratio })
-}
-
 /// An elastic half-space: without a yield strength, or with one that is not reached.
 fn any_elastic_impact() -> impl Strategy<Value = (Scene, f64)> {
-    let bodies = (any_body(), any_body(), -9.0..1.0_f64, 2.0..4.3_f64);
-    (bodies, -3.0..3.0_f64, prop::option::of(0.01..0.999_f64)).prop_map(
-        |((sphere, half_space, log_r, log_rho), log_v, share_of_yield)| {
-            let scene = Scene {
-                radius: 10_f64.powf(log_r),
-                density: 10_f64.powf(log_rho),
-                sphere,
-                half_space,
-                yield_strength: share_of_yield.map(|_| 1e-2 * sphere.youngs_modulus.min(half_space.youngs_modulus)),
-                exponent: UnloadingExponent::Paper,
-            };
-            let speed = share_of_yield.map_or(10_f64.powf(log_v), |share| share * scene.yield_speed());
-            (scene, speed)
-        },
-    )
+    let bodies = (scenes(6.0..13.0, -0.9..0.49, -9.0..1.0, -2.1..-2.0), 2.0..4.3_f64);
+    (bodies, -3.0..3.0_f64, prop::option::of(0.01..0.999_f64)).prop_map(|((scene, log_rho), log_v, share_of_yield)| {
+        let scene = Scene { density: 10_f64.powf(log_rho), ..scene };
+        let elastic = Scene { yield_strength: None, ..scene };
+        share_of_yield.map_or((elastic, 10_f64.powf(log_v)), |share| (scene, share * scene.yield_speed()))
+    })
 }
 
 proptest! {

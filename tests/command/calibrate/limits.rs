@@ -107,14 +107,12 @@ const KINKED_TOO: &str = "0.2476450185,0.7988998404 1.530120559,0.5891670031 0.2
 
 /// The fit and the least sum on a fine grid about it.
 fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
-    let directory = tempfile::TempDir::new().unwrap();
     let lines: String = data.split_whitespace().flat_map(|line| [line, "\n"]).collect();
-    std::fs::write(directory.path().join("d.csv"), format!("speed_m_per_s,restitution\n{lines}")).unwrap();
     let request = format!(
         "data = \"d.csv\"\nfree = {{ \"half_space.yield_strength\" = {{ from = {from}, to = {to} }} }}\nnoise = {{ restitution = 0.01 }}\n{robust}"
     );
     let text = scenario(&request).replace("208 GPa", "210 GPa");
-    let scenario = Scenario::in_directory("kinks", &text, &[], directory.path().to_owned()).unwrap();
+    let scenario = read(&text, NONE).with_data(format!("speed_m_per_s,restitution\n{lines}"));
     let measured = Measurements::of(&scenario).unwrap();
     let found = measured.calibrate(&Counter::default()).unwrap();
     let fit: &Fit = &found.fit;
