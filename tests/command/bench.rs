@@ -1,7 +1,5 @@
 //! `plm-impact bench` as a process: its files, not the measured times.
 
-use std::fs;
-
 use plm_impact::bench::hard_cases::hard_cases;
 
 use crate::common::prelude::*;

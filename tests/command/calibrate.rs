@@ -5,8 +5,6 @@ mod coverage;
 mod files;
 mod limits;
 
-use serde_json::Value;
-
 use crate::common::prelude::*;
 
 /// A steel ball of 10 mm diameter on steel.

@@ -1,8 +1,5 @@
 //! The command as a process: outputs, messages and exit codes. If the input is wrong, nothing is written.
 
-use std::fs;
-use std::path::Path;
-
 use crate::common::prelude::*;
 
 const STEEL: &str = include_str!("../../scenarios/steel-on-steel.toml");

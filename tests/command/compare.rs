@@ -1,7 +1,5 @@
 //! Laws in the command: scenarios, sweeps over laws, the comparison of Figure 10, the list of laws.
 
-use std::path::Path;
-
 use crate::common::prelude::*;
 
 /// The scenario of Figure 10 at this many yield indentations.

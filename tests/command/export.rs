@@ -1,7 +1,6 @@
 //! `plm-impact export`: the springs, when integrated, have the e and the contact time of the law; tables are those of
 //! the closed form; scenes that cannot be exported are refused. Runs in LAMMPS and LIGGGHTS are in tests/lammps.
 
-use std::path::Path;
 use std::process::Output;
 
 use crate::common::prelude::*;

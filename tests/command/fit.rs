@@ -3,7 +3,7 @@
 mod command;
 mod files;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use crate::common::prelude::*;

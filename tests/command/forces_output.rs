@@ -1,7 +1,5 @@
 //! Output of impacts under gravity and damping.
 
-use serde_json::Value;
-
 use crate::common::prelude::*;
 
 /// The steel sphere falls from 0.5 m.

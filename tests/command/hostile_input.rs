@@ -1,8 +1,6 @@
 //! Hostile input, given to the command as a process: too long texts, overrides that set several keys, and texts that a
 //! terminal or a spreadsheet would execute.
 
-use std::fs;
-
 use crate::common::prelude::*;
 
 /// The message of the command for arguments that it refuses.

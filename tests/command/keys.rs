@@ -2,7 +2,6 @@
 
 use plm_impact::report::reference::renewed;
 use plm_impact::scenario::schema::schema;
-use serde_json::Value;
 
 use crate::common::prelude::*;
 

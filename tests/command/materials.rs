@@ -51,8 +51,7 @@ fn value(name: &str, property: Property) -> f64 {
 
 #[test]
 fn values_are_those_that_are_published() {
-    let mut reader = csv::Reader::from_reader(&include_bytes!("materials_published.csv")[..]);
-    let rows: Vec<(String, String, String, f64, String)> = reader.deserialize().map(Result::unwrap).collect();
+    let rows: Vec<(String, String, String, f64, String)> = records(include_str!("materials_published.csv"));
     assert_eq!(rows.len(), 20);
     for (name, property, published, tolerance, source) in rows {
         let known = &find(&name).unwrap().known;

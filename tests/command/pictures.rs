@@ -2,7 +2,6 @@
 //! that it is asked for.
 
 use std::collections::BTreeSet;
-use std::path::Path;
 
 use crate::common::prelude::*;
 

@@ -1,11 +1,9 @@
 //! The interface to programs and shells: summaries and errors as JSON, standard input, completions, manual pages, and
 //! the examples of the help.
 
-use std::fs;
 use std::process::{Command, Output};
 
 use crate::common::prelude::*;
-use serde_json::Value;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 

@@ -1,7 +1,5 @@
 //! `sphere.mass`, `half_space.hardness` and `[half_space.flow_stress]`: the scenes of scenarios with them.
 
-use std::fs;
-
 use plm_impact::scene::Scene;
 
 use crate::common::prelude::*;

@@ -8,8 +8,7 @@ use plm_impact::units::{Dimension, describe, exact, human, parse, si};
 fn every_spelling_gives_the_number_that_si_digits_give() {
     use Dimension::{Acceleration, Density, InverseSpeed, Length, Pressure, Ratio, Speed};
     let dimensions = [Acceleration, Density, InverseSpeed, Length, Pressure, Ratio, Speed];
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(&include_bytes!("spellings.csv")[..]);
-    let rows: Vec<(String, String, f64)> = reader.deserialize().map(Result::unwrap).collect();
+    let rows: Vec<(String, String, f64)> = records(include_str!("spellings.csv"));
     assert_eq!(rows.len(), 48);
     for (spelling, name, want) in rows {
         let dimension = dimensions.into_iter().find(|dimension| format!("{dimension:?}") == name).unwrap();

@@ -2,7 +2,6 @@
 //! second, independent implementation of the law.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::sync::LazyLock;
 
 use plm_impact::validation::check::{Check, Group, Known, Tolerance, Verdict};
@@ -14,11 +13,6 @@ const BUILT_IN: &str = include_str!("../../src/law/plm/coefficients.toml");
 
 /// A row of a table, by column.
 type Row = BTreeMap<String, String>;
-
-fn rows(text: &str) -> Vec<Row> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    reader.deserialize().map(Result::unwrap).collect()
-}
 
 fn number(row: &Row, column: &str) -> f64 {
     row[column].parse().unwrap_or_else(|_| panic!("{column} of {row:?}"))
@@ -33,7 +27,7 @@ fn a_clean_checkout_passes_and_shows_it() {
     // the known deviation is printed
     assert!(table.contains("known of the built-in law: load cycle: residual"), "{table}");
 
-    let checks = rows(&desk.read("v/validation.csv"));
+    let checks = records::<Row>(&desk.read("v/validation.csv"));
     // 4 quantities over 5 curves and 2 largest deviations each; 63 unloadings, of which 52 have a resolved dent and 59 a
     // known spent work; 3 impacts; 43 unloadings of metals that harden; 6 rebounds of Leeb devices; 8 tangential
     // restitutions, 7 spins, 9 angles and 14 slip speeds of oblique impacts; means and rms
@@ -99,7 +93,7 @@ fn another_law_misses_and_the_exit_code_says_so() {
     assert!(table.contains("MISS: loading: force, rms over the curve: case 3"), "{table}");
     assert!(message.contains("checks missed their tolerance: see v/validation.csv"), "{message}");
     // the tables are written
-    let checks = rows(&desk.read("v/validation.csv"));
+    let checks = records::<Row>(&desk.read("v/validation.csv"));
     assert!(checks.iter().any(|row| row["verdict"] == "MISS"));
     // deviations that are known for the built-in law are misses for another law
     assert!(checks.iter().all(|row| row["verdict"] != "known"), "{table}");
@@ -268,7 +262,7 @@ static CHECKS: LazyLock<Vec<Check>> =
 #[test]
 fn rows_of_load_cycles_follow_from_a_second_implementation() {
     let mut compared = 0;
-    for cycle in rows(include_str!("../../src/reference/fe_unloading.csv")) {
+    for cycle in records::<Row>(include_str!("../../src/reference/fe_unloading.csv")) {
         let case: usize = cycle["case"].trim_start_matches("case").parse().unwrap();
         let second = Second::of(CURVES[case - 1]);
         let x = number(&cycle, "x");
@@ -316,7 +310,7 @@ fn rows_of_loading_follow_from_a_second_implementation() {
         let second = Second::of(curve);
         let mut squares = [0.0; 3];
         let mut n = 0.0;
-        for row in rows(curve) {
+        for row in records::<Row>(curve) {
             let x = number(&row, "delta_over_deltaY");
             if x < 1.0 {
                 continue;

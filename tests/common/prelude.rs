@@ -34,9 +34,12 @@ pub use plm_impact::strength::flow::FlowCurve;
 pub use plm_impact::sweep::evaluator::{Evaluator, Failure, Rows};
 pub use plm_impact::validation::check::largest;
 pub use roxmltree::Document;
-pub use serde_json::json;
+pub use serde_json::{Value, json};
+pub use std::fs;
+pub use std::path::Path;
 
 pub use super::command::*;
 pub use super::picture::*;
+pub use super::reference::records;
 pub use super::run;
 pub use super::*;

@@ -4,18 +4,24 @@ use std::collections::BTreeMap;
 
 use plm_impact::impact::Contact;
 use plm_impact::scene::Scene;
+use serde::de::DeserializeOwned;
 
 /// The cells of a row that are not empty, by the names of their columns.
 #[derive(Debug)]
 pub struct Row(BTreeMap<String, String>);
 
-pub fn rows(text: &str) -> Vec<Row> {
+/// The rows of a CSV text with comments.
+pub fn records<T: DeserializeOwned>(text: &str) -> Vec<T> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    reader.deserialize().map(Result::unwrap).collect()
+}
+
+pub fn rows(text: &str) -> Vec<Row> {
     let filled = |mut row: BTreeMap<String, String>| {
         row.retain(|_, cell| !cell.is_empty());
         Row(row)
     };
-    reader.deserialize().map(|row| filled(row.unwrap())).collect()
+    records(text).into_iter().map(filled).collect()
 }
 
 impl Row {

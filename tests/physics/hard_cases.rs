@@ -18,9 +18,7 @@ fn rounding(case: &Problem) -> f64 {
 #[test]
 fn every_case_has_its_reference_value() {
     // 50-digit arithmetic, independent of the code of the law; the speed ratio is rounded to double precision here
-    let text = include_str!("../reference/hard_cases.csv");
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-    let table: Vec<(String, f64, f64)> = reader.deserialize().map(Result::unwrap).collect();
+    let table: Vec<(String, f64, f64)> = records(include_str!("../reference/hard_cases.csv"));
     let cases = hard_cases().unwrap();
     assert_eq!(table.len(), cases.len());
     for (case, (name, restitution, contact_time)) in cases.iter().zip(table) {

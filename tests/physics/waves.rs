@@ -56,9 +56,7 @@ fn loss_by_quadrature(contact: &Contact, speed: f64) -> f64 {
 #[test]
 fn the_factor_of_the_material_is_the_formulas() {
     // reference/waves.csv: the same formula in 40 digits by another method, see waves.py
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(&include_bytes!("../reference/waves.csv")[..]);
-    let rows: Vec<(f64, f64)> = reader.deserialize().map(Result::unwrap).collect();
+    let rows: Vec<(f64, f64)> = records(include_str!("../reference/waves.csv"));
     assert_eq!(rows.len(), 14);
     for (nu, factor) in rows {
         let error = off(radiation_factor(nu), factor);

@@ -1,7 +1,6 @@
 //! Output files beside links, pipes, files of the user, and results of other scenarios. Tested with processes and signals.
 
 #![cfg(unix)]
-use std::fs;
 use std::os::unix::fs::{FileTypeExt as _, symlink};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};

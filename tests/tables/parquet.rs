@@ -1,8 +1,7 @@
 //! Parquet tables of many row groups, compared with the CSV table and for different numbers of threads. Tested with the
 //! command as a process.
 
-use std::fs::{self, File};
-use std::path::Path;
+use std::fs::File;
 
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;

@@ -1,7 +1,6 @@
 //! Tables in parts: kills, shards, two writers, a full disk, parts that are torn or of another table. Tested with processes.
 
 #![cfg(unix)]
-use std::fs;
 use std::os::unix::fs::MetadataExt as _;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};

@@ -2,8 +2,6 @@
 
 use std::fmt::Write as _;
 
-use serde_json::Value;
-
 use super::{BOTH, STRENGTH, bodies, calibrated, near, pairs, restitutions, scenario};
 use crate::common::prelude::*;
 
@@ -58,7 +56,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
 
 #[test]
 fn a_whole_cycle_of_indentation_gives_strength_and_modulus() {
-    let steps = "[indentation]\nsteps = [{ load = \"500 N\" }, { load = \"0 N\" }]\n[output]\nsamples = 60\n";
+    let steps = "[indentation]\nsteps = [{ load = \"500 N\" }, { load = \"0 N\" }]\n[output]\nsamples = 24\n";
     let trace = Desk::ran(bodies() + steps).read("out/trace.csv");
     let data = pairs(&trace, ["indentation_m", "force_N"], "indentation_m,force_N");
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ force = \"5 N\" }}"));

@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use crate::common::prelude::*;
 use plm_impact::calibrate::Measurements;
-use serde_json::Value;
 
 use super::{STRENGTH, calibrated, near, scenario};
 

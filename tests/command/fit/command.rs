@@ -1,7 +1,5 @@
 //! `fit-plm` as a command: the file that it writes.
 
-use std::fs;
-
 use super::{FITTED, reference};
 use crate::common::prelude::*;
 

@@ -1,7 +1,6 @@
 //! The forms of a file of a loading curve, and curves without sense.
 
 use std::fmt::Write as _;
-use std::fs;
 
 use plm_impact::fit;
 
@@ -71,7 +70,7 @@ fn a_curve_as_a_spreadsheet_writes_it_is_the_same_curve() {
 fn any_curve_that_can_be_read_gives_a_law_or_an_error() {
     let steps = prop::collection::vec((0.01..3.0_f64, 0.01..5.0_f64, 0.02..1.1_f64), 9..20);
     let curves = (steps, 1e-4..0.999_f64, 1e-5..0.5_f64, any::<bool>());
-    let fitted = checked(12, &curves, |(steps, kappa, yield_radius_ratio, has_knots)| {
+    let fitted = checked(8, &curves, |(steps, kappa, yield_radius_ratio, has_knots)| {
         let mut text = format!(
             "# sphere.youngs_modulus = {} GPa\n# sphere.poissons_ratio = 0\n# half_space.youngs_modulus = {} GPa\n\
              # half_space.poissons_ratio = 0\n# half_space.yield_strength = {} GPa\n\
@@ -95,7 +94,7 @@ fn any_curve_that_can_be_read_gives_a_law_or_an_error() {
         prop_assert!(fitted.cases[0].force.rms.is_finite() && fitted.cases[0].approach.rms.is_finite());
         Ok(true)
     });
-    assert!(fitted >= 8, "{fitted} of 12");
+    assert!(fitted >= 5, "{fitted} of 8");
 }
 
 #[test]
