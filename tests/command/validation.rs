@@ -144,8 +144,14 @@ fn a_row_passes_up_to_its_tolerance_and_is_known_up_to_what_is_on_record() {
 /// instead of closed forms.
 struct Second {
     table: toml::Table,
+    /// Knots of the force, and the two parts of its slopes.
+    force: [Vec<f64>; 3],
     kappa: f64,
     a_y: f64,
+}
+
+fn list(table: &toml::Table, of: &str, key: &str) -> Vec<f64> {
+    table[of][key].as_array().unwrap().iter().map(|value| value.as_float().unwrap()).collect()
 }
 
 impl Second {
@@ -159,11 +165,9 @@ impl Second {
         let e_star = e_s * e_h / (e_s + e_h);
         // C_ν = 1.61316 at ν = 0.3
         let a_y = std::f64::consts::PI * 1.613_160_7 * 1e-3 * value("half_space.yield_strength") / (2.0 * e_star);
-        Self { table: toml::from_str(BUILT_IN).unwrap(), kappa: e_star / e_s, a_y }
-    }
-
-    fn list(&self, table: &str, key: &str) -> Vec<f64> {
-        self.table[table][key].as_array().unwrap().iter().map(|value| value.as_float().unwrap()).collect()
+        let table = toml::from_str(BUILT_IN).unwrap();
+        let force = ["from", "slope", "slope_kappa_squared"].map(|key| list(&table, "force", key));
+        Self { table, force, kappa: e_star / e_s, a_y }
     }
 
     fn one(&self, key: &str) -> f64 {
@@ -171,8 +175,7 @@ impl Second {
     }
 
     fn force(&self, x: f64) -> f64 {
-        let (from, slope, extra) =
-            (self.list("force", "from"), self.list("force", "slope"), self.list("force", "slope_kappa_squared"));
+        let [from, slope, extra] = &self.force;
         let mut force = x.min(from[0]).powf(1.5);
         for i in 0..from.len() {
             let end = from.get(i + 1).copied().unwrap_or(f64::INFINITY);
@@ -188,8 +191,7 @@ impl Second {
             (self.one("first_slope") + self.one("first_slope_kappa_squared") * k2).min(self.one("first_slope_limit"));
         let plastic = self.one("plastic_slope") + self.one("plastic_slope_kappa_squared") * k2;
         let plastic_from = 1.0 + self.one("plastic_from_rho") * (1.0 - self.kappa);
-        let (from, factor) =
-            (self.list("elastic_approach", "geometry_from"), self.list("elastic_approach", "geometry_factor"));
+        let [from, factor] = ["geometry_from", "geometry_factor"].map(|key| list(&self.table, "elastic_approach", key));
         let slope = |a: f64| {
             let base = if a < plastic_from { first } else { plastic };
             from.iter()
@@ -220,7 +222,7 @@ impl Second {
     fn work(&self, x: f64) -> f64 {
         let n = 20_000;
         let step = x / f64::from(n);
-        (0..n).map(|i| 0.5 * step * (self.force(f64::from(i) * step) + self.force(f64::from(i + 1) * step))).sum()
+        step * ((1..n).map(|i| self.force(f64::from(i) * step)).sum::<f64>() + 0.5 * self.force(x))
     }
 
     /// Λ(A).

@@ -72,22 +72,22 @@ fn threads_parts_and_shards_in_any_order_give_the_same_bytes_and_statistics() {
     for scenario in [grid(), random()] {
         let desk = Desk::with(&scenario);
         ends(run(&desk, "whole", None, &[]), 0);
-        for (threads, rows) in [("1", 1000), ("2", 1000), ("7", 1001)] {
+        for (threads, rows) in [("1", 600), ("2", 600), ("7", 601)] {
             ends(run(&desk, threads, Some(rows), &["--threads", threads]), 0);
             assert!(bytes(&desk, threads) == bytes(&desk, "whole"), "{threads} threads");
             assert_eq!(summary(&desk, threads), summary(&desk, "whole"));
         }
         for format in formats() {
             let whole = format!("whole-{format}");
-            ends(run(&desk, &whole, Some(1000), &["--format", format]), 0);
+            ends(run(&desk, &whole, Some(600), &["--format", format]), 0);
             for (out, order) in [("a", ["0/3", "1/3", "2/3"]), ("b", ["2/3", "0/3", "1/3"])] {
                 let out = format!("{out}-{format}");
                 for shard in order {
-                    let message = ends(run(&desk, &out, Some(1000), &["--format", format, "--shard", shard]), 0);
+                    let message = ends(run(&desk, &out, Some(600), &["--format", format, "--shard", shard]), 0);
                     assert_eq!(message, "");
                     assert!(!desk.path(&out).join("summary.json").exists());
                 }
-                ends(run(&desk, &out, Some(1000), &["--format", format]), 0);
+                ends(run(&desk, &out, Some(600), &["--format", format]), 0);
                 assert!(bytes(&desk, &out) == bytes(&desk, &whole), "{order:?}, {format}");
                 assert_eq!(summary(&desk, &out), summary(&desk, &whole));
                 assert_eq!(desk.files(&out), desk.files(&whole));
@@ -112,6 +112,8 @@ fn fifteen_kills(rows_per_part: Option<u32>, runs: &[&[&str]]) {
     let begun = Instant::now();
     ends(run(&desk, "alone", rows_per_part, format), 0);
     let time = begun.elapsed();
+    // a table in parts leaves what tells of them
+    assert_eq!(desk.path("alone/_table.json").exists(), rows_per_part.is_some());
     let mut kills = 0;
     for k in 0..15 {
         let children: Vec<Child> =
@@ -136,15 +138,15 @@ fn fifteen_kills(rows_per_part: Option<u32>, runs: &[&[&str]]) {
 #[test]
 fn after_fifteen_kills_the_same_command_makes_the_same_table() {
     fifteen_kills(None, &[&[]]);
-    fifteen_kills(Some(1000), &[&[]]);
-    fifteen_kills(Some(1000), &[&["--shard", "0/2"], &["--shard", "1/2"]]);
+    fifteen_kills(Some(600), &[&[]]);
+    fifteen_kills(Some(600), &[&["--shard", "0/2"], &["--shard", "1/2"]]);
 }
 
 #[test]
 #[cfg(feature = "parquet")]
 fn after_fifteen_kills_a_table_as_parquet_is_the_same_too() {
     fifteen_kills(None, &[&["--format", "parquet"]]);
-    fifteen_kills(Some(1000), &[&["--format", "parquet"]]);
+    fifteen_kills(Some(600), &[&["--format", "parquet"]]);
     fifteen_kills(Some(500), &[&["--format", "parquet", "--shard", "0/2"], &["--format", "parquet", "--shard", "1/2"]]);
 }
 
