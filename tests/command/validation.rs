@@ -161,10 +161,16 @@ impl Second {
             let line = curve.lines().find_map(|line| line.strip_prefix(&format!("# {key} = "))).unwrap();
             line.split(' ').next().unwrap().parse().unwrap()
         };
-        let (e_s, e_h) = (value("sphere.youngs_modulus") / 0.91, value("half_space.youngs_modulus") / 0.91);
+        let [sphere, half_space] = ["sphere", "half_space"].map(|body| value(&format!("{body}.youngs_modulus")));
+        Self::new(sphere, half_space, value("half_space.yield_strength"))
+    }
+
+    /// The law of these moduli \[GPa\] and this strength \[MPa\].
+    fn new(sphere: f64, half_space: f64, strength: f64) -> Self {
+        let (e_s, e_h) = (sphere / 0.91, half_space / 0.91);
         let e_star = e_s * e_h / (e_s + e_h);
         // C_ν = 1.61316 at ν = 0.3
-        let a_y = std::f64::consts::PI * 1.613_160_7 * 1e-3 * value("half_space.yield_strength") / (2.0 * e_star);
+        let a_y = std::f64::consts::PI * 1.613_160_7 * 1e-3 * strength / (2.0 * e_star);
         let table = toml::from_str(BUILT_IN).unwrap();
         let force = ["from", "slope", "slope_kappa_squared"].map(|key| list(&table, "force", key));
         Self { table, force, kappa: e_star / e_s, a_y }
@@ -338,11 +344,7 @@ fn rows_of_loading_follow_from_a_second_implementation() {
 #[test]
 fn whole_impacts_are_those_of_the_scenarios() {
     // e from the energy balance of the second implementation, for the bodies of D1 (scenarios/dynamic-fe-d1.toml)
-    let second = Second {
-        kappa: 210.0 / (208.0 + 210.0),
-        a_y: std::f64::consts::PI * 1.613_160_7 * 0.345 / (2.0 * 208.0 * 210.0 / 0.91 / (208.0 + 210.0)),
-        table: toml::from_str(BUILT_IN).unwrap(),
-    };
+    let second = Second::new(208.0, 210.0, 345.0);
     // kinetic energy in units of first yield: (1/2)(4/3)π R³ ρ v² = W F_Y δ_Y, F_Y δ_Y = (2/3) E* a_Y^5 R³ × 2, a_Y in
     // units of R
     let e_star = 208e9 * 210e9 / 0.91 / (208e9 + 210e9);
