@@ -17,8 +17,8 @@ pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// The code
-    #[arg(long, value_name = "CODE", value_parser = one_of(Target::ALL, |(name, _)| name))]
-    to: (&'static str, Target),
+    #[arg(long, value_name = "CODE", value_parser = one_of(Target::ALL, Target::name))]
+    to: Target,
     /// Impact speed [default: that of the scenario]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
@@ -29,7 +29,7 @@ pub struct Arguments {
 
 pub fn export(arguments: &Arguments) -> Result<(), Error> {
     let request = Request {
-        target: arguments.to.1,
+        target: arguments.to,
         speed: arguments.speed.as_deref().map(|text| speed("--speed", text)).transpose()?,
         speeds: arguments.speeds.as_deref().map(speeds).transpose()?,
     };

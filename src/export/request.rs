@@ -1,36 +1,28 @@
 //! The request: for which code, and at which speeds.
 
-/// Which code the lines are for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Target {
-    /// LAMMPS, `fix wall/gran`.
-    Lammps,
-    /// LIGGGHTS, `fix wall/gran model hooke`.
-    Liggghts,
-    /// Yade, `ViscElMat`.
-    Yade,
-    /// MercuryDPM, a species with e and contact time.
-    Mercury,
-    /// Altair AcuSolve, walls of particles.
-    Acusolve,
-    /// Ansys Fluent, the normal coefficient of a wall.
-    Fluent,
-    /// A table e(v) as CSV.
-    Csv,
+use crate::units::names::named;
+
+named! {
+    /// Which code the lines are for.
+    pub enum Target {
+        /// LAMMPS, `fix wall/gran`.
+        Lammps = "lammps",
+        /// LIGGGHTS, `fix wall/gran model hooke`.
+        Liggghts = "liggghts",
+        /// Yade, `ViscElMat`.
+        Yade = "yade",
+        /// MercuryDPM, a species with e and contact time.
+        Mercury = "mercury",
+        /// Altair AcuSolve, walls of particles.
+        Acusolve = "acusolve",
+        /// Ansys Fluent, the normal coefficient of a wall.
+        Fluent = "fluent",
+        /// A table e(v) as CSV.
+        Csv = "csv",
+    }
 }
 
 impl Target {
-    /// Every target, and its name on the command line.
-    pub const ALL: [(&'static str, Self); 7] = [
-        ("lammps", Self::Lammps),
-        ("liggghts", Self::Liggghts),
-        ("yade", Self::Yade),
-        ("mercury", Self::Mercury),
-        ("acusolve", Self::Acusolve),
-        ("fluent", Self::Fluent),
-        ("csv", Self::Csv),
-    ];
-
     /// Whether its lines have a coefficient of friction.
     pub(super) fn takes_friction(self) -> bool {
         matches!(self, Self::Lammps | Self::Liggghts | Self::Yade | Self::Mercury)

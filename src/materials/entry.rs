@@ -5,39 +5,27 @@ use serde::Deserialize;
 use crate::strength::flow::FlowCurve;
 use crate::strength::hardness::strength_of_hardness;
 use crate::units::Dimension;
+use crate::units::names::named;
 
-/// A property that a material may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Property {
-    /// Density ρ.
-    Density,
-    /// Young's modulus E.
-    YoungsModulus,
-    /// Poisson's ratio ν.
-    PoissonsRatio,
-    /// Hardness, as the mean pressure of a hardness test.
-    Hardness,
-    /// Exponent N of a power law of hardening.
-    HardeningExponent,
+named! {
+    /// A property that a material may have, in the order of the file.
+    #[derive(PartialOrd, Ord, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Property {
+        /// Density ρ.
+        Density = "density",
+        /// Young's modulus E.
+        YoungsModulus = "youngs_modulus",
+        /// Poisson's ratio ν.
+        PoissonsRatio = "poissons_ratio",
+        /// Hardness, as the mean pressure of a hardness test.
+        Hardness = "hardness",
+        /// Exponent N of a power law of hardening.
+        HardeningExponent = "hardening_exponent",
+    }
 }
 
 impl Property {
-    /// All properties, in the order of the file.
-    pub const ALL: [Self; 5] =
-        [Self::Density, Self::YoungsModulus, Self::PoissonsRatio, Self::Hardness, Self::HardeningExponent];
-
-    /// Its name in the file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Density => "density",
-            Self::YoungsModulus => "youngs_modulus",
-            Self::PoissonsRatio => "poissons_ratio",
-            Self::Hardness => "hardness",
-            Self::HardeningExponent => "hardening_exponent",
-        }
-    }
-
     /// Its dimension.
     pub fn dimension(self) -> Dimension {
         match self {
