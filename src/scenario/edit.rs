@@ -42,7 +42,8 @@ fn collect(path: &str, table: &dyn TableLike, all: &mut Vec<(String, String)>) {
         match (item.as_table_like(), item.as_value()) {
             (Some(table), _) => collect(&path, table, all),
             (None, Some(Value::String(text))) => all.push((path, text.value().clone())),
-            (None, Some(other)) => all.push((path, other.to_string().trim().to_owned())),
+            // without the comment behind it
+            (None, Some(other)) => all.push((path, other.clone().decorated("", "").to_string())),
             (None, None) => {}
         }
     }
@@ -150,5 +151,7 @@ mod tests {
             assert!(given.contains(&((*path).to_owned(), (*value).to_owned())), "{path} in {given:?}");
         }
         assert_eq!(given.len(), 4, "{given:?}");
+        // a comment behind a number is no part of it
+        assert_eq!(super::given("speed = 3  # fast\n").unwrap(), [("speed".to_owned(), "3".to_owned())]);
     }
 }
