@@ -71,8 +71,10 @@ pub fn integrate<I: Integrator>(
             continue;
         }
         piece += 1;
-        let is_yield = law.loading.pieces()[piece].start == law.elastic_until();
-        recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, at);
+        if recorder.is_on() {
+            let is_yield = law.loading.pieces()[piece].start == law.elastic_until();
+            recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, at);
+        }
         at.distance = entry_of(law, piece);
     };
 

@@ -89,7 +89,14 @@ impl Recorder {
         Self { legs: Some(Vec::new()) }
     }
 
+    /// Whether it records.
+    #[inline]
+    pub(super) fn is_on(&self) -> bool {
+        self.legs.is_some()
+    }
+
     /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first one begins with this first touch.
+    #[inline]
     pub(super) fn begin(&mut self, piece: Option<usize>, touch: &State) -> Option<&mut Vec<Segment>> {
         let legs = self.legs.as_mut()?;
         let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
@@ -98,6 +105,7 @@ impl Recorder {
     }
 
     /// Notes an event on the leg that was begun last.
+    #[inline]
     pub(super) fn mark(&mut self, event: Event, at: State) {
         if let Some(leg) = self.legs.as_mut().and_then(|legs| legs.last_mut()) {
             leg.events.push((event, at));

@@ -61,7 +61,5 @@ rows! {
         pub x: f64,
         /// f.
         pub f: f64,
-        /// δ_s/δ_Y.
-        pub sphere_x: f64,
     }
 }
