@@ -73,13 +73,13 @@ pub fn integrate<I: Integrator>(
         piece += 1;
         if recorder.is_on() {
             let is_yield = law.loading.pieces()[piece].start == law.elastic_until();
-            recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, at);
+            recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, &at);
         }
         at.distance = entry_of(law, piece);
     };
 
     let unloading = law.turned(piece, at.distance - entry_of(law, piece));
-    recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, at);
+    recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
     let loading_time = at.time;
     at.distance = unloading.peak.elastic_approach;
     let mut fate = Fate::Captured;
@@ -107,7 +107,7 @@ pub fn integrate<I: Integrator>(
         if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured && !creeps {
             fate = Fate::Separated;
         }
-        recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, at);
+        recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, &at);
     }
     let State { time, distance, speed, loss } = at;
     // nothing was lost, so what is above 1 is the error of the run

@@ -98,17 +98,14 @@ impl Recorder {
     /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first one begins with this first touch.
     #[inline]
     pub(super) fn begin(&mut self, piece: Option<usize>, touch: &State) -> Option<&mut Vec<Segment>> {
-        let legs = self.legs.as_mut()?;
-        let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
-        legs.push(Recorded { piece, track: Vec::new(), events });
-        legs.last_mut().map(|leg| &mut leg.track)
+        self.legs.as_mut().and_then(|legs| begin(legs, piece, touch))
     }
 
     /// Notes an event on the leg that was begun last.
     #[inline]
-    pub(super) fn mark(&mut self, event: Event, at: State) {
-        if let Some(leg) = self.legs.as_mut().and_then(|legs| legs.last_mut()) {
-            leg.events.push((event, at));
+    pub(super) fn mark(&mut self, event: Event, at: &State) {
+        if let Some(legs) = &mut self.legs {
+            mark(legs, event, at);
         }
     }
 
@@ -146,6 +143,20 @@ impl Recorder {
             points.extend(events.map(|(event, at)| point(&at, Some(event))));
         }
         points
+    }
+}
+
+#[cold] // a run without a trace is faster without this code in it
+fn begin<'a>(legs: &'a mut Vec<Recorded>, piece: Option<usize>, touch: &State) -> Option<&'a mut Vec<Segment>> {
+    let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
+    legs.push(Recorded { piece, track: Vec::new(), events });
+    legs.last_mut().map(|leg| &mut leg.track)
+}
+
+#[cold]
+fn mark(legs: &mut [Recorded], event: Event, at: &State) {
+    if let Some(leg) = legs.last_mut() {
+        leg.events.push((event, *at));
     }
 }
 
