@@ -25,7 +25,10 @@ impl Contact {
     /// law's force and elastic approach on the way in, and in proportion to the stiffness on the way out.
     fn grip(&self, indentation: f64, memory: &Memory) -> f64 {
         let Self { scales, law, .. } = self;
-        let Some(peak) = memory.peak(scales.length, scales.force) else { return 0.0 };
+        let Some(peak) = memory.peak(scales.length, scales.force) else {
+            // Hertz's, of an elastic contact
+            return (self.sphere().radius * indentation.max(0.0)).sqrt();
+        };
         let recovered = indentation / scales.length - peak.residual();
         let grip = if recovered >= peak.elastic_approach {
             peak.force / peak.elastic_approach

@@ -3,7 +3,8 @@
 use super::contact::Contact;
 use crate::law::Peak;
 
-/// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros.
+/// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros, and so has
+/// one with a half-space that stays elastic.
 ///
 /// A code that moves spheres sets it back to zero when the sphere has left the original surface (δ ≤ 0). It must not do so
 /// earlier, where the force ends at the depth of the dent. A sphere that comes back to the same spot keeps its memory.
@@ -77,7 +78,10 @@ impl Contact {
             if !reached.is_possible_beside(indentation) {
                 return f64::NAN;
             }
-            *memory = reached;
+            // what stays elastic comes back the way it went
+            if self.pair().yield_point.is_some() {
+                *memory = reached;
+            }
         }
         force * scales.force
     }
@@ -89,7 +93,8 @@ impl Contact {
         }
         let Self { scales, law, .. } = self;
         let Some(peak) = memory.peak(scales.length, scales.force) else {
-            return ContactEnergy { stored: 0.0 * force, plastic: 0.0 };
+            // Hertz's, of an elastic contact
+            return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
         let unloading = law.unloading(peak);
         let stored = unloading.stored_of(indentation / scales.length - peak.residual());

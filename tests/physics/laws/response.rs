@@ -120,3 +120,18 @@ fn an_impact_deeper_than_the_data_is_warned_of_and_no_other() {
     }
     assert!(warned > 50 && not_warned > 300, "{warned} {not_warned}");
 }
+
+#[test]
+fn an_elastic_contact_needs_no_memory() {
+    let contact = Scene { yield_strength: None, ..Scene::steel() }.contact();
+    let mut memory = Memory::default();
+    // on the way in, and back
+    for indentation in [1e-6, 3e-5, 2e-5] {
+        let force = contact.force(indentation, &mut memory);
+        // Hertz: K δ^1.5, of which unloading gives back (2/5) F δ
+        assert!(off(force, contact.pair().hertz_stiffness() * indentation.powf(1.5)) < 1e-14);
+        let energy = contact.energy(indentation, force, &memory);
+        assert!(off(energy.stored, 0.4 * force * indentation) < 1e-14 && energy.plastic == 0.0);
+        assert_eq!(memory, Memory::default());
+    }
+}
