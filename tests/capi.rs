@@ -1,7 +1,6 @@
 //! The functions for C: the header in the repository is what cbindgen makes, and a C program gets the same bits as a
 //! Rust program.
 
-#![cfg(feature = "capi")]
 #![allow(clippy::unwrap_used)]
 
 use std::fs;
@@ -15,7 +14,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// `PLM_IMPACT_HEADER=write cargo test --features capi --test capi` renews the header.
+/// `PLM_IMPACT_HEADER=write cargo test --test capi` renews the header.
 #[test]
 fn the_header_is_that_of_the_source() {
     let source = root().join("src/capi.rs");
@@ -41,10 +40,9 @@ fn the_header_is_that_of_the_source() {
 
 /// The library that this test is linked with, as cargo says it.
 fn linked(target: &Path) -> String {
-    let features = if cfg!(feature = "parquet") { "parquet,capi" } else { "capi" };
     let cargo = Command::new(env!("CARGO"))
         .current_dir(root())
-        .args(["test", "--quiet", "--no-run", "--test", "capi", "--message-format", "json", "--features", features])
+        .args(["test", "--quiet", "--no-run", "--test", "capi", "--message-format", "json"])
         .arg("--target-dir")
         .arg(target)
         .output()

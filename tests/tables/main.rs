@@ -9,7 +9,6 @@ mod files;
 mod limits;
 mod machines;
 mod one_row;
-#[cfg(feature = "parquet")]
 mod parquet;
 mod parts;
 

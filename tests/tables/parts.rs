@@ -62,10 +62,7 @@ fn summary(desk: &Desk, out: &str) -> serde_json::Value {
     summary
 }
 
-/// The formats of this build.
-fn formats() -> &'static [&'static str] {
-    if cfg!(feature = "parquet") { &["csv", "parquet"] } else { &["csv"] }
-}
+const FORMATS: [&str; 2] = ["csv", "parquet"];
 
 #[test]
 fn threads_parts_and_shards_in_any_order_give_the_same_bytes_and_statistics() {
@@ -77,7 +74,7 @@ fn threads_parts_and_shards_in_any_order_give_the_same_bytes_and_statistics() {
             assert!(bytes(&desk, threads) == bytes(&desk, "whole"), "{threads} threads");
             assert_eq!(summary(&desk, threads), summary(&desk, "whole"));
         }
-        for format in formats() {
+        for format in FORMATS {
             let whole = format!("whole-{format}");
             ends(run(&desk, &whole, Some(600), &["--format", format]), 0);
             for (out, order) in [("a", ["0/3", "1/3", "2/3"]), ("b", ["2/3", "0/3", "1/3"])] {
@@ -143,7 +140,6 @@ fn after_fifteen_kills_the_same_command_makes_the_same_table() {
 }
 
 #[test]
-#[cfg(feature = "parquet")]
 fn after_fifteen_kills_a_table_as_parquet_is_the_same_too() {
     fifteen_kills(None, &[&["--format", "parquet"]]);
     fifteen_kills(Some(600), &[&["--format", "parquet"]]);
@@ -154,7 +150,7 @@ fn after_fifteen_kills_a_table_as_parquet_is_the_same_too() {
 fn of_two_writers_none_is_refused_and_nothing_is_lost() {
     let desk = Desk::with(random());
     let kinds: Vec<(Option<u32>, Vec<&str>)> =
-        formats().iter().flat_map(|format| [None, Some(600)].map(|rows| (rows, vec!["--format", *format]))).collect();
+        FORMATS.iter().flat_map(|format| [None, Some(600)].map(|rows| (rows, vec!["--format", *format]))).collect();
     for (rows, more) in &kinds {
         ends(run(&desk, "alone", *rows, more), 0);
         for _ in 0..20 / kinds.len() {
@@ -187,7 +183,7 @@ fn a_file_that_cannot_grow_ends_with_1_and_leaves_nothing() {
 
 #[test]
 fn a_full_disk_ends_with_1_and_with_more_space_the_same_command_goes_on() {
-    for format in formats() {
+    for format in FORMATS {
         let desk = Desk::with(random().replace("12000", "90000"));
         fs::create_dir(desk.path("disk")).unwrap();
         let mount = |options: &str| {
@@ -212,7 +208,7 @@ fn a_full_disk_ends_with_1_and_with_more_space_the_same_command_goes_on() {
 
 #[test]
 fn a_torn_part_is_computed_anew_and_one_of_another_table_is_refused() {
-    for format in formats() {
+    for format in FORMATS {
         let more = ["--format", format];
         let desk = Desk::with(grid());
         let shard = |out: &str, set: &[&str]| {
@@ -257,9 +253,7 @@ fn parts_of_another_table_are_refused_with_the_difference() {
     };
     refused(500, &["--set", "sphere.radius=0.004"], "its overrides is [] in place of [\"sphere.radius=0.004\"]");
     refused(400, &[], "its rows_per_part is 500 in place of 400");
-    if cfg!(feature = "parquet") {
-        refused(500, &["--format", "parquet"], "its format is \"csv\" in place of \"parquet\"");
-    }
+    refused(500, &["--format", "parquet"], "its format is \"csv\" in place of \"parquet\"");
     fs::write(desk.path("s.toml"), grid().replace("345 MPa", "346 MPa")).unwrap();
     refused(500, &["--shard", "1/2"], "line 10 of its text is `yield_strength = \"345 MPa\"` in place of");
     fs::write(desk.path("s.toml"), grid()).unwrap();
@@ -379,7 +373,7 @@ fn signals_are_heard_between_slow_rows_and_what_is_said_is_so() {
             "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 100000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = {points} }}\n"
         )
     };
-    for format in formats() {
+    for format in FORMATS {
         // in one file, and in parts
         for (points, says) in [(256, "the same command starts anew"), (20_000, "goes on from the parts that are whole")]
         {
