@@ -37,7 +37,7 @@ pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
             let point = Series::points("this impact", vec![(at, impact.restitution)]).styled(Style::BLACK);
             let point = point.and(format!("e = {}", four_digits(impact.restitution)));
             chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
-            chart.title = "Restitution of the same bodies".to_owned();
+            "Restitution of the same bodies".clone_into(&mut chart.title);
             Ok(String::from_utf8_lossy(&chart.to_svg()?).into_owned())
         })
         .transpose()
