@@ -4,12 +4,14 @@
 use super::laws::Rate;
 use super::measure::{METHODS, Measurement, Rung, serves};
 use super::problems::Problem;
+use crate::error::Error;
 use crate::impact::Method;
 use crate::math::power::max_or_nan;
 use crate::output::OutputFile;
 use crate::plot::PlotError;
 use crate::plot::axis::Axis;
 use crate::plot::{Chart, Series};
+use crate::report::rows::written;
 use crate::units::aligned::markdown;
 
 /// A problem with all that was measured on it.
@@ -37,7 +39,7 @@ fn error(value: f64) -> String {
 }
 
 /// Every setting on every problem, then the hard cases at the default tolerance.
-pub fn settings(all: &[Measured]) -> Result<OutputFile, csv::Error> {
+pub fn settings(all: &[Measured]) -> Result<OutputFile, Error> {
     let rows = all.iter().flat_map(|(problem, measurements)| {
         measurements.iter().map(|m| {
             let cells = COLUMNS.map(|(_, cell)| cell(m));
@@ -48,7 +50,7 @@ pub fn settings(all: &[Measured]) -> Result<OutputFile, csv::Error> {
 }
 
 /// The time of a row, and of a contact, by law.
-pub fn laws(rates: &[Rate]) -> Result<OutputFile, csv::Error> {
+pub fn laws(rates: &[Rate]) -> Result<OutputFile, Error> {
     let rows = rates
         .iter()
         .map(|rate| vec![rate.law.clone(), format!("{:.1}", rate.ns_per_row), format!("{:.1}", rate.ns_per_contact)]);
@@ -59,14 +61,13 @@ fn csv<'a>(
     name: &str,
     columns: impl IntoIterator<Item = &'a str>,
     rows: impl Iterator<Item = Vec<String>>,
-) -> Result<OutputFile, csv::Error> {
+) -> Result<OutputFile, Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(columns)?;
     for row in rows {
         writer.write_record(row)?;
     }
-    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(OutputFile { name: name.into(), bytes })
+    Ok(OutputFile { name: name.into(), bytes: written(writer)? })
 }
 
 /// How fast a table of some columns is computed and written.

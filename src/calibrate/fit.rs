@@ -7,7 +7,7 @@ use super::problem::{NoAnswer, Problem, TAILS};
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
 const NO_SCATTER: f64 = 1e-6;
-/// If the law gives less than this share of a reading, the noise is that of this share.
+/// The noise is a share of what the law gives, or of this part of the reading where the law gives less.
 const LEAST: f64 = 0.5;
 
 /// What is known of the noise.
@@ -62,13 +62,17 @@ impl<'a> Fit<'a> {
             true => Noise::estimated(&problem, 1.0),
             false => Noise::Given,
         };
-        // the noise of shares is a share of what the law gives: shares of the readings would give low readings more
-        // weight, and pull the law down. Outliers are told by the median of the residuals. Either is found in turn with
-        // the keys
+        // the noise is a share of what the law gives. As a share of the readings it would give low readings more weight,
+        // and the law would come out too low. With outliers its size comes from the median of the residuals. In both
+        // cases noise and keys are found in turn
         let has_shares = matches!(noise, Noise::Estimated { share: Some(_), .. }) && !problem.data.is_curve();
-        let rounds = if is_robust { 8 } else { 3 };
+        let rounds = match (is_robust, has_shares) {
+            (true, _) => 8,
+            (false, true) => 3,
+            (false, false) => 1,
+        };
         let (mut whole, sizes) = (1.0, problem.data.sizes());
-        for round in 1..=if is_robust || has_shares { rounds } else { 1 } {
+        for round in 1..=rounds {
             let (Noise::Estimated { .. }, Some(place)) = (noise, found.first()) else { break };
             if has_shares {
                 let shares = problem.predict(&place.shares)?.into_iter().zip(&sizes);
@@ -88,7 +92,7 @@ impl<'a> Fit<'a> {
             if is_robust {
                 grid = Grid::of(&problem);
                 found = minima(&problem, &grid);
-            } else if has_shares && round < rounds {
+            } else if round < rounds {
                 let starts: Vec<Vec<f64>> = found.into_iter().map(|place| place.shares).collect();
                 found = minima_from(&problem, &starts);
             } else {

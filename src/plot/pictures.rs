@@ -2,28 +2,21 @@
 
 use super::{Chart, PlotError};
 use crate::output::OutputFile;
+use crate::units::names::named;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Pictures {
-    /// PNG: pixels.
-    Png,
-    /// SVG: shapes and text, which stay sharp at any size.
-    Svg,
-    None,
+named! {
+    /// What pictures are written as. The name is also the ending of the files.
+    pub enum Pictures {
+        /// PNG: pixels.
+        Png = "png",
+        /// SVG: shapes and text, which stay sharp at any size.
+        Svg = "svg",
+        /// No pictures.
+        None = "none",
+    }
 }
 
 impl Pictures {
-    pub const ALL: [Self; 3] = [Self::Png, Self::Svg, Self::None];
-
-    /// The name on the command line, which is also the ending of the files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Png => "png",
-            Self::Svg => "svg",
-            Self::None => "none",
-        }
-    }
-
     /// The file of a picture; `None` if no pictures are wanted.
     pub fn file(self, name: &str, chart: &Chart) -> Result<Option<OutputFile>, PlotError> {
         let bytes = match self {

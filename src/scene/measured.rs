@@ -6,6 +6,7 @@ use super::key::Form::Number;
 use super::quantity::{DEVIATION, FORCE, LEEB, LENGTH, MODEL_ERROR, Quantity, RESTITUTION, SPEED, TIME};
 use super::table::tables;
 use crate::impact::Essentials;
+use crate::units::names::named;
 
 /// The quantities of an impact and those of an indentation: name, meaning, quantity, and quantity of its standard deviation.
 macro_rules! measured {
@@ -13,25 +14,16 @@ macro_rules! measured {
         impact { $($variant:ident $name:ident $about:literal $quantity:ident $deviation:ident;)+ }
         indentation { $($curve:ident $of_curve:ident $about_curve:literal $quantity_of_curve:ident;)+ }
     ) => {
-        /// A measured quantity.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum Measured {
-            $(#[doc = $about] $variant,)+
-            $(#[doc = $about_curve] $curve,)+
+        named! {
+            /// A measured quantity.
+            #[derive(PartialOrd, Ord)]
+            pub enum Measured {
+                $(#[doc = $about] $variant = stringify!($name),)+
+                $(#[doc = $about_curve] $curve = stringify!($of_curve),)+
+            }
         }
 
         impl Measured {
-            /// All measured quantities.
-            pub const ALL: [Self; [$(Self::$variant,)+ $(Self::$curve),+].len()] = [$(Self::$variant,)+ $(Self::$curve),+];
-
-            /// The name, without the unit.
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant => stringify!($name),)+
-                    $(Self::$curve => stringify!($of_curve),)+
-                }
-            }
-
             /// Dimension and allowed range.
             pub fn quantity(self) -> &'static Quantity {
                 match self {
@@ -78,11 +70,6 @@ measured! {
 }
 
 impl Measured {
-    /// The quantity of this name.
-    pub fn find(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|measured| measured.name() == name)
-    }
-
     /// Whether the quantity depends only on the restitution and known keys.
     pub fn is_of_restitution(self) -> bool {
         self <= Self::Leeb
