@@ -5,8 +5,8 @@ use crate::error::Error;
 use crate::impact::Impact;
 use crate::scene::results::{Reported, impact};
 
-/// The rows as CSV with a header line. A column with a condition is written if any row has a value for
-/// it.
+/// The rows as CSV with a header line. A column with a condition is written if any row has a
+/// value for it.
 pub fn csv<T>(columns: &[Reported<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, Error> {
     let is_there =
         |column: &&Reported<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());

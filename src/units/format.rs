@@ -27,7 +27,9 @@ pub fn si(value: f64, dimension: Dimension) -> String {
 
 /// In a suitable unit, to six digits: "5 mm".
 pub fn human(value: f64, dimension: Dimension) -> String {
-    in_suitable_unit(value, &format!("{value:.5e}"), dimension)
+    let rounded = format!("{value:.5e}");
+    // 0.9999999 m is 1 m, and not 1000 mm
+    in_suitable_unit(rounded.parse().unwrap_or(value), &rounded, dimension)
 }
 
 /// In a suitable unit, with all digits: it is read back to the same number.
@@ -76,4 +78,16 @@ pub fn describe(value: f64, dimension: Dimension) -> String {
 pub fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_unit_is_that_of_the_rounded_value() {
+        assert_eq!(human(0.999_999_9, Dimension::Length), "1 m");
+        assert_eq!(human(0.999_99, Dimension::Length), "999.99 mm");
+        assert_eq!(exact(0.999_999_9, Dimension::Length), "999.9999 mm");
+    }
 }
