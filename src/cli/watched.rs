@@ -21,8 +21,10 @@ use super::terminal::other;
 const STACK: usize = 8 << 20;
 /// Time between two looks for a signal.
 const LOOK: Duration = Duration::from_millis(50);
-/// A bar is shown for work that takes longer.
-const SOON: Duration = Duration::from_millis(500);
+/// A bar is shown for work that takes longer than so many milliseconds.
+const SOON: u64 = 500;
+/// Other milliseconds in place of these, for tests.
+const BAR_AFTER: &str = "PLM_IMPACT_BAR_AFTER_MS";
 /// A shell adds the number of the signal to this for the exit code.
 const ENDED_BY: usize = 128;
 
@@ -87,8 +89,15 @@ impl Watch {
     ) -> Option<Result<T, Error>> {
         let (begun, mut signalled) = (Instant::now(), None);
         let bar = self.bar();
+        let soon = std::env::var(BAR_AFTER).ok().and_then(|time| time.parse().ok()).unwrap_or(SOON);
         let done = loop {
-            match receiver.recv_timeout(LOOK) {
+            let received = receiver.recv_timeout(LOOK);
+            let (done, total) = progress.read();
+            if begun.elapsed() >= Duration::from_millis(soon) && total > 1 {
+                bar.set_length(total);
+                bar.set_position(done);
+            }
+            match received {
                 Ok(done) => break Some(done),
                 Err(RecvTimeoutError::Disconnected) => break None,
                 Err(RecvTimeoutError::Timeout) => {}
@@ -96,11 +105,6 @@ impl Watch {
             if is_set.load(Ordering::Relaxed) && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
                 let what = format!("interrupted; {}", self.leaves);
                 break Some(Err(Error::new(ErrorKind::Stopped(0), what)));
-            }
-            let (done, total) = progress.read();
-            if begun.elapsed() > SOON && total > 1 {
-                bar.set_length(total);
-                bar.set_position(done);
             }
         };
         bar.finish_and_clear();
