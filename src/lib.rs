@@ -127,8 +127,7 @@
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
-//! Beside these, [`repeat`] has series of impacts, [`indentation`] the slow ones, [`compare`] the unloading laws from one
-//! peak, and [`fit`] determines coefficients of the PLM. The other modules are what the command is made of. They are public
+//! Beside these, [`repeat`] has series of impacts, [`indentation`] the slow ones, and [`fit`] determines coefficients of the PLM. The other modules are what the command is made of. They are public
 //! for the command and for the tests, are left out here, and may change at any time; `src/README.md` shows them.
 
 // see clippy.toml
@@ -139,7 +138,6 @@ pub mod bench;
 pub mod calibrate;
 #[cfg(feature = "capi")]
 pub mod capi;
-pub mod compare;
 #[doc(hidden)]
 pub mod error;
 #[doc(hidden)]

@@ -170,11 +170,6 @@ impl Plan {
         self.methods().into_iter().map(chosen).any(|method| method.is_none())
     }
 
-    /// Whether the last digits of the table depend on the machine, as they do for methods of another library.
-    pub fn depends_on_machine(&self) -> bool {
-        self.methods().iter().any(|method| matches!(method, Method::Dopri5 | Method::Dop853))
-    }
-
     /// About how many microseconds a row takes on one core, under the slowest of its methods.
     pub fn microseconds(&self) -> f64 {
         let of = |input: &Input| {

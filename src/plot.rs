@@ -10,7 +10,6 @@
 pub mod axis;
 pub mod calibrate;
 mod chart;
-pub mod compare;
 mod force_indentation;
 mod frame;
 mod heatmap;

@@ -42,7 +42,7 @@ pub struct Provenance {
     /// How the motion was computed; `None` where there is none, or where it varies.
     #[serde(flatten)]
     pub method: Option<MethodOf>,
-    /// Which law it is under; `None` where laws are compared or vary.
+    /// Which law it is under; `None` where laws vary.
     #[serde(flatten)]
     pub law: Option<LawOf>,
 }

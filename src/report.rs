@@ -1,7 +1,6 @@
 //! What is written about a run: files as text, and tables for the terminal. Nothing here opens a file or prints.
 
 pub(crate) mod calibrate;
-pub(crate) mod compare;
 pub(crate) mod indentation;
 pub mod inputs;
 pub mod laws;
@@ -11,7 +10,6 @@ pub(crate) mod plan;
 pub mod reference;
 pub(crate) mod repeat;
 pub(crate) mod rows;
-pub(crate) mod strength;
 pub(crate) mod summary;
 pub mod sweep;
 mod terminal;

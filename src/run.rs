@@ -1,7 +1,6 @@
 //! From a scenario to its files and its text on the terminal: one way for every kind of scene.
 
 mod calibrate;
-mod compare;
 pub mod impact;
 pub mod indentation;
 mod outcome;
@@ -19,14 +18,12 @@ pub const RESULTS: &[&str] = &[
     "table",
     "trace",
     "impacts",
-    "comparison",
     "residuals",
     "posterior",
     "calibrated",
     "force_indentation",
     "history",
     "height",
-    "unloading",
     "restitution",
     "restitution_map",
     "restitution_histogram",
@@ -54,7 +51,6 @@ pub fn way(kind: Kind) -> Way {
         Kind::Impact => once(impact::check, "one impact", impact::run),
         Kind::Sweep | Kind::MonteCarlo => Way::Table,
         Kind::Repeat => once(repeat::check, "impacts one after the other", repeat::run),
-        Kind::Compare => once(compare::check, "a comparison of laws", compare::run),
         Kind::Calibrate => once(calibrate::check, "a calibration", calibrate::run),
         Kind::Indentation => once(indentation::check, "an indentation", indentation::run),
     }

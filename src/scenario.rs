@@ -24,10 +24,8 @@
 mod axes;
 mod beside;
 pub mod calibrate;
-mod compare;
 mod document;
 pub mod edit;
-mod extreme;
 mod file;
 mod flow;
 pub mod indentation;

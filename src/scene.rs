@@ -2,6 +2,7 @@
 
 mod effect;
 pub(crate) mod field;
+mod gone;
 pub mod input;
 pub mod key;
 pub mod keys;

@@ -10,6 +10,7 @@ pub mod cases;
 pub mod check;
 pub mod dynamic;
 pub mod experiments;
+mod figure_10;
 mod hardening;
 pub mod laws;
 mod measured;

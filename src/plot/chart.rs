@@ -142,8 +142,8 @@ impl Chart {
             let y = panel.y.fitted(panel.points().map(|(_, y)| y));
             frames.push(Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
         }
-        let key = Key::of(&self.key(&frames))?;
-        let right = width - if self.colors.is_some() { BAR_ROOM } else { key.width()? };
+        let key = Key::of(&self.key(&frames));
+        let right = width - if self.colors.is_some() { BAR_ROOM } else { key.width() };
         let mut number = 0;
         for (i, (panel, frame)) in self.panels.iter().zip(&mut frames).enumerate() {
             frame.bounds.right = right;

@@ -81,7 +81,7 @@ impl Frame {
             }
             pen.polyline(&[(left - tick_length(tick.label.is_some()), y), (left, y)], Style::line(INK, 2.0))?;
             if let Some(label) = tick.label {
-                widest = widest.max(text_width(&label, LABEL_SIZE)?);
+                widest = widest.max(text_width(&label, LABEL_SIZE));
                 pen.text(&label, (left - LABELS.0, y), LABEL_SIZE, INK, Anchor::End)?;
             }
         }

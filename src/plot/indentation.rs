@@ -1,6 +1,5 @@
 //! Force against indentation of slow contacts. For one half-space: the approach, and the indentations of sphere and
-//! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13. Error bars show
-//! the uncertainty at the ends of steps.
+//! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13.
 
 use super::axis::Axis;
 use super::chart::Chart;
@@ -11,14 +10,10 @@ use crate::indentation::{Tested, TraceRow};
 use crate::law::Branch;
 use crate::units::rounded::quantity;
 
-/// Distance between error bars, and half the length of their caps, as shares of the largest force.
-const BAR: f64 = 0.025;
-const CAP: f64 = 0.01;
-
 type Quantity = fn(&TraceRow) -> f64;
 
 pub fn indentation(tested: &[Tested]) -> Chart {
-    let mut series = match tested {
+    let series = match tested {
         [one] => {
             let of: [Quantity; 3] =
                 [|row| row.indentation, |row| row.sphere_indentation, |row| row.half_space_indentation];
@@ -40,7 +35,6 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     let rows = || tested.iter().flat_map(|one| &one.indentation.trace);
     let strongest = rows().map(|row| row.force).fold(0.0, f64::max);
     let deepest = rows().map(|row| row.indentation).fold(0.0, f64::max);
-    let deepest = spans(tested).map(|([_, high], ..)| high).fold(deepest, f64::max);
     let unloads = rows().any(|row| !is_loading(row));
     let branches = ["loading", "unloading and reloading"];
     let mut entries = Vec::new();
@@ -55,14 +49,8 @@ pub fn indentation(tested: &[Tested]) -> Chart {
                 .and(format!("δᵣ = {}", quantity(memory.residual_indentation, "m"))),
         );
     }
-    let bars: Vec<Series> = spans(tested).map(|(ends, force, i)| bar(ends, force, strongest, i)).collect();
-    if !bars.is_empty() {
-        entries.push(Series::text("Bars: uncertain inputs").and("at the ends of steps"));
-    }
-    let room = if bars.is_empty() { 1.08 } else { 1.16 };
-    series.extend(bars);
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
-    let y = Axis::engineering("Force", "N").between(0.0, room * strongest);
+    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest);
     let chart = Chart::new(title(tested), [x, y], series);
     chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_entries(entries)
 }
@@ -84,26 +72,6 @@ fn one_loop(name: &str, rows: &[TraceRow], of: Quantity, style: Style) -> Vec<Se
 
 fn is_loading(row: &TraceRow) -> bool {
     matches!(row.branch, Branch::Elastic | Branch::Plastic)
-}
-
-/// An error bar with its caps. The bars of several half-spaces stand one above the other, because all loops may end at
-/// the same load.
-fn bar([low, high]: [f64; 2], force: f64, strongest: f64, number: usize) -> Series {
-    #[allow(clippy::cast_precision_loss)] // a handful
-    let y = force + BAR * strongest * (number as f64 + 0.5);
-    let (below, above, gap) = (y - CAP * strongest, y + CAP * strongest, (f64::NAN, f64::NAN));
-    let points = vec![(low, below), (low, above), gap, (low, y), (high, y), gap, (high, below), (high, above)];
-    Series::bare("", points).styled(loops::style(number, 3.0))
-}
-
-/// Ranges of the indentation at the ends of steps in load control, with the load and the index of the half-space.
-fn spans(tested: &[Tested]) -> impl Iterator<Item = ([f64; 2], f64, usize)> {
-    tested.iter().enumerate().flat_map(|(i, one)| {
-        one.indentation.steps.iter().enumerate().filter_map(move |(number, step)| {
-            let [low, high] = one.span(number, |step| step.indentation)?;
-            (high > low).then_some(([low, high], step.force, i))
-        })
-    })
 }
 
 fn title(tested: &[Tested]) -> String {

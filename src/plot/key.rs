@@ -32,14 +32,14 @@ struct Entry {
 impl Entry {
     /// The entry of a series in this style. The first text is black and the others are grey. Long texts are wrapped, so
     /// that the key takes at most half of the picture.
-    fn of(series: &Series, style: Style, scale: f64) -> Result<Self, PlotError> {
+    fn of(series: &Series, style: Style, scale: f64) -> Self {
         let mut entry = Self { sample: series.sample(style), lines: Vec::new() };
         let room = 0.5 * f64::from(SIZE.0) - 2.0 * MARGIN - entry.indent();
         for (i, text) in series.texts.iter().enumerate() {
             let color = if i == 0 { INK } else { GREY };
-            entry.lines.extend(wrapped(text, scale * LABEL_SIZE, room)?.into_iter().map(|line| (line, color)));
+            entry.lines.extend(wrapped(text, scale * LABEL_SIZE, room).into_iter().map(|line| (line, color)));
         }
-        Ok(entry)
+        entry
     }
 
     fn indent(&self) -> f64 {
@@ -61,13 +61,13 @@ pub struct Key {
 impl Key {
     /// The key of these series. A key that is too high is drawn smaller. If it is still too high, the last entries are
     /// replaced by their number.
-    pub fn of(series: &[(&Series, Style)]) -> Result<Self, PlotError> {
+    pub fn of(series: &[(&Series, Style)]) -> Self {
         let mut scale = 1.0;
         loop {
             let entries = series.iter().map(|(series, style)| Entry::of(series, *style, scale));
-            let mut key = Self { scale, entries: entries.collect::<Result<_, _>>()? };
+            let mut key = Self { scale, entries: entries.collect() };
             if key.height() <= ROOM {
-                return Ok(key);
+                return key;
             }
             if scale <= SMALLEST {
                 let mut more = Entry { sample: [None; 2], lines: vec![(String::new(), GREY)] };
@@ -76,7 +76,7 @@ impl Key {
                 }
                 more.lines[0].0 = format!("and {} more", series.len() - key.entries.len());
                 key.entries.push(more);
-                return Ok(key);
+                return key;
             }
             scale *= 0.95;
         }
@@ -87,14 +87,14 @@ impl Key {
     }
 
     /// The width that the key takes \[px\].
-    pub fn width(&self) -> Result<f64, PlotError> {
+    pub fn width(&self) -> f64 {
         let mut widest = -MARGIN;
         for entry in &self.entries {
             for (line, _) in &entry.lines {
-                widest = f64::max(widest, entry.indent() + text_width(line, self.scale * LABEL_SIZE)?);
+                widest = f64::max(widest, entry.indent() + text_width(line, self.scale * LABEL_SIZE));
             }
         }
-        Ok(widest + 2.0 * MARGIN)
+        widest + 2.0 * MARGIN
     }
 
     /// Draws the key beside a box.

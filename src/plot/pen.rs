@@ -172,8 +172,8 @@ impl<B: DrawingBackend> Pen<'_, B> {
             Anchor::End => (1.0, HPos::Right),
         };
         let Format { units, letters, rise, fonts, .. } = self.format;
-        let size = fitting(text, size, length_of_sheet - 2.0 * EDGE)?;
-        let (length, (along, across)) = (text_width(text, size)?, turned(at));
+        let size = fitting(text, size, length_of_sheet - 2.0 * EDGE);
+        let (length, (along, across)) = (text_width(text, size), turned(at));
         let along = within(along, before * length, length, length_of_sheet);
         let at = turned((along, within(across, 0.5 * size, size, height_of_sheet) + rise * size));
         let font = FontDesc::new(FontFamily::Name(fonts), units * letters * size, FontStyle::Normal);

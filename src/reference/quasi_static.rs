@@ -16,21 +16,8 @@ const MATERIALS: [(&str, [f64; 3]); 5] = [
     ("case5", [210e12, 210e9, 345e6]),
 ];
 
-/// An unloading curve, from its peak to the residual indentation.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UnloadingCurve {
-    /// x_m.
-    pub peak: f64,
-    /// (x, f), the peak first.
-    pub points: Vec<(f64, f64)>,
-}
-
-/// The unloadings with the finest increments at the depths of Figure 10 of the paper, which is case 3: run and number.
-const FIGURE_10: [(&str, u32); 3] = [("case3_mini", 2), ("case3_fs", 1), ("case3_large_finesteps", 2)];
-
-// a damaged table gives no rows and no points in pictures; the test below would find it
+// a damaged table gives no points in pictures; the test below would find it
 static UNLOADED: LazyLock<Vec<Unloaded>> = LazyLock::new(|| unloaded().unwrap_or_default());
-static CURVES: LazyLock<Vec<UnloadingCurve>> = LazyLock::new(|| curves().unwrap_or_default());
 
 fn unloaded() -> Result<Vec<Unloaded>, Error> {
     let complete = |row: unloading::UnloadingRow| {
@@ -45,19 +32,6 @@ fn unloaded() -> Result<Vec<Unloaded>, Error> {
         })
     };
     Ok(unloading::unloadings()?.into_iter().filter_map(complete).collect())
-}
-
-fn curves() -> Result<Vec<UnloadingCurve>, Error> {
-    let (cycles, points) = (unloading::unloadings()?, unloading::points()?);
-    let peaks =
-        FIGURE_10.iter().filter_map(|(run, cycle)| cycles.iter().find(|row| row.run == *run && row.cycle == *cycle));
-    let curve = |peak: &unloading::UnloadingRow| {
-        let way = points.iter().filter(|point| point.run == peak.run && point.cycle == peak.cycle);
-        let (first, last) = ((peak.x, peak.f), (peak.residual_share * peak.x, 0.0));
-        let points = [first].into_iter().chain(way.map(|point| (point.x, point.f))).chain([last]);
-        UnloadingCurve { peak: peak.x, points: points.collect() }
-    };
-    Ok(peaks.map(curve).collect())
 }
 
 /// The unloadings of the case that has these materials, by rising depth; none for other materials. Quasi-static results in
@@ -83,18 +57,6 @@ pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static Unload
     })
 }
 
-/// The unloading curve of case 3 whose peak is within 1 % of this depth.
-pub(crate) fn unloading_curve(
-    sphere_modulus: f64,
-    bodies: &Bodies,
-    indentation: f64,
-) -> Option<&'static UnloadingCurve> {
-    if unloadings(sphere_modulus, bodies).first()?.material != "case3" {
-        return None;
-    }
-    CURVES.iter().find(|curve| (curve.peak / indentation - 1.0).abs() < 0.01)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,12 +74,6 @@ mod tests {
             let recovered = row.restitution * row.restitution * row.spent;
             let n = row.f * row.x * (1.0 - row.residual_share) / recovered - 1.0;
             assert!((1.2..1.6).contains(&n), "{row:?}: {n}");
-        }
-        let curves = curves().unwrap_or_default();
-        assert_eq!(curves.iter().map(|curve| curve.peak).collect::<Vec<_>>(), [13.4969, 105.086, 843.257]);
-        for curve in curves {
-            assert!(curve.points.len() >= 9 && curve.points.windows(2).all(|pair| pair[0].0 > pair[1].0));
-            assert!(curve.points.windows(2).all(|pair| pair[0].1 > pair[1].1));
         }
     }
 }

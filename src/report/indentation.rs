@@ -13,7 +13,7 @@ use crate::scenario::indentation::IndentationScene;
 use crate::scene::results::indentation::{self as results, stepped};
 use crate::scene::results::{fields, lists};
 use crate::units::aligned::aligned;
-use crate::units::{self, Dimension, describe, human};
+use crate::units::{self, Dimension, describe};
 
 /// `summary.json`.
 pub fn summary(
@@ -90,18 +90,16 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
         let half_space = &specimen.half_space;
         row("", String::new());
         row("half-space", specimen.name.clone().unwrap_or_default());
-        let pressure = |value: f64, uncertainty: Option<f64>| match uncertainty {
-            Some(by) => format!("{} ± {}", describe(value, Dimension::Pressure), human(by, Dimension::Pressure)),
-            None => describe(value, Dimension::Pressure),
-        };
-        row("youngs_modulus", pressure(half_space.material.youngs_modulus, specimen.modulus_uncertainty));
+        row("youngs_modulus", describe(half_space.material.youngs_modulus, Dimension::Pressure));
         row("poissons_ratio", units::number(half_space.material.poissons_ratio));
         if let Some(strength) = half_space.yield_strength {
-            row("yield_strength", pressure(strength, specimen.strength_uncertainty));
+            row("yield_strength", describe(strength, Dimension::Pressure));
         }
         for [name, value] in overview::paired(pair) {
             row(&name, value);
         }
     }
-    aligned(&rows, |_| true)
+    let is_precise = scene.law.flow().is_some() || scenario.as_given().input.half_space.hardness.is_some();
+    let strength = tested.iter().find_map(|one| one.specimen.half_space.yield_strength);
+    aligned(&rows, |_| true) + overview::which_strength(strength, is_precise)
 }

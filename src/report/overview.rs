@@ -43,8 +43,17 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
         rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
         rows.push(["yield speed v_Y".to_owned(), speed]);
     }
-    aligned(&rows, |_| true)
+    aligned(&rows, |_| true) + which_strength(scene.half_space.yield_strength, scene.has_flow())
 }
+
+/// A line on the yield strength, unless the scenario says more of the flow stress (`is_precise`).
+pub(super) fn which_strength(yield_strength: Option<f64>, is_precise: bool) -> &'static str {
+    if yield_strength.is_none() || is_precise { "" } else { WHICH_STRENGTH }
+}
+
+const WHICH_STRENGTH: &str = "
+Which strength? With the proof stress of a metal that hardens e is too low: scenarios/README.md#which-strength
+";
 
 /// Keys and values.
 pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {

@@ -36,7 +36,7 @@ fn results() -> String {
 #[cfg(test)]
 mod tests {
     use crate::report::sweep::{drawn, totals};
-    use crate::scene::results::{Reported, Shown, compare, impact, indentation, series};
+    use crate::scene::results::{Reported, Shown, impact, indentation, series};
 
     fn names<T>(results: &[Reported<T>]) -> Vec<(&'static str, Shown)> {
         results.iter().map(|result| (result.name, result.shown)).collect()
@@ -53,8 +53,6 @@ mod tests {
             names(&indentation::half_space()),
             names(&indentation::step()),
             names(&indentation::trace()),
-            names(&compare::row()),
-            names(&compare::peak()),
             names(&totals()),
             names(&drawn()),
         ]

@@ -7,7 +7,7 @@ use crate::scene::results::impact::{Single, results};
 use crate::scene::results::{Reported, Shown};
 use crate::units::aligned::aligned;
 use crate::units::four_digits;
-use crate::units::rounded::{Prefix, percent, quantity};
+use crate::units::rounded::{percent, quantity};
 
 /// What came of one impact, in a few lines.
 pub fn impact(contact: &Contact, impact: &Impact) -> String {
@@ -44,14 +44,12 @@ pub(super) fn lines<T>(results: &[Reported<T>], of: &T) -> Vec<Line> {
 }
 
 /// A line of labels, and a line for every row. Results with the same label share a column; a column without values is left
-/// out. A result with an uncertainty is followed by its least and greatest value.
+/// out.
 pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>> {
     let cell = |label: &str, row: &T| {
         labelled(results).filter(|result| result.label == label).find_map(|result| {
             let value = (result.value)(row)?;
-            let ends = results.iter().find(|other| other.name.strip_prefix("uncertainty.") == Some(result.name));
-            let ends = ends.and_then(|ends| between(&value, &(ends.value)(row)?));
-            Some(text(result.shown, &value)? + &ends.unwrap_or_default())
+            text(result.shown, &value)
         })
     };
     let mut labels: Vec<&str> = labelled(results).map(|result| result.label).collect();
@@ -93,12 +91,4 @@ fn text(shown: Shown, value: &Value) -> Option<String> {
         Shown::Deviation => format!("{:+.1} %", 100.0 * value),
         Shown::Error => format!("{value:.1e}"),
     })
-}
-
-/// " (11.9 to 12.7)" behind a value of "12.3 µm"; `None` where the two ends are the same.
-fn between(value: &Value, ends: &Value) -> Option<String> {
-    let (low, high) = (ends.get(0)?.as_f64()?, ends.get(1)?.as_f64()?);
-    let factor = Prefix::of(value.as_f64()?).factor;
-    (high - low > 1e-9 * high.abs())
-        .then(|| format!(" ({} to {})", four_digits(low / factor), four_digits(high / factor)))
 }

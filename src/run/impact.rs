@@ -8,7 +8,7 @@ use crate::plot;
 use crate::provenance::{MethodOf, Provenance};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
-use crate::report::{strength, summary, table, trace};
+use crate::report::{summary, table, trace};
 use crate::scenario::Scenario;
 use crate::scene::Scene;
 
@@ -46,9 +46,7 @@ pub(super) fn provenance(scenario: &Scenario, scene: &Scene, method: Method, com
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, contact, impact) = compute(scenario, None)?;
-    let depth = impact.peak_indentation / scene.sphere.radius;
-    let strength = strength::which(&scene.half_space, scene.has_flow(), depth);
-    Ok(Outcome::checked(texts(&impact.warnings), overview(&scene, &contact) + &strength.unwrap_or_default()))
+    Ok(Outcome::checked(texts(&impact.warnings), overview(&scene, &contact)))
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {

@@ -8,7 +8,7 @@ use crate::impact::{of_half_space, of_sphere};
 use crate::indentation::{IndentationError, Indenter, StaticContact, Tested};
 use crate::output::SUMMARY;
 use crate::plot;
-use crate::report::{indentation as report, strength};
+use crate::report::indentation as report;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 
@@ -28,31 +28,20 @@ pub fn compute(
         let contact = StaticContact::try_new(scene.indenter, &specimen.half_space, scene.law.get());
         let contact = contact.map_err(|reason| refused(scenario, None, reason))?;
         let indentation = contact.indent(&scene.targets, samples).map_err(|reason| refused(scenario, name, reason))?;
-        // at every end of the uncertainties there has to be a result too
-        let corners = specimen.indent_corners(scene.indenter, scene.law.get(), &scene.targets).map_err(|reason| {
-            let name = name.map(|name| format!("{name} at an end of its uncertainty"));
-            refused(scenario, name.as_deref(), reason)
-        })?;
         let named = |doubt: &dyn Display| {
             specimen.name.as_ref().map_or_else(|| doubt.to_string(), |name| format!("{name}, {doubt}"))
         };
         warnings.extend(of_half_space(&specimen.half_space).map(|doubt| named(&doubt)));
         warnings.extend(indentation.doubts.iter().map(|doubt| named(doubt)));
         let (pair, can_yield) = (*contact.pair(), contact.can_yield());
-        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation, corners });
+        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation });
     }
     Ok((scene, tested, warnings))
 }
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, None)?;
-    let is_precise = scene.law.flow().is_some() || scenario.as_given().input.half_space.hardness.is_some();
-    let strength = tested.iter().find_map(|one| {
-        let steps = one.indentation.steps.iter().map(|step| step.memory.indentation);
-        let depth = steps.fold(0.0, f64::max) / scene.indenter.radius;
-        strength::which(&one.specimen.half_space, is_precise, depth)
-    });
-    Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested) + &strength.unwrap_or_default()))
+    Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested)))
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {

@@ -69,11 +69,6 @@ pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, 
 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.
 pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
-    if let ImpactError::Range(range) = reason
-        && let Some(refusal) = scenario.too_extreme(range)
-    {
-        return refusal;
-    }
     let key = match reason {
         ImpactError::Law(_) => "law",
         ImpactError::Plate(_) => "half_space.thickness",

@@ -10,7 +10,7 @@ use crate::progress::Counter;
 use crate::repeat::{Repeat, Sequence};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
-use crate::report::{repeat as report, strength, summary};
+use crate::report::{repeat as report, summary};
 use crate::scenario::Scenario;
 use crate::scene::Scene;
 use crate::scene::results::series::Series;
@@ -46,11 +46,8 @@ fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
 }
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario, &Counter::default())?;
-    let deepest = sequence.hits.iter().map(|hit| hit.peak_indentation).fold(0.0, f64::max);
-    let strength = strength::which(&scene.half_space, scene.has_flow(), deepest / scene.sphere.radius);
-    let text = report::repeat_lines(&repeat) + &overview(&scene, &contact) + &strength.unwrap_or_default();
-    Ok(Outcome::checked(warnings, text))
+    let Computed { scene, contact, repeat, warnings, .. } = compute(scenario, &Counter::default())?;
+    Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&scene, &contact)))
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {

@@ -10,7 +10,6 @@ use crate::plot::sweep::pictures;
 use crate::provenance::Provenance;
 use crate::report::overview::overview;
 use crate::report::plan::plan_lines;
-use crate::report::strength;
 use crate::report::sweep::summary;
 use crate::scenario::Scenario;
 use crate::sweep::caution::at_corners;
@@ -19,10 +18,7 @@ use crate::sweep::count::Tally;
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;
     let contact = plan.scene.contact().map_err(|error| no_result(scenario, &error))?;
-    let (warnings, depth) = cautions(&plan, Some(&contact));
-    let strength = strength::which(&plan.scene.half_space, plan.scene.has_flow(), depth);
-    let text = plan_lines(&plan) + &overview(&plan.scene, &contact) + &strength.unwrap_or_default();
-    Ok(Outcome::checked(warnings, text))
+    Ok(Outcome::checked(warnings_of(&plan, &contact), plan_lines(&plan) + &overview(&plan.scene, &contact)))
 }
 
 /// The plan of a scenario that is a table.
@@ -33,18 +29,12 @@ pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
 
 /// The warnings about a table of this plan.
 pub fn warnings(plan: &Plan) -> Vec<String> {
-    cautions(plan, None).0
+    [texts(&plan.scene.warnings), at_corners(plan, None)].concat()
 }
 
 /// The same where the contact of the plan is known.
 pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
-    cautions(plan, Some(contact)).0
-}
-
-/// The warnings, and the largest peak indentation over the radius of the sphere.
-fn cautions(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
-    let (cautions, depth) = at_corners(plan, known);
-    ([texts(&plan.scene.warnings), cautions].concat(), depth)
+    [texts(&plan.scene.warnings), at_corners(plan, Some(contact))].concat()
 }
 
 /// `summary.json`, which repeats the `warnings`, and the pictures of a whole table.

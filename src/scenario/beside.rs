@@ -28,7 +28,6 @@ const fn beside(keys: &'static [&'static str], beside: &'static [&'static str], 
 /// The table of the flow curve.
 pub(super) const FLOW: &str = "half_space.flow_stress";
 const OBLIQUE: &[&str] = &["impact.angle", "sphere.spin"];
-const AT_REST: &[&str] = &["indentation", "compare"];
 const ONE_OF_TWO: &str = "[{}] is given too; write only one of the two";
 
 const RULES: &[Rule] = &[
@@ -91,16 +90,14 @@ const RULES: &[Rule] = &[
     ),
     beside(
         &["impact", "gravity", "damping"],
-        AT_REST,
+        &["indentation"],
         "[{}] is given too, and there is no motion in it; write only one of the two",
     ),
-    beside(&["friction"], AT_REST, "[{}] is given too, and nothing slides there; write only one of the two"),
-    beside(&["solver"], AT_REST, "[{}] is given too, and it is computed in closed form; write only one of the two"),
-    beside(&["output"], &["compare"], "[{}] is given too, and a comparison has no trace; write only one of the two"),
+    beside(&["friction"], &["indentation"], "[{}] is given too, and nothing slides there; write only one of the two"),
     beside(
-        &[FLOW],
-        &["compare"],
-        "the other laws have no hardening, so there is nothing to compare; leave the table out",
+        &["solver"],
+        &["indentation"],
+        "[{}] is given too, and it is computed in closed form; write only one of the two",
     ),
     beside(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO),
     beside(&["indentation.half_space"], &["half_space"], ONE_OF_TWO),

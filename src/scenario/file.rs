@@ -10,13 +10,10 @@ use crate::scene::field::Field as _;
 use crate::scene::key::AnyKey;
 use crate::scene::key::Form::{self, Axes, Count, Items, List, Number, Table, Text, Variables, Word, WordOrTable};
 use crate::scene::measured::{Deviations, MeasuredInput};
-use crate::scene::quantity::{
-    DEPTH_RATIO, ENERGY, FORCE, IMPACTS, INDENTATION, LENGTH, LOAD, MODULUS, POISSONS_RATIO, SHOT_SPEED, SPEED,
-    STRENGTH,
-};
+use crate::scene::quantity::{IMPACTS, INDENTATION, LOAD, MODULUS, POISSONS_RATIO, SHOT_SPEED, SPEED, STRENGTH};
 use crate::scene::read::{Reader, items};
 use crate::scene::table::{self, Table as _, tables};
-use crate::scene::words::{LAWS, NOISES, OWN_UNLOADINGS, ROBUSTS, SPOTS};
+use crate::scene::words::{LAWS, NOISES, ROBUSTS, SPOTS};
 use crate::scene::written::Node;
 
 tables! {
@@ -28,8 +25,6 @@ tables! {
         monte_carlo: Option<RandomKeys> as Variables,
         /// Impacts one after the other.
         repeat: Option<RepeatInput> as Table,
-        /// Unloading laws from one peak.
-        compare: Option<CompareInput> as Table,
         /// Keys that are found from measurements.
         calibrate: Option<CalibrateInput> as Table,
         /// Loads and indentations without any impact.
@@ -52,24 +47,6 @@ tables! {
     pub(super) struct UntilInput {
         /// Bouncing ends before an impact that would be slower than this.
         speed: Option<f64> as Number(&SPEED),
-    }
-
-    /// `[compare]`
-    pub(super) struct CompareInput {
-        /// Peak indentation over that at first yield.
-        peak_indentation_ratio: Option<f64> as Number(&DEPTH_RATIO),
-        /// Peak indentation, in place of the ratio.
-        peak_indentation: Option<f64> as Number(&LENGTH),
-        /// Force at the peak, where it was measured.
-        peak_force: Option<f64> as Number(&FORCE) => "of the PLM",
-        /// Contact radius at the peak, where it was measured.
-        peak_contact_radius: Option<f64> as Number(&LENGTH) => "of the PLM",
-        /// The sphere's own indentation at the peak, where it was measured.
-        peak_sphere_indentation: Option<f64> as Number(&LENGTH) => "of the PLM",
-        /// Work of loading up to the peak.
-        spent_work: Option<f64> as Number(&ENERGY) => "of the PLM",
-        /// Laws to compare, in the order of table and picture.
-        laws: Option<Vec<String>> as List(&Word(&OWN_UNLOADINGS)) => "all but walton_braun",
     }
 
     /// `[calibrate]`
@@ -117,14 +94,10 @@ tables! {
         name: Option<String> as Text("Ti-10Nb"),
         /// Young's modulus of this half-space.
         youngs_modulus: Option<f64> as Number(&MODULUS),
-        /// Uncertainty of the modulus: half of the width of its interval.
-        youngs_modulus_uncertainty: Option<f64> as Number(&MODULUS) => "none",
         /// Poisson's ratio of this half-space.
         poissons_ratio: Option<f64> as Number(&POISSONS_RATIO),
         /// Yield strength of this half-space; without the key it stays elastic.
         yield_strength: Option<f64> as Number(&STRENGTH),
-        /// Uncertainty of the strength: half of the width of its interval.
-        yield_strength_uncertainty: Option<f64> as Number(&STRENGTH) => "none",
     }
 }
 

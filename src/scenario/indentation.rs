@@ -8,7 +8,6 @@ use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material};
 use crate::scene::{Input, Scene, Use};
-use crate::units::{Dimension, human};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;
@@ -106,12 +105,7 @@ impl Scenario {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
         if self.has("half_space") {
             let half_space = self.at_rest()?.half_space;
-            return Ok(vec![Specimen {
-                name: None,
-                half_space,
-                modulus_uncertainty: None,
-                strength_uncertainty: None,
-            }]);
+            return Ok(vec![Specimen { name: None, half_space }]);
         }
         let Some(several) = given.half_space.as_ref().filter(|several| !several.is_empty()) else {
             return Err(self.document.missing("", "half_space"));
@@ -130,37 +124,10 @@ impl Scenario {
                 youngs_modulus: one.youngs_modulus.ok_or_else(|| missing("youngs_modulus"))?,
                 poissons_ratio: one.poissons_ratio.ok_or_else(|| missing("poissons_ratio"))?,
             };
-            let yield_strength = one.yield_strength;
-            let specimen = Specimen {
-                name: Some(name.to_owned()),
-                half_space: HalfSpace { material, yield_strength, density: None },
-                modulus_uncertainty: one.youngs_modulus_uncertainty,
-                strength_uncertainty: one.yield_strength_uncertainty,
-            };
-            self.check_uncertainties(name, &specimen)?;
-            specimens.push(specimen);
+            let half_space = HalfSpace { material, yield_strength: one.yield_strength, density: None };
+            specimens.push(Specimen { name: Some(name.to_owned()), half_space });
         }
         Ok(specimens)
-    }
-
-    /// Refuses an uncertainty as large as its value: at the lower end there would be no stiffness or strength.
-    fn check_uncertainties(&self, name: &str, specimen: &Specimen) -> Result<(), Error> {
-        let half_space = &specimen.half_space;
-        let pairs = [
-            ("youngs_modulus", Some(half_space.material.youngs_modulus), specimen.modulus_uncertainty),
-            ("yield_strength", half_space.yield_strength, specimen.strength_uncertainty),
-        ];
-        for (key, value, uncertainty) in pairs {
-            let Some(uncertainty) = uncertainty.filter(|by| value.is_none_or(|value| *by >= value)) else { continue };
-            let written = human(uncertainty, Dimension::Pressure);
-            let problem = match value {
-                Some(value) => format!("must be smaller than {key}, {}", human(value, Dimension::Pressure)),
-                None => format!("needs {key}, which is missing"),
-            };
-            let message = format!("\"{name}\": {key}_uncertainty = {written} {problem}");
-            return Err(self.document.refuse(SPECIMENS, message));
-        }
-        Ok(())
     }
 }
 

@@ -15,8 +15,6 @@ named! {
         MonteCarlo = "monte_carlo",
         /// Impacts one after the other.
         Repeat = "repeat",
-        /// Unloading laws from one peak.
-        Compare = "compare",
         /// Loads and indentations without any impact.
         Indentation = "indentation",
         /// Keys that are found from measurements.
@@ -31,7 +29,6 @@ pub fn template(kind: Kind) -> &'static str {
         Kind::Sweep => include_str!("template/sweep.toml"),
         Kind::MonteCarlo => include_str!("template/monte_carlo.toml"),
         Kind::Repeat => include_str!("template/repeat.toml"),
-        Kind::Compare => include_str!("template/compare.toml"),
         Kind::Indentation => include_str!("template/indentation.toml"),
         Kind::Calibrate => include_str!("template/calibrate.toml"),
     }

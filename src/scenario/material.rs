@@ -18,7 +18,7 @@ fn instead(body: Body, property: Property) -> &'static [&'static str] {
         (Body::Sphere, Property::Density) => &["sphere.mass"],
         (Body::HalfSpace, Property::Hardness) => &["half_space.yield_strength"],
         // a curve needs its own yield strength, or the hardness
-        (Body::HalfSpace, Property::HardeningExponent) => &["half_space.yield_strength", FLOW, "compare"],
+        (Body::HalfSpace, Property::HardeningExponent) => &["half_space.yield_strength", FLOW],
         _ => &[],
     }
 }
@@ -97,10 +97,9 @@ impl Tables {
             let is_wanted = path == "half_space.yield_strength" && free == Some(false);
             is_wanted || has(path) || varied.iter().any(|varied| *varied == path || varied.starts_with(&inner))
         };
-        let is_moving = !has("compare") && !has("indentation");
+        let is_moving = !has("indentation");
         let has_use = match (body, property) {
             (Body::Sphere, Property::Density) => is_moving,
-            (Body::Sphere, Property::Hardness) => !has("compare"),
             // a plate needs it; elastic waves are those of one impact by the law alone
             (Body::HalfSpace, Property::Density) => {
                 let is_plate = is_given("half_space.thickness");

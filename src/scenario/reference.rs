@@ -8,6 +8,7 @@ use crate::scene::Key;
 use crate::scene::key::{AnyKey, Form};
 use crate::scene::keys::varied;
 use crate::scene::quantity::Quantity;
+use crate::scene::written::pattern;
 
 /// All keys as Markdown, a table for every table of a scenario.
 pub fn keys() -> String {
@@ -88,10 +89,9 @@ pub(super) fn allowed(key: &str) -> Option<String> {
     }
 }
 
-/// How the value of a key is written. An item of a list has the keys of all its items.
+/// How the value of a key is written.
 fn form_of(key: &str) -> Option<Form> {
-    let parts: Vec<&str> = key.split('[').map(|part| part.trim_start_matches(|c: char| c.is_ascii_digit())).collect();
-    let pattern = parts.join("[");
+    let pattern = pattern(key);
     every_key().find(|key| key.path == pattern).map(|key| key.form)
 }
 

@@ -15,8 +15,6 @@ pub enum Use {
     Impact,
     /// A slow indentation.
     Indentation,
-    /// Unloading laws from one peak.
-    Comparison,
 }
 
 /// Why nothing that is computed of these inputs depends on a key; `None` if something does. Only numeric keys and keys of laws

@@ -29,13 +29,12 @@ pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
 });
 
 /// Keys that stand in place of each other: a scene takes one of the two.
-pub const EITHER: [[&str; 2]; 6] = [
+pub const EITHER: [[&str; 2]; 5] = [
     ["sphere.radius", "sphere.diameter"],
     ["sphere.density", "sphere.mass"],
     ["half_space.yield_strength", "half_space.hardness"],
     ["impact.speed", "impact.drop_height"],
     ["damping.hunt_crossley", "damping.viscous"],
-    ["compare.peak_indentation_ratio", "compare.peak_indentation"],
 ];
 
 impl Key {

@@ -111,12 +111,8 @@ pub const FACTOR: Quantity = number("a factor", Excluded(0.0), Included(100.0), 
 pub const AREA_FACTOR: Quantity = number("an area factor", Included(0.5), Included(2.0), "1.43");
 /// Indentation at full plasticity over that at yield.
 pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Excluded(1.0), Included(1e6), "110");
-/// Indentation over that at first yield, for an indentation that leaves a dent.
-pub const DEPTH_RATIO: Quantity = number("a depth over that at yield", Excluded(1.0), Included(1e6), "105.1");
 /// A force.
 pub const FORCE: Quantity = positive("a force", Dimension::Force, "\"43.5 kN\"");
-/// An energy.
-pub const ENERGY: Quantity = positive("an energy", Dimension::Energy, "\"4.2 J\"");
 /// A ratio of at most 1.
 pub const SHARE: Quantity = number("a ratio", Excluded(0.0), Included(1.0), "0.5");
 

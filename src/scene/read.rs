@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
+use super::gone::instead;
 use super::key::Words;
 use super::quantity::Quantity;
 use super::written::{Name, Node, below, described, whole_number};
@@ -76,7 +77,9 @@ impl<'f> Reader<'f> {
         };
         for (name, _) in others {
             let written = name.get_ref();
-            let message = if known.is_empty() {
+            let message = if let Some(instead) = instead(&below(&self.path, written)) {
+                format!("there is no {thing} `{written}` any more: {instead}")
+            } else if known.is_empty() {
                 format!("unknown {thing} `{written}`; this table takes none")
             } else {
                 let all = format!("{things} are {}", known.join(", "));

@@ -11,7 +11,6 @@
 //!   CSV as an empty field) where its value is not finite or `None`;
 //! * its value; for a result of an impact that is also a column of tables: in brackets what it needs, and how a row gives it.
 
-pub mod compare;
 pub(crate) mod entry;
 pub mod impact;
 pub mod indentation;
@@ -21,7 +20,7 @@ pub use entry::{Column, Needs, Reported, Shown, fields, lists};
 
 /// The results of all runs but tables and calibrations as Markdown, a table for every file, or part of one, that has them.
 pub fn files() -> String {
-    [impact::files(), series::files(), indentation::files(), compare::files()].concat()
+    [impact::files(), series::files(), indentation::files()].concat()
 }
 
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.

@@ -29,8 +29,6 @@ pub static AXIS_OF_LAWS: Words =
 pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
 /// Names of laws that unload.
 pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
-/// Names of laws with an unloading of their own.
-pub static OWN_UNLOADINGS: Words = words("unloading", "unloadings", || laws(LawChoice::has_own_unloading));
 /// Where repeated impacts hit.
 pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
 /// What is done about a jump of the printed formulas.

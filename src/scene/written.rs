@@ -80,6 +80,12 @@ pub fn below(path: &str, name: &str) -> String {
     if path.is_empty() || name.starts_with('[') { format!("{path}{name}") } else { format!("{path}.{name}") }
 }
 
+/// The path without the numbers of items: an item of a list has the keys of all its items.
+pub fn pattern(path: &str) -> String {
+    let parts: Vec<&str> = path.split('[').map(|part| part.trim_start_matches(|c: char| c.is_ascii_digit())).collect();
+    parts.join("[")
+}
+
 /// What was found here, for messages.
 pub fn described(node: &Node) -> String {
     match node.get_ref() {

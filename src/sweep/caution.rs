@@ -15,9 +15,9 @@ const MOST_CORNERS: u64 = 1 << 13;
 /// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
-/// The worst warning of each kind with the corner where it was found, a warning about corners that were not looked at, and the
-/// largest peak indentation over the radius of the sphere. `known` is the contact of the plan, if it is made already.
-pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
+/// The worst warning of each kind with the corner where it was found, and a warning about corners that were not looked at.
+/// `known` is the contact of the plan, if it is made already.
+pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
     let tails: Vec<Axis> = match &plan.cases {
         Cases::Grid(_) => Vec::new(),
         Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
@@ -38,11 +38,11 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
     let is_one = axes.iter().all(Axis::keeps_contact);
     let own = if is_one && known.is_none() { plan.scene.contact().ok() } else { None };
     let shared = known.or(own.as_ref()).filter(|_| is_one);
-    let (mut worst, mut deepest): (Vec<(Warning, String)>, f64) = (Vec::new(), 0.0);
+    let mut worst: Vec<(Warning, String)> = Vec::new();
     for places in chosen {
         let mut input = plan.scene.input.clone();
         put(axes, &places, &mut input);
-        let Some((impact, radius)) = shared.map_or_else(
+        let Some(impact) = shared.map_or_else(
             || {
                 let scene = input.resolve();
                 impact(&scene.contact().ok()?, scene.approach_at(scene.speed))
@@ -51,7 +51,6 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
         ) else {
             continue;
         };
-        deepest = deepest.max(impact.peak_indentation / radius);
         for warning in impact.warnings {
             let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
             let place = || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", ");
@@ -69,7 +68,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> (Vec<String>, f64) {
             "of the {all} corners of this table {computed} were looked at: every value at an end of one axis, and a sample of the others; the model may be left at the rest"
         ));
     }
-    (warnings, deepest)
+    warnings
 }
 
 /// The corner of this number; beyond the last corner they begin again.
@@ -121,7 +120,7 @@ fn tails(variable: &Variable) -> Axis {
     Axis::of_number(variable.key, Values::List(TAILS.map(|share| variable.value(share)).to_vec()))
 }
 
-/// The impact of one corner, and the radius of its sphere; `None` if it has no result, which the status in the table says.
-fn impact(contact: &Contact, approach: Approach) -> Option<(Impact, f64)> {
-    Some((contact.impact(approach, &Solver::AUTO, None).ok()?, contact.sphere().radius))
+/// The impact of one corner; `None` if it has no result, which the status in the table says.
+fn impact(contact: &Contact, approach: Approach) -> Option<Impact> {
+    contact.impact(approach, &Solver::AUTO, None).ok()
 }

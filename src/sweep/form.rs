@@ -27,10 +27,8 @@ named! {
 pub enum Found {
     /// All rows of the part are there.
     Whole,
-    /// It begins as the part does, and then rows are missing.
+    /// Rows are missing.
     Torn,
-    /// It begins otherwise.
-    Foreign,
 }
 
 /// How rows become a file.
@@ -49,8 +47,8 @@ pub(super) trait Form: Sync + Send {
     /// Encodes rows; many threads do so at a time.
     fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
 
-    /// Begins a file whose first row is that of this case.
-    fn begin(&self, file: NewFile, first: u64) -> io::Result<Self::Writer>;
+    /// Begins a file.
+    fn begin(&self, file: NewFile) -> io::Result<Self::Writer>;
 
     /// Appends the next rows.
     fn append(&self, writer: &mut Self::Writer, piece: &Self::Piece) -> io::Result<()>;
@@ -58,7 +56,6 @@ pub(super) trait Form: Sync + Send {
     /// Ends the file.
     fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
 
-    /// Reads a file that ought to have so many rows; `ends` are the first and the last of them. Counts the rows until it
-    /// finds that the file is not whole.
-    fn read(&self, path: &Path, ends: &Rows, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found>;
+    /// Reads a file that ought to have so many rows. Counts the rows until it finds that the file is not whole.
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found>;
 }

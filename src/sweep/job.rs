@@ -16,7 +16,7 @@ use super::form::{Form, Format, Found};
 use super::ordered::in_order;
 use super::parts::{Identity, JOINED, Layout, ONE_FILE, PARTS};
 use super::shard::Shard;
-use super::{file, refused, unwritable};
+use super::{file, unwritable};
 use crate::error::{Error, ErrorKind};
 use crate::output::{NewFile, OutputDirectory, remove, remove_folder, remove_stale};
 use crate::plan::{Plan, Source};
@@ -74,13 +74,13 @@ impl Job<'_> {
     /// # Errors
     /// [`Error`]; parts written so far stay.
     pub fn run(&self) -> Result<Written, Error> {
-        let identity = Identity::new(self.plan, self.source, self.format, self.layout);
+        let identity = Identity::new(self.source, self.format, self.layout);
         match self.format {
             Format::Csv => self.run_as(&Csv::new(self.plan), &identity),
             #[cfg(feature = "parquet")]
             Format::Parquet => {
                 let failed = |error| Error::failed(format!("Parquet: {error}"));
-                self.run_as(&super::parquet::Parquet::new(self.plan, identity.hash()).map_err(failed)?, &identity)
+                self.run_as(&super::parquet::Parquet::new(self.plan).map_err(failed)?, &identity)
             }
             #[cfg(not(feature = "parquet"))]
             Format::Parquet => Err(Error::input(
@@ -179,12 +179,7 @@ impl<F: Form> Table<'_, F> {
 
     /// Reads a file that ought to hold these cases.
     fn read(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(Count)) -> Result<Found, Error> {
-        let mut ends = Rows::default();
-        self.evaluator.rows(cases.start..cases.start + 1, &mut ends);
-        if cases.end > cases.start + 1 {
-            self.evaluator.rows(cases.end - 1..cases.end, &mut ends);
-        }
-        self.form.read(path, &ends, cases.end - cases.start, count).map_err(file("cannot be read", path))
+        self.form.read(path, cases.end - cases.start, count).map_err(file("cannot be read", path))
     }
 
     /// Reads the parts of this table or shard that are there, and computes the others; as one file all is computed. Returns
@@ -242,10 +237,6 @@ impl<F: Form> Table<'_, F> {
             match self.read(&path, cases.clone(), &mut |count| counts.push(count))? {
                 Found::Whole => Ok(vec![Made { cases, piece: None, counts }]),
                 Found::Torn => pieces(part).collect::<Vec<_>>().into_par_iter().map(compute).collect(),
-                Found::Foreign => Err(refused(
-                    &path,
-                    "is no part of this table, as its first row is another; move it away, and the same command computes that part",
-                )),
             }
         };
         let (mut tally, mut found, mut open) = (Tally::of(job.plan), 0, None);
@@ -253,7 +244,7 @@ impl<F: Form> Table<'_, F> {
             let part = cases.start / layout.rows_per_part;
             let (of_part, path) = (layout.cases(part), path(part));
             let unwritable = unwritable(&path);
-            let begin = || NewFile::create(&path).and_then(|file| self.form.begin(file, of_part.start));
+            let begin = || NewFile::create(&path).and_then(|file| self.form.begin(file));
             let mut writer = open.take().map_or_else(begin, Ok).map_err(&unwritable)?;
             self.form.append(&mut writer, piece).map_err(&unwritable)?;
             if cases.end < of_part.end {

@@ -13,7 +13,6 @@ use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::arrow::arrow_writer::{ArrowWriter, ArrowWriterOptions};
 use parquet::errors::ParquetError;
-use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::ColumnPath;
 
@@ -32,8 +31,6 @@ const BATCH: usize = 4096;
 const ROW_GROUP: usize = 65_536;
 /// Bytes written to the file at a time.
 const WRITE: usize = 1 << 18;
-/// The entry of a file that says which table and which part it is.
-const OF: &str = "plm_impact_part";
 
 /// Writes rows as Parquet.
 #[derive(Debug)]
@@ -42,16 +39,14 @@ pub(super) struct Parquet {
     /// The words of the columns that have words.
     words: Vec<Option<Arc<StringArray>>>,
     schema: SchemaRef,
-    /// What the table is of, for its files.
-    table: String,
 }
 
 impl Parquet {
-    /// The table of a plan; `table` tells it from all others.
-    pub(super) fn new(plan: &Plan, table: String) -> Result<Self, ParquetError> {
+    /// The table of a plan.
+    pub(super) fn new(plan: &Plan) -> Result<Self, ParquetError> {
         let columns = columns(plan);
         let words = columns.iter().map(|column| Some(Arc::new(StringArray::from(column.words()?)))).collect();
-        let mut parquet = Self { columns, words, schema: Arc::new(Schema::empty()), table };
+        let mut parquet = Self { columns, words, schema: Arc::new(Schema::empty()) };
         // the types are those of the arrays
         let fields = |arrays: Vec<ArrayRef>| {
             let names = plan.column_names().into_iter().zip(arrays).zip(&parquet.columns);
@@ -64,11 +59,9 @@ impl Parquet {
     }
 
     /// Numbers hardly repeat, so only words have dictionaries. A page holds the rows of one batch.
-    fn properties(&self, first: u64) -> WriterProperties {
-        let of = KeyValue::new(OF.to_owned(), self.of(first));
+    fn properties(&self) -> WriterProperties {
         let mut builder = WriterProperties::builder()
             .set_created_by(PROGRAM.to_owned())
-            .set_key_value_metadata(Some(vec![of]))
             .set_write_batch_size(BATCH)
             .set_data_page_row_count_limit(BATCH)
             .set_max_row_group_row_count(Some(ROW_GROUP))
@@ -78,10 +71,6 @@ impl Parquet {
             builder = builder.set_column_dictionary_enabled(ColumnPath::from(field.name().as_str()), true);
         }
         builder.build()
-    }
-
-    fn of(&self, first: u64) -> String {
-        format!("{} from case {first}", self.table)
     }
 
     /// Rows as Arrow data, column by column.
@@ -136,9 +125,9 @@ impl Form for Parquet {
         RecordBatch::try_new(self.schema.clone(), arrays).map_err(io::Error::other)
     }
 
-    fn begin(&self, file: NewFile, first: u64) -> io::Result<Self::Writer> {
+    fn begin(&self, file: NewFile) -> io::Result<Self::Writer> {
         // the columns of words are plain strings to those who read the file
-        let options = ArrowWriterOptions::new().with_properties(self.properties(first)).with_skip_arrow_metadata(true);
+        let options = ArrowWriterOptions::new().with_properties(self.properties()).with_skip_arrow_metadata(true);
         let file = BufWriter::with_capacity(WRITE, file);
         ArrowWriter::try_new_with_options(file, self.schema.clone(), options).map_err(error)
     }
@@ -151,15 +140,10 @@ impl Form for Parquet {
         writer.into_inner().map_err(error)?.into_inner().map_err(io::IntoInnerError::into_error)
     }
 
-    fn read(&self, path: &Path, ends: &Rows, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found> {
-        let file = File::open(path)?;
-        let Ok(reader) = ParquetRecordBatchReaderBuilder::try_new(file.try_clone()?) else { return Ok(Found::Torn) };
-        let entries = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
-        let of = entries.into_iter().find(|entry| entry.key == OF).and_then(|entry| entry.value);
-        if of != ends.cases.first().map(|first| self.of(*first)) {
-            return Ok(Found::Foreign);
-        }
-        Ok(if count_rows(file, rows, count).unwrap_or(false) { Found::Whole } else { Found::Torn })
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found> {
+        // a file that is no Parquet is torn too
+        let is_whole = count_rows(File::open(path)?, rows, count).unwrap_or(false);
+        Ok(if is_whole { Found::Whole } else { Found::Torn })
     }
 }
 

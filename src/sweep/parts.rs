@@ -8,7 +8,6 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::Value;
-use sha2::{Digest as _, Sha256};
 
 use super::form::Format;
 use super::shard::Shard;
@@ -16,7 +15,7 @@ use super::{file, refused};
 use crate::error::Error;
 use crate::output::{OutputDirectory, create, remove, remove_folder};
 use crate::plan::{Plan, Source};
-use crate::provenance::{FORMAT, NUMBERS, VERSION, hex};
+use crate::provenance::{FORMAT, NUMBERS, VERSION};
 
 /// A table of up to so many parts is written as one file: about a second's work.
 pub const ONE_FILE: u64 = 16;
@@ -105,22 +104,6 @@ pub fn make_way(directory: &OutputDirectory) -> Result<(), Error> {
     remove(&identity).map_err(file("cannot be removed", &identity))
 }
 
-/// How this machine computes powers: a hash of many of them. The C library computes powers in one way on processors
-/// with fused multiply-add and in another way on others, and some of the powers differ in their last digit.
-fn powers_of_machine() -> String {
-    let mut hasher = Sha256::new();
-    for k in 0..4096 {
-        let x = 0.5 + f64::from(k) / 4096.0;
-        // the exponents of the first steps of dop853 and dopri5
-        for exponent in [0.125, 0.2] {
-            #[allow(clippy::disallowed_methods)] // has to be the power of the machine, not of the compiler
-            let power = std::hint::black_box(x).powf(std::hint::black_box(exponent));
-            hasher.update(power.to_bits().to_le_bytes());
-        }
-    }
-    hex(&hasher.finalize()[..8])
-}
-
 /// Which table the parts of a folder are of. Two equal ones have the same bytes.
 #[derive(Debug, Serialize)]
 pub struct Identity {
@@ -130,15 +113,13 @@ pub struct Identity {
     format: Format,
     rows: u64,
     rows_per_part: u64,
-    /// How the machine computes powers; `None` if the rows do not depend on it.
-    powers_of_machine: Option<String>,
     #[serde(flatten)]
     scenario: Source,
 }
 
 impl Identity {
-    /// That of the table of this plan, which was read from `scenario`.
-    pub fn new(plan: &Plan, scenario: &Source, format: Format, layout: Layout) -> Self {
+    /// The table that was read from `scenario`.
+    pub fn new(scenario: &Source, format: Format, layout: Layout) -> Self {
         Self {
             format_version: FORMAT,
             version: VERSION.to_owned(),
@@ -146,18 +127,12 @@ impl Identity {
             format,
             rows: layout.rows,
             rows_per_part: layout.rows_per_part,
-            powers_of_machine: plan.depends_on_machine().then(powers_of_machine),
             scenario: scenario.clone(),
         }
     }
 
     fn text(&self) -> String {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
-    }
-
-    /// A hash of it, which the files of the table carry where their format has room for it.
-    pub fn hash(&self) -> String {
-        hex(&Sha256::digest(self.text()))
     }
 
     /// Whether the table was begun in parts here, perhaps by another process. Parts of another table are refused, or removed
@@ -210,10 +185,6 @@ impl Identity {
         let Some((name, own)) = ours.iter().find(|(name, own)| theirs.get(*name) != Some(own)) else {
             return "of another version of the program".to_owned();
         };
-        if name == "powers_of_machine" {
-            return "of a machine that computes powers with other last digits, on which dopri5 and dop853 depend"
-                .to_owned();
-        }
         let other = theirs.get(name).unwrap_or(&Value::Null);
         let lines = |text: &Value| text.as_str().unwrap_or_default().lines().map(str::to_owned).collect::<Vec<_>>();
         let (own_lines, other_lines) = (lines(own), lines(other));

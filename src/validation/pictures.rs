@@ -8,6 +8,7 @@ use super::cases::{Case, cases};
 use super::check::{EXPONENTS, deviation};
 use super::dynamic;
 use super::experiments::{Experiment, Row};
+use super::figure_10::figure_10;
 use super::hardening::{at_energy, law};
 use super::measured::restitution as of_device;
 use super::oblique::{FRICTION, alumina_on_glass, rebound};
@@ -47,6 +48,9 @@ pub fn pictures(
     let cases = cases()?;
     let mut pictures = vec![off_by_depth(&cases, coefficients)];
     pictures.extend(cases.iter().filter(|case| case.name == "case 3").map(|case| by_depth(case, coefficients)));
+    if let Some(case) = cases.iter().find(|case| case.name == "case 3") {
+        pictures.extend(figure_10(case)?);
+    }
     pictures.extend(dynamic::cases(coefficients)?.iter().map(impact));
     pictures.push(hardening(coefficients)?);
     pictures.push(leeb(coefficients)?);

@@ -75,7 +75,7 @@ fn a_clean_checkout_passes_and_shows_it() {
         let blue = pixels(&bytes).1.iter().filter(|pixel| **pixel == [0x00, 0x72, 0xb2]).count();
         assert!(blue > 100 || name == "error-restitution.png", "{name}: {blue}");
     }
-    assert_eq!(pictures.len(), 8);
+    assert_eq!(pictures.len(), 11);
 }
 
 #[test]

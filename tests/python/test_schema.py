@@ -15,7 +15,7 @@ else:
     import tomli as tomllib
 
 SCENARIOS = sorted((ROOT / "scenarios").glob("*.toml"))
-KINDS = ["impact", "sweep", "monte_carlo", "indentation", "repeat", "compare", "calibrate"]
+KINDS = ["impact", "sweep", "monte_carlo", "indentation", "repeat", "calibrate"]
 STEEL = """
 [sphere]
 radius = "5 mm"

@@ -36,8 +36,6 @@ const VARIANTS: &[(&str, &[&[&str]])] = &[
     ("shots", &[SPOTS, DAMPING]),
     ("shots", &[SPOTS, &["solver.method=rk8"]]),
     ("indentation", &[&["law.plm.unloading_exponent=1.2", "law.plm.unloading_exponent=pressure-shape"]]),
-    ("compare", &[&["sphere.youngs_modulus=rigid", "law.plm.unloading_exponent=pressure-shape"]]),
-    ("compare", &[&["compare.peak_indentation_ratio=1.5", "compare.peak_indentation_ratio=900"]]),
 ];
 
 const METHODS: &[&str] = &[

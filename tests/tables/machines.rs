@@ -79,45 +79,6 @@ fn a_table_does_not_depend_on_the_variants_of_the_c_library() {
 }
 
 #[test]
-fn shards_whose_last_digits_depend_on_the_machine_are_not_mixed() {
-    #[cfg(all(target_arch = "x86_64", target_env = "gnu"))]
-    let has_two_variants = std::arch::is_x86_feature_detected!("fma");
-    #[cfg(not(all(target_arch = "x86_64", target_env = "gnu")))]
-    let has_two_variants = false;
-    let call = |desk: &Desk, tunables: Option<&str>, arguments: &[&str]| {
-        let mut command = Command::new(PROGRAM);
-        command.envs(tunables.map(|value| ("GLIBC_TUNABLES", value))).current_dir(desk.path(""));
-        let output = command.args(arguments).output().unwrap();
-        (output.status.code().unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
-    };
-    let shard = |part| ["run", "s.toml", "--out", "shards", "--quiet", "--shard", part];
-    let whole = ["run", "s.toml", "--out", "shards", "--quiet"];
-    let machine = "a machine that computes powers with other last digits, on which dopri5 and dop853 depend";
-    let swept = "\"solver.method\" = [\"closed_form\", \"dop853\"]";
-    for (method, axis, is_exact) in [("rk8", "", true), ("dopri5", "", false), ("rk8", swept, false)] {
-        // a machine with one variant has nothing that could be mixed
-        let is_mixed = is_exact || !has_two_variants;
-        let method = if axis.is_empty() { format!("[solver]\nmethod = \"{method}\"\n") } else { String::new() };
-        let desk = Desk::with(format!("{STEEL}{method}[sweep]\n\"sphere.radius\" = [0.001, 0.002]\n{axis}\n"));
-        assert_eq!(call(&desk, None, &shard("0/2")).0, 0);
-        let (code, message) = call(&desk, Some(PLAIN_GLIBC), &shard("1/2"));
-        if is_mixed {
-            assert_eq!((code, call(&desk, Some(PLAIN_GLIBC), &whole).0), (0, 0), "{message}");
-            continue;
-        }
-        assert_eq!(code, 2, "{message}");
-        assert!(message.contains(&format!("these parts are of {machine}")), "{message}");
-        assert!(!desk.path("shards/table.csv").exists());
-        // with the same variant, shards make a table
-        std::fs::remove_dir_all(desk.path("shards")).unwrap();
-        for part in ["0/2", "1/2", "0/2"] {
-            assert_eq!(call(&desk, Some(PLAIN_GLIBC), &shard(part)).0, 0);
-        }
-        assert_eq!(call(&desk, Some(PLAIN_GLIBC), &whole).0, 0);
-    }
-}
-
-#[test]
 #[cfg(target_arch = "x86_64")]
 #[ignore = "needs qemu-x86_64 (package qemu-user)"]
 fn a_table_does_not_depend_on_the_processor() {

@@ -207,7 +207,7 @@ fn a_full_disk_ends_with_1_and_with_more_space_the_same_command_goes_on() {
 }
 
 #[test]
-fn a_torn_part_is_computed_anew_and_one_of_another_table_is_refused() {
+fn a_torn_part_is_computed_anew() {
     for format in FORMATS {
         let more = ["--format", format];
         let desk = Desk::with(grid());
@@ -224,14 +224,6 @@ fn a_torn_part_is_computed_anew_and_one_of_another_table_is_refused() {
             shard("out", &[]);
             assert!(fs::read(part("out", 2)).unwrap() == good, "{length} bytes are left");
         }
-        // a part of a table with other values, and another part of this one
-        shard("other", &["--set", "sphere.radius=\"4 mm\""]);
-        for foreign in [part("other", 2), part("out", 4)] {
-            fs::copy(foreign, part("out", 2)).unwrap();
-            let message = ends(run(&desk, "out", Some(500), &more), 2);
-            assert!(message.contains(&format!("part-00002.{format}: is no part of this table")), "{message}");
-        }
-        fs::remove_file(part("out", 2)).unwrap();
         // parts of shards from separate disks are copied into one folder
         ends(run(&desk, "out-1", Some(500), &[&more[..], &["--shard", "1/2"]].concat()), 0);
         for name in desk.files("out-1/parts") {

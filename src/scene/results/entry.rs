@@ -127,7 +127,6 @@ pub(super) const BOUNCES: &str = "the sphere bounces under gravity";
 pub(super) const CAPTURED: &str = "the sphere stays in its dent";
 pub(super) const NAMED: &str = "the half-space has a name";
 pub(super) const GIVEN: &str = "the step is given by it";
-pub(super) const UNCERTAIN: &str = "an uncertainty is given";
 
 /// A list of results from its entries.
 macro_rules! results {

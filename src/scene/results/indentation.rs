@@ -10,14 +10,10 @@ pub fn half_space() -> Vec<Reported<Tested>> {
         "name" if NAMED: of.specimen.name.clone();
         /// Young's modulus.
         "youngs_modulus_Pa" in Pressure: of.specimen.half_space.material.youngs_modulus;
-        /// Uncertainty of the modulus: half of the width of its interval.
-        "youngs_modulus_uncertainty_Pa" in Pressure if UNCERTAIN: of.specimen.modulus_uncertainty;
         /// Poisson's ratio.
         "poissons_ratio": of.specimen.half_space.material.poissons_ratio;
         /// Yield strength.
         "yield_strength_Pa" in Pressure if YIELDS: of.specimen.half_space.yield_strength;
-        /// Uncertainty of the strength: half of the width of its interval.
-        "yield_strength_uncertainty_Pa" in Pressure if UNCERTAIN: of.specimen.strength_uncertainty;
         /// Effective modulus E* of the pair of bodies.
         "effective_modulus_Pa" in Pressure: of.pair.effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
@@ -47,12 +43,6 @@ pub struct Stepped<'a> {
     pub step: &'a Step,
     /// All of the half-space.
     pub tested: &'a Tested,
-}
-
-impl Stepped<'_> {
-    fn span(&self, value: fn(&Step) -> f64) -> Option<[f64; 2]> {
-        self.tested.span(self.number - 1, value)
-    }
 }
 
 /// The results of one step.
@@ -98,19 +88,6 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": of.step.memory.unloading_stiffness;
         /// Exponent of the force on unloading.
         "unloading_exponent": of.step.memory.unloading_exponent;
-        /// Lowest and highest indentation at the end of the step, over all ends of the uncertain inputs, as for the
-        /// results below.
-        "uncertainty.indentation_m" in Length if UNCERTAIN: of.span(|step| step.indentation);
-        /// Lowest and highest force.
-        "uncertainty.force_N" in Force if UNCERTAIN: of.span(|step| step.force);
-        /// Lowest and highest depth of the dent.
-        "uncertainty.residual_indentation_m" in Length if UNCERTAIN: of.span(|step| step.memory.residual_indentation);
-        /// Lowest and highest slope of the unloading branch at its top.
-        "uncertainty.unloading_stiffness_N_per_m" in Stiffness if UNCERTAIN: of.span(|step| step.memory.unloading_stiffness);
-        /// Lowest and highest contact radius.
-        "uncertainty.peak_contact_radius_m" in Length if UNCERTAIN: of.span(|step| step.memory.contact_radius);
-        /// Lowest and highest energy spent on the dent in the step.
-        "uncertainty.plastic_work_J" in Energy if UNCERTAIN: of.span(|step| step.plastic_work);
     }
 }
 

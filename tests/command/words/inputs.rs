@@ -81,9 +81,6 @@ fn scenes_without_an_impact_list_theirs() {
         "sphere_radius_m": 0.005, "sphere_youngs_modulus_Pa": 210e9, "sphere_poissons_ratio": 0.3,
         "law_plm_unloading_exponent": 1.6,
     });
-    let compared = inputs(&format!("{still}{law}[compare]\npeak_indentation_ratio = 50\n"));
-    holds(&compared, &common);
-    holds(&compared, &json!({ "half_space_youngs_modulus_Pa": 210e9, "half_space_yield_strength_Pa": 345e6 }));
     let pressed = inputs(&format!("{still}{law}[indentation]\nsteps = [{{ load = 100 }}]\n[output]\nsamples = 50\n"));
     holds(&pressed, &common);
     holds(&pressed, &json!({ "output_samples": 50 }));

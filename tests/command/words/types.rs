@@ -25,7 +25,6 @@ fn understood(text: &str, change: &str) -> Result<(), Error> {
     let scenario = Scenario::from_text("steel.toml", text, &[change.to_owned()])?;
     match scenario.kind()? {
         Kind::Indentation => scenario.indentation().map(drop),
-        Kind::Compare => scenario.comparison().map(drop),
         Kind::Sweep | Kind::MonteCarlo => scenario.plan().map(drop),
         Kind::Calibrate => scenario.wanted().map(drop),
         Kind::Impact => scenario.resolve().map(drop),
@@ -39,7 +38,7 @@ fn no_word_of_the_parser_reaches_a_user() {
     let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let mut refused = 0;
     for scene in &types.scene {
-        let has_impact = !["[compare]", "[indentation]"].iter().any(|table| scene.tables.contains(table));
+        let has_impact = !scene.tables.contains("[indentation]");
         for key in &scene.keys {
             let bodies = if has_impact { STEEL } else { &still };
             // half-spaces of a list take the place of the table

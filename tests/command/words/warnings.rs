@@ -30,7 +30,6 @@ fn doubtful() -> Vec<(&'static str, String)> {
         ("impact 1: contact radius", format!("{fast}[repeat]\nimpacts = 2\nspot = \"fresh\"\n")),
         (idle, format!("{elastic}{law}[repeat]\nimpacts = 2\nspot = \"same\"\n")),
         (idle, format!("{slow}{law}[indentation]\nsteps = [{{ load = 100 }}]\n")),
-        ("density", format!("{}[compare]\npeak_indentation_ratio = 50\n", still(&dense))),
         ("density", format!("{}[indentation]\nsteps = [{{ load = 100 }}]\n", still(&dense))),
         (
             "step 1: contact radius / sphere radius",
