@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 
 use plm_impact::impact::{Contact, Memory};
 use plm_impact::scenario::Scenario;
@@ -94,28 +95,60 @@ fn along_the_path(contact: &Contact) -> Vec<String> {
 /// A program is compiled as plots/lammps/README.md says.
 const LINKED_WITH: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
 
-#[test]
-fn a_c_program_prints_the_bits_of_the_library() {
-    let page = fs::read_to_string(root().join("plots/lammps/README.md")).unwrap();
-    assert!(page.contains(&format!("target/release/libplm_impact.a {} -o program", LINKED_WITH.join(" "))));
+/// What a C program prints, which is compiled with these options and run with these scenarios.
+fn printed(source: &str, options: &[&str], scenarios: &[&Path]) -> String {
+    // one library for all tests, made by the first
+    static LIBRARY: LazyLock<PathBuf> = LazyLock::new(library);
     let folder = tempfile::tempdir().unwrap();
     let program = folder.path().join("program");
     let cc = Command::new("cc")
         .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I"])
         .arg(root().join("src/capi"))
-        .arg(root().join("tests/capi/program.c"))
-        .arg(library())
+        .args(options)
+        .arg(root().join(source))
+        .arg(&*LIBRARY)
         .args(LINKED_WITH)
         .arg("-o")
         .arg(&program)
         .output()
         .unwrap();
     assert!(cc.status.success(), "{}", String::from_utf8_lossy(&cc.stderr));
+    let run = Command::new(&program).args(scenarios).output().unwrap();
+    let printed = String::from_utf8(run.stdout).unwrap();
+    assert!(run.status.success(), "{source}: {printed}{}", String::from_utf8_lossy(&run.stderr));
+    printed
+}
+
+#[test]
+fn the_example_prints_e_and_the_page_shows_it() {
+    let page = fs::read_to_string(root().join("plots/lammps/README.md")).unwrap();
+    let line = format!("src/capi/drop.c target/release/libplm_impact.a {} -o drop", LINKED_WITH.join(" "));
+    assert!(page.contains(&line), "{line}");
+    let scenario = root().join("scenarios/steel-on-steel.toml");
+    let shown = printed("src/capi/drop.c", &[], &[&scenario]);
+    assert!(page.contains(&format!("```text\n{shown}```")), "{shown}");
+    // velocity Verlet is of second order: 10 ns are a 2900th of the contact, and leave an error of some 1e-7
+    let contact = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap().contact().unwrap();
+    let e: f64 = shown.trim().strip_prefix("e ").unwrap().parse().unwrap();
+    assert!((e - contact.closed_form(3.0).unwrap().restitution).abs() < 1e-6);
+}
+
+/// The sanitizers of the C compiler see the whole program, and the memory that the library does not give back.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_c_program_has_no_leak_and_no_undefined_behaviour() {
+    let scenarios = ["steel-on-steel", "alumina-on-aluminium-with-waves"];
+    let [steel, waves] = scenarios.map(|name| root().join(format!("scenarios/{name}.toml")));
+    let sanitized = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    printed("src/capi/drop.c", &sanitized, &[&steel]);
+    printed("tests/capi/program.c", &sanitized, &[&steel, &waves]);
+}
+
+#[test]
+fn a_c_program_prints_the_bits_of_the_library() {
     let scenario = root().join("scenarios/steel-on-steel.toml");
     let with_waves = root().join("scenarios/alumina-on-aluminium-with-waves.toml");
-    let run = Command::new(&program).args([&scenario, &with_waves]).output().unwrap();
-    let printed = String::from_utf8(run.stdout).unwrap();
-    assert!(run.status.success(), "{printed}{}", String::from_utf8_lossy(&run.stderr));
+    let printed = printed("tests/capi/program.c", &[], &[&scenario, &with_waves]);
 
     let scene = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap();
     let contact = scene.contact().unwrap();

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use super::field::Field;
 use super::input::Input;
+use super::key::AnyKey;
 use super::quantity::Quantity;
 
 /// A numeric key of the scene of an impact, which may vary: an axis, a random variable, or found from measurements.
@@ -20,11 +21,16 @@ pub struct Key {
     way: &'static [usize],
 }
 
-/// All numeric keys of the scene of an impact, in the order of the file.
-pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
+/// All keys of the scene of an impact. Their paths are leaked; this list keeps each of them in reach.
+static ALL: LazyLock<Vec<AnyKey>> = LazyLock::new(|| {
     let mut all = Vec::new();
     Input::default().keys("", &[], &mut all);
-    let numeric = all.into_iter().filter_map(|key| Some((key, key.form.number()?)));
+    all
+});
+
+/// All numeric keys of the scene of an impact, in the order of the file.
+pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
+    let numeric = ALL.iter().filter_map(|key| Some((key, key.form.number()?)));
     numeric.map(|(key, (quantity, word))| Key { path: key.path, quantity, word, way: key.way }).collect()
 });
 
