@@ -28,13 +28,15 @@ def recipe(containing: str) -> str:
 
 
 class Desk:
-    def __init__(self, folder: Path, points: int) -> None:
+    def __init__(self, folder: Path, points: int, name: str = "big") -> None:
         # the same build as in .ci/run, so that nothing is built twice
         build = ["cargo", "test", "--quiet", "--no-run", "--test", "tables"]
         subprocess.run(build, cwd=ROOT, check=True)
         self.folder = folder
-        self.environment = {**os.environ, "PATH": f"{ROOT / 'target' / 'debug'}{os.pathsep}{os.environ['PATH']}"}
-        (folder / "big.toml").write_text(STEEL + SWEEP.replace("POINTS", str(points)))
+        built = ROOT / os.environ.get("CARGO_TARGET_DIR", "target") / "debug"
+        self.environment = {**os.environ, "PATH": f"{built}{os.pathsep}{os.environ['PATH']}"}
+        self.name = name
+        (folder / f"{name}.toml").write_text(STEEL + SWEEP.replace("POINTS", str(points)))
 
     def run(self, line: str, **environment: str) -> str:
         done = subprocess.run(
@@ -50,5 +52,5 @@ class Desk:
 
     def is_whole(self) -> bool:
         """Whether the table of the shards has the bytes of one run."""
-        self.run("plm-impact run big.toml --out whole --quiet")
-        return (self.folder / "big" / "table.csv").read_bytes() == (self.folder / "whole" / "table.csv").read_bytes()
+        self.run(f"plm-impact run {self.name}.toml --out whole --quiet")
+        return (self.folder / self.name / "table.csv").read_bytes() == (self.folder / "whole" / "table.csv").read_bytes()
