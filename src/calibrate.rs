@@ -174,8 +174,11 @@ impl Measurements {
         refused(&self.data.name)((line, message))
     }
 
-    /// The error where the law gives no result anywhere in the ranges of the keys.
+    /// The error where the law gives no result anywhere in the ranges of the keys, or where the calibration was stopped.
     fn no_answer(&self, reason: &NoAnswer) -> Error {
+        if *reason == NoAnswer::Stopped {
+            return Error::new(ErrorKind::Stopped(130), reason.to_string());
+        }
         let reason = format!(
             "the law has no answer for these measurements anywhere in the range of the keys: {reason}; choose another range"
         );
@@ -183,18 +186,18 @@ impl Measurements {
     }
 
     /// The best keys under a law.
-    fn fit(&self, law: &LawChoice) -> Result<Result<Fit<'_>, NoAnswer>, Error> {
+    fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Counter) -> Result<Result<Fit<'a>, NoAnswer>, Error> {
         let (deviations, is_estimated) = self.deviations()?;
         let scene = Scene { law: law.clone(), ..self.wanted.scene.clone() };
         let problem = Problem::new(&scene, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
-        Ok(Fit::of(problem, is_estimated))
+        Ok(Fit::of(problem.watched(progress), is_estimated))
     }
 
     /// The fits of all laws that were asked for, the best first.
-    fn ranked(&self, progress: &Counter) -> Result<Vec<OfLaw<'_>>, Error> {
+    fn ranked<'a>(&'a self, progress: &'a Counter) -> Result<Vec<OfLaw<'a>>, Error> {
         let mut laws = Vec::new();
         for law in &self.wanted.laws {
-            laws.push((law.name(), self.fit(law)?));
+            laws.push((law.name(), self.fit(law, progress)?));
             progress.step();
         }
         let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
@@ -203,11 +206,14 @@ impl Measurements {
     }
 
     /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
-    pub fn calibrate(&self, progress: &Counter) -> Result<Calibration<'_>, Error> {
+    ///
+    /// # Errors
+    /// [`Error`] of the kind `Stopped` if `progress` is asked to stop; others if there is no answer.
+    pub fn calibrate<'a>(&'a self, progress: &'a Counter) -> Result<Calibration<'a>, Error> {
         progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
         let laws = self.ranked(progress)?;
         let no_answer = |reason: NoAnswer| self.no_answer(&reason);
-        let fit = self.fit(&self.wanted.scene.law)?.map_err(no_answer)?;
+        let fit = self.fit(&self.wanted.scene.law, progress)?.map_err(no_answer)?;
         progress.step();
         let (problem, shares) = (&fit.problem, &fit.best().shares);
         let predicted = problem.predict(shares).map_err(no_answer)?;
@@ -227,7 +233,7 @@ impl Measurements {
         let freedom = (residuals.len() - outliers).saturating_sub(keys.len());
         let inliers = residuals.iter().filter(|residual| !outlies(residual));
         let chi_square = inliers.map(|residual| residual * residual).sum();
-        Ok(Calibration {
+        let calibration = Calibration {
             p: if fit.noise == Noise::Given { chance(chi_square, freedom) } else { None },
             runs: chance_of_runs(&in_order(problem, &residuals)),
             shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &matrix, &residuals)),
@@ -243,7 +249,8 @@ impl Measurements {
             identifiability,
             refusal,
             laws,
-        })
+        };
+        if progress.is_stopped() { Err(self.no_answer(&NoAnswer::Stopped)) } else { Ok(calibration) }
     }
 
     /// The result for one key.

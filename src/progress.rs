@@ -1,14 +1,18 @@
-//! How far a long computation is. The computation counts; the command reads the count.
+//! How far a long computation is, and whether it has to stop. The computation counts and looks; whoever waits for it reads the
+//! count, and asks it to stop.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// How far a computation is, in pieces of work.
+/// How far a computation is, in pieces of work, and whether it has to stop.
 #[derive(Debug, Default)]
 pub struct Counter {
     /// Pieces that are done.
     done: AtomicU64,
     /// All of them; 0 where that is not known.
     total: AtomicU64,
+    /// Set when the result is no longer wanted.
+    stop: Arc<AtomicBool>,
 }
 
 impl Counter {
@@ -26,6 +30,16 @@ impl Counter {
     pub fn set(&self, done: u64, total: u64) {
         self.done.store(done, Ordering::Relaxed);
         self.total.store(total, Ordering::Relaxed);
+    }
+
+    /// The flag that stops the computation, for a handler of signals.
+    pub fn stop(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.stop)
+    }
+
+    /// Whether the computation has to stop. It then ends soon and gives no result.
+    pub fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
     }
 
     /// How many are done, and how many there are; 0 where that is not known.

@@ -76,7 +76,7 @@ impl Repeat {
         matches!(self.drive, Drive::Bouncing { .. })
     }
 
-    /// Computes the impacts one after the other, counting them if there is a counter; `samples` rows of each contact are
+    /// Computes the impacts one after the other. A counter counts them, and may stop them. `samples` rows of each contact are
     /// traced, of the first impacts only if there are many.
     ///
     /// # Errors
@@ -125,7 +125,7 @@ impl Repeat {
         };
         match self.drive {
             Drive::Shots(ref speeds) => {
-                for speed in speeds {
+                for speed in speeds.iter().take_while(|_| !progress.is_stopped()) {
                     hit(&mut sequence, *speed, None)?;
                 }
             }
@@ -148,7 +148,7 @@ impl Repeat {
                     if until.is_some_and(|until| flight.landing_speed < until) {
                         break End::Until;
                     }
-                    if sequence.hits.len() as u64 >= most {
+                    if sequence.hits.len() as u64 >= most || progress.is_stopped() {
                         break End::Impacts;
                     }
                     if let Some(last) = sequence.hits.last_mut() {

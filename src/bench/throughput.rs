@@ -1,7 +1,6 @@
 //! How many rows a second this machine computes and writes.
 
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -66,7 +65,6 @@ fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Resul
         directory,
         source: &Source::default(),
         progress: &Counter::default(),
-        is_cancelled: &AtomicBool::new(false),
     };
     let written = job.run()?;
     Ok(written.tally.rows as f64 / started.elapsed().as_secs_f64())

@@ -11,6 +11,7 @@ use crate::indentation::{IndentationError, Indenter, StaticContact, Target};
 use crate::math::functions::{ln, ln_1p};
 use crate::plan::axis::keeps_contact;
 use crate::plan::free::Free;
+use crate::progress::Counter;
 use crate::scene::{Input, Scene};
 
 /// Why the law predicts nothing.
@@ -25,6 +26,9 @@ pub enum NoAnswer {
     /// The sphere stays in its dent, so a measured quantity such as the contact time does not exist.
     #[error("a quantity that was measured does not exist there, as the sphere does not leave")]
     Captured,
+    /// The result is no longer wanted.
+    #[error("the calibration was stopped")]
+    Stopped,
 }
 
 /// Degrees of freedom of the likelihood with long tails.
@@ -55,6 +59,8 @@ pub struct Problem<'a> {
     pub counted: Vec<usize>,
     /// For every row, the range of its values.
     ranges: Vec<std::ops::Range<usize>>,
+    /// Says when the result is no longer wanted.
+    progress: Option<&'a Counter>,
 }
 
 impl<'a> Problem<'a> {
@@ -70,8 +76,15 @@ impl<'a> Problem<'a> {
             // it takes away the key in place of which it stands
             key.put(&mut input, 1.0);
         }
-        let (scene, pieces, counted) = (scene.clone(), Vec::new(), Vec::new());
-        Self { scene, input, free, data, deviations, is_robust, pieces, counted, ranges }.of_rows(0..data.rows.len())
+        let (scene, pieces, counted, progress) = (scene.clone(), Vec::new(), Vec::new(), None);
+        let empty = Self { scene, input, free, data, deviations, is_robust, pieces, counted, ranges, progress };
+        empty.of_rows(0..data.rows.len())
+    }
+
+    /// The same problem, which gives no answer any more after `progress` is asked to stop.
+    #[must_use]
+    pub fn watched(self, progress: &'a Counter) -> Self {
+        Self { progress: Some(progress), ..self }
     }
 
     /// The same keys and the same law with other data, only to predict: every standard deviation is 1.
@@ -115,7 +128,7 @@ impl<'a> Problem<'a> {
     /// The prediction for every value of the data; NaN for values that are not used.
     ///
     /// # Errors
-    /// [`NoAnswer`] if a row has no result.
+    /// [`NoAnswer`] if a row has no result, or the calibration was stopped.
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
         let mut input = self.input.clone();
         for (free, share) in self.free.iter().zip(shares) {
@@ -137,6 +150,11 @@ impl<'a> Problem<'a> {
             places.zip(values).for_each(|(place, value)| all[place] = value);
         }
         Ok(all)
+    }
+
+    /// Refuses to go on after the calibration was stopped.
+    fn go_on(&self) -> Result<(), NoAnswer> {
+        if self.progress.is_some_and(Counter::is_stopped) { Err(NoAnswer::Stopped) } else { Ok(()) }
     }
 
     /// The impact speed of every row \[m/s\]; NaN if there is none.
@@ -172,6 +190,7 @@ impl<'a> Problem<'a> {
         let contact = scene.contact()?;
         let mut predicted = Vec::with_capacity(rows.len());
         for row in rows {
+            self.go_on()?;
             self.with_row(&mut input, *row);
             (scene.speed, scene.solver) = (input.speed(), input.solver());
             let result = contact.essentials(scene.speed, &scene.solver)?;
@@ -186,6 +205,7 @@ impl<'a> Problem<'a> {
     /// The forces along an indentation curve. A point at the indentation of the point before adds no step; nor does a
     /// first point at zero indentation.
     fn curve(&self, scene: &Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
+        self.go_on()?;
         let indenter = Indenter { radius: scene.sphere.radius, material: scene.sphere.material, yield_strength: None };
         let contact = StaticContact::try_new(indenter, &scene.half_space, scene.law.get())?;
         let (mut targets, mut steps, mut last) = (Vec::new(), Vec::with_capacity(rows.len()), 0.0);

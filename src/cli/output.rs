@@ -56,7 +56,7 @@ impl Output {
         let directory = self.prepare(file, &scenario)?;
         make_way(&directory)?;
         let pictures = self.pictures.format;
-        let (scenario, outcome) = Watch::without_files(self.quiet).watch(move |progress, _| {
+        let (scenario, outcome) = Watch::without_files(self.quiet).watch(move |progress| {
             let outcome = run(&scenario, &Order { command: &command_line(), pictures, progress })?;
             Ok((scenario, outcome))
         })?;

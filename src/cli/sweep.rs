@@ -100,7 +100,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     };
     let bar = "{human_pos}/{human_len} rows, {per_sec}, {eta} left";
     let watch = Watch { is_quiet: output.quiet, bar, patience: PATIENCE, leaves };
-    let (directory, plan, written) = watch.watch(move |progress, is_cancelled| {
+    let (directory, plan, written) = watch.watch(move |progress| {
         let job = Job {
             plan: &plan,
             shard,
@@ -109,7 +109,6 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
             directory: &directory,
             source: &source,
             progress,
-            is_cancelled,
         };
         let written = super::threads::with(threads, || job.run())??;
         Ok((directory, plan, written))
@@ -119,7 +118,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
         let leaves = "the table is written, its summary is not; give the same command again";
         let tally = written.tally.clone();
         files = Watch { leaves, ..Watch::without_files(output.quiet) }
-            .watch(move |_, _| table::files(&plan, &tally, &warnings, &provenance, pictures))?;
+            .watch(move |_| table::files(&plan, &tally, &warnings, &provenance, pictures))?;
         directory.write(&files)?;
     }
     let found = match written.found {

@@ -51,7 +51,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
-    let (checks, laws, measured, pictures) = Watch::without_files(false).watch(move |progress, _| {
+    let (checks, laws, measured, pictures) = Watch::without_files(false).watch(move |progress| {
         let checks = validation::checks(&coefficients, progress)?;
         let laws = validation::laws::laws(&coefficients)?;
         let draw = || validation::pictures(&coefficients, &measured, format, progress);

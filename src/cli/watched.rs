@@ -46,27 +46,27 @@ impl Watch {
         Self { is_quiet, bar, patience: Duration::ZERO, leaves: "nothing was written" }
     }
 
-    /// Does the work on a thread of its own. The flag given to it is set by a signal.
+    /// Does the work on a thread of its own. A signal asks it to stop.
     ///
     /// # Errors
     /// That of the work; [`Error`] with its exit code after a signal; and where the system gives neither thread nor signals.
     pub fn watch<T: Send + 'static>(
         &self,
-        work: impl FnOnce(&Counter, &AtomicBool) -> Result<T, Error> + Send + 'static,
+        work: impl FnOnce(&Counter) -> Result<T, Error> + Send + 'static,
     ) -> Result<T, Error> {
-        let (is_set, code, is_over) = (Arc::<AtomicBool>::default(), Arc::<AtomicUsize>::default(), Arc::default());
+        let progress = Arc::new(Counter::default());
+        let (code, is_over) = (Arc::<AtomicUsize>::default(), Arc::<AtomicBool>::default());
         for signal in [SIGINT, SIGTERM] {
             let exit_code = ENDED_BY + signal.unsigned_abs() as usize;
             let listened = flag::register_conditional_default(signal, Arc::clone(&is_over));
             let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&code), exit_code));
-            listened.and_then(|_| flag::register(signal, Arc::clone(&is_set))).map_err(other("signals"))?;
+            listened.and_then(|_| flag::register(signal, progress.stop())).map_err(other("signals"))?;
         }
-        let progress = Arc::new(Counter::default());
         let (sender, receiver) = channel();
-        let (counter, flag) = (Arc::clone(&progress), Arc::clone(&is_set));
-        let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter, &flag))));
+        let counter = Arc::clone(&progress);
+        let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
         let worker = worker.map_err(other("thread"))?;
-        let done = self.wait(&receiver, &progress, &is_set);
+        let done = self.wait(&receiver, &progress);
         // signals end the process from now on, as they do by default
         is_over.store(true, Ordering::Relaxed);
         let done = done.unwrap_or_else(|| {
@@ -81,12 +81,7 @@ impl Watch {
     }
 
     /// The result of the work; `None` where it ended without one.
-    fn wait<T>(
-        &self,
-        receiver: &Receiver<Result<T, Error>>,
-        progress: &Counter,
-        is_set: &AtomicBool,
-    ) -> Option<Result<T, Error>> {
+    fn wait<T>(&self, receiver: &Receiver<Result<T, Error>>, progress: &Counter) -> Option<Result<T, Error>> {
         let (begun, mut signalled) = (Instant::now(), None);
         let bar = self.bar();
         let soon = std::env::var(BAR_AFTER).ok().and_then(|time| time.parse().ok()).unwrap_or(SOON);
@@ -102,7 +97,7 @@ impl Watch {
                 Err(RecvTimeoutError::Disconnected) => break None,
                 Err(RecvTimeoutError::Timeout) => {}
             }
-            if is_set.load(Ordering::Relaxed) && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
+            if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
                 let what = format!("interrupted; {}", self.leaves);
                 break Some(Err(Error::new(ErrorKind::Stopped(0), what)));
             }

@@ -14,7 +14,6 @@ use super::work::interruptible;
 use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plot::Pictures;
-use crate::progress::Counter;
 use crate::report;
 use crate::run::{Order, Outcome, Way, table, way};
 use crate::scenario::Scenario;
@@ -92,9 +91,10 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
     match way(scenario.kind().map_err(exception)?) {
         Way::Once { run, .. } => {
-            let order = Order { command: &command, pictures: Pictures::Png, progress: &Counter::default() };
-            let Outcome { mut warnings, text, files, contradiction } =
-                interruptible(py, |_| run(scenario, &order))?.map_err(exception)?;
+            let Outcome { mut warnings, text, files, contradiction } = interruptible(py, |progress| {
+                run(scenario, &Order { command: &command, pictures: Pictures::Png, progress })
+            })?
+            .map_err(exception)?;
             warnings.extend(contradiction);
             warn(py, &warnings)?;
             outcome(py, &warnings, &text, files, None)

@@ -4,7 +4,7 @@
 use std::mem;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -13,6 +13,7 @@ use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use crate::progress::Counter;
 use crate::sweep::ordered::in_order;
 
 /// Number of rows that a thread computes at a time, and of slow ones, between which Ctrl-C is to be heard.
@@ -41,17 +42,17 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
     Ok(pool)
 }
 
-/// Runs `work` and returns its result. When Python receives a signal such as Ctrl-C, the flag given to `work` is set,
-/// and `work` has to stop.
-pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> T + Send) -> PyResult<T> {
+/// Runs `work` and returns its result. When Python receives a signal such as Ctrl-C, the counter given to `work` asks it to
+/// stop.
+pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Counter) -> T + Send) -> PyResult<T> {
     let pool = py.detach(pool)?;
-    let is_cancelled = AtomicBool::new(false);
+    let progress = Counter::default();
     let (sender, receiver) = channel();
     let receiver = Mutex::new(receiver);
     pool.in_place_scope(|scope| {
-        let flag = &is_cancelled;
+        let counter = &progress;
         scope.spawn(move |_| {
-            let done = catch_unwind(AssertUnwindSafe(|| work(flag)));
+            let done = catch_unwind(AssertUnwindSafe(|| work(counter)));
             drop(done.map(|done| sender.send(done)));
         });
         loop {
@@ -60,7 +61,7 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&AtomicBool) -> 
                 Ok(done) => return Ok(done),
                 Err(RecvTimeoutError::Timeout) => {
                     if let Err(signal) = py.check_signals() {
-                        is_cancelled.store(true, Ordering::Relaxed);
+                        progress.stop().store(true, Ordering::Relaxed);
                         return Err(signal);
                     }
                 }
@@ -97,8 +98,8 @@ pub fn columns(
         .map_err(|_| PyMemoryError::new_err(format!("a table of {rows} rows does not fit into memory; divide it")))?;
     let together = TOGETHER[usize::from(is_slow)];
     let pieces = (0..rows).step_by(together).map(|start| start..rows.min(start + together));
-    let done = interruptible(py, |is_cancelled| {
-        let make = |piece| if is_cancelled.load(Ordering::Relaxed) { Err(String::new()) } else { make(piece) };
+    let done = interruptible(py, |progress| {
+        let make = |piece| if progress.is_stopped() { Err(String::new()) } else { make(piece) };
         in_order(pieces, make, |made| {
             columns.iter_mut().zip(made).for_each(|(column, part)| column.extend(part));
             Ok(())

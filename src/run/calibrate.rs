@@ -18,7 +18,8 @@ use crate::units::{Dimension, exact};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
-    let found = measured.calibrate(&Counter::default())?;
+    let progress = Counter::default();
+    let found = measured.calibrate(&progress)?;
     Ok(Outcome {
         contradiction: found.contradiction(),
         ..Outcome::checked(warnings(&measured, &found), report::table(&found))

@@ -2,7 +2,7 @@
 
 use super::impact::{can_be_traced, prepare, provenance};
 use super::outcome::{Order, Outcome, file, no_result, texts};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Method};
 use crate::output::SUMMARY;
 use crate::plot;
@@ -40,6 +40,9 @@ fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
     can_be_traced(scenario, &scene)?;
     let sequence = repeat.run(&contact, &scene.solver, scene.samples, Some(progress));
     let sequence = sequence.map_err(|reason| no_result(scenario, &reason))?;
+    if progress.is_stopped() {
+        return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
+    }
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&scene.warnings)).collect();
     Ok(Computed { scene, contact, repeat, sequence, warnings })

@@ -4,7 +4,6 @@ use std::fs::{self, File};
 use std::io::{self, Seek as _, SeekFrom, Write as _};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
@@ -36,10 +35,9 @@ pub struct Job<'a> {
     pub directory: &'a OutputDirectory,
     /// The scenario that the plan was read from.
     pub source: &'a Source,
-    /// Counts the rows that are computed or found.
+    /// Counts the rows that are computed or found. If asked to stop, the job ends within a fraction of a second, unless a
+    /// single row takes longer.
     pub progress: &'a Counter,
-    /// Set to stop within a fraction of a second, unless a single row takes longer.
-    pub is_cancelled: &'a AtomicBool,
 }
 
 /// A finished table or shard.
@@ -215,7 +213,7 @@ impl<F: Form> Table<'_, F> {
         // rows of pieces that are done: their memory serves the next ones
         let spare = Mutex::new(Vec::new());
         let compute = |cases: Range<u64>| {
-            if job.is_cancelled.load(Ordering::Relaxed) {
+            if job.progress.is_stopped() {
                 return Err(interrupted(0));
             }
             let known: Option<Rows> = spare.lock().unwrap_or_else(PoisonError::into_inner).pop();

@@ -154,6 +154,29 @@ def test_ctrl_c_ends_a_long_table() -> None:
     assert contact.restitution(1.0) < 1
 
 
+@pytest.mark.parametrize("kind", ["bounces", "rows", "calibration"])
+def test_ctrl_c_ends_a_long_run_and_a_calibration(kind: str) -> None:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
+    # the steps take 5 ms for an impact, so that the whole work takes hours
+    scene = dict(sphere=dict(radius=5e-3, density=7850, **bodies), solver=dict(method="verlet", steps_per_contact=100_000))
+    speeds = np.linspace(1, 2, 20_000)
+
+    def work() -> None:
+        if kind == "bounces":
+            plm.run({**scene, "half_space": bodies, "impact": dict(speed=1.0), "gravity": dict(acceleration=9.81), "repeat": dict(spot="same", impacts=1_000_000)})
+        elif kind == "rows":
+            plm.run({**scene, "half_space": bodies, "sweep": {"impact.speed": dict(linspace=[1, 2], points=1_000_000)}})
+        else:
+            plm.calibrate({**scene, "half_space": bodies, "calibrate": dict(noise=dict(restitution=0.01))}, dict(speed_m_per_s=speeds, restitution=0.6 / speeds**0.25))
+
+    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    assert time.monotonic() - begun < 30
+
+
 def test_other_threads_go_on_meanwhile(contact: plm.Contact) -> None:
     ticks, is_done = [], threading.Event()
 

@@ -113,7 +113,8 @@ fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
     let text = scenario(&request).replace("208 GPa", "210 GPa");
     let scenario = read(&text, NONE).with_data(format!("speed_m_per_s,restitution\n{lines}"));
     let measured = Measurements::of(&scenario).unwrap();
-    let found = measured.calibrate(&Counter::default()).unwrap();
+    let progress = Counter::default();
+    let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
     let grid = |i: i32| fit.problem.sum(&[fit.best().shares[0] + f64::from(i) * 1e-5]);
     let least = (-2000..=2000).map(grid).fold(f64::INFINITY, f64::min);
