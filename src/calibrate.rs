@@ -106,11 +106,6 @@ impl Measurements {
         if values < keys {
             return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
         }
-        if measured.contains(&Measured::ReboundHeight) && self.wanted.scene.forces.gravity.is_none() {
-            return refuse(
-                "a rebound height needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\"".to_owned(),
-            );
-        }
         let is_idle = |name: &String| !Measured::find(name).is_some_and(|what| measured.contains(&what));
         if let Some((name, _)) = self.wanted.deviations.iter().find(|(name, _)| is_idle(name)) {
             return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));

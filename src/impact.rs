@@ -35,7 +35,7 @@ pub mod waves;
 pub use contact::Contact;
 pub use error::ImpactError;
 pub use essentials::{Essentials, OnPlate};
-pub use forces::{Damping, Forces, ScaledForces, drop_speed};
+pub use forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces, drop_speed};
 pub use friction::Rub;
 pub use ledger::TraceRow;
 pub use oblique::{Approach, Incidence, Oblique, Rebound, Rubbing};

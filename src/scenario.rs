@@ -83,6 +83,8 @@ const NEEDED: [&str; 7] = [
     "impact.speed",
 ];
 
+const NO_FALL: &str = "a sphere that is released at first touch needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0";
+
 /// The key of the file of measurements.
 const DATA: &str = "calibrate.data";
 
@@ -217,6 +219,9 @@ impl Scenario {
         let input = self.first_case();
         self.check_flow(&input)?;
         let scene = self.scene_of(&input);
+        if scene.speed == 0.0 && scene.forces.gravity.is_none() {
+            return Err(self.refuse_varied("impact.drop_height", NO_FALL));
+        }
         self.check_plate(&scene)?;
         self.check_strength(&scene)?;
         Ok(scene)

@@ -140,9 +140,10 @@ impl Contact {
         self.on_plate().map(drop)
     }
 
-    /// How the half-space radiates elastic waves; `None` for one of unknown density.
+    /// How the half-space radiates elastic waves under an impact; `None` for one of unknown density, under damping, whose
+    /// force is not that of the law, and on a plate, which takes energy in another way.
     pub fn waves(&self) -> Option<&Waves> {
-        self.waves.as_ref()
+        self.waves.as_ref().filter(|_| !self.forces.have_drag())
     }
 
     /// Mass of the sphere \[kg\].

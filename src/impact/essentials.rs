@@ -1,6 +1,7 @@
 //! The numbers of an impact that a table holds, without the rest of an [`Impact`](super::Impact).
 
 use super::case::Case;
+use super::closed_form;
 use super::contact::Contact;
 use super::error::ImpactError;
 use super::forces::ScaledForces;
@@ -32,8 +33,8 @@ pub struct Essentials {
     pub kinetic_in: f64,
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
     pub plastic_fraction: f64,
-    /// Share radiated as elastic waves \[1\], to first order; `None` where the half-space's density is not known, under
-    /// gravity or damping or on a plate, and where the force of the law jumps on the way.
+    /// Share radiated as elastic waves \[1\], to first order and without gravity; `None` where the half-space's density is not
+    /// known, under damping or on a plate, where the force of the law jumps on the way, and for a sphere that does not leave.
     pub wave_loss_fraction: Option<f64>,
     /// What an impact on a plate has besides.
     pub on_plate: Option<OnPlate>,
@@ -83,15 +84,20 @@ impl Essentials {
     /// In SI units.
     #[inline]
     pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
-        let Case { scales, law, .. } = case;
+        let Case { scales, law, q, forces, .. } = case;
         // a sphere that is let go at rest has the kinetic energy 0, which is no underflow
         let kinetic_in = 0.5 * contact.mass() * speed * speed;
         let is_at_rest = speed == 0.0 && !contact.forces().is_none();
         let kinetic_in = if is_at_rest { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
-        // the first-order estimate is that of an impact by the law alone
-        let waves = contact.waves().filter(|_| contact.forces().is_none());
-        let waves =
-            waves.map(|waves| waves.loss_fraction(speed, scales, law, &outcome.unloading)).transpose()?.flatten();
+        let radiating = contact.waves().filter(|_| outcome.fate == Fate::Separated && !is_at_rest);
+        let waves = match radiating {
+            // the first-order estimate is that of the impact without gravity
+            Some(waves) if forces.weight > 0.0 => {
+                waves.loss_fraction(speed, scales, law, &closed_form::energy_balance(law, *q).0)?
+            }
+            Some(waves) => waves.loss_fraction(speed, scales, law, &outcome.unloading)?,
+            None => None,
+        };
         let peak = outcome.unloading.peak;
         let Outcome { restitution, loading_time, .. } = *outcome;
         if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
@@ -146,5 +152,10 @@ impl Essentials {
     /// e less what the waves take \[1\]; 0 where they would take more than comes back.
     pub fn restitution_with_waves(&self) -> Option<f64> {
         self.wave_loss_fraction.map(|loss| waves::restitution_with_waves(self.restitution, loss))
+    }
+
+    /// The restitution that is measured: with waves where they are known.
+    pub fn measured_restitution(&self) -> f64 {
+        self.restitution_with_waves().unwrap_or(self.restitution)
     }
 }

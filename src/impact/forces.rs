@@ -77,6 +77,9 @@ impl Forces {
     }
 }
 
+/// Gravity of a fall \[m/s²\] where none is given.
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
 /// Speed of a body \[m/s\] that has fallen from rest through `height` \[m\] under `gravity` \[m/s²\]: √(2 g h).
 pub fn drop_speed(gravity: f64, height: f64) -> f64 {
     (2.0 * gravity * height).sqrt()

@@ -175,7 +175,7 @@ fn of_waves(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak) -> Optio
             )
         });
     }
-    contact.waves().filter(|_| contact.forces().is_none())?;
+    contact.waves()?;
     let jump = four_digits(law.loading.jump_before(peak.indentation)?);
     let text = format!(
         "the wave loss is left out: the force of the law jumps at {jump} x the yield indentation, where the first-order theory makes it infinite; give the law `jumps = \"crossed\"`, or the half-space no density"

@@ -73,11 +73,13 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
     #[allow(clippy::cast_precision_loss)]
     let last = sequence.hits.len() as f64;
     let fastest = sequence.hits.iter().map(|hit| hit.speed).fold(0.0, f64::max);
-    let largest = sequence.hits.iter().map(|hit| hit.restitution).fold(0.0, f64::max);
+    let largest = sequence.hits.iter().map(|hit| hit.measured_restitution()).fold(0.0, f64::max);
+    let has_waves = sequence.hits.iter().any(|hit| hit.wave_loss_fraction.is_some());
+    let name = if has_waves { "Restitution e with waves" } else { "Restitution e" };
     let top = if largest > 0.8 { 1.1 } else { 1.2 * largest };
     let mut panels = vec![
         panel(Axis::engineering("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.speed),
-        panel(Axis::linear("Restitution", ""), top, "Restitution e", 0, |hit| hit.restitution),
+        panel(Axis::linear("Restitution", ""), top, name, 0, |hit| hit.measured_restitution()),
     ];
     let deepest = sequence.deepest_dent();
     if deepest > 0.0 {

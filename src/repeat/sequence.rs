@@ -17,7 +17,7 @@ named! {
         /// The next impact would be slower than `until`.
         Until = "until",
         /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g. Under
-        /// viscous damping it may lift off, but not high enough to leave the spot.
+        /// viscous damping, or after waves have taken their energy, it may lift off, but not high enough to leave the spot.
         Captured = "captured",
         /// The rebound does not lift the sphere out of its dent onto the fresh surface that was asked for.
         InDent = "in_dent",
@@ -31,11 +31,11 @@ pub struct Hit {
     pub time: Option<f64>,
     /// Impact speed \[m/s\].
     pub speed: f64,
-    /// e v \[m/s\].
+    /// Speed with which the flight begins \[m/s\]: e v, where e is the one with waves if the half-space has a density.
     pub rebound_speed: f64,
     /// What a table holds of it.
     pub essentials: Essentials,
-    /// Where the kinetic energy went.
+    /// Where the kinetic energy went; what is recovered is that of the rebound speed.
     pub energy: Energy,
     /// Fate, losses and work under gravity or damping.
     pub under_forces: Option<UnderForces>,
@@ -76,9 +76,17 @@ pub struct Sequence {
 
 impl Hit {
     pub(super) fn of(impact: &Impact, time: Option<f64>, dent_before: f64) -> Self {
-        let &Impact { speed, rebound_speed, essentials, energy, under_forces, .. } = impact;
+        let &Impact { speed, essentials, energy, under_forces, .. } = impact;
+        let restitution = essentials.measured_restitution();
+        let rebound_speed = restitution * speed;
+        let energy = Energy { recovered: energy.kinetic_in * (restitution * restitution), ..energy };
         let dent_growth = essentials.residual_indentation - dent_before;
         Self { time, speed, rebound_speed, essentials, energy, under_forces, dent_growth, flight: None }
+    }
+
+    /// What elastic waves take \[J\], if the half-space has a density.
+    pub fn radiated(&self) -> Option<f64> {
+        self.wave_loss_fraction.map(|_| (self.recovered_fraction() * self.kinetic_in - self.energy.recovered).max(0.0))
     }
 
     /// A result that only an impact under gravity or damping has.
@@ -123,7 +131,7 @@ impl Sequence {
 
     pub(super) fn geometric_rest(&self, gravity: f64) -> Option<f64> {
         let last = self.hits.last().filter(|_| matches!(self.end, End::Impacts | End::Until))?;
-        let missing = 1.0 - last.restitution;
+        let missing = 1.0 - last.measured_restitution();
         (missing > 0.0).then(|| 2.0 * last.rebound_speed / gravity / missing)
     }
 }

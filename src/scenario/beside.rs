@@ -31,11 +31,12 @@ const OBLIQUE: &[&str] = &["impact.angle", "sphere.spin"];
 const ONE_OF_TWO: &str = "[{}] is given too; write only one of the two";
 
 const RULES: &[Rule] = &[
-    without(
-        &["impact.drop_height"],
-        &["gravity.acceleration"],
-        "a drop height needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give `speed` instead",
-    ),
+    Rule {
+        keys: &["impact.drop_height"],
+        beside: &["repeat"],
+        unless: &["gravity.acceleration"],
+        why: "a dropped sphere bounces only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give `speed` for shots",
+    },
     without(
         OBLIQUE,
         &["friction.coefficient"],
@@ -62,9 +63,9 @@ const RULES: &[Rule] = &[
     // a plate radiates no such waves: its density is for the plate
     Rule {
         keys: &["half_space.density"],
-        beside: &["repeat", "damping", "gravity"],
+        beside: &["damping"],
         unless: &["half_space.thickness"],
-        why: "elastic waves are computed for one impact by the law alone: leave out this key, or [{}]",
+        why: "elastic waves are computed from the force of the law, without damping: leave out this key, or [{}]",
     },
     // a column of measurements may give the thickness
     without(

@@ -100,10 +100,9 @@ impl Tables {
         let is_moving = !has("indentation");
         let has_use = match (body, property) {
             (Body::Sphere, Property::Density) => is_moving,
-            // a plate needs it; elastic waves are those of one impact by the law alone
+            // a plate needs it; there are no elastic waves beside damping
             (Body::HalfSpace, Property::Density) => {
-                let is_plate = is_given("half_space.thickness");
-                is_moving && (is_plate || !["gravity", "damping", "repeat"].into_iter().any(is_given))
+                is_moving && (is_given("half_space.thickness") || !is_given("damping"))
             }
             // no other law has hardening
             (Body::HalfSpace, Property::HardeningExponent) => {

@@ -52,10 +52,7 @@ fn is_of_law(path: &str, input: &Input) -> bool {
 /// Why a key has no effect on these inputs.
 fn why(path: &str, inputs: &[Input]) -> &'static str {
     match path {
-        "impact.drop_height" => "it needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\"",
-        "half_space.density" => {
-            "elastic waves are computed for one impact by the law alone, without gravity and damping; leave the key out"
-        }
+        "half_space.density" => "there are no elastic waves beside damping, nor without motion; leave the key out",
         "sphere.yield_strength" => "it only warns of single impacts and of indentations; leave the key out",
         "sphere.poissons_ratio" => "the sphere is rigid",
         "friction.coefficient" | "sphere.moment_of_inertia" => {
@@ -99,7 +96,7 @@ impl Scene {
         }
         let sliding = self.incidence.map(|incidence| (incidence, self.input.sphere.moment_of_inertia));
         let motion = is_moving.then_some((self.sphere.density, self.input.sphere.mass, self.speed, forces, sliding));
-        let waves = self.half_space.density.filter(|_| is_moving && (forces.is_none() || forces.plate.is_some()));
+        let waves = self.half_space.density.filter(|_| is_moving && forces.damping.is_none());
         let steps = (of == Use::Impact || of == Use::Rows && self.is_stepped()).then_some(&self.solver);
         let doubts = self.sphere.yield_strength.filter(|_| matches!(of, Use::Impact | Use::Indentation));
         format!("{pair:?} {law:?} {motion:?} {waves:?} {steps:?} {doubts:?}")

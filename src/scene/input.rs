@@ -79,7 +79,7 @@ tables! {
         /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
         /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
         hardness: Option<f64> as Number(&HARDNESS),
-        /// Density of the half-space; with it the energy that is radiated as elastic waves is reported.
+        /// Density of the half-space; with it the energy that is radiated as elastic waves is reported, and bouncing loses it.
         density: Option<f64> as Number(&DENSITY),
         /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
         material: Option<&'static Material> as Word(&MATERIALS),
@@ -132,7 +132,8 @@ tables! {
     pub struct ImpactInput {
         /// Speed of the sphere at first touch, towards the half-space.
         speed: Option<f64> as Number(&SPEED),
-        /// Height that the sphere falls from, in place of the speed; with 0 it is released at first touch. Needs gravity.
+        /// Height that the sphere falls from, in place of the speed: v = sqrt(2 g h), with g = 9.80665 m/s^2 unless gravity is
+        /// given. With gravity it may be 0: the sphere is released at first touch.
         drop_height: Option<f64> as Number(&DROP_HEIGHT),
         /// Angle of the path from the normal of the half-space (in erosion it is often counted from the surface). The speed
         /// is then the whole speed. Needs friction.
@@ -147,7 +148,7 @@ tables! {
 
     /// `[gravity]`
     pub struct GravityInput {
-        /// Gravity, towards the half-space; it acts during contact too.
+        /// Gravity, towards the half-space, that acts during contact and flight. A drop height alone does not need it.
         acceleration: Option<f64> as Number(&ACCELERATION),
     }
 

@@ -83,7 +83,7 @@ impl Measured {
             Self::ContactTime => Some(row.contact_time),
             Self::PeakForce => Some(row.peak_force),
             // what is measured is less by the energy of elastic waves, if the half-space has a density
-            _ => self.of_rebound(row.restitution_with_waves().unwrap_or(row.restitution), scene),
+            _ => self.of_rebound(row.measured_restitution(), scene),
         }
     }
 
@@ -93,7 +93,7 @@ impl Measured {
         match self {
             Self::Restitution => Some(restitution),
             Self::ReboundSpeed => Some(speed),
-            Self::ReboundHeight => Some(0.5 * speed * speed / scene.forces.gravity?),
+            Self::ReboundHeight => Some(0.5 * speed * speed / scene.input.falling_gravity()),
             Self::Leeb => Some(1000.0 * restitution),
             _ => None,
         }

@@ -7,7 +7,9 @@ use super::input::{HalfSpaceInput, Input, SolverInput};
 use super::keys::Key;
 use super::taken::Taken;
 use super::{DEFAULT_SAMPLES, Scene};
-use crate::impact::{Approach, Contact, Damping, Forces, ImpactError, Incidence, Plate, Solver, drop_speed};
+use crate::impact::{
+    Approach, Contact, Damping, Forces, ImpactError, Incidence, Plate, STANDARD_GRAVITY, Solver, drop_speed,
+};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::strength::hardness::strength_of_hardness;
@@ -90,10 +92,14 @@ impl Input {
 
     /// The impact speed \[m/s\]: that of the fall where a height is given.
     pub fn speed(&self) -> f64 {
-        match (self.impact.drop_height, self.gravity.acceleration) {
-            (Some(height), Some(gravity)) => drop_speed(gravity, height),
-            _ => self.impact.speed.unwrap_or(f64::NAN),
-        }
+        let fallen = self.impact.drop_height.map(|height| drop_speed(self.falling_gravity(), height));
+        fallen.or(self.impact.speed).unwrap_or(f64::NAN)
+    }
+
+    /// The gravity of falls and of rebounds to a height \[m/s²\]. Without `[gravity]` a height is only another way to say
+    /// a speed.
+    pub fn falling_gravity(&self) -> f64 {
+        self.gravity.acceleration.unwrap_or(STANDARD_GRAVITY)
     }
 
     /// How the sphere comes in, if an angle or a spin is given.

@@ -38,7 +38,7 @@ struct Reference {
 impl Reference {
     /// Deviations of a result of a law, in the order of [`OfLaw::rms`].
     fn off(&self, by_law: &Essentials) -> [Option<f64>; 4] {
-        let restitution = by_law.restitution_with_waves().unwrap_or(by_law.restitution);
+        let restitution = by_law.measured_restitution();
         [
             Some(deviation(self.restitution, restitution)),
             Some(deviation(self.peak_force, by_law.peak_force)),

@@ -38,7 +38,7 @@ pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<Plm
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
     let law = Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: None };
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
-    Ok(impact.restitution_with_waves().unwrap_or(impact.restitution))
+    Ok(impact.measured_restitution())
 }
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the

@@ -17,9 +17,8 @@ const DECADES: f64 = 2.0;
 /// The picture as SVG; `None` for a sphere that is released at first touch.
 pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
     let (scene, _, impact) = impact::compute(scenario, None)?;
-    let gravity = scene.forces.gravity.filter(|_| scenario.document.has("impact.drop_height"));
-    let (key, at) = match gravity {
-        Some(gravity) => ("impact.drop_height", 0.5 * scene.speed * scene.speed / gravity),
+    let (key, at) = match scene.input.impact.drop_height {
+        Some(height) => ("impact.drop_height", height),
         None => ("impact.speed", scene.speed),
     };
     if at <= 0.0 {

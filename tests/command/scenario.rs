@@ -78,7 +78,7 @@ fn beside(path: &str) -> (&'static [&'static str], &'static str) {
     match path {
         "sphere.mass" => (&["sphere.mass=7"], "density = \"7850 kg/m^3\"\n"),
         "half_space.hardness" => (&["half_space.hardness=7e9"], "yield_strength = \"345 MPa\"\n"),
-        "impact.drop_height" => (&["gravity.acceleration=9.81", "impact.drop_height=7"], "speed = \"3 m/s\"\n"),
+        "impact.drop_height" => (&["impact.drop_height=7"], "speed = \"3 m/s\"\n"),
         // without an angle nothing slides
         "sphere.moment_of_inertia" | "friction.coefficient" => {
             (&["impact.angle=30 deg", "friction.coefficient=0.1"], "")
@@ -132,8 +132,11 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
 }
 
 #[test]
-fn a_drop_height_is_a_speed_under_gravity() {
+fn a_drop_height_is_a_speed_and_gravity_acts_only_where_it_is_given() {
     let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"");
+    // standard gravity of the 3rd general conference on weights and measures
+    let fallen = resolve(&text, NONE).unwrap();
+    assert_eq!((fallen.speed, fallen.forces.gravity), (9.80665_f64.sqrt(), None));
     let gravity = "gravity.acceleration=9.81 m/s^2";
     let scene = resolve(&text, &[gravity]).unwrap();
     // √(2 g h)

@@ -268,7 +268,7 @@ fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
     same("youngs_modulus = \"210 GPa\"\n", modulus);
     let strength = "[sweep]\n\"half_space.yield_strength\" = [\"200 MPa\", \"300 MPa\"]\n";
     same("yield_strength = \"345 MPa\"\n", strength);
-    // a drop height needs gravity, which may be an axis too
+    // so may a drop height and its gravity
     let fall = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let axes = "[sweep]\n\"impact.drop_height\" = [0.5, 1]\n\"gravity.acceleration\" = [9.81, 1.62]\n";
     assert!(rows(&format!("{fall}{axes}")).results.iter().all(Result::is_ok));

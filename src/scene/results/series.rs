@@ -60,8 +60,8 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "ended_by": of.sequence.end.name();
         /// Why the series ended, as a sentence.
         "end" as "ended": end_text(of.repeat, of.sequence);
-        /// Restitution of the last impact.
-        "final_restitution" as "last restitution": of.last(|hit| hit.restitution);
+        /// Restitution of the last impact; with waves, if the half-space has a density.
+        "final_restitution" as "last restitution": of.last(|hit| hit.measured_restitution());
         /// Rebound speed of the last impact.
         "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": of.last(|hit| hit.rebound_speed);
         /// Largest contact force of all impacts.
@@ -98,6 +98,9 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "energy.first_kinetic_in_J" in Energy: of.first(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
         "energy.last_recovered_J" in Energy: of.last(|hit| hit.energy.recovered);
+        /// Energy radiated as elastic waves.
+        "energy.waves_J" in Energy if WAVES:
+            of.sequence.hits.iter().filter_map(Hit::radiated).reduce(|all, one| all + one);
         /// Energy spent on dents.
         "energy.plastic_J" in Energy if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Largest error of the energy balance of any impact.
@@ -141,9 +144,11 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         "time_s" in Time as "time" if BOUNCES: row.1.time;
         /// Speed at first touch.
         "impact_speed_m_per_s" in Speed as "speed": row.1.speed;
-        /// Rebound speed over impact speed; 0 if captured.
+        /// Rebound speed over impact speed by the law; 0 if captured.
         "restitution" as "e": row.1.restitution;
-        /// Speed at separation.
+        /// The same after the waves have taken their energy.
+        "restitution_with_waves" as "with waves" if WAVES: row.1.restitution_with_waves();
+        /// Speed with which the flight begins: with waves, if the half-space has a density.
         "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
         /// Largest contact force.
         "peak_force_N" in Force as "peak force": row.1.peak_force;
@@ -157,8 +162,10 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         "contact_time_s" in Time as "contact": row.1.contact_time;
         /// Kinetic energy at first touch.
         "kinetic_in_J" in Energy: row.1.kinetic_in;
-        /// Kinetic energy at separation.
+        /// Kinetic energy with which the flight begins.
         "recovered_J" in Energy: row.1.energy.recovered;
+        /// Energy radiated as elastic waves.
+        "waves_J" in Energy if WAVES: row.1.radiated();
         /// Energy spent on the dent.
         "plastic_J" in Energy if YIELDS: row.1.energy.plastic;
         /// Energy taken by damping.
