@@ -57,6 +57,9 @@ pub struct Details {
     /// The allowed values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<String>,
+    /// The key that has to be given too, with dots.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub needs: Option<String>,
 }
 
 impl Error {
@@ -116,6 +119,13 @@ impl Error {
     #[must_use]
     pub fn with(self, details: Details) -> Self {
         Self { details: details.into(), ..self }
+    }
+
+    /// The same error, with the key that has to be given too, if there is one.
+    #[must_use]
+    pub fn needing(mut self, key: Option<&str>) -> Self {
+        self.details.needs = key.map(str::to_owned);
+        self
     }
 
     /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance or measurements

@@ -3,6 +3,7 @@
 
 use super::Scenario;
 use crate::error::Error;
+use crate::impact::PlateError;
 use crate::scene::{EITHER, KEYS, Scene};
 
 /// Keys that are refused beside others.
@@ -129,7 +130,9 @@ impl Scenario {
         for Rule { keys, beside, unless, why } in RULES {
             let (Some(key), None) = (given(keys), given(unless)) else { continue };
             if let Some(other) = if beside.is_empty() { Some("") } else { given(beside) } {
-                return Err(self.refuse_varied(key, why.replace("{}", other)));
+                // beside another key there are other ways out
+                let needed = unless.first().copied().filter(|_| beside.is_empty());
+                return Err(self.refuse_varied(key, why.replace("{}", other)).needing(needed));
             }
         }
         Ok(())
@@ -152,7 +155,10 @@ impl Scenario {
     /// Refuses a plate that is not computed with what the scene has besides.
     pub(super) fn check_plate(&self, scene: &Scene) -> Result<(), Error> {
         let contact = scene.contact().ok().filter(|_| scene.forces.plate.is_some());
-        let refuse = |error| self.document.refuse("half_space.thickness", ToString::to_string(&error));
+        let refuse = |error: PlateError| {
+            let needed = (error == PlateError::NoDensity).then_some("half_space.density");
+            self.document.refuse("half_space.thickness", error.to_string()).needing(needed)
+        };
         contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
     }
 

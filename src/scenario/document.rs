@@ -183,7 +183,8 @@ impl Document {
 
     /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
     pub fn missing(&self, table: &str, key: &str) -> Error {
-        self.refuse(table, missing(key, table))
+        let needed = format!("{table}.{key}");
+        self.refuse(table, missing(key, table)).needing(Some(needed.as_str()).filter(|_| !table.is_empty()))
     }
 
     /// The refusal where one of these keys is needed; `way_out` says what else can be done.
@@ -192,7 +193,7 @@ impl Document {
         let first = missing(names.next().unwrap_or_default(), table);
         let others: Vec<String> = names.map(|name| format!("`{name}`")).collect();
         let or_others = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
-        self.refuse(table, first + &or_others + way_out)
+        self.refuse(table, first + &or_others + way_out).needing(keys.first().copied())
     }
 
     /// The refusal of a key that is given beside another key which it stands in place of.

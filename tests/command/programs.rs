@@ -50,8 +50,9 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
     let desk = Desk::with(STEEL.replace("radius = \"5 mm\"", "radius = \"-5 mm\""));
     fs::write(desk.path("name.toml"), STEEL.replace("radius =", "radus =")).unwrap();
     fs::write(desk.path("good.toml"), STEEL).unwrap();
+    fs::write(desk.path("no-speed.toml"), STEEL.replace("speed =", "#")).unwrap();
     fs::write(desk.path("data.csv"), "restitution\n0.5\nmuch\n").unwrap();
-    let cases: [(&[&str], Value); 8] = [
+    let cases: [(&[&str], Value); 11] = [
         (&["run", "good.toml", "--set", "law=thorntn"], json!({"key": "law.thorntn", "value": "thorntn"})),
         (
             &["run", "s.toml"],
@@ -63,6 +64,9 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
             &["check", "good.toml", "--set", "impact.speed=-1"],
             json!({"key": "impact.speed", "value": "-1", "allowed": "a speed > 0 m/s and finite"}),
         ),
+        (&["check", "good.toml", "--set", "impact.angle=45 deg"], json!({"needs": "friction.coefficient"})),
+        (&["check", "good.toml", "--set", "half_space.thickness=5 mm"], json!({"needs": "half_space.density"})),
+        (&["check", "no-speed.toml"], json!({"key": "impact", "needs": "impact.speed"})),
         (&["run", "none.toml"], json!({"file": "none.toml", "exit_code": 2})),
         (&["calibrate", "good.toml", "data.csv"], json!({"line": 3, "exit_code": 2})),
         (&["run", "good.toml", "--out", "good.toml"], json!({"file": "good.toml", "exit_code": 2})),
@@ -89,7 +93,7 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
     // fields without a value are left out
     let output = desk.call(&["check", "name.toml", "--error-format", "json"]);
     let said = &objects(&output.stderr)[0];
-    assert!(said.get("value").is_none() && said.get("allowed").is_none(), "{said}");
+    assert!(["value", "allowed", "needs"].iter().all(|key| said.get(key).is_none()), "{said}");
     assert!(said["message"].as_str().unwrap().contains("did you mean `radius`"), "{said}");
     // warnings and notes are objects too
     let arguments = ["run", "good.toml", "--set", "impact.speed=200 m/s", "--error-format", "json"];
