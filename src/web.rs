@@ -6,6 +6,7 @@
 mod answer;
 mod curve;
 mod fields;
+mod rows;
 
 use serde_json::{Map, Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -20,7 +21,7 @@ fn start() {
 }
 
 /// Runs a scenario. `name` stands for its file; `data` are measurements in place of the file that `calibrate.data` names.
-/// Besides the files, an impact has a `curve`: a picture of e against its speed.
+/// Besides the files, an impact has a `curve`: e against its speed, as a picture and as CSV.
 #[wasm_bindgen]
 pub fn run(name: &str, text: &str, data: Option<String>) -> String {
     reply(scenario(name, text, data).and_then(|scenario| answer::run(&scenario)))

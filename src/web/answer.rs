@@ -3,22 +3,17 @@
 use serde_json::{Map, Value, json};
 
 use super::curve::curve;
+use super::rows::rows_of;
 use crate::error::Error;
 use crate::output::OutputFile;
-use crate::plan::Plan;
 use crate::plot::Pictures;
 use crate::progress::Counter;
 use crate::report::sweep::lines;
 use crate::run::{Order, Outcome, Way, table, way};
 use crate::scenario::{Kind, Scenario};
-use crate::sweep::count::{Tally, count};
-use crate::sweep::csv::Csv;
-use crate::sweep::evaluator::{Evaluator, Rows};
 
 /// The most rows of a table, which is held in memory.
 const MOST_ROWS: u64 = 100_000;
-/// Rows that are computed at a time.
-const BATCH: u64 = 1024;
 
 /// Runs a scenario of any kind.
 pub fn run(scenario: &Scenario) -> Result<Value, Error> {
@@ -57,21 +52,4 @@ fn of_table(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
     let mut files = table::files(&plan, &tally, &warnings, &provenance, Pictures::Svg)?;
     files.push(OutputFile { name: "table.csv".to_owned(), bytes: csv });
     Ok(Outcome { warnings, text: lines(&tally), files, contradiction: None })
-}
-
-/// The table as CSV, and what its rows add up to.
-fn rows_of(plan: &Plan) -> (Vec<u8>, Tally) {
-    let (evaluator, form) = (Evaluator::new(plan), Csv::new(plan));
-    let mut text = (plan.column_names().join(",") + "\n").into_bytes();
-    let mut tally = Tally::of(plan);
-    let (mut begin, mut rows) = (0, Rows::default());
-    while begin < plan.count() {
-        let end = plan.count().min(begin + BATCH);
-        rows.clear();
-        evaluator.rows(begin..end, &mut rows);
-        form.write(&rows, &mut text);
-        rows.results.iter().map(count).for_each(|count| tally.push(count));
-        begin = end;
-    }
-    (text, tally)
 }

@@ -1,5 +1,8 @@
 //! e against the speed of an impact, or against its drop height, with the impact as a point on the curve.
 
+use serde_json::{Value, json};
+
+use super::rows::rows_of;
 use crate::error::Error;
 use crate::math::functions::log10;
 use crate::plot::sweep::pictures;
@@ -14,8 +17,8 @@ const POINTS: usize = 601;
 /// The curve goes so many decades below the power of ten at or below the impact, and as many above it.
 const DECADES: f64 = 2.0;
 
-/// The picture as SVG; `None` for a sphere that is released at first touch.
-pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
+/// The picture as SVG, and its points as CSV; `None` for a sphere that is released at first touch.
+pub fn curve(scenario: &Scenario) -> Result<Option<Value>, Error> {
     let (scene, _, impact) = impact::compute(scenario, None)?;
     let (key, at) = match scene.input.impact.drop_height {
         Some(height) => ("impact.drop_height", height),
@@ -29,7 +32,8 @@ pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
         format!("sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}", decade - DECADES, decade + DECADES);
     let source = scenario.source();
     let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
-    let plan = table::plan(&swept)?;
+    let mut plan = table::plan(&swept)?;
+    plan.columns = Some(vec!["restitution"]);
     let drawn = pictures(&plan, &Tally::of(&plan)).into_iter().next();
     drawn
         .map(|(_, mut chart)| {
@@ -37,7 +41,9 @@ pub fn curve(scenario: &Scenario) -> Result<Option<String>, Error> {
             let point = point.and(format!("e = {}", four_digits(impact.restitution)));
             chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
             "Restitution of the same bodies".clone_into(&mut chart.title);
-            Ok(String::from_utf8_lossy(&chart.to_svg()?).into_owned())
+            let (csv, _) = rows_of(&plan);
+            let [svg, csv] = [chart.to_svg()?, csv].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+            Ok(json!({ "restitution.svg": svg, "restitution.csv": csv }))
         })
         .transpose()
 }

@@ -11,16 +11,16 @@ use crate::scene::key::{Form, Words};
 use crate::scene::taken::Body;
 use crate::scene::words::LAWS;
 
-/// The keys whose value is a number or a word: path, title, meaning, default, an example, the words that may be chosen, and the
-/// key in whose place it may stand.
+/// The keys whose value is a number or a word: path, title, meaning, default, an example, the unit of a number that is written
+/// without one, the words that may be chosen, and the key in whose place it may stand.
 pub fn fields() -> Value {
     let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.known)() });
     let keys = every_key().filter(|key| !key.path.contains("[]")).filter_map(|key| {
-        let (example, words) = match key.form {
+        let (example, unit, words) = match key.form {
             Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
-                (quantity.example.trim_matches('"'), None)
+                (quantity.example.trim_matches('"'), quantity.dimension.si_unit(), None)
             }
-            Form::Word(Words { known, .. }) => ("", Some(known())),
+            Form::Word(Words { known, .. }) => ("", "", Some(known())),
             _ => return None,
         };
         let pair = EITHER.iter().find(|[_, other]| *other == key.path);
@@ -30,6 +30,7 @@ pub fn fields() -> Value {
             "about": key.about,
             "default": key.default.replace(['"', '`'], ""),
             "example": example,
+            "unit": unit,
             "words": words,
             "instead": pair.map(|[one, _]| one)
         }))

@@ -23,6 +23,8 @@ export async function serve(folder) {
 const OPTIONS = [
   "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--force-device-scale-factor=1",
+  // a name that is not this machine for the browser, so that a page from there has what any page without https has
+  "--host-resolver-rules=MAP plain.test 127.0.0.1",
 ];
 
 /** Starts a browser; gives functions that use it. */

@@ -1,43 +1,13 @@
 // The page in a browser: what a user sees follows from what a user does, and the numbers are those of the command.
 
 import assert from "node:assert/strict";
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 
-import { browse, serve } from "./browser.mjs";
-import { PAGE, SCENARIOS, call, callWith, read, runByCommand } from "./command.mjs";
+import { SCENARIOS, call, read, runByCommand } from "./command.mjs";
+import { LINKED, SHOWN, agrees, cells, choose, end, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
 
-let site, page;
-before(async () => {
-  site = await serve(PAGE);
-  page = await browse();
-});
-after(async () => {
-  await page?.end();
-  site?.end();
-});
-
-const SHOWN = 'document.getElementById("numbers").innerText';
-const field = (path) => `[id="field-${path}"]`;
-const valueOf = (path) => page.value(`document.querySelector('${field(path)}').value`);
-const text = () => page.value('document.getElementById("text").value');
-
-/** Opens the page with a scenario in its address, or with the first one. */
-async function open(scenario, data) {
-  const link = scenario ? `#${new URLSearchParams({ scenario, ...(data && { data }) })}` : "";
-  // the address alone would not load the page anew
-  await page.go("about:blank");
-  await page.go(site.address + link);
-  await page.until('document.getElementById("state").textContent !== "Loading …"');
-}
-
-/** Waits until the numbers are those that the command prints. */
-async function agrees(stdout) {
-  const words = stdout.split(/\s+/).filter(Boolean).join(" ");
-  await page.until(`${SHOWN}.split(/\\s+/).filter(Boolean).join(" ") === ${JSON.stringify(words)}`);
-}
+after(end);
 
 const picture = (name) => page.value(`document.querySelector("#picture-${name} svg").outerHTML`);
 
@@ -59,7 +29,9 @@ test("a changed speed changes number, pictures, text and address", async () => {
   for (const [at, name] of names.entries()) assert.notEqual(await picture(name), old[at]);
   const template = call("init", "impact", "--out", "-").stdout;
   assert.equal(await text(), template.replace('speed = "3 m/s"', 'speed = "1 m/s"'));
-  await page.until('new URLSearchParams(location.hash.slice(1)).get("scenario") === document.getElementById("text").value');
+  await page.until(`${LINKED}.includes('speed = "1 m/s"')`);
+  const keys = (text) => text.split("\n").filter((line) => line && !line.startsWith("#"));
+  assert.deepEqual(keys(await page.value(LINKED)), keys(await text()));
 });
 
 test("a changed text changes the form and the numbers", async () => {
@@ -71,65 +43,12 @@ test("a changed text changes the form and the numbers", async () => {
   assert.equal(await page.value(`document.querySelector('${field("law.thornton.yield_pressure")}').checkVisibility()`), true);
 });
 
-/** Chooses from a list. */
-const choose = (css, value) =>
-  page.value(`(() => {
-    const list = document.querySelector(${JSON.stringify(css)});
-    list.value = ${JSON.stringify(value)};
-    for (const kind of ["input", "change"]) list.dispatchEvent(new Event(kind));
-  })()`);
-
-test("a law is chosen by name", async () => {
-  await open();
-  await choose(field("law"), "thornton");
-  await agrees(runByCommand("steel-on-steel.toml", "--set", "law=thornton").stdout);
-});
-
-test("a material takes the place of numbers, and leaves its own when it is taken away", async () => {
-  await open();
-  await choose(field("half_space.material"), "aluminium-6061-t6");
-  const sphere = read("steel-on-steel.toml").split("[half_space]")[0];
-  const of = (halfSpace) => callWith(`${sphere}[half_space]\n${halfSpace}\n[impact]\nspeed = 3\n`, "run", "-", "--out", folder, "--force").stdout;
-  const folder = mkdtempSync(join(tmpdir(), "plm-impact-"));
-  await agrees(of('material = "aluminium-6061-t6"'));
-  await choose(field("half_space.material"), "");
-  assert.equal(await valueOf("half_space.youngs_modulus"), "68.9 GPa");
-  assert.doesNotMatch(await text(), /material/);
-  await agrees(of('material = "aluminium-6061-t6"'));
-  rmSync(folder, { recursive: true });
-});
-
-test("a wrong unit is refused at its field, in the words of the command", async () => {
-  await open();
-  await page.type(field("impact.speed"), "3 kg");
-  const error = '[id="error-field-impact.speed"]';
-  await page.until(`document.querySelector('${error}').checkVisibility()`);
-  const { stderr } = call("check", "steel-on-steel.toml", "--set", "impact.speed=3 kg", "--error-format", "json");
-  assert.equal(await page.value(`document.querySelector('${error}').textContent`), JSON.parse(stderr).message);
-  assert.equal(await page.value(`document.querySelector('${field("impact.speed")}').ariaInvalid`), "true");
-  await page.type(field("impact.speed"), "3 m/s");
-  await page.until(`!document.querySelector('${error}').checkVisibility()`);
-  await agrees(runByCommand("steel-on-steel.toml").stdout);
-});
-
 test("a text that is no TOML says where, and leaves the form", async () => {
   await open();
   await page.click("details:has(> #text) > summary");
   await page.type("#text", "[sphere\nradius = 1");
   await page.until('document.getElementById("problem").innerText.startsWith("scenario.toml:1:")');
   assert.equal(await valueOf("sphere.radius"), "5 mm");
-});
-
-test("a key that stands in place of another one is chosen beside its field", async () => {
-  await open();
-  await choose('select.names:has(option[value="impact.drop_height"])', "impact.drop_height");
-  await page.type(field("impact.speed"), "0.5 m");
-  await page.until('document.getElementById("problem").innerText.includes("gravity")');
-  await page.value(`document.querySelector('.group:has(${field("gravity.acceleration")})').open = true`);
-  await page.type(field("gravity.acceleration"), "9.81 m/s^2");
-  await page.until(`document.getElementById("problem").hidden && ${SHOWN}.includes("restitution")`);
-  assert.doesNotMatch(await text(), /^speed/m);
-  assert.match(await text(), /^drop_height = "0.5 m"/m);
 });
 
 test("the link restores a scenario, and the way back the one before", async () => {
@@ -205,4 +124,129 @@ test("no request leaves the page, and nothing is complained about", async () => 
   assert.ok(sent.some((url) => url.endsWith("plm_impact_bg.wasm")), `${sent}`);
   assert.deepEqual(sent.filter((url) => !url.startsWith(site.address) && !/^(data|blob|about):/.test(url)), []);
   assert.deepEqual((await page.log("browser")).map((entry) => entry.message), []);
+});
+
+test("steps, impacts and laws are tables", async () => {
+  const names = ["indentation-cycles.toml", "bouncing-fresh-spot.toml", "figure-10-at-105-yield-indentations.toml", "indentation-ti-nb.toml"];
+  for (const name of names) {
+    await open(read(name));
+    const { stdout } = runByCommand(name);
+    await agrees(stdout);
+    // two blanks and more separate the cells of a line
+    const lines = stdout.split("\n").map((line) => line.trim().split(/ {2,}/));
+    const head = lines.find((line) => ["step", "impact", "law"].includes(line[0]));
+    const heads = lines.filter((line) => line[0] === head[0] && line.length === head.length).length;
+    assert.equal((await cells("#numbers table")).length, heads, name);
+    assert.deepEqual((await cells("#numbers th")).slice(0, head.length), head);
+    const rows = lines.filter((line) => line.length === head.length && line[0] !== head[0]);
+    // dots stand for rows that are left out
+    assert.deepEqual((await cells("#numbers td")).filter((cell) => cell !== "..."), rows.flat(), name);
+  }
+});
+
+test("a link is copied, or shown where a page may not copy, until the scenario changes", async () => {
+  const told = () => page.value('document.getElementById("told").textContent');
+  await open(undefined, undefined, site.address.replace("127.0.0.1", "plain.test"));
+  assert.equal(await page.value("navigator.clipboard === undefined"), true);
+  await page.click("#link");
+  await page.until('document.getElementById("told").textContent');
+  assert.match(await told(), /does not let the page copy/);
+  assert.equal(await page.value('document.getElementById("address").value === location.href'), true);
+  await page.type(field("impact.speed"), "1 m/s");
+  assert.deepEqual([await told(), await isSeen("#address")], ["", false]);
+  await open();
+  await page.tell("Browser.grantPermissions", { permissions: ["clipboardReadWrite", "clipboardSanitizedWrite"], origin: site.address.slice(0, -1) });
+  await page.click("#link");
+  await page.until('document.getElementById("told").textContent === "copied"');
+  await page.type(field("impact.speed"), "1 m/s");
+  assert.equal(await told(), "");
+});
+
+test("on a phone and a tablet e stays in view, and pictures fit", async () => {
+  for (const width of [390, 800]) {
+    await page.look(width, 844, false);
+    await open();
+    await page.until(`${SHOWN}.includes("0.4925")`);
+    await page.type(field("impact.speed"), "1 m/s");
+    await page.until('document.getElementById("state").textContent.includes("0.6067")');
+    const seen = (css) => page.value(`(() => {
+      const { top, bottom } = document.querySelector(${JSON.stringify(css)}).getBoundingClientRect();
+      return top >= 0 && bottom <= innerHeight;
+    })()`);
+    assert.equal(await seen("#state"), true);
+    assert.equal(await seen(field("impact.speed")), true);
+    await page.value("scrollTo(0, document.body.scrollHeight)");
+    assert.equal(await seen("#state"), true);
+    const widest = await page.value('Math.max(...[...document.querySelectorAll("#pictures svg")].map((one) => one.getBoundingClientRect().right))');
+    assert.ok(widest <= width, `${widest}`);
+    // the key is below the axes, with all of its texts
+    const [axes, key] = await page.value(`[...document.querySelectorAll("#picture-restitution svg")].map((one) => {
+      const { left, top, bottom } = one.getBoundingClientRect();
+      return { left, top, bottom };
+    })`);
+    assert.ok(key.top >= axes.bottom && key.left === axes.left, JSON.stringify({ axes, key }));
+    const ends = `[...document.querySelectorAll("#picture-restitution svg")].at(-1)`;
+    const inside = await page.value(`(() => {
+      const key = ${ends}, frame = key.getBoundingClientRect();
+      const text = [...key.querySelectorAll("text")].find((one) => one.textContent.includes("this impact")).getBoundingClientRect();
+      return text.left >= frame.left && text.right <= frame.right && text.top >= frame.top && text.bottom <= frame.bottom;
+    })()`);
+    assert.equal(inside, true);
+  }
+  await page.look(1400, 900, false);
+  await page.until('document.querySelectorAll("#picture-restitution svg").length === 1');
+});
+
+test("a bad link at the first load says that it is refused, and of no results", async () => {
+  await page.go("about:blank");
+  await page.go(`${site.address}#scenario=%25zz`);
+  await page.until('!document.getElementById("problem").hidden');
+  assert.equal(await page.value('document.getElementById("state").textContent'), "The scenario is refused.");
+});
+
+test("how exact the numbers are is folded, and e against speed can be had as CSV", async () => {
+  await open();
+  await page.until(`${SHOWN}.includes("0.4925")`);
+  assert.deepEqual([await isSeen("#numbers details"), await isSeen("#numbers details dl")], [true, false]);
+  assert.match(await page.value('document.querySelector("#numbers details").textContent'), /closed form.*steps/s);
+  assert.ok((await cells("#files button")).includes("restitution.csv"));
+});
+
+test("a link has the keys without the comments of the first scenarios, which a reload keeps", async () => {
+  await open();
+  await page.type(field("impact.speed"), "1 m/s");
+  await page.until(`${LINKED}?.includes('speed = "1 m/s"')`);
+  assert.ok((await page.value("location.href.length")) < 600, await page.value("location.href"));
+  const before = await text();
+  assert.match(before, /^# Speed of the sphere/m);
+  await page.value("location.reload()");
+  await page.until(`document.readyState === "complete" && document.getElementById("text").value === ${JSON.stringify(before)}`);
+  // a comment of the user is a part of the scenario
+  const own = `# measured on 3 May\n${read("elastic.toml")}`;
+  await open(own);
+  await page.until(`${LINKED} === ${JSON.stringify(own)}`);
+});
+
+test("guide, citation and source are beside the page, and every link of theirs leads somewhere", async () => {
+  await open();
+  const links = await page.value('[...document.querySelectorAll("nav a")].map((one) => one.getAttribute("href"))');
+  assert.equal(links.length, 5);
+  const seen = new Set();
+  const follow = async (address) => {
+    const [path, anchor] = address.split("#");
+    if (!seen.has(path)) {
+      const answer = await fetch(path);
+      assert.equal(answer.status, 200, path);
+      const body = path.endsWith(".html") ? await answer.text() : "";
+      if (!body) await answer.arrayBuffer();
+      seen.add(path);
+      pages.set(path, body);
+      for (const [, href] of body.matchAll(/(?:href|src)="([^"]+)"/g)) await follow(new URL(href.replaceAll("&amp;", "&"), path).href);
+    }
+    if (anchor && pages.get(path)) assert.ok(pages.get(path).includes(`id="${decodeURIComponent(anchor)}"`), address);
+  };
+  const pages = new Map();
+  for (const link of links) await follow(site.address + link);
+  assert.ok(seen.size > 20, `${seen.size}`);
+  assert.match(pages.get(`${site.address}pages/README.html`), /Xie, Guo, Ding/);
 });

@@ -1,6 +1,7 @@
 // The program of the page, without a browser: for every scenario the files, texts and warnings of the command, to the last bit.
 
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -84,4 +85,18 @@ test("a table that is too long for a page is refused in words", () => {
   const { error, details } = run("long.toml", text);
   assert.match(error, /^long\.toml:\d+:\d+: sweep: a table of 100001 rows: a page computes at most 100000;/);
   assert.equal(details.key, "sweep");
+});
+
+test("e against speed as CSV is the table of the command", () => {
+  const { curve } = run("steel-on-steel.toml", read("steel-on-steel.toml"));
+  const axis = 'sweep."impact.speed"={ logspace = [1e-2, 1e2], points = 601 }';
+  const { files } = runByCommand("steel-on-steel.toml", "--set", axis, "--set", 'output.columns=["restitution"]');
+  assert.equal(curve["restitution.csv"], files["table.csv"]);
+});
+
+test("command and page are looked for where cargo builds", () => {
+  const script = `import("${new URL("command.mjs", import.meta.url)}").then(({ COMMAND }) => console.log(COMMAND))`;
+  const env = { ...process.env, CARGO_TARGET_DIR: "/elsewhere" };
+  const { stdout, stderr } = spawnSync(process.execPath, ["-e", script], { env, encoding: "utf8" });
+  assert.equal(stdout.trim(), "/elsewhere/debug/plm-impact", stderr);
 });

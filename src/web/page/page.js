@@ -1,6 +1,6 @@
 // The page: the text of the scenario is what is run; form and address follow it, and a field changes it.
 
-import { download } from "./element.js";
+import { download, element } from "./element.js";
 import { makeForm } from "./form.js";
 import { edited, fields, given, load, materials, run, templates } from "./program.js";
 import { outdate, showResults } from "./results.js";
@@ -15,6 +15,8 @@ let text = "";
 let data;
 let form;
 let later;
+// a key that was emptied, with the text before and after
+let emptied = null;
 
 /** Takes another text, shows it everywhere, and runs it. */
 function take(newText) {
@@ -26,28 +28,70 @@ function take(newText) {
   if (!values.error) form.fill(values);
   at("measured").hidden = data === undefined;
   at("measured").firstElementChild.textContent = `measured: ${values[DATA] ?? "not used by the scenario"}`;
+  // what was copied is not this scenario
+  at("told").textContent = "";
+  at("address").hidden = true;
   run(FILE, text, data);
   // browsers take only some changes of the address a second
   clearTimeout(later);
   later = setTimeout(address, 300);
 }
 
-/** Puts the scenario into the address. */
+/** Takes other values of keys, as they are typed. */
+function change(changes) {
+  const [[path, value]] = changes;
+  // a field that is emptied and typed in again leaves its key where it was, with its comments
+  const from = emptied?.path === path && emptied.after === text ? emptied.before : text;
+  const after = changes.reduce((text, [path, value]) => edited(text, path, value), from);
+  emptied = changes.length === 1 && value === "" ? { path, before: from, after } : null;
+  take(after);
+}
+
+/** The text without the comments of the first scenarios, which explain keys. */
+function bare(text) {
+  const comments = new Set(Object.values(templates()).flatMap((text) => text.split("\n")).filter((line) => line.startsWith("#")));
+  const lines = text.split("\n").filter((line) => !comments.has(line));
+  return lines.join("\n").replace(/\n{3,}/g, "\n\n").replace(/^\n+/, "");
+}
+
+/** Puts the scenario into the address. The text with all comments stays in the history of this browser. */
 function address() {
   clearTimeout(later);
-  const link = new URLSearchParams({ scenario: text });
+  const link = new URLSearchParams({ scenario: bare(text) });
   if (data !== undefined && data.length < LONGEST) link.set("data", data);
-  history.replaceState(null, "", `#${link}`);
+  history.replaceState({ text }, "", `#${link}`);
+}
+
+/** The scenario of the address, or the one to begin with. */
+function restore() {
+  const link = new URLSearchParams(location.hash.slice(1));
+  const linked = link.get("scenario");
+  const whole = history.state?.text;
+  data = link.get("data") ?? undefined;
+  take(whole !== undefined && bare(whole) === linked ? whole : linked ?? templates().impact);
 }
 
 function done(reply) {
   const { error, details } = reply;
-  const isAtField = form.complain(details?.key, details?.message);
+  const cure = details?.needs ? cureOf(details.needs) : null;
+  const isAtField = form.complain(details?.key, details?.message, cure);
   at("problem").hidden = !error;
-  at("problem").textContent = error ?? "";
+  at("problem").replaceChildren(error ?? "", ...(cure && !isAtField ? ["\n", cure] : []));
   at("problem").classList.toggle("at-field", isAtField);
   if (error) outdate();
   else showResults(reply);
+}
+
+/** A button that adds a key which is asked for; none for a key without an example. */
+function cureOf(key) {
+  const field = fields().find((field) => field.path === key);
+  if (!field?.example) return null;
+  const button = element("button", { type: "button" }, `Add ${field.title[0].toLowerCase()}${field.title.slice(1)} = ${field.example}`);
+  button.addEventListener("click", () => {
+    change([[key, field.example]]);
+    form.focus(key);
+  });
+  return button;
 }
 
 async function measure(file) {
@@ -55,11 +99,16 @@ async function measure(file) {
   take(edited(text, DATA, file.name));
 }
 
-/** The scenario of the address, or the one to begin with. */
-function restore() {
-  const link = new URLSearchParams(location.hash.slice(1));
-  data = link.get("data") ?? undefined;
-  take(link.get("scenario") ?? templates().impact);
+async function copyLink() {
+  address();
+  try {
+    await navigator.clipboard.writeText(location.href);
+    at("told").textContent = "copied";
+  } catch {
+    // a page that is not sent over https has no clipboard, and a user may refuse it
+    at("told").textContent = "The browser does not let the page copy. Copy the link from this field:";
+    Object.assign(at("address"), { hidden: false, value: location.href }).select();
+  }
 }
 
 function listen() {
@@ -81,11 +130,7 @@ function listen() {
     take(edited(text, DATA.split(".")[0], ""));
   });
   at("save").addEventListener("click", () => download(FILE, text));
-  at("link").addEventListener("click", async () => {
-    address();
-    await navigator.clipboard.writeText(location.href);
-    at("told").textContent = "copied";
-  });
+  at("link").addEventListener("click", copyLink);
   const zone = at("drop");
   const over = (event) => {
     event.preventDefault();
@@ -100,12 +145,17 @@ function listen() {
   window.addEventListener("popstate", restore);
 }
 
+function openText() {
+  at("source").open = true;
+  at("text").focus();
+}
+
 try {
   await load(done);
   const kinds = Object.keys(templates());
   for (const kind of kinds) at("begin").append(new Option(kind.replace("_", " "), kind));
-  const changed = (changes) => take(changes.reduce((text, [path, value]) => edited(text, path, value), text));
-  form = makeForm(at("form"), { fields: fields(), materials: materials(), kinds, changed });
+  const usual = Object.keys(given(templates().impact));
+  form = makeForm(at("form"), { fields: fields(), materials: materials(), kinds, usual, changed: change, openText });
   listen();
   restore();
 } catch (error) {

@@ -1,18 +1,23 @@
 // Shows the reply to a run: warnings, numbers, pictures, files.
 
 import { download, element } from "./element.js";
+import { blocks, csvTable } from "./numbers.js";
+import { drawIn } from "./picture.js";
 
 const at = (id) => document.getElementById(id);
+// So many rows of a long table are shown.
+const SHOWN = 10;
+let areThere = false;
 
 /** Shows the results of a scenario. */
 export function showResults({ kind, warnings, text, contradiction, files, curve }) {
   const cautions = [...warnings, ...(contradiction ? [contradiction] : [])];
   at("warnings").replaceChildren(...cautions.map((text) => element("li", text)));
   at("warnings").hidden = cautions.length === 0;
-  at("numbers").replaceChildren(table(text));
-  const all = curve ? { ...files, "restitution.svg": curve } : files;
-  const pictures = Object.keys(all).filter((name) => name.endsWith(".svg"));
-  at("pictures").replaceChildren(...pictures.map((name) => picture(name, all[name])));
+  const table = files["table.csv"];
+  at("numbers").replaceChildren(...blocks(text), ...(table ? [csvTable("table.csv", table, SHOWN)] : []));
+  const all = { ...files, ...curve };
+  drawIn(at("pictures"), Object.entries(all).filter(([name]) => name.endsWith(".svg")));
   const buttons = Object.entries(all).map(([name, content]) => {
     const button = element("button", { type: "button" }, name);
     button.addEventListener("click", () => download(name, content));
@@ -21,36 +26,17 @@ export function showResults({ kind, warnings, text, contradiction, files, curve 
   at("files").replaceChildren("Download: ", ...buttons.flatMap((button) => [button, " "]));
   at("files").hidden = false;
   at("results").classList.remove("old");
-  // this is what a screen reader says of a change
-  const e = text.split("\n").find((line) => line.startsWith("restitution "));
-  at("state").textContent = [kind.replace("_", " "), ...(e ?? "").split(/ {2,}/)].join(" ").trim();
+  areThere = true;
+  // this is what a screen reader says of a change, and what stays in view
+  const lines = text.trim().split("\n");
+  const line = lines.find((line) => /^(last )?restitution/.test(line)) ?? (kind === "indentation" ? "" : lines[0]);
+  at("state").textContent = [kind.replace("_", " "), ...line.split(/ {2,}/)].join(" ").trim();
+  at("state").classList.remove("refused");
 }
 
 /** Marks the results as those of a scenario before the one that was refused. */
 export function outdate() {
   at("results").classList.add("old");
-  at("state").textContent = "The scenario is refused; below are the results of the one before.";
-}
-
-// Lines of a name and a value become a list, any other text stays as the command prints it.
-function table(text) {
-  const lines = text.trimEnd().split("\n").map((line) => line.match(/^(\S.*?) {2,}(\S.*)$/));
-  if (!lines.every(Boolean)) return element("pre", { tabIndex: 0 }, text);
-  const list = element("dl");
-  for (const [, name, values] of lines) {
-    const parts = values.split(/ {2,}/).flatMap((value) => [element("span", value), " "]);
-    list.append(element("dt", name), element("dd", ...parts));
-  }
-  return list;
-}
-
-function picture(name, svg) {
-  const drawn = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
-  const title = name.replace(".svg", "").replaceAll("_", " ");
-  drawn.setAttribute("role", "img");
-  drawn.setAttribute("aria-label", `picture: ${title}`);
-  // a wide picture can be moved on a narrow screen, also by keys
-  const frame = element("div", { className: "frame", tabIndex: 0, role: "group", ariaLabel: title });
-  frame.append(document.importNode(drawn, true));
-  return element("figure", { id: `picture-${title.replaceAll(" ", "-")}` }, frame);
+  at("state").textContent = areThere ? "Refused; the results are older." : "The scenario is refused.";
+  at("state").classList.add("refused");
 }
