@@ -1,7 +1,7 @@
 //! Finds keys of a scenario from measurements: the values for which the law gives what was measured, their uncertainty,
 //! and whether the law fits at all.
 //!
-//! One or two keys are wanted, and each has a range. A grid over the ranges finds every basin of −2 ln of the
+//! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. A grid over the ranges finds every basin of −2 ln of the
 //! likelihood; the method of Levenberg and Marquardt finds the minimum of each basin. If the standard deviations of the
 //! noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
 //! of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
@@ -10,8 +10,7 @@
 //!
 //! The intervals are those of the profile likelihood. An interval holds all values of a key for which the sum,
 //! minimised over the other key, is at most z² above its minimum. If the noise is estimated, Student's t² replaces z².
-//! Of two keys there is also the posterior over their plane; its prior is flat on the ranges, in the logarithm if that is
-//! their scale.
+//! Of two keys there are also the regions that hold both with these probabilities, from the same sum.
 //!
 //! No interval is given if the keys can be changed together while the predictions change by less than the error of the
 //! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. Nor is there an
@@ -25,8 +24,6 @@ pub mod minimum;
 pub mod problem;
 pub mod profile;
 pub mod statistics;
-
-use nalgebra::DMatrix;
 
 use crate::error::{Error, ErrorKind};
 use crate::law::LawChoice;
@@ -77,21 +74,10 @@ impl Measurements {
             Source::Numbers(numbers) => (Data::of_numbers(scenario.document.name(), numbers), None),
             Source::Text(name, text) => of_text(name, text.clone())?,
         };
-        Self::with(scenario, wanted, data, sha256)
-    }
-
-    /// The request of a scenario with data that were read. It may have no key to find.
-    pub fn with(scenario: &Scenario, wanted: Wanted, data: Data, sha256: Option<String>) -> Result<Self, Error> {
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
         let measured = Self { wanted, data, sha256 };
         measured.check()?;
         Ok(measured)
-    }
-
-    /// What the law gives for every value, and the impact speed of every row \[m/s\], if there is no key to find.
-    pub fn predicted(&self) -> Result<(Vec<f64>, Vec<f64>), Error> {
-        let problem = self.problem();
-        Ok((problem.predict(&[]).map_err(|reason| self.no_answer(&reason))?, problem.speeds()))
     }
 
     /// The request and the data without deviations.
@@ -174,9 +160,9 @@ impl Measurements {
         if *reason == NoAnswer::Stopped {
             return Error::new(ErrorKind::Stopped(130), reason.to_string());
         }
-        let reason = format!(
-            "the law has no answer for these measurements anywhere in the range of the keys: {reason}; choose another range"
-        );
+        let place = " anywhere in the range of the keys";
+        let [place, way_out] = if self.wanted.free.is_empty() { ["", ""] } else { [place, "; choose another range"] };
+        let reason = format!("the law has no answer for these measurements{place}: {reason}{way_out}");
         Error::in_file(ErrorKind::Input, &self.data.name, reason)
     }
 
@@ -217,7 +203,7 @@ impl Measurements {
         let identifiability = identify(problem, fit.best());
         let refusal = refusal(&fit, identifiability.as_ref());
         let keys = (0..problem.free.len()).map(|key| {
-            let found = self.found(&fit, key, &matrix, refusal.is_none());
+            let found = found(&fit, key, refusal.is_none());
             progress.step();
             found
         });
@@ -233,7 +219,6 @@ impl Measurements {
             runs: chance_of_runs(&in_order(problem, &residuals)),
             shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &matrix, &residuals)),
             misfit: misfit(&self.data, &predicted),
-            sheet: (keys.len() == 2 && !fit.has_no_noise()).then(|| fit.sheet()),
             fit,
             keys,
             predicted,
@@ -247,34 +232,18 @@ impl Measurements {
         };
         if progress.is_stopped() { Err(self.no_answer(&NoAnswer::Stopped)) } else { Ok(calibration) }
     }
+}
 
-    /// The result for one key.
-    fn found(&self, fit: &Fit, key: usize, matrix: &DMatrix<f64>, is_told: bool) -> Found {
-        let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
-        let slope = free.slope(share);
-        let told = fit.covariance.as_ref().filter(|_| is_told);
-        let common = told.filter(|_| self.wanted.model_error > 0.0);
-        let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
-        Found {
-            free,
-            estimate: free.at(share),
-            sd: told.map(|covariance| slope * covariance[(key, key)].sqrt()),
-            sd_of_common_error: common.map(|all| slope * self.of_common_error(&fit.problem, &(matrix * all), key)),
-            intervals: is_told.then(intervals),
-        }
-    }
-
-    /// Standard deviation of the share of a key, if the law has the same error for all values of a quantity. `gains`
-    /// has the change of every key (column) by every value (row), in standard deviations.
-    fn of_common_error(&self, problem: &Problem, gains: &DMatrix<f64>, key: usize) -> f64 {
-        let (mut own, mut common) = (0.0, [0.0; Measured::ALL.len()]);
-        let sizes = self.data.sizes();
-        for (gain, at) in gains.column(key).iter().zip(&problem.counted) {
-            let error = self.wanted.model_error * sizes[*at] / problem.deviations[*at];
-            own += gain * gain * (1.0 - error * error).max(0.0);
-            common[problem.data.values[*at].what as usize] += gain * error;
-        }
-        (own + common.iter().map(|sum| sum * sum).sum::<f64>()).sqrt()
+/// The result for one key. Without `is_told` the measurements do not determine the keys.
+fn found(fit: &Fit, key: usize, is_told: bool) -> Found {
+    let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
+    let covariance = fit.covariance.as_ref().filter(|_| is_told);
+    let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
+    Found {
+        free,
+        estimate: free.at(share),
+        sd: covariance.map(|covariance| free.slope(share) * covariance[(key, key)].sqrt()),
+        intervals: is_told.then(intervals),
     }
 }
 

@@ -3,7 +3,6 @@
 mod bench;
 mod calibrate;
 mod export;
-mod fit_plm;
 mod init;
 mod materials;
 mod output;
@@ -26,8 +25,8 @@ use terminal::ErrorFormat;
 
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
-/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 validation missed a
-/// tolerance, or measurements contradict the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
+/// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 measurements contradict
+/// the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
 #[derive(Debug, Parser)]
 #[command(
     version,
@@ -60,7 +59,6 @@ enum Command {
   plm-impact schema | grep drop_height")]
     Schema,
     Validate(validate::Arguments),
-    FitPlm(fit_plm::Arguments),
     Bench(bench::Arguments),
     Completions(shells::Completions),
     Man(shells::Manual),
@@ -80,7 +78,6 @@ pub fn run() -> Result<(), Error> {
         Command::Materials(arguments) => materials::materials(&arguments),
         Command::Schema => terminal::print(&format!("{:#}\n", schema())),
         Command::Validate(arguments) => validate::validate(&arguments),
-        Command::FitPlm(arguments) => fit_plm::fit_plm(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
         Command::Completions(arguments) => shells::completions(&arguments, Cli::command()),
         Command::Man(arguments) => shells::man(&arguments, Cli::command()),
@@ -103,9 +100,23 @@ fn parse() -> Result<Cli, Error> {
             let file = file.to_string_lossy();
             return Error::input(format!("no command is given for {file}; write `plm-impact run {file}`"));
         }
+        if let Some((word, instead)) = GONE.iter().find(|(word, _)| words.iter().any(|given| *given == **word)) {
+            return Error::input(format!("{word} has gone: {instead}"));
+        }
         error.exit()
     })
 }
+
+/// Commands and options of earlier versions, and what does the same now.
+const GONE: [(&str, &str); 4] = [
+    ("fit-plm", "fit by a tool of your own, and give the file as `[law.plm] coefficients`"),
+    (
+        "--experiments",
+        "write a scenario of the bodies, and `plm-impact calibrate FILE DATA.csv --set calibrate.free={}`",
+    ),
+    ("fluent", "`--to csv` prints e, and a table e(v)"),
+    ("acusolve", "`--to csv` prints the table e(v)"),
+];
 
 #[cfg(test)]
 mod tests {

@@ -16,7 +16,7 @@ pub enum ErrorKind {
     Failed,
     /// The input has to change.
     Input,
-    /// A validation missed a tolerance, or measurements contradict the law.
+    /// Measurements contradict the law.
     Mismatch,
     /// A signal stopped the command: the exit code that a shell gives then.
     Stopped(u8),
@@ -129,7 +129,8 @@ impl Error {
     }
 
     /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance or measurements
-    /// contradict the law, 130 and 143 after a signal.
+    /// 2 where the input has to change, 1 where a run failed, 3 where measurements contradict the law, 130 and 143
+    /// after a signal.
     pub fn exit_code(&self) -> u8 {
         match self.kind {
             ErrorKind::Failed => 1,

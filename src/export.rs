@@ -46,7 +46,7 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
             table.push(at(ends.map_or_else(|| from * pow(to / from, share), |(_, speed)| speed))?);
         }
     } else if request.speeds.is_some() {
-        let message = "--speeds: this code takes one constant e; give --speed, or --to csv or acusolve";
+        let message = "--speeds: this code takes one constant e; give --speed, or --to csv";
         return Err(Error::input(message.to_owned()));
     }
     let head = lines::Head {

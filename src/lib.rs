@@ -127,7 +127,7 @@
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
-//! Beside these, [`repeat`] has series of impacts, [`indentation`] the slow ones, and [`fit`] determines coefficients of the PLM. The other modules are what the command is made of. They are public
+//! Beside these, [`repeat`] has series of impacts, and [`indentation`] the slow ones. The other modules are what the command is made of. They are public
 //! for the command and for the tests, are left out here, and may change at any time; `src/README.md` shows them.
 
 // see clippy.toml
@@ -142,7 +142,6 @@ pub mod capi;
 pub mod error;
 #[doc(hidden)]
 pub mod export;
-pub mod fit;
 pub mod impact;
 pub mod indentation;
 #[doc(hidden)]

@@ -3,6 +3,7 @@
 
 use thiserror::Error;
 
+use crate::error::ErrorKind;
 use crate::units::number;
 
 /// An isotropic elastic material.
@@ -91,6 +92,12 @@ pub struct OutOfFloatRange {
     pub quantity: &'static str,
     /// What came out.
     pub value: f64,
+}
+
+impl From<OutOfFloatRange> for crate::error::Error {
+    fn from(error: OutOfFloatRange) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
 }
 
 /// `value`, if it is a normal positive number.

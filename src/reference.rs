@@ -25,6 +25,7 @@ macro_rules! rows {
 }
 pub mod hardening;
 pub mod impacts;
+pub mod loading;
 pub mod measured;
 pub mod oblique;
 pub mod quasi_static;
@@ -38,15 +39,6 @@ use crate::error::Error;
 pub const STATIC: &str = "finite elements, CalculiX 2.20, src/reference/fe_*.csv";
 /// Name of the finite elements of whole impacts in reports.
 pub const DYNAMIC: &str = "explicit finite elements, src/reference/fe_dynamic.csv";
-
-/// The loading curves: name of the case, and its file in the form that `fit-plm` reads.
-pub const LOADING: [(&str, &str); 5] = [
-    ("case 1", include_str!("reference/fe_loading_case1.csv")),
-    ("case 2", include_str!("reference/fe_loading_case2.csv")),
-    ("case 3", include_str!("reference/fe_loading_case3.csv")),
-    ("case 4", include_str!("reference/fe_loading_case4.csv")),
-    ("case 5", include_str!("reference/fe_loading_case5.csv")),
-];
 
 /// The error of a damaged table; the tables are compiled in.
 pub(crate) fn damaged(table: &str, problem: &str) -> Error {

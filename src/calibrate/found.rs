@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::fit::{Fit, Noise};
 use super::identify::{Identifiability, LAW};
 use super::problem::NoAnswer;
-use super::profile::{Ends, Sheet};
+use super::profile::Ends;
 use super::statistics::{Runs, chance};
 use crate::plan::free::Free;
 use crate::units::four_digits;
@@ -30,8 +30,6 @@ pub struct Found {
     pub estimate: f64,
     /// Standard deviation, SI; `None` if the measurements do not determine the key.
     pub sd: Option<f64>,
-    /// Standard deviation, SI, if the law has the same error for all values of a quantity.
-    pub sd_of_common_error: Option<f64>,
     /// Intervals of the profile likelihood at both levels, SI; an end is `None` if it lies outside of the range of the
     /// key.
     pub intervals: Option<[Ends; 2]>,
@@ -67,8 +65,6 @@ pub struct Calibration<'a> {
     pub identifiability: Option<Identifiability>,
     /// Why there is no interval; `None` if there is one.
     pub refusal: Option<String>,
-    /// The posterior of two keys; `None` for one key.
-    pub sheet: Option<Sheet>,
     /// The fit of every law that was asked for, the best first.
     pub laws: Vec<OfLaw<'a>>,
 }

@@ -62,8 +62,11 @@ fn doubling(direction: &DVector<f64>) -> f64 {
     ln(2.0) / direction.amax()
 }
 
-/// How well the measurements determine the keys, at the best place.
+/// How well the measurements determine the keys, at the best place; `None` without a key.
 pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
+    if problem.free.is_empty() {
+        return None;
+    }
     let matrix = by_logarithms(problem, place)?;
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let root = (problem.counted.len() as f64).sqrt();

@@ -139,8 +139,11 @@ pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
 
 /// The minima of the basins in which these places lie, the lowest first.
 pub fn minima_from(problem: &Problem, starts: &[Vec<f64>]) -> Vec<Place> {
-    let mut places: Vec<Place> =
-        starts.iter().map(|start| past_kinks(problem, polished(problem, start, None))).collect();
+    let lowest = |start: &Vec<f64>| match start[..] {
+        [] => Place { sum: problem.sum(start), shares: Vec::new() },
+        _ => past_kinks(problem, polished(problem, start, None)),
+    };
+    let mut places: Vec<Place> = starts.iter().map(lowest).collect();
     places.retain(|place| place.sum.is_finite());
     places.sort_by(|a, b| a.sum.total_cmp(&b.sum));
     let mut found: Vec<Place> = Vec::new();

@@ -267,7 +267,7 @@ impl<'a> Problem<'a> {
             Ok((before - after) / (high - low))
         };
         let columns: Vec<DVector<f64>> = (0..shares.len()).map(column).collect::<Result<_, NoAnswer>>()?;
-        Ok(DMatrix::from_columns(&columns))
+        Ok(if columns.is_empty() { DMatrix::zeros(self.counted.len(), 0) } else { DMatrix::from_columns(&columns) })
     }
 }
 

@@ -1,16 +1,17 @@
-//! Intervals by the profile likelihood, and the posterior of two keys on a grid.
+//! Intervals by the profile likelihood, and the region of two keys.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Cholesky, DMatrix};
 
 use super::fit::Fit;
 use super::minimum::{Place, polished};
 use super::statistics::{LEVELS, reach};
-use crate::math::functions::{exp, hypot, ln, ln_1p, pow, sinh};
+use crate::math::functions::{exp_m1, ln_1p, sin_cos};
 use crate::math::root::bracketed;
 
 /// Both ends of an interval; `None` if an end lies outside of the range of the key.
 pub type Ends = [Option<f64>; 2];
-
-/// The posterior of two keys: each share of the first key, with shares of the second key and the density there.
-pub type Sheet = Vec<(f64, Vec<(f64, f64)>)>;
 
 impl Fit<'_> {
     fn sd(&self, key: usize) -> f64 {
@@ -94,72 +95,40 @@ impl Fit<'_> {
         Some(at(bracketed((0.0, 1.0), 0.9, is_near, rise)))
     }
 
-    /// The likelihood over that of the best place. If the noise is estimated, the likelihood is integrated over the
-    /// noise.
-    fn relative(&self, sum: f64) -> f64 {
-        let excess = (sum - self.best().sum).max(0.0);
-        #[allow(clippy::cast_precision_loss)] // counts of measurements
-        let values = self.problem.counted.len() as f64;
-        exp(self.freedom().map_or(-0.5 * excess, |freedom| -0.5 * values * ln_1p(excess / freedom)))
+    /// The outlines of the region that holds both of two keys with this probability, as shares: one around every minimum
+    /// inside of it. The rise of the sum there is that of the F distribution with 2 degrees of freedom, or of chi-square
+    /// where the noise is known.
+    pub fn region(&self, probability: f64) -> Vec<Vec<[f64; 2]>> {
+        let beyond = -2.0 * ln_1p(-probability);
+        let rise = self.freedom().map_or(beyond, |freedom| freedom * exp_m1(beyond / freedom));
+        let Some(axes) = self.covariance.clone().and_then(Cholesky::new) else { return Vec::new() };
+        let minima = self.minima.iter().filter(|place| place.sum - self.best().sum < rise);
+        minima.map(|place| self.outline(place, &axes.l(), rise)).collect()
     }
 
-    /// The density of the posterior of two keys around the region of this probability, over its largest value: that of
-    /// a normal distribution, or of Student's if the noise is estimated.
-    pub fn density_around(&self, probability: f64) -> f64 {
-        #[allow(clippy::cast_precision_loss)] // counts of measurements
-        let values = self.problem.counted.len() as f64;
-        pow(1.0 - probability, self.freedom().map_or(1.0, |freedom| values / freedom))
-    }
-
-    /// The posterior of both keys. If the measurements determine a combination of the keys, it is a narrow ridge. So for
-    /// each share of the first key the second is sampled around the crest of the ridge.
-    pub fn sheet(&self) -> Sheet {
-        let (nodes, across) = if self.problem.counted.len() > MANY { (20, 12) } else { (80, 30) };
-        let wide = self.wide();
-        let [low, high] = self.ends(0, wide);
-        let (low, high) = (low.unwrap_or(0.0), high.unwrap_or(1.0));
-        let sd = self.sd(0);
-        let about = self.minima.iter().filter(|place| place.sum - self.best().sum < wide * wide);
-        let about = about.map(|place| place.shares[0]).filter(|_| WIDE * sd < 0.25 * (high - low));
-        let about = about.flat_map(|at| spread(at, sd, wide, nodes));
-        let even = (0..=nodes).map(|i| low + (high - low) * f64::from(i) / f64::from(nodes));
-        let mut shares: Vec<f64> = even.chain(about).filter(|at| (low..=high).contains(at)).collect();
-        shares.sort_by(f64::total_cmp);
-        shares.dedup();
-        shares.into_iter().map(|share| (share, self.across(share, wide, across))).collect()
-    }
-
-    /// Half of the range of the posterior, in standard deviations. Student's distribution, for an estimated noise, is
-    /// wider than the normal one.
-    fn wide(&self) -> f64 {
-        reach(OUTSIDE, self.freedom()).min(MOST_WIDE)
-    }
-
-    /// The posterior along the second key.
-    fn across(&self, share: f64, wide: f64, count: u32) -> Vec<(f64, f64)> {
-        let crest = self.lowest(0, share);
-        let columns = self.problem.jacobian(&crest.shares);
-        let sd = columns.map_or(1.0, |columns| 1.0 / columns.column(1).norm()).min(1.0);
-        let density = |at: f64| (at, self.relative(self.problem.sum(&[share, at])));
-        let mut places: Vec<f64> = spread(crest.shares[1], sd, wide, count).map(|at| at.clamp(0.0, 1.0)).collect();
-        places.dedup();
-        places.into_iter().map(density).collect()
+    /// The places on rays from a minimum at which the sum has risen this far above the least, or at which the range of a key
+    /// ends. The rays are even on the scale of the standard deviations.
+    fn outline(&self, from: &Place, axes: &DMatrix<f64>, rise: f64) -> Vec<[f64; 2]> {
+        let [x, y] = [from.shares[0], from.shares[1]];
+        let place = |ray: u32| {
+            let (sin, cos) = sin_cos(2.0 * PI * f64::from(ray % RAYS) / f64::from(RAYS));
+            let [dx, dy] = [0, 1].map(|key| axes[(key, 0)] * cos + axes[(key, 1)] * sin);
+            let at = |t: f64| [x + t * dx, y + t * dy];
+            let room = |from: f64, by: f64| if by > 0.0 { (1.0 - from) / by } else { from / -by };
+            let end = room(x, dx).min(room(y, dy));
+            // the square root of the rise is nearly linear
+            let short = |t: f64| (rise.sqrt() - (self.problem.sum(&at(t)) - self.best().sum).max(0.0).sqrt(), -1.0);
+            let (mut inside, mut outside) = (0.0, rise.sqrt().min(end));
+            while short(outside).0 > 0.0 && outside < end {
+                (inside, outside) = (outside, (2.0 * outside).min(end));
+            }
+            let is_near = |t: f64, next: f64| (t - next).abs() < 1e-3 * next;
+            at(if short(outside).0 > 0.0 { end } else { bracketed((inside, outside), rise.sqrt(), is_near, short) })
+        };
+        (0..=RAYS).map(place).collect()
     }
 }
 
-/// With more values than this each place takes seconds. The posterior is then smooth, so fewer places are enough.
-const MANY: usize = 3000;
-/// The normal distribution is sampled this far on each side, in standard deviations;
-const WIDE: f64 = 4.5;
-/// this is its probability inside, which others are sampled to as well, but not farther than
-const OUTSIDE: f64 = 0.999_993_204_653_750_7;
-/// so many standard deviations.
-const MOST_WIDE: f64 = 1000.0;
+const RAYS: u32 = 72;
 /// Number of places at which separate basins are searched.
 const CELLS: u32 = 32;
-
-/// Places about `at`, dense near it, up to `wide` standard deviations away; nearly even up to [`WIDE`].
-fn spread(at: f64, sd: f64, wide: f64, count: u32) -> impl Iterator<Item = f64> {
-    let end = ln(wide / WIDE + hypot(wide / WIDE, 1.0));
-    (0..=count).map(move |i| at + WIDE * sd * sinh(end * (2.0 * f64::from(i) / f64::from(count) - 1.0)))
-}

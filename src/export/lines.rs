@@ -29,7 +29,6 @@ impl Head<'_> {
     pub fn lines(&self, request: &Request, table: &[Impact]) -> Result<String, Error> {
         let comment = match request.target {
             Target::Mercury => "//",
-            Target::Fluent => ";",
             _ => "#",
         };
         let mut text = String::new();
@@ -41,11 +40,7 @@ impl Head<'_> {
             Target::Liggghts => self.liggghts(),
             Target::Yade => self.yade()?,
             Target::Mercury => self.mercury(),
-            Target::Fluent => self.fluent(),
-            Target::Acusolve => {
-                pairs("wall_en_type = piecewise_linear\nwall_en_curve_fit_values = {\n", table, ", ", " ;", "}\n")
-            }
-            Target::Csv => pairs("speed_m_per_s,restitution\n", table, ",", "", ""),
+            Target::Csv => pairs(table),
         };
         Ok(text)
     }
@@ -78,7 +73,7 @@ impl Head<'_> {
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );
         }
-        if self.friction.is_some() && request.target.takes_friction() {
+        if self.friction.is_some() && !request.target.takes_table() {
             about.push(
                 "friction: Coulomb's, with a tangential spring of 2/7 of the normal one; plots/validate has what springs cost".to_owned(),
             );
@@ -86,7 +81,7 @@ impl Head<'_> {
         if let Some(with_waves) = self.impact.restitution_with_waves() {
             about.push(format!("elastic waves are left out: with them e is {with_waves:.6} (restitution_with_waves)"));
         }
-        if matches!(request.target, Target::Mercury | Target::Acusolve | Target::Fluent) {
+        if request.target == Target::Mercury {
             about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
         }
         about
@@ -161,14 +156,6 @@ impl Head<'_> {
         ))
     }
 
-    /// In Fluent the coefficients are functions of the angle of impact, not of the speed.
-    fn fluent(&self) -> String {
-        format!(
-            "; wall, DPM, boundary condition type: reflect\n; normal coefficient: polynomial of one coefficient\n{:.9}\n",
-            self.impact.restitution
-        )
-    }
-
     fn mercury(&self) -> String {
         let (kind, friction) = match self.friction {
             None => ("", String::new()),
@@ -193,12 +180,11 @@ impl Head<'_> {
     }
 }
 
-/// A table e(v), with the text `before` it and the text `after` it. `between` separates speed and e, `end` ends each
-/// row.
-fn pairs(before: &str, table: &[Impact], between: &str, end: &str, after: &str) -> String {
-    let mut text = before.to_owned();
+/// A table e(v) as CSV.
+fn pairs(table: &[Impact]) -> String {
+    let mut text = "speed_m_per_s,restitution\n".to_owned();
     for impact in table {
-        let _ = writeln!(text, "{:e}{between}{:.9}{end}", impact.speed, impact.restitution);
+        let _ = writeln!(text, "{:e},{:.9}", impact.speed, impact.restitution);
     }
-    text + after
+    text
 }

@@ -13,24 +13,15 @@ named! {
         Yade = "yade",
         /// MercuryDPM, a species with e and contact time.
         Mercury = "mercury",
-        /// Altair AcuSolve, walls of particles.
-        Acusolve = "acusolve",
-        /// Ansys Fluent, the normal coefficient of a wall.
-        Fluent = "fluent",
         /// A table e(v) as CSV.
         Csv = "csv",
     }
 }
 
 impl Target {
-    /// Whether its lines have a coefficient of friction.
-    pub(super) fn takes_friction(self) -> bool {
-        matches!(self, Self::Lammps | Self::Liggghts | Self::Yade | Self::Mercury)
-    }
-
     /// Whether the code reads a table e(v).
     pub(super) fn takes_table(self) -> bool {
-        matches!(self, Self::Acusolve | Self::Csv)
+        self == Self::Csv
     }
 }
 

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::plate::PlateError;
+use crate::error::{Error as Failure, ErrorKind};
 use crate::integrate::IntegrationError;
 use crate::law::OutsideLaw;
 use crate::material::OutOfFloatRange;
@@ -27,4 +28,10 @@ pub enum ImpactError {
         "method \"closed_form\" gives no trace under gravity or damping, and nothing on a plate; without a trace it gives gravity alone or Hunt-Crossley damping alone, on laws whose force is made of power laws and straight lines: use \"auto\" or \"rk8\""
     )]
     NoClosedForm,
+}
+
+impl From<ImpactError> for Failure {
+    fn from(error: ImpactError) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
 }

@@ -35,8 +35,9 @@ pub fn pictures(of: &Calibration) -> Vec<(String, Chart)> {
     if has_lines {
         pictures.push(("residuals".to_owned(), residuals(of)));
     }
-    if let (Some(sheet), [first, second]) = (&of.sheet, &of.keys[..]) {
-        pictures.push(("posterior".to_owned(), posterior::map(of, [first, second], sheet)));
+    if let [first, second] = &of.keys[..] {
+        let map = posterior::map(of, [first, second]).filter(|_| !of.fit.has_no_noise());
+        pictures.extend(map.map(|chart| ("posterior".to_owned(), chart)));
     }
     if !of.laws.is_empty() && has_lines {
         pictures.push(("laws".to_owned(), Measurement::of(of, data.values[0].what).laws()));

@@ -46,13 +46,18 @@ pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded
     rows
 }
 
+/// The sphere's material and the half-space of a case.
+pub(super) fn bodies(case: &str) -> Option<(Material, HalfSpace)> {
+    let (_, [sphere, half_space, strength]) = MATERIALS.iter().find(|(name, _)| *name == case)?;
+    let [sphere, material] =
+        [sphere, half_space].map(|modulus| Material { youngs_modulus: *modulus, poissons_ratio: 0.3 });
+    Some((sphere, HalfSpace { material, yield_strength: Some(*strength), density: None }))
+}
+
 /// Every unloading, with a sphere of 5 mm and the half-space of its case.
 pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static Unloaded)> {
     UNLOADED.iter().filter_map(|row| {
-        let (_, [sphere, half_space, strength]) = MATERIALS.iter().find(|(case, _)| *case == row.material)?;
-        let [sphere, material] =
-            [sphere, half_space].map(|modulus| Material { youngs_modulus: *modulus, poissons_ratio: 0.3 });
-        let half_space = HalfSpace { material, yield_strength: Some(*strength), density: None };
+        let (sphere, half_space) = bodies(&row.material)?;
         Some((Sphere::elastic(5e-3, sphere, 7850.0), half_space, row))
     })
 }

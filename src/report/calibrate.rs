@@ -1,4 +1,4 @@
-//! What is written about a calibration: `summary.json`, `residuals.csv`, `posterior.csv` and the table on the terminal.
+//! What is written about a calibration: `summary.json`, `residuals.csv` and the table on the terminal.
 
 use std::fmt::Write as _;
 
@@ -149,8 +149,6 @@ fn key<'a>() -> Vec<Reported<OfKey<'a>>> {
         "estimate": one.found().estimate;
         /// Standard deviation; `null` if there is no interval.
         "sd": one.found().sd;
-        /// Standard deviation if the error of the law is the same for all values.
-        "sd_if_model_error_is_common": one.found().sd_of_common_error;
         /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
         "interval_68": one.found().intervals.map(|[narrow, _]| interval(narrow));
         /// The same with a confidence of 95 %.
@@ -225,21 +223,6 @@ pub fn residuals(of: &Calibration) -> Result<Vec<u8>, Error> {
     written(writer)
 }
 
-/// `posterior.csv` of two keys: the density over their plane, divided by its largest value.
-pub fn posterior(of: &Calibration) -> Result<Option<Vec<u8>>, Error> {
-    let Some(sheet) = &of.sheet else { return Ok(None) };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let names = of.keys.iter().map(|found| found.free.key.column());
-    let at = |key: usize, share: f64| of.keys[key].free.at(share).to_string();
-    writer.write_record(names.chain(["relative_density".to_owned()]))?;
-    for (first, line) in sheet {
-        for (second, density) in line {
-            writer.write_record([at(0, *first), at(1, *second), density.to_string()])?;
-        }
-    }
-    written(writer).map(Some)
-}
-
 /// A line for every law, the best first: its AIC, how far that is above the smallest AIC, and the values of the keys.
 fn ranked(of: &Calibration) -> Vec<Vec<String>> {
     let row = |(law, fit): &OfLaw| match fit {
@@ -285,6 +268,7 @@ pub fn table(of: &Calibration) -> String {
     let (noise, share) = noise(of);
     let share = share.map_or_else(String::new, |share| format!(", {} of a value", percent(share)));
     row("noise", format!("{noise}{share}"));
+    row("misfit", format!("{} rms", percent(of.misfit)));
     if let Some(p) = of.p {
         let outliers = if of.outliers > 0 { format!(", without {} outliers", of.outliers) } else { String::new() };
         let chi_square = four_digits(of.chi_square);

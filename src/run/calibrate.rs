@@ -32,10 +32,11 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let provenance = outcome::provenance(scenario, &measured.wanted.scene.law, true, order.command);
     let mut files = vec![
         file(SUMMARY, report::summary(&measured, &found, &provenance)?),
-        file("calibrated.toml", calibrated(scenario, &measured, &found)),
         file("residuals.csv", report::residuals(&found)?),
     ];
-    files.extend(report::posterior(&found)?.map(|csv| file("posterior.csv", csv)));
+    if !found.keys.is_empty() {
+        files.push(file("calibrated.toml", calibrated(scenario, &measured, &found)));
+    }
     files.extend(order.pictures.files(|| Ok(pictures(&found)))?);
     Ok(Outcome {
         warnings: warnings(&measured, &found),

@@ -141,8 +141,9 @@ impl RandomKeys {
 impl Field for Option<Vec<Free>> {
     fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         let keys = items(node)?;
-        if keys.is_empty() || keys.len() > 2 {
-            let message = format!("{} keys are given, expected one or two, each with {FREE}", keys.len());
+        if keys.len() > 2 {
+            let message =
+                format!("{} keys are given, expected one or two, each with {FREE}; or none, to compare", keys.len());
             return Err(Fault::at(node, message));
         }
         *self = Some(each(keys, reader, free));

@@ -52,25 +52,13 @@ impl Scenario {
     /// # Errors
     /// [`Error`] where keys contradict each other or something is missing.
     pub fn wanted(&self) -> Result<Wanted, Error> {
-        self.request(|given, input| self.free(given, input))
-    }
-
-    /// The same with nothing to find: the measurements are compared with the law.
-    ///
-    /// # Errors
-    /// [`Error`] where keys contradict each other or something is missing.
-    pub fn compared(&self) -> Result<Wanted, Error> {
-        self.request(|_, _| Vec::new())
-    }
-
-    fn request(&self, free: impl Fn(&CalibrateInput, &Input) -> Vec<Free>) -> Result<Wanted, Error> {
         self.refuse_columns("a calibration")?;
         let Some(given) = &self.tables.calibrate else {
             return Err(self.document.refuse("", NO_TABLE));
         };
         let mut input = self.checked(BODIES)?.input;
         input.solver.method = input.solver.method.or(Some(Method::Auto));
-        let free = free(given, &input);
+        let free = self.free(given, &input);
         for free in &free {
             free.key.put(&mut input, free.from);
         }
@@ -155,7 +143,7 @@ impl Scenario {
         }
         let is_on_plate = wanted.scene.forces.plate.is_some() || paths.contains(&"half_space.thickness");
         if is_on_plate && !wanted.free.is_empty() {
-            let message = "nothing is calibrated on a plate: leave it out, and compare with the measurements by validate --experiments";
+            let message = "nothing is calibrated on a plate: leave it out, and compare it with the measurements by calibrate.free = {}";
             return refuse("half_space.thickness", message.to_owned());
         }
         // a speed of the scenario is replaced by that of the data

@@ -130,6 +130,12 @@ impl Document {
         for given in &self.overrides {
             let mut changes = DeTable::parse(&given.toml).map_err(refuse)?.into_inner();
             choose_law(&mut root, &mut changes);
+            // the keys to find are one value, which takes the place of that of the file
+            if given.text.split('=').next().is_some_and(|key| key.trim() == "calibrate.free")
+                && let Some(DeValue::Table(calibrate)) = root.get_mut("calibrate").map(Spanned::get_mut)
+            {
+                calibrate.remove("free");
+            }
             merge(&mut root, changes);
         }
         Ok(Spanned::new(0..0, DeValue::Table(root)))

@@ -3,7 +3,6 @@
 
 use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
 
-use super::nearest::did_you_mean;
 use crate::error::{Details, Error};
 
 /// The line, counted from 1, and what is wrong there.
@@ -59,32 +58,8 @@ impl<'t> CsvText<'t> {
     }
 }
 
-/// The lines `# key = value` in the comments of a file: number of the line from 1, key, and value without quotes. Keys are
-/// those of `known` and the keys below them; other comments are free, unless they look like a key, as
-/// `halfspace.hardness` does.
-///
-/// # Errors
-/// [`Refusal`] for an unknown key.
-pub fn keys_in_comments<'t>(text: &'t str, known: &[&str]) -> Result<Vec<(usize, &'t str, &'t str)>, Refusal> {
-    let mut given = Vec::new();
-    for (line, text) in (1..).zip(without_mark(text).lines()) {
-        let Some((key, value)) = text.strip_prefix('#').and_then(|comment| comment.split_once('=')) else { continue };
-        let (key, value) = (key.trim(), value.trim().trim_matches('"'));
-        let is_below =
-            |known: &str| key.strip_prefix(known).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-        let is_letter = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-        if known.iter().any(|known| is_below(known)) {
-            given.push((line, key, value));
-        } else if key.starts_with(is_letter) && key.contains('.') && key.chars().all(|c| is_letter(c) || c == '.') {
-            let hint = did_you_mean(key, known.iter().copied(), '`', "other comments have no point before the sign =");
-            return Err((Some(line as u64), format!("unknown key `{key}`{hint}")));
-        }
-    }
-    Ok(given)
-}
-
 /// The text without the byte order mark that spreadsheets put before it.
-pub fn without_mark(text: &str) -> &str {
+fn without_mark(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 

@@ -1,16 +1,13 @@
 //! The five pairs of materials of the quasi-static finite elements, each with its loading curve and its unloadings.
 
 use crate::error::Error;
-use crate::fit::LoadingCurve;
 use crate::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
-use crate::reference::LOADING;
+use crate::reference::loading::{self, LoadingCurve};
 use crate::reference::unloading::{self, UnloadingRow};
 
 /// One of the five pairs of materials: loading curve and unloadings.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// The name, such as "case 3".
-    pub name: &'static str,
     pub loading: LoadingCurve,
     /// The unloadings, in the order of rising depth.
     pub cycles: Vec<Cycle>,
@@ -40,6 +37,11 @@ impl Cycle {
 }
 
 impl Case {
+    /// The name, such as "case 3".
+    pub fn name(&self) -> String {
+        self.loading.case.replace("case", "case ")
+    }
+
     pub fn law(&self, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Law {
         coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
     }
@@ -64,12 +66,11 @@ pub fn cases() -> Result<Vec<Case>, Error> {
             row: row.clone(),
         }
     };
-    let case = |&(name, text): &(&'static str, &str)| {
-        let loading = LoadingCurve::parse(name, text)?;
-        let of_case = rows.iter().filter(|row| row.case == name.replace(' ', ""));
+    let case = |loading: LoadingCurve| {
+        let of_case = rows.iter().filter(|row| row.case == loading.case);
         let mut cycles: Vec<Cycle> = of_case.map(|row| cycle(row, loading.pair.sphere_compliance)).collect();
         cycles.sort_by(|a, b| a.row.x.total_cmp(&b.row.x));
-        Ok(Case { name, loading, cycles })
+        Case { loading, cycles }
     };
-    LOADING.iter().map(case).collect()
+    Ok(loading::curves()?.into_iter().map(case).collect())
 }

@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn the_law_of_the_paper_keeps_the_dent_at_all_depths() {
         let (bodies, cases) = (bodies().unwrap(), cases().unwrap());
-        let case = cases.iter().find(|case| case.name == "case 3").unwrap();
+        let case = cases.iter().find(|case| case.loading.case == "case3").unwrap();
         let mut compared = 0;
         for (run, number, _) in UNLOADINGS {
             let cycle = case.cycles.iter().find(|cycle| cycle.row.run == run && cycle.row.cycle == number).unwrap();

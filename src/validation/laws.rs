@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use super::check::{EXPONENTS, deviation, rms};
+use super::comparison::{EXPONENTS, deviation, rms};
 use super::dynamic::scenes;
 use crate::error::Error;
 use crate::impact::{Contact, Essentials, Solver};

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::cases::{Case, cases};
-use super::check::{EXPONENTS, deviation};
+use super::comparison::{EXPONENTS, deviation};
 use super::dynamic;
-use super::experiments::{Experiment, Row};
 use super::figure_10::figure_10;
 use super::hardening::{at_energy, law};
 use super::measured::restitution as of_device;
@@ -19,7 +18,6 @@ use crate::impact::{ImpactError, TraceRow};
 use crate::law::PlmCoefficients;
 use crate::math::functions::{exp, ln, sin_cos};
 use crate::output::OutputFile;
-use crate::plot::of_key::title_of;
 use crate::plot::{Axis, Chart, Pictures, PlotError, Series, Style};
 use crate::progress::Counter;
 use crate::reference::hardening::unloadings;
@@ -35,10 +33,9 @@ fn log_sampled(high: f64, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> 
     (0..=300).map(|i| point(exp(ln(high) * f64::from(i) / 300.0))).collect()
 }
 
-/// All pictures; those of the user's measurements come last. `progress` counts the pictures.
+/// All pictures. `progress` counts them.
 pub fn pictures(
     coefficients: &PlmCoefficients,
-    measured: &[Experiment],
     format: Pictures,
     progress: &Counter,
 ) -> Result<Vec<OutputFile>, Error> {
@@ -47,15 +44,14 @@ pub fn pictures(
     }
     let cases = cases()?;
     let mut pictures = vec![off_by_depth(&cases, coefficients)];
-    pictures.extend(cases.iter().filter(|case| case.name == "case 3").map(|case| by_depth(case, coefficients)));
-    if let Some(case) = cases.iter().find(|case| case.name == "case 3") {
+    if let Some(case) = cases.iter().find(|case| case.loading.case == "case3") {
+        pictures.push(by_depth(case, coefficients));
         pictures.extend(figure_10(case)?);
     }
     pictures.extend(dynamic::cases(coefficients)?.iter().map(impact));
     pictures.push(hardening(coefficients)?);
     pictures.push(leeb(coefficients)?);
     pictures.push(oblique()?);
-    pictures.extend(measured.iter().flat_map(experiments));
     progress.expect(pictures.len() as u64);
     let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());
     let drawn: Result<Vec<Option<OutputFile>>, PlotError> = pictures.par_iter().map(file).collect();
@@ -95,8 +91,8 @@ fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
         series.push(Series::bare(format!("law, {name}"), curve).styled(i + 1));
     }
     let y = Axis::linear("Restitution e", "").between(0.15, 1.02);
-    let chart = Chart::new(format!("Restitution against depth: {}", case.name), [depths(), y], series);
-    (format!("restitution-{}", case.name.replace(' ', "-")), chart)
+    let chart = Chart::new(format!("Restitution against depth: {}", case.name()), [depths(), y], series);
+    (format!("restitution-{}", case.name().replace(' ', "-")), chart)
 }
 
 /// An indentation: its name, its value in the reference, and its value in the law.
@@ -227,26 +223,4 @@ fn oblique() -> Result<Picture, Error> {
     ];
     let chart = Chart::new("Oblique rebound of alumina from glass, 3.9 m/s, friction 0.092", axes, series);
     Ok(("oblique-alumina-on-glass".to_owned(), chart))
-}
-
-/// A picture for every quantity of a file of the user, against the impact speed, or against the place in the file where
-/// there is none.
-fn experiments(of: &Experiment) -> impl Iterator<Item = Picture> {
-    of.quantities().map(|(what, mut rows)| {
-        rows.sort_by(|a, b| a.speed.total_cmp(&b.speed));
-        let has_speed = rows.iter().all(|row| row.speed.is_finite());
-        #[allow(clippy::cast_precision_loss)] // lines of a file
-        let at = |row: &Row| if has_speed { row.speed } else { row.line as f64 };
-        let curve = |value: fn(&Row) -> f64| rows.iter().map(|row| (at(row), value(row))).collect::<Vec<_>>();
-        let bars = rows.iter().filter_map(|row| Some((at(row), row.measured, row.sd?)));
-        let series = vec![
-            Series::points("measured, with its sd", curve(|row| row.measured)),
-            Series::bars(bars).styled(0),
-            Series::marked_line("law", curve(|row| row.law)).styled(1),
-        ];
-        let x = if has_speed { Axis::log("Impact speed", "m/s") } else { Axis::linear("Line of the file", "") };
-        let y = Axis::engineering(&title_of(what.name()), what.quantity().dimension.si_unit());
-        let notes = (!of.source.is_empty()).then(|| of.source.clone());
-        (of.picture(what), Chart::new(&of.name, [x, y], series).with_notes(notes))
-    })
 }

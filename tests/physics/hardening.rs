@@ -3,7 +3,7 @@
 
 use plm_impact::reference::hardening::unloadings;
 use plm_impact::strength::flow::FlowPoint;
-use plm_impact::validation::check::rms;
+use plm_impact::validation::comparison::rms;
 
 use crate::common::prelude::*;
 

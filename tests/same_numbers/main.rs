@@ -1,7 +1,7 @@
 //! Checks that no number of the program has moved.
 //!
 //! This test is for changes that must not move any number, such as a redesign. It runs the command on every scenario of
-//! `scenarios/`, on the scenarios of this folder with many keys set in turn (`runs.rs`), on `validate` and on `fit-plm`.
+//! `scenarios/`, on the scenarios of this folder with many keys set in turn (`runs.rs`), and on `validate`.
 //! It takes all results of all files that they write (`numbers.rs`), and compares them with `record.csv`. No value may
 //! move by more than 1e-12 of the largest value of its column; counts of steps, words and empty cells may not change.
 //! Sums of rounding, such as the drift of the energy, may move by 1e-12 of what they are a share of.

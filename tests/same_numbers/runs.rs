@@ -107,7 +107,6 @@ pub fn all() -> Vec<Run> {
         runs.extend(products(groups).iter().filter(|keys| !keys.is_empty()).map(|keys| run("", &file, keys)));
     }
     runs.push(validate());
-    runs.push(fit());
     runs
 }
 
@@ -148,11 +147,4 @@ fn run(folder: &str, file: &Path, keys: &[&str]) -> Run {
 fn validate() -> Run {
     let arguments = ["validate", "--pictures", "none", "--out", "out"];
     Run { name: "validate".to_owned(), arguments: arguments.map(str::to_owned).into() }
-}
-
-/// A run that fits coefficients to the loading curves of the finite elements.
-fn fit() -> Run {
-    let curve = |case| folder(&format!("src/reference/fe_loading_case{case}.csv")).to_string_lossy().into_owned();
-    let words = ["fit-plm", "-o", "out/coefficients.toml"].map(str::to_owned);
-    Run { name: "fit-plm".to_owned(), arguments: words.into_iter().chain((1..=5).map(curve)).collect() }
 }

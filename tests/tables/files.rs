@@ -84,9 +84,6 @@ fn pipes_and_devices_are_not_replaced() {
     let message = desk.ends(&["run", "s.toml", "--out", "out"], 2).1;
     assert!(message.contains("table.csv: cannot be written: it is a device or a pipe"), "{message}");
     desk.ends(&["run", "s.toml", "--out", "out", "--force"], 2);
-    let curves: Vec<String> =
-        (1..=3).map(|i| format!("{}/src/reference/fe_loading_case{i}.csv", env!("CARGO_MANIFEST_DIR"))).collect();
-    desk.ends(&["fit-plm", &curves[0], &curves[1], &curves[2], "-o", "out/table.csv", "--force"], 2);
     assert!(fs::symlink_metadata(&pipe).unwrap().file_type().is_fifo());
     assert_eq!(desk.files("out"), ["table.csv"]);
 }
@@ -114,12 +111,6 @@ fn files_of_others_are_replaced_by_force_alone() {
     fs::rename(desk.path("out/summary.json"), desk.path("out/table.csv")).unwrap();
     desk.ends(&arguments, 2);
     assert_eq!(desk.read("out/table.csv"), "mine");
-    // a file of coefficients
-    fs::write(desk.path("c.toml"), "mine").unwrap();
-    let curve = format!("{}/src/reference/fe_loading_case1.csv", env!("CARGO_MANIFEST_DIR"));
-    let message = desk.ends(&["fit-plm", &curve, "-o", "c.toml"], 2).1;
-    assert!(message.contains("c.toml: exists"), "{message}");
-    assert_eq!(desk.read("c.toml"), "mine");
 }
 
 #[test]

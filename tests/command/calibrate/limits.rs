@@ -134,17 +134,47 @@ fn the_estimate_is_the_minimum_also_behind_a_kink() {
     assert!(above < 1e-3, "{estimate}: {above}");
 }
 
-/// With two values more than keys, Student's distribution has 2 degrees of freedom, and the region of 95 % reaches more
-/// than six standard deviations. The posterior was cut at 4.5.
+/// The region of 95 % against a plane of 201 by 201 places: its area is the share of places whose sum is at most 5.9915 above
+/// the least, the quantile of chi-square with 2 degrees of freedom (tables).
 #[test]
-fn the_posterior_of_two_keys_is_as_wide_as_few_values_leave_it() {
-    let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n";
+fn the_region_of_two_keys_holds_the_places_that_the_sum_says() {
+    let text = scenario(&format!("data = \"d.csv\"\n{}noise = {{ restitution = 0.01 }}", super::BOTH));
+    let measured = Measurements::of(&read(&text, NONE).with_data(super::MADE.to_owned())).unwrap();
+    let progress = Counter::default();
+    let found = measured.calibrate(&progress).unwrap();
+    let fit: &Fit = &found.fit;
+    let outline = fit.region(0.95).remove(0);
+    let ends = |key: usize| {
+        let all = outline.iter().map(|place| place[key]);
+        (all.clone().fold(f64::INFINITY, f64::min), all.fold(0.0, f64::max))
+    };
+    let ([low_x, high_x], [low_y, high_y]) = (<[f64; 2]>::from(ends(0)), <[f64; 2]>::from(ends(1)));
+    let mut inside = 0.0;
+    for i in 0..=200 {
+        for j in 0..=200 {
+            let at = |low: f64, high: f64, i: i32| low + (high - low) * (1.2 * f64::from(i) / 200.0 - 0.1);
+            let place = [at(low_x, high_x, i), at(low_y, high_y, j)];
+            inside += f64::from(u8::from(fit.problem.sum(&place) - fit.best().sum <= 5.991_464_547));
+        }
+    }
+    let of_plane = inside * (1.2 * (high_x - low_x) / 200.0) * (1.2 * (high_y - low_y) / 200.0);
+    let cross = outline.windows(2).map(|at| at[0][0] * at[1][1] - at[1][0] * at[0][1]);
+    let of_outline = 0.5 * cross.sum::<f64>();
+    assert!((of_outline / of_plane - 1.0).abs() < 0.01, "{of_outline} {of_plane}");
+}
+
+/// With two values more than keys, Student's distribution has 2 degrees of freedom: the region of 95 % ends where the sum has
+/// risen by 2 F = 38, or at an end of a range (F(2, 2) of 95 % is 19, from tables).
+#[test]
+fn the_region_of_two_keys_is_as_wide_as_few_values_leave_it() {
+    let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n".to_owned();
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::BOTH));
-    let (desk, summary) = calibrated(&text, data, &[], 0);
-    let table = desk.read("o/posterior.csv");
-    let strength = crate::common::command::numbers(&table, "half_space_yield_strength_Pa");
-    let (ends, key) = ([strength[0], strength[strength.len() - 1]], &summary["keys"][0]);
-    let (estimate, sd) = (key["estimate"].as_f64().unwrap(), key["sd"].as_f64().unwrap());
-    assert!(ends[1] > estimate + 8.0 * sd || ends[1] > 2.99e9, "{ends:?} {estimate} {sd}");
-    assert!(ends[0] < estimate - 8.0 * sd || ends[0] < 100.1e6, "{ends:?} {estimate} {sd}");
+    let measured = Measurements::of(&read(&text, NONE).with_data(data)).unwrap();
+    let progress = Counter::default();
+    let found = measured.calibrate(&progress).unwrap();
+    let rise = |place: &[f64; 2]| found.fit.problem.sum(place) - found.fit.best().sum;
+    let outline = found.fit.region(0.95).remove(0);
+    let is_at_an_end = |place: &[f64; 2]| place.iter().any(|share| !(1e-9..1.0 - 1e-9).contains(share));
+    let free: Vec<f64> = outline.iter().filter(|place| !is_at_an_end(place)).map(rise).collect();
+    assert!(free.len() > 20 && free.iter().all(|rise| (rise / 38.0 - 1.0).abs() < 0.01), "{free:?}");
 }
