@@ -2,8 +2,7 @@
 //!
 //! Each step ends at a target: a load or an indentation. The way there runs along the loading curve, down the unloading branch
 //! or back up it; the contact remembers the largest state it has seen. Any law will do: its loading curve and the unloading
-//! from the largest state are all that is needed. Where the force of a law jumps, no indentation has the loads in between:
-//! a step to such a load ends just behind the jump.
+//! from the largest state are all that is needed.
 //!
 //! SI units at this border, dimensionless inside.
 //!
@@ -33,7 +32,6 @@ pub enum Target {
 /// Why a list of steps has no result.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum IndentationError {
-    /// A quantity outside double precision.
     #[error(transparent)]
     Range(#[from] OutOfFloatRange),
     /// A law that has no loading or no unloading.
@@ -42,23 +40,18 @@ pub enum IndentationError {
     /// A step that ends where the law has no answer.
     #[error("step {step}: {reason}")]
     Outside {
-        /// From 1.
         step: usize,
         /// Why the law has no answer.
         reason: OutsideLaw,
     },
     /// A step that ends where it begins.
     #[error("step {step} ends where it begins; take it out, or give it another target")]
-    NoMove {
-        /// From 1.
-        step: usize,
-    },
+    NoMove { step: usize },
     /// A step deeper than any sphere can go.
     #[error(
         "step {step} presses the sphere in by {indentation:.4e} m, deeper than its radius of {radius:.4e} m, where no contact law holds; lower the target"
     )]
     TooDeep {
-        /// From 1.
         step: usize,
         /// δ \[m\].
         indentation: f64,
@@ -71,9 +64,7 @@ pub enum IndentationError {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("step {step}: {warning}")]
 pub struct Doubt {
-    /// From 1.
     pub step: usize,
-    /// The warning.
     pub warning: Warning,
 }
 
@@ -99,9 +90,7 @@ pub struct Memory {
 /// The result of a step. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
-    /// Its target.
     pub target: Target,
-    /// The branch on which it ended.
     pub branch: Branch,
     /// δ at its end \[m\].
     pub indentation: f64,
@@ -119,10 +108,8 @@ pub struct Step {
     pub memory: Memory,
 }
 
-/// A row of a trace. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceRow {
-    /// From 1.
     pub step: usize,
     /// δ \[m\].
     pub indentation: f64,
@@ -132,18 +119,14 @@ pub struct TraceRow {
     pub half_space_indentation: f64,
     /// F \[N\].
     pub force: f64,
-    /// Where on the law.
     pub branch: Branch,
 }
 
-/// The results of an indentation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Indentation {
-    /// Those of the steps, in order.
     pub steps: Vec<Step>,
     /// The trace; empty if none was asked for.
     pub trace: Vec<TraceRow>,
-    /// The warnings.
     pub doubts: Vec<Doubt>,
 }
 
@@ -198,7 +181,6 @@ impl StaticContact {
         Ok(Self { indenter, pair, units, law })
     }
 
-    /// Effective modulus, shares of compliance, yield point.
     pub fn pair(&self) -> &Pair {
         &self.pair
     }
@@ -304,7 +286,7 @@ impl StaticContact {
                 "plastic work {:.3e} J is below 0: just behind a knot of the loading curve the plastic work of the law falls where it should rise; take it for 0",
                 step.plastic_work
             );
-            Warning::new(WarningKind::PlasticGain, 0.0, text)
+            Warning::new(WarningKind::EnergyGain, 0.0, text)
         });
         let new = of_step(step).filter(|warning| !known.contains(&warning.kind)).chain(gain);
         doubts.extend(new.map(|warning| Doubt { step: number, warning }));

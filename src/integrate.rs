@@ -33,10 +33,8 @@ pub struct Arrival {
 /// The cost of an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Work {
-    /// Accepted steps.
     pub steps: u64,
     pub rejected: u64,
-    /// Evaluations of the deceleration.
     pub force_evaluations: u64,
 }
 
@@ -72,7 +70,6 @@ pub enum IntegrationError {
     /// A motion damped far beyond critical, which creeps.
     #[error("no end of the contact within {steps} steps: damped far beyond critical it only creeps; lower the damping")]
     Creeping { steps: u64 },
-    /// A state that is no number.
     #[error("the state became infinite or not a number at dimensionless time {time:e}")]
     NotFinite { time: f64 },
 }
@@ -80,7 +77,6 @@ pub enum IntegrationError {
 /// A stretch of a motion with its continuous solution: the state at any time of the stretch. Times are absolute, distances
 /// those of the leg.
 pub struct Segment {
-    /// Time at its end.
     pub end: f64,
     at: Box<dyn Fn(f64) -> State>,
 }
@@ -116,6 +112,5 @@ pub trait Integrator {
         track: Option<&mut Vec<Segment>>,
     ) -> Result<Arrival, IntegrationError>;
 
-    /// Cost so far.
     fn work(&self) -> Work;
 }

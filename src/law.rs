@@ -15,7 +15,6 @@ pub mod catalogue;
 mod contact_law;
 pub(crate) mod crossing;
 pub mod curve;
-pub mod jumps;
 mod memory;
 mod panel;
 pub mod piece;
@@ -40,22 +39,17 @@ pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure
 pub enum Rule {
     /// Back along Hertz's curve, at any load.
     Elastic,
-    /// By the polyline of the PLM and an exponent.
     Polyline(Box<PlmRule>),
-    /// By the rules of a published law.
     Published(Box<Published>),
 }
 
 named! {
-    /// The branch of its law that a contact is on.
     pub enum Branch {
         /// Loading without a dent so far.
         Elastic = "elastic",
-        /// Loading, the dent grows.
         Plastic = "plastic",
         /// Loading in a dent made before, back up its unloading branch.
         Reloading = "reloading",
-        /// Unloading.
         Unloading = "unloading",
         /// The sphere is above the dent, without contact. An impact ends there.
         Separated = "separated",
@@ -65,11 +59,9 @@ named! {
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law {
-    /// Loading force.
     pub loading: Curve,
     /// Where the loading holds.
     pub limits: Limits,
-    /// How it unloads.
     pub rule: Rule,
     /// What a spot remembers that was loaded before.
     pub(crate) memory: Option<Box<Reloaded>>,
@@ -86,7 +78,6 @@ impl Law {
         Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), Rule::Elastic)
     }
 
-    /// The PLM of a loading curve and a rule.
     pub fn plm(loading: Curve, rule: PlmRule) -> Self {
         Self::new(loading, rule.limits(), Rule::Polyline(Box::new(rule)))
     }
@@ -156,7 +147,6 @@ impl Law {
         self.left_at(indentation, piece.force_at(indentation), spent)
     }
 
-    /// The same, where the work is that of the curve.
     pub(crate) fn turned(&self, index: usize, distance: f64) -> Unloading {
         self.turned_at(index, distance, self.work_since_fresh(self.loading.pieces()[index].start + distance))
     }
@@ -191,13 +181,6 @@ impl Law {
             }
             _ => Ok(()),
         }
-    }
-
-    /// The largest force of loading on the way to a peak: that of the peak, unless the force of a published law falls at a
-    /// jump.
-    #[inline]
-    pub fn largest_force(&self, peak: &Peak) -> f64 {
-        if self.loading.falls() { self.loading.largest_force(peak.indentation, peak.force) } else { peak.force }
     }
 
     /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1); on the branch of a spot that was loaded before the dent

@@ -22,7 +22,6 @@ impl Material {
     }
 }
 
-/// The elastic sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sphere {
     /// Radius R \[m\], > 0 (not the diameter).
@@ -47,7 +46,6 @@ impl Sphere {
     }
 }
 
-/// The half-space that is hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HalfSpace {
     /// Elastic constants; never rigid.
@@ -88,7 +86,6 @@ impl YieldPoint {
     number(*.value)
 )]
 pub struct OutOfFloatRange {
-    /// Which quantity.
     pub quantity: &'static str,
     /// What came out.
     pub value: f64,

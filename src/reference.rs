@@ -16,7 +16,6 @@ macro_rules! rows {
         }
 
         $(
-            /// All rows of the table.
             pub fn $read() -> Result<Vec<$row>, $crate::error::Error> {
                 $crate::reference::rows($file, include_str!($file))
             }
@@ -45,7 +44,6 @@ pub(crate) fn damaged(table: &str, problem: &str) -> Error {
     Error::failed(format!("reference table {table}: {problem}"))
 }
 
-/// Rows of a table.
 fn rows<T: DeserializeOwned>(table: &'static str, text: &str) -> Result<Vec<T>, Error> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let rows = reader.deserialize().collect::<Result<Vec<T>, csv::Error>>();

@@ -34,9 +34,7 @@ pub const MOST_ROWS: usize = 200_000;
 named! {
     /// Where the impacts hit.
     pub enum Place {
-        /// All on one spot.
         Same = "same",
-        /// Each on fresh surface.
         Fresh = "fresh",
     }
 }
@@ -44,7 +42,6 @@ named! {
 /// What brings the sphere back.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {
-    /// Gravity.
     Bouncing {
         /// g \[m/s²\].
         gravity: f64,
@@ -52,7 +49,6 @@ pub enum Drive {
         drop_height: Option<f64>,
         /// Speed of the first impact \[m/s\].
         speed: f64,
-        /// Most impacts.
         most: u64,
         /// Ends before an impact slower than this \[m/s\]; the first one is always run.
         until: Option<f64>,
@@ -64,9 +60,7 @@ pub enum Drive {
 /// A series of impacts to be computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeat {
-    /// Where.
     pub place: Place,
-    /// How.
     pub drive: Drive,
 }
 
@@ -179,7 +173,7 @@ fn strike(
     let mut before = spot.clone();
     let mut impact = contact.impact_on(spot, speed, solver, None)?;
     if samples.is_some() {
-        let method = Method::ClosedForm.chosen(contact.forces(), || true, true).unwrap_or(Method::Rk8);
+        let method = Method::ClosedForm.chosen(contact.forces(), true).unwrap_or(Method::Rk8);
         impact.trace = contact.impact_on(&mut before, speed, &Solver { method, ..*solver }, samples)?.trace;
     }
     Ok(impact)

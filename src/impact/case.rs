@@ -15,15 +15,11 @@ use crate::material::normal;
 /// One impact to be computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Case<'a> {
-    /// Its units.
     pub(super) scales: Scales,
-    /// The law in these units.
     pub(super) law: &'a Law,
     /// v/V.
     pub(super) q: f64,
-    /// What acts beside the law.
     pub(super) forces: ScaledForces,
-    /// The plate that it hits, if it hits one.
     pub(super) plate: Option<ScaledPlate>,
 }
 
@@ -69,7 +65,7 @@ impl Contact {
         let mut forces = ScaledForces { weight: weight / scales.force, drag };
         let mut plate = None;
         if let Some(under) = self.on_plate()? {
-            let free_time = free_time(law, q, &forces, None)? * scales.time();
+            let free_time = free_time(law, q, &forces)? * scales.time();
             let scaled = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
             forces.drag.theta = scaled.mobility / ACCELERATION;
             plate = Some(scaled);

@@ -1,15 +1,16 @@
 //! An impact without stepping: energy balance for the peak and the restitution, exact times on every piece.
 //!
-//! Without gravity and damping (for those see `with_forces`) the motion is conservative on each branch,
+//! Without gravity (for that see `gravity`) and damping the motion is conservative on each branch,
 //! u² = q² − (5/2) w(x). So the peak is where the work is the kinetic energy, w(x_m) = (2/5) q², and
 //! e² = f_m ε_m/(n + 1) / w(x_m). The time on a straight piece is an arctangent, on a power piece an incomplete beta
 //! function, on any other a quadrature.
 
-mod with_forces;
+mod gravity;
 
 use super::forces::ScaledForces;
 use super::outcome::{Fate, Outcome};
 use super::scales::ACCELERATION;
+use crate::integrate::IntegrationError;
 use crate::law::crossing::Reached;
 use crate::law::curve::Curve;
 use crate::law::piece::Shape;
@@ -18,13 +19,22 @@ use crate::math::functions::atan;
 use crate::math::power::{arctangent, power_time};
 use crate::math::smooth::Smooth;
 
-pub use with_forces::closes;
-pub(crate) use with_forces::way_to_peak;
-
-/// The exact outcome of an impact at q = v/V, where there is one: without forces, under gravity without damping, or with
-/// the damping of Hunt and Crossley without gravity.
-pub fn solve_with(law: &Law, q: f64, forces: &ScaledForces) -> Option<Outcome> {
-    if forces.is_none() { Some(solve(law, q)) } else { with_forces::solve(law, q, forces) }
+/// The outcome of an impact at q = v/V by the balance of energy; `None` with damping or on a plate. Under gravity the times
+/// have this relative tolerance, else all is exact to rounding.
+///
+/// # Errors
+/// [`IntegrationError`] where the run for the times under gravity gives up.
+pub fn solve_with(
+    law: &Law,
+    q: f64,
+    forces: &ScaledForces,
+    tolerance: f64,
+) -> Result<Option<Outcome>, IntegrationError> {
+    match () {
+        () if forces.is_none() => Ok(Some(solve(law, q))),
+        () if forces.is_conservative() => gravity::solve(law, q, forces, tolerance).map(Some),
+        () => Ok(None),
+    }
 }
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
@@ -78,7 +88,7 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
     Outcome {
         unloading,
         restitution,
-        largest_force: law.largest_force(peak),
+        largest_force: peak.force,
         loading_time,
         contact_time: loading_time + unloading_time,
         fate: Fate::Separated,

@@ -22,15 +22,12 @@ pub struct Contact {
     mass: f64,
     /// Whether the sphere is only the tip of a body, which has the mass.
     is_tip: bool,
-    /// The law.
     pub(super) law: Law,
     /// Its units: those of first yield, or of the sphere's radius for a half-space that stays elastic.
     pub(super) scales: Scales,
     /// The slowest impact that yields \[m/s\]; infinite without one.
     pub(super) yield_speed: f64,
-    /// What acts beside the law.
     forces: Forces,
-    /// The plate with the bodies, if there is a plate.
     under: Option<Result<Under, PlateError>>,
     /// How the half-space radiates, if its density is known.
     waves: Option<Waves>,
@@ -110,27 +107,22 @@ impl Contact {
         self.is_tip
     }
 
-    /// The sphere.
     pub fn sphere(&self) -> &Sphere {
         &self.sphere
     }
 
-    /// The half-space.
     pub fn half_space(&self) -> &HalfSpace {
         &self.half_space
     }
 
-    /// Effective modulus, shares of compliance, yield point.
     pub fn pair(&self) -> &Pair {
         &self.pair
     }
 
-    /// Gravity, damping, plate.
     pub fn forces(&self) -> &Forces {
         &self.forces
     }
 
-    /// The plate with the bodies, if there is a plate.
     pub(super) fn on_plate(&self) -> Result<Option<Under>, PlateError> {
         self.under.transpose()
     }

@@ -12,7 +12,6 @@
 //! lies inside of this one and ends in it. Or it ends where an overdamped sphere (ζ from 0.9 on) has crept up to its static
 //! indentation, to one part in a thousand.
 
-use super::closed_form::way_to_peak;
 use super::forces::{ScaledForces, StaticPoint, nearer};
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Recorder};
@@ -32,7 +31,7 @@ pub fn integrate<I: Integrator>(
     integrator: &mut I,
     recorder: &mut Recorder,
 ) -> Result<Outcome, IntegrationError> {
-    let distance = way_to_peak(law, 0.4 * q * q, forces);
+    let distance = forces.way_to_turn(law, 0.4 * q * q);
     let (pull, drag) = (ACCELERATION * forces.weight, forces.drag);
     let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
     let (first, leg) = way_out(law, 0);
@@ -117,7 +116,7 @@ pub fn integrate<I: Integrator>(
         loading_time,
         contact_time: time,
         fate,
-        largest_force: if drag.is_in_contact() { largest } else { law.largest_force(&unloading.peak) },
+        largest_force: if drag.is_in_contact() { largest } else { unloading.peak.force },
         end_indentation: distance + law.dent(&unloading.peak).residual(),
         end_speed: speed,
         loss: loss / ACCELERATION,

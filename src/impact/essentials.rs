@@ -34,9 +34,8 @@ pub struct Essentials {
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
     pub plastic_fraction: f64,
     /// Share radiated as elastic waves \[1\], to first order and without gravity; `None` where the half-space's density is not
-    /// known, under damping or on a plate, where the force of the law jumps on the way, and for a sphere that does not leave.
+    /// known, under damping or on a plate, and for a sphere that does not leave.
     pub wave_loss_fraction: Option<f64>,
-    /// What an impact on a plate has besides.
     pub on_plate: Option<OnPlate>,
     /// What friction makes of an oblique impact. All else is then of the motion normal to the half-space.
     pub rebound: Option<Rebound>,
@@ -93,9 +92,9 @@ impl Essentials {
         let waves = match radiating {
             // the first-order estimate is that of the impact without gravity
             Some(waves) if forces.weight > 0.0 => {
-                waves.loss_fraction(speed, scales, law, &closed_form::energy_balance(law, *q).0)?
+                Some(waves.loss_fraction(speed, scales, law, &closed_form::energy_balance(law, *q).0)?)
             }
-            Some(waves) => waves.loss_fraction(speed, scales, law, &outcome.unloading)?,
+            Some(waves) => Some(waves.loss_fraction(speed, scales, law, &outcome.unloading)?),
             None => None,
         };
         let peak = outcome.unloading.peak;

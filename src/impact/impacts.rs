@@ -9,30 +9,31 @@ use super::essentials::Essentials;
 use super::oblique::{Approach, Inclined};
 use super::outcome::Outcome;
 use super::result::Impact;
-use super::solve::{Method, Solver, run};
+use super::solve::{FINEST, Method, Solver, run};
 use super::{closed_form, validity};
+use crate::integrate::IntegrationError;
 use crate::law::{Law, Peak, Rule};
 
 impl Case<'_> {
-    /// The exact outcome, where there is one.
+    /// The outcome by the balance of energy, where there is one; its times under gravity have this tolerance.
     #[inline]
-    fn exact(&self) -> Option<Outcome> {
+    fn exact(&self, tolerance: f64) -> Result<Option<Outcome>, IntegrationError> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(hertz(), 1.0));
         match self.law.rule {
-            Rule::Elastic if self.q == 1.0 && self.forces.is_none() => Some(*ELASTIC),
-            _ => closed_form::solve_with(self.law, self.q, &self.forces),
+            Rule::Elastic if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
+            _ => closed_form::solve_with(self.law, self.q, &self.forces, tolerance),
         }
     }
 }
 
 impl Contact {
-    /// The exact outcome of an impact, without stepping.
+    /// The exact outcome of an impact, without stepping; under gravity with times to 1e-13.
     ///
     /// # Errors
     /// [`ImpactError::Range`], see [`Contact::scaled`]; [`ImpactError::NoClosedForm`] where damping leaves none.
     pub fn closed_form(&self, speed: f64) -> Result<Impact, ImpactError> {
-        self.impact(speed, &Solver { method: Method::ClosedForm, ..Solver::default() }, None)
+        self.impact(speed, &Solver { method: Method::ClosedForm, tolerance: FINEST, ..Solver::default() }, None)
     }
 
     /// What a table holds of an impact by this solver, without the rest of an [`Impact`].
@@ -45,16 +46,13 @@ impl Contact {
         let approach = approach.into();
         let [speed, _] = approach.components();
         let case = self.case(None, speed)?;
-        // the closed form is the result, or its duration is what the fixed step divides
-        let exact = match solver.method {
-            Method::Auto if self.forces().have_drag() => None,
-            Method::Auto | Method::ClosedForm | Method::Verlet => case.exact(),
+        let outcome = match self.chosen(solver.method, false)? {
+            Method::ClosedForm => case.exact(solver.tolerance)?,
             _ => None,
         };
-        let method = self.chosen(solver.method, exact.as_ref(), false)?;
-        let outcome = match exact {
-            Some(exact) if method == Method::ClosedForm => exact,
-            _ => run(case.law, case.q, &case.forces, exact.as_ref(), solver, None)?.outcome,
+        let outcome = match outcome {
+            Some(outcome) => outcome,
+            None => run(case.law, case.q, &case.forces, None, solver, None)?.outcome,
         };
         case.law.accept(&outcome.unloading.peak)?;
         let mut essentials = Essentials::new(self, speed, &case, &outcome)?;
@@ -64,10 +62,9 @@ impl Contact {
         Ok(essentials)
     }
 
-    /// What computes an impact of which this is the closed form, if it has one.
     #[inline]
-    fn chosen(&self, method: Method, exact: Option<&Outcome>, has_trace: bool) -> Result<Method, ImpactError> {
-        method.chosen(self.forces(), || exact.is_some(), has_trace).ok_or(ImpactError::NoClosedForm)
+    fn chosen(&self, method: Method, has_trace: bool) -> Result<Method, ImpactError> {
+        method.chosen(self.forces(), has_trace).ok_or(ImpactError::NoClosedForm)
     }
 
     /// e alone, with the same bits as from [`Contact::essentials`]. Without gravity and damping no times are computed, which
@@ -81,11 +78,6 @@ impl Contact {
         let (unloading, restitution) = closed_form::energy_balance(case.law, case.q);
         case.law.accept(&unloading.peak)?;
         Ok(restitution)
-    }
-
-    /// Whether an impact that yields has a closed form also under gravity or damping, as [`Method::chosen`] asks.
-    pub(crate) fn closes(&self) -> bool {
-        closed_form::closes(&self.law)
     }
 
     /// Computes one impact at a speed \[m/s\], or an [`Approach`]; with `samples`, with a trace of that many evenly
@@ -113,8 +105,8 @@ impl Contact {
         let [speed, _] = approach.components();
         let case = self.case(spot, speed)?;
         let Case { law, q, forces, .. } = &case;
-        let exact = case.exact();
-        let method = self.chosen(solver.method, exact.as_ref(), samples.is_some())?;
+        let method = self.chosen(solver.method, samples.is_some())?;
+        let exact = case.exact(if method == Method::ClosedForm { solver.tolerance } else { FINEST })?;
         let solver = Solver { method, ..*solver };
         let computed = run(law, *q, forces, exact.as_ref(), &solver, samples)?;
         let peak = computed.outcome.unloading.peak;

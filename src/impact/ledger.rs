@@ -9,7 +9,6 @@ use super::scales::ACCELERATION;
 use crate::integrate::State;
 use crate::law::{Branch, Peak};
 
-/// One row of a trace.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceRow {
     /// Since first touch \[s\].
@@ -28,11 +27,9 @@ pub struct TraceRow {
     pub force: f64,
     /// F of the law alone \[N\], if there is damping.
     pub elastic_force: Option<f64>,
-    /// Branch of the law.
     pub branch: Branch,
     /// Friction, in an oblique impact.
     pub rubbing: Option<Rubbing>,
-    /// The event, if the row is one.
     pub event: Option<Event>,
     /// (kinetic + stored + lost)/(½ m v²) − 1.
     pub energy_drift: f64,
@@ -81,7 +78,6 @@ impl<'a> Ledger<'a> {
         self.drift(0.0, self.case.law.work_to(peak), 0.0, peak.indentation)
     }
 
-    /// A row of the trace.
     pub(super) fn row(&self, point: &Point) -> TraceRow {
         let Point { at: State { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
         let Peak { indentation: x, force, elastic_approach } = state;

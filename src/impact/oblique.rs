@@ -256,7 +256,6 @@ impl<'a> Inclined<'a> {
         Ok(Slip { error, course: Some((motion, points)), ..Slip::new(ratio) })
     }
 
-    /// The results of a table.
     pub(super) fn rebound(&self, slip: &Slip) -> Result<Rebound, OutOfFloatRange> {
         let (e, [normal, tangential]) = (self.outcome.restitution, self.speeds);
         let [_, tangential_speed, spin] = self.at(self.slip * slip.ratio);

@@ -6,7 +6,6 @@ use crate::law::Unloading;
 use crate::units::names::named;
 
 named! {
-    /// How a contact ended.
     pub enum Fate {
         /// The total contact force vanished.
         Separated = "separated",
@@ -19,7 +18,6 @@ named! {
 /// in an [`Impact`](super::Impact) in seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedSteps {
-    /// Length of a step.
     pub step: f64,
     /// First touch to the deepest step.
     pub compression_time: f64,
@@ -47,13 +45,10 @@ pub struct Outcome {
     pub restitution: f64,
     /// The largest contact force on the way, damping included.
     pub largest_force: f64,
-    /// Time of compression.
     pub loading_time: f64,
     /// Time from first touch to separation, or to where the run of a captured sphere ends.
     pub contact_time: f64,
-    /// How it ended.
     pub fate: Fate,
-    /// x at that end.
     pub end_indentation: f64,
     /// u at that end; negative on the way out.
     pub end_speed: f64,
@@ -64,9 +59,7 @@ pub struct Outcome {
 /// One dimensionless impact as a method computes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Computed {
-    /// What it comes to.
     pub outcome: Outcome,
-    /// What it cost.
     pub work: Work,
     /// What a run in fixed steps sees; `None` of other methods.
     pub fixed_steps: Option<FixedSteps>,

@@ -32,14 +32,12 @@ use crate::material::HalfSpace;
 use crate::math::functions::{pow, powi};
 use crate::units::names::named;
 
-/// The plate that is hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plate {
     /// h \[m\], > 0.
     pub thickness: f64,
     /// Distance of the nearest edge \[m\], which only serves to warn.
     pub edge_distance: Option<f64>,
-    /// How it gives way.
     pub theory: PlateTheory,
 }
 
@@ -47,7 +45,6 @@ named! {
     /// How a plate gives way.
     #[derive(Default)]
     pub enum PlateTheory {
-        /// As a thin one.
         #[default]
         Zener = "zener",
         /// With the first term of a thick one.
@@ -69,11 +66,6 @@ pub enum PlateError {
         "a plate and damping of the contact are not computed together: leave out half_space.thickness, or [damping]"
     )]
     Damped,
-    /// A force that jumps.
-    #[error(
-        "the force of the law jumps, and on a plate the speed would jump with it: give the law `jumps = \"crossed\"`, or leave out half_space.thickness"
-    )]
-    Jump,
     /// A straight unloading branch that the plate damps beyond critical.
     #[error(
         "the plate is so thin that the straight unloading of this law never ends on it: half_space.thickness must be above {least:.3e} m"
@@ -82,7 +74,6 @@ pub enum PlateError {
         /// Least thickness \[m\].
         least: f64,
     },
-    /// A plate that takes everything.
     #[error(
         "the plate takes all of the impact: Zener's number is {inelasticity:.4}, above {LARGEST}, where an elastic contact has a restitution of 0.679/{inelasticity:.4}^5 = {restitution:.1e}; half_space.thickness must be above {least:.3e} m"
     )]
@@ -134,9 +125,6 @@ impl Under {
         // 1/(8 √(D ρ h)) with √12/8 = 0.433
         let mobility = 12.0_f64.sqrt() / 8.0 / (modulus * density).sqrt() / plate.thickness / plate.thickness;
         let under = Self { plate, mass, wave_speed: (modulus / density).sqrt(), mobility };
-        if law.loading.jump_before(f64::INFINITY).is_some() {
-            return Err(PlateError::Jump);
-        }
         // straight unloading is an oscillation of stiffness s that Y damps: critically where Y² s m = 4
         let unloading = law.unloading(law.loaded_to(1.0));
         let square = mobility * mobility * (unloading.stiffness() * scales.force / scales.length) * mass;

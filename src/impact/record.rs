@@ -10,13 +10,11 @@ use crate::math::root::falls_through;
 /// What happens on the way; the kinds in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
-    /// First touch.
     Touch,
     /// The half-space begins to yield (x = 1).
     Yield,
     /// The loading curve passes from one piece to the next.
     Knot,
-    /// Maximum compression.
     Peak,
     /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
     Separation,
@@ -31,11 +29,9 @@ pub struct Point {
     pub at: State,
     /// Where the law is: x, its force, and ε, the part of x recovered if unloaded from here.
     pub state: Peak,
-    /// Force with damping.
     pub total_force: f64,
     /// Whether compression is over.
     pub is_unloading: bool,
-    /// The event, if it is one.
     pub event: Option<Event>,
 }
 
@@ -84,12 +80,10 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// One that records.
     pub fn on() -> Self {
         Self { legs: Some(Vec::new()) }
     }
 
-    /// Whether it records.
     #[inline]
     pub(super) fn is_on(&self) -> bool {
         self.legs.is_some()

@@ -33,7 +33,6 @@ pub struct Energy {
 /// The error of the integration against the closed form (both relative).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accuracy {
-    /// e of the closed form.
     pub closed_form_restitution: f64,
     /// |e − e_exact| / e_exact.
     pub restitution_error: f64,
@@ -57,7 +56,6 @@ impl Accuracy {
 /// Results that only an impact under gravity or damping or on a plate has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnderForces {
-    /// Whether the sphere left.
     pub fate: Fate,
     /// Time of separation, or where the run of a captured sphere ends \[s\].
     pub end_time: f64,
@@ -82,7 +80,6 @@ pub struct Impact {
     pub speed: f64,
     /// How it was computed: never `Auto`, but what that chose.
     pub method: Method,
-    /// What a table holds of it.
     pub essentials: Essentials,
     /// e v \[m/s\], normal to the half-space.
     pub rebound_speed: f64,
@@ -92,7 +89,6 @@ pub struct Impact {
     pub peak_sphere_indentation: f64,
     /// δ_e = δ_m − δ_r \[m\].
     pub elastic_approach: f64,
-    /// n of the unloading branch.
     pub unloading_exponent: f64,
     /// R_e \[m\] of the peak that shaped the dent, (3 F_m/4E*)²/δ_e³ (Eq. 24) also where the branch is no 3/2 power; R
     /// without a dent.
@@ -105,9 +101,7 @@ pub struct Impact {
     pub peak_mean_pressure: f64,
     /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
-    /// Where the energy went.
     pub energy: Energy,
-    /// Steps and force evaluations.
     pub work: Work,
     /// Error against the closed form; not a number where damping or a plate leaves none.
     pub accuracy: Accuracy,

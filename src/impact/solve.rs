@@ -13,7 +13,6 @@ use crate::law::Law;
 use crate::units::names::named;
 
 named! {
-    /// How an impact is computed.
     #[derive(Hash)]
     pub enum Method {
         /// The cheapest that is exact for the scene, see [`Method::chosen`].
@@ -26,37 +25,33 @@ named! {
         Dop853 = "dop853",
         /// Velocity Verlet with a fixed step, as DEM codes do.
         Verlet = "verlet",
-        /// Energy balance and exact times, no stepping; a trace is run by rk8 at a tolerance of 1e-14.
+        /// Energy balance and exact times, no stepping. A trace is run by rk8 at a tolerance of 1e-13, and so are the times
+        /// under gravity, at the tolerance of the solver.
         ClosedForm = "closed_form",
     }
 }
 
 impl Method {
     /// What computes an impact under these forces: the method itself, or what [`Method::Auto`] stands for. That is the closed
-    /// form for results of a motion that nothing damps, where there is one, and rk8 for all else. `None` for
-    /// [`Method::ClosedForm`] where there is none. `closes` says whether the law has closed forms under gravity and damping;
-    /// without them every law has.
-    pub fn chosen(self, forces: &Forces, closes: impl FnOnce() -> bool, has_trace: bool) -> Option<Self> {
-        if !matches!(self, Self::Auto | Self::ClosedForm) {
-            return Some(self);
+    /// form for results of a motion that nothing damps, and rk8 for all else. `None` for [`Method::ClosedForm`] where there is
+    /// none.
+    pub fn chosen(self, forces: &Forces, has_trace: bool) -> Option<Self> {
+        match self {
+            Self::Auto if has_trace || forces.have_drag() => Some(Self::Rk8),
+            Self::Auto => Some(Self::ClosedForm),
+            Self::ClosedForm if forces.have_drag() => None,
+            method => Some(method),
         }
-        let is_auto = self == Self::Auto;
-        let has_closed_form = forces.is_none() || !has_trace && forces.may_close() && closes();
-        if has_closed_form && !(is_auto && (has_trace || forces.have_drag())) {
-            return Some(Self::ClosedForm);
-        }
-        is_auto.then_some(Self::Rk8)
     }
 }
 
 /// Method and what controls its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solver {
-    /// Which integrator.
     pub method: Method,
     /// Relative, on the dimensionless state; the fixed-step method does not use it.
     pub tolerance: f64,
-    /// Steps of the fixed-step method over the exact contact time, ≥ 1; the others do not use it.
+    /// Steps of the fixed-step method over the contact time without damping, ≥ 1; the others do not use it.
     pub steps_per_contact: u32,
 }
 
@@ -71,24 +66,14 @@ impl Default for Solver {
     }
 }
 
-/// The contact time of an impact at q = v/V without damping and plate: of its closed form, or of a run where that has none,
-/// on a formula under gravity. `exact` is the closed form of the impact itself, which is taken where there is one.
-pub(super) fn free_time(
-    law: &Law,
-    q: f64,
-    forces: &ScaledForces,
-    exact: Option<&Outcome>,
-) -> Result<f64, IntegrationError> {
-    let free = forces.without_drag();
-    if let Some(exact) = exact.copied().or_else(|| closed_form::solve_with(law, q, &free)) {
-        return Ok(exact.contact_time);
-    }
-    let mut rk8 = Rk8::new(Solver::default().tolerance);
-    course::integrate(law, q, &free, &mut rk8, &mut Recorder::default()).map(|outcome| outcome.contact_time)
-}
+/// Tolerance of the run that fills the trace of a closed form, or gives its times under gravity.
+pub(super) const FINEST: f64 = 1e-13;
 
-/// Tolerance of the run that fills the trace of a closed form.
-const FINEST: f64 = 1e-14;
+/// The contact time of an impact at q = v/V without damping and plate.
+pub(super) fn free_time(law: &Law, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
+    let exact = closed_form::solve_with(law, q, &forces.without_drag(), Solver::AUTO.tolerance)?;
+    Ok(exact.map_or(f64::NAN, |exact| exact.contact_time))
+}
 
 /// What a run is of: the law, q = v/V, the forces; and the samples of its trace with the contact time, where it is known.
 type Run<'a> = (&'a Law, f64, &'a ScaledForces, Option<usize>, Option<f64>);
@@ -130,7 +115,7 @@ pub fn run(
         (Method::Dop853, _) => along(course, Library::new(Scheme::Dop853, tolerance)),
         (Method::Verlet, _) => {
             let steps = solver.steps_per_contact.max(1);
-            let step = free_time(law, q, forces, exact)? / f64::from(steps);
+            let step = free_time(law, q, forces)? / f64::from(steps);
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
             let mut computed = verlet::march(law, q, forces, step, most)?;

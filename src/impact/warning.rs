@@ -5,14 +5,12 @@ use std::fmt;
 /// A warning. Its text says what is doubtful and what to do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Warning {
-    /// What is doubtful.
     pub kind: WarningKind,
     /// How doubtful it is, comparable within its kind: of several the largest counts, and not a number most of all.
     pub size: f64,
     text: String,
 }
 
-/// What a warning is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WarningKind {
     /// a/R beyond the data behind the law, or beyond what it takes for granted.
@@ -25,34 +23,23 @@ pub enum WarningKind {
     LargeSphere,
     /// A measured flow curve that ends too early.
     BeyondFlowCurve,
-    /// A flow curve with a step.
-    FlowStep,
-    /// A power law of hardening that was not compared with finite elements.
-    UntestedExponent,
     /// The sphere would yield as well.
     SphereYields,
     /// Too short for a quasi-static sphere.
     ShortContact,
     /// More radiation than a first-order estimate can bear.
     StrongWaves,
-    /// No waves where the force jumps.
-    WavesAtJump,
     /// A plate so thick that the impact is over before it is felt.
     ThickPlate,
     /// A plate between a half-space and a thin plate.
     BetweenTheories,
     /// A contact as wide as the plate is thick.
     WideContactOnPlate,
-    /// An edge so near that it is felt.
     NearEdge,
     /// A plate that bends so far that it stretches.
     DeepPlate,
-    /// A second hit gives back more than it brought.
+    /// More comes back than was brought.
     EnergyGain,
-    /// A step of an indentation that gains energy.
-    PlasticGain,
-    /// More comes back than was spent, but by less than the error of the run.
-    RoughRebound,
     /// An oblique impact whose dent is so deep that the sphere ploughs.
     Ploughing,
     /// Bodies whose pressure and friction act on each other.
@@ -68,7 +55,6 @@ pub enum WarningKind {
 }
 
 impl Warning {
-    /// A warning with this text.
     pub(crate) fn new(kind: WarningKind, size: f64, text: String) -> Self {
         Self { kind, size, text }
     }
@@ -78,7 +64,6 @@ impl Warning {
         Self::new(WarningKind::Unused, 0.0, format!("{key} is not used: {reason}"))
     }
 
-    /// The warning, where there is reason for it.
     pub(super) fn when(is_doubtful: bool, kind: WarningKind, size: f64, text: impl FnOnce() -> String) -> Option<Self> {
         is_doubtful.then(|| Self::new(kind, size, text()))
     }

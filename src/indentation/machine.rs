@@ -78,7 +78,6 @@ impl Stroke {
         (state, if state.elastic_approach < x { Branch::Plastic } else { Branch::Elastic })
     }
 
-    /// Where the step ends.
     pub fn end(&self) -> (Peak, Branch) {
         self.point(self.to)
     }

@@ -44,7 +44,6 @@ fn least_share(tolerance: f64) -> f64 {
     2.0 * (PART * tolerance).sqrt().sqrt()
 }
 
-/// The stepper.
 #[derive(Debug, Clone)]
 pub struct Damped {
     tolerance: f64,
@@ -52,7 +51,6 @@ pub struct Damped {
 }
 
 impl Damped {
-    /// A stepper with this relative tolerance.
     pub fn new(tolerance: f64) -> Self {
         Self { tolerance, work: Work::default() }
     }

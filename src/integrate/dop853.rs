@@ -178,7 +178,6 @@ pub(super) const EVALUATIONS: u64 = 12;
 /// Evaluations that its continuous solution costs besides.
 pub(super) const CONTINUOUS_EVALUATIONS: u64 = 3;
 
-/// The end of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step {
     pub(super) node: Quad,
@@ -219,7 +218,6 @@ impl Continuous {
         value
     }
 
-    /// The node at θ.
     pub(super) fn at(&self, theta: f64) -> Quad {
         [self.value(0, theta), self.value(1, theta), self.value(2, theta), self.value(3, theta)]
     }

@@ -22,13 +22,11 @@ pub(super) struct Target {
     pub(super) y: f64,
     /// y' there; 0 for a turning point.
     pub(super) u: f64,
-    /// g there.
     pub(super) g: f64,
     /// +1 outward, −1 back.
     pub(super) direction: f64,
 }
 
-/// The result of a landing.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Landed {
     /// The landed state; its g is that of the step, not that of the corrected y.

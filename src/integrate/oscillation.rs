@@ -12,7 +12,6 @@ use crate::math::functions::{atan2, exp, sin_cos};
 use crate::math::power::max_or_nan;
 use crate::math::root::bracketed;
 
-/// The motion from a state on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Oscillation {
     start: State,

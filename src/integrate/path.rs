@@ -116,9 +116,7 @@ impl Leg {
 /// Sizes of the variables, so that one relative tolerance serves all of them: an error is measured against these.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
-    /// Largest distance.
     pub distance: f64,
-    /// Largest speed.
     pub speed: f64,
 }
 

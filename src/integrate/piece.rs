@@ -31,7 +31,6 @@ use crate::math::functions::powi;
 pub(super) trait Field: Copy {
     /// Whether y = d and σ = t; else y = √d and dσ = dt/(2 y).
     const IS_TIME: bool;
-    /// The field of factor × g.
     fn scaled(self, factor: f64) -> Self;
     /// g(y).
     fn g(self, y: f64) -> f64;
@@ -50,7 +49,6 @@ pub(super) trait Variables: Field + 'static {
     const IS_POLYNOMIAL: bool;
     /// Whether a pull may be stronger than the force.
     const IS_PULLED: bool = false;
-    /// y for a distance d.
     #[inline(always)]
     fn y_at(self, distance: f64) -> f64 {
         if Self::IS_TIME { distance } else { distance.sqrt() }
@@ -86,7 +84,6 @@ pub(super) trait Dragged: Motion + 'static {
     /// About √g' at y, for the first step.
     fn frequency(&self, y: f64) -> f64;
 
-    /// y for a distance d.
     fn y_at(distance: f64) -> f64 {
         match Self::ROOT {
             1 => distance,

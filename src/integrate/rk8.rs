@@ -37,7 +37,6 @@ use super::{
 use crate::math::functions::pow;
 use crate::math::smooth::Variable;
 
-/// The integrator.
 #[derive(Debug, Clone)]
 pub struct Rk8 {
     tolerance: f64,
@@ -53,7 +52,6 @@ pub struct Rk8 {
 const FIRST_STEP: f64 = 4.0;
 
 impl Rk8 {
-    /// A stepper with this relative tolerance.
     pub fn new(tolerance: f64) -> Self {
         Self {
             tolerance,
@@ -165,13 +163,11 @@ impl Rk8 {
     }
 }
 
-/// The constants of a leg.
 #[derive(Debug, Clone, Copy)]
 struct Constants {
     target: Target,
     /// 1/(estimate limit × size of y).
     inverse_y: f64,
-    /// The same for u.
     inverse_u: f64,
     /// Limit of [`Landed::left_out_squared`](super::landing::Landed::left_out_squared).
     left_out_squared: f64,

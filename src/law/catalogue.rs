@@ -52,7 +52,6 @@ macro_rules! laws {
         #[derive(Debug, Clone, PartialEq)]
         pub enum LawChoice {
             $(#[doc = concat!("See [`", stringify!($file), "::", stringify!($law), "`].")] $law($file::$law),)*
-            /// Two halves.
             Combined(Combined),
         }
 
@@ -62,7 +61,6 @@ macro_rules! laws {
                 vec![$(Self::$law($file::$law::default())),*]
             }
 
-            /// Where it comes from.
             pub fn about(&self) -> &'static About {
                 match self {
                     $(Self::$law(_) => About::of(stringify!($file)),)*
@@ -70,7 +68,6 @@ macro_rules! laws {
                 }
             }
 
-            /// The law itself.
             pub fn get(&self) -> &dyn ContactLaw {
                 match self {
                     $(Self::$law(law) => law,)*
@@ -101,12 +98,10 @@ impl LawChoice {
         Self::all().into_iter().find(|law| law.about().name == name)
     }
 
-    /// Names of all laws.
     pub fn names() -> Vec<&'static str> {
         Self::all().iter().map(|law| law.about().name).collect()
     }
 
-    /// How the half-space hardens, if it does.
     pub fn flow(&self) -> Option<&FlowCurve> {
         match self {
             Self::Plm(plm) => plm.flow.as_ref(),
@@ -132,7 +127,6 @@ impl LawChoice {
         }
     }
 
-    /// Where it was published.
     pub fn source(&self) -> String {
         match self {
             Self::Combined(Combined { loading, unloading }) => {
@@ -148,9 +142,7 @@ impl LawChoice {
 /// The unloading is given the force, indentation and contact radius of the peak as the loading has them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Combined {
-    /// How it loads.
     pub loading: Box<LawChoice>,
-    /// How it unloads.
     pub unloading: Box<LawChoice>,
 }
 

@@ -10,17 +10,12 @@ use crate::material::{HalfSpace, Pair, YieldPoint};
 /// Where a law comes from and what it is good for, in words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct About {
-    /// Its name in scenarios and tables.
     pub name: &'static str,
     /// Authors and year.
     pub title: &'static str,
-    /// Where it was published.
     pub source: &'static str,
-    /// Its loading, or "none".
     pub loading: &'static str,
-    /// Its unloading.
     pub unloading: &'static str,
-    /// Where it holds.
     pub validity: &'static str,
     /// How sure its equations are: "high" where several independent texts agree, "low" where they were written from memory.
     pub confidence: &'static str,
@@ -35,7 +30,6 @@ impl About {
         FACTS.iter().find(|about| about.name == name).unwrap_or(&NOTHING)
     }
 
-    /// A line of that table.
     fn read(line: &'static str) -> Self {
         let mut words = line.split('|');
         let mut next = || words.next().unwrap_or_default();

@@ -14,7 +14,6 @@ use super::panel::Panel;
 use super::piece::{Piece, Shape};
 use crate::math::quadrature::gauss;
 
-/// Terms of the series, an even number.
 const TERMS: usize = 14;
 /// The largest w_i/E that the series is used for.
 const LARGEST_SHARE: f64 = 0.1;
@@ -90,11 +89,9 @@ impl Crossing {
 /// A place on the way in.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reached {
-    /// Index of its piece.
     pub piece: usize,
     /// x.
     pub start: f64,
-    /// The work so far.
     pub work: f64,
     /// The time since first touch.
     pub time: f64,

@@ -6,11 +6,10 @@
 use super::crossing::{self, Crossing, Reached};
 use super::panel::{self, Panel, panels};
 use super::piece::{Piece, Shape};
-use crate::math::power::{max_or_nan, power};
+use crate::math::power::power;
 use crate::math::smooth::Smooth;
 
-/// An increasing loading curve from (0, 0) on; its last piece has no end. Where a published law jumps, the next piece begins
-/// with another force; the work is continuous.
+/// An increasing and continuous loading curve from (0, 0) on; its last piece has no end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     pub(super) pieces: Vec<Piece>,
@@ -18,13 +17,6 @@ pub struct Curve {
     pub(super) crossings: Vec<Crossing>,
     /// The pieces that are formulas, as polynomials.
     panels: Vec<Panel>,
-    /// Whether the force falls at a jump.
-    falls: bool,
-}
-
-/// Whether the force of a piece falls, by more than rounding, where the next one begins.
-fn falls_to(piece: &Piece, start: f64, force: f64) -> bool {
-    piece.force_at(start) > force * (1.0 + 1e-12)
 }
 
 impl Curve {
@@ -38,10 +30,8 @@ impl Curve {
         Self::of(Vec::new()).then_straight(0.0, slope)
     }
 
-    /// The curve of these pieces.
     pub(super) fn of(pieces: Vec<Piece>) -> Self {
-        let falls = pieces.windows(2).any(|pair| falls_to(&pair[0], pair[1].start, pair[1].force));
-        Self { pieces, crossings: Vec::new(), panels: Vec::new(), falls }
+        Self { pieces, crossings: Vec::new(), panels: Vec::new() }
     }
 
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
@@ -57,13 +47,13 @@ impl Curve {
         self.then(start, force, Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() })
     }
 
-    /// The same curve, going on from `start` as k x^n; the force may jump there.
+    /// The same curve, going on from `start` as k x^n.
     #[must_use]
     pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {
         self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
     }
 
-    /// The same curve, going on from `start` to `end` as a formula says that is singular at `pole`; the force may jump there.
+    /// The same curve, going on from `start` to `end` as a formula says that is singular at `pole`.
     #[must_use]
     pub fn then_smooth(self, start: f64, smooth: Smooth, end: f64, pole: f64) -> Self {
         let mut curve = self.then(start, smooth.value(start, 0.0), Shape::Smooth(smooth));
@@ -80,7 +70,6 @@ impl Curve {
         self
     }
 
-    /// The same curve, with these series where it has panels.
     #[must_use]
     pub(super) fn with_crossings_of_panels(self) -> Self {
         if self.panels.is_empty() { self } else { self.with_crossings() }
@@ -126,7 +115,6 @@ impl Curve {
             Some(last) if self.panels.is_empty() => last.work_at(start),
             Some(_) => self.work(start),
         };
-        self.falls |= self.pieces.last().is_some_and(|last| falls_to(last, start, force));
         self.pieces.push(Piece { start, force, work, shape });
         self
     }
@@ -136,27 +124,6 @@ impl Curve {
     pub fn then_tangent(self, start: f64) -> Self {
         let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));
         self.then_straight(start, slope)
-    }
-
-    /// x of the first jump of the force on the way to x; `None` if the force is continuous so far.
-    pub(crate) fn jump_before(&self, x: f64) -> Option<f64> {
-        /// Pieces without a jump meet with an error of rounding, or of the search for their crossing.
-        const MEETS: f64 = 1e-9;
-        let jumps = |pair: &&[Piece]| (pair[0].force_at(pair[1].start) - pair[1].force).abs() > MEETS * pair[1].force;
-        self.pieces[..=self.index_at(x)].windows(2).find(jumps).map(|pair| pair[1].start)
-    }
-
-    /// Whether the force falls at a jump.
-    #[inline(always)]
-    pub(super) fn falls(&self) -> bool {
-        self.falls
-    }
-
-    /// The largest force on the way to a point (x, f) of the curve.
-    #[cold]
-    pub(super) fn largest_force(&self, x: f64, force: f64) -> f64 {
-        let passed = self.pieces.windows(2).filter(|pair| pair[1].start <= x);
-        passed.map(|pair| pair[0].force_at(pair[1].start)).fold(force, max_or_nan)
     }
 
     /// The pieces in order; never empty.
@@ -175,7 +142,6 @@ impl Curve {
         self.pieces.partition_point(|piece| piece.work <= work).saturating_sub(1)
     }
 
-    /// Force at x.
     pub fn force(&self, x: f64) -> f64 {
         self.pieces[self.index_at(x)].force_at(x)
     }
@@ -183,9 +149,7 @@ impl Curve {
     /// The x at which the force is `force` ≥ 0.
     pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
         let index = self.pieces.partition_point(|piece| piece.force <= force).saturating_sub(1);
-        let x = self.pieces[index].indentation_at_force(force);
-        // no further than the piece goes
-        self.pieces.get(index + 1).map_or(x, |next| x.min(next.start))
+        self.pieces[index].indentation_at_force(force)
     }
 
     /// Work from first touch to x.

@@ -23,7 +23,6 @@ pub(super) struct Panel {
     pub start: f64,
     /// w_0.
     pub work: f64,
-    /// From start to end.
     pub length: f64,
     /// How far before its start the polynomial holds, and how far behind its end.
     overlaps: [f64; 2],

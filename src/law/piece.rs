@@ -64,12 +64,10 @@ pub struct Piece {
     pub force: f64,
     /// w(x_i), the work from first touch to here.
     pub work: f64,
-    /// How it goes on.
     pub shape: Shape,
 }
 
 impl Piece {
-    /// Force at x.
     #[inline(always)]
     pub fn force_at(&self, x: f64) -> f64 {
         let d = x - self.start;

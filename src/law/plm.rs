@@ -61,7 +61,6 @@ impl Plm {
         Self { coefficients: Arc::new(coefficients.clone()), exponent, flow: None }
     }
 
-    /// The law of these bodies.
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
         let (loading, rule) = self.halves(bodies);
         Law::plm(loading, rule)

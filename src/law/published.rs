@@ -15,11 +15,11 @@ use thiserror::Error;
 
 use super::curve::Curve;
 use super::{Peak, Unloading, UnloadingShape};
+use crate::math::root::halved;
 use crate::strength::flow::FlowError;
 use crate::units::four_digits;
 
-/// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there: more than
-/// the 3 % by which the force of Kogut and Etsion jumps at first yield.
+/// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there.
 pub const LARGEST_CUT: f64 = 0.05;
 
 /// A point of a loading curve, as unloading sees it.
@@ -77,7 +77,6 @@ const NO_DENT: f64 = 1e-13;
 pub struct Recovered {
     /// ε = x_m − x_r.
     pub elastic_approach: f64,
-    /// The shape.
     pub shape: UnloadingShape,
 }
 
@@ -87,7 +86,6 @@ pub fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'sta
     Arc::new(move |peak| Recovered { elastic_approach: elastic_approach(peak), shape })
 }
 
-/// The unloading from a peak.
 pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
 
 /// a/R up to which a sphere may be taken for the paraboloid of Hertz: at 0.3 its force is 1 % larger than that of the sphere
@@ -119,7 +117,6 @@ impl Limits {
 pub struct Loading {
     /// f(x).
     pub curve: Curve,
-    /// Where it holds.
     pub limits: Limits,
     /// a/a_Y at (x, f) of the loading curve.
     pub radius: RadiusRule,
@@ -141,12 +138,10 @@ impl Loading {
 pub struct Rules {
     /// How it loads; [`OutsideLaw::Incomplete`] of a law of unloading only.
     pub loading: Result<Loading, OutsideLaw>,
-    /// How it unloads.
     pub recovery: RecoveryRule,
 }
 
 impl Rules {
-    /// Both halves.
     pub fn of(loading: Loading, recovery: RecoveryRule) -> Self {
         Self { loading: Ok(loading), recovery }
     }
@@ -163,20 +158,15 @@ pub enum OutsideLaw {
     Range {
         /// x_m.
         indentation: f64,
-        /// What is wrong there.
         problem: &'static str,
     },
     /// A flow curve that is none.
     #[error("the flow curve of the half-space: {0}")]
     Flow(#[from] FlowError),
-    /// Only one half of a law.
     #[error(
         "the law \"{name}\" lacks its loading or its unloading, so that an impact has no answer; combine it with a law that has that half"
     )]
-    Incomplete {
-        /// Of the law.
-        name: &'static str,
-    },
+    Incomplete { name: &'static str },
 }
 
 /// The rules of a published law beyond its elastic regime.
@@ -184,7 +174,6 @@ pub enum OutsideLaw {
 pub struct Published {
     /// a/a_Y of its loading.
     pub radius: RadiusRule,
-    /// How it unloads.
     pub recovery: RecoveryRule,
 }
 
@@ -224,4 +213,19 @@ impl Published {
         }
         self.loaded(indentation, force, spent).unload(&self.recovery).map(drop)
     }
+}
+
+/// Where two printed pieces meet that do not join: the place where an excess that is positive at `from` falls to zero. `None`
+/// if it is not positive at `from`, or not zero before `until`.
+pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
+    /// Steps of the search.
+    const GROWTH: f64 = 1.02;
+    let mut high = from;
+    while excess(high) > 0.0 {
+        high *= GROWTH;
+        if high.is_nan() || high >= GROWTH * until {
+            return None;
+        }
+    }
+    (high > from).then(|| halved(high / GROWTH, high, |x| excess(x) > 0.0).1)
 }

@@ -110,7 +110,6 @@ impl Law {
         if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }
     }
 
-    /// The same with its rounding.
     pub fn spent(&self, unloading: &Unloading) -> f64 {
         let x = unloading.peak.indentation;
         if self.branch_at(x).is_some() { 0.0 } else { self.loading.work(x) - unloading.stored(x) }

@@ -125,7 +125,6 @@ pub const GRAZING: f64 = 32.0 * f64::EPSILON;
 /// a kink, and its force is zero at x_r.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unloading {
-    /// Where it starts.
     pub peak: Peak,
     /// n. A scenario gives it in (1, 2]; the straight branch of Walton and Braun has 1. Other shapes have the n of the power
     /// law that gives back the same energy, f_m ε_m/(n + 1).

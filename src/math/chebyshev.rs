@@ -8,7 +8,6 @@ use std::sync::LazyLock;
 
 use crate::math::functions::cos;
 
-/// Terms of a polynomial.
 pub(crate) const TERMS: usize = 18;
 
 /// Coefficients of the powers of t, −1 ≤ t ≤ 1.
@@ -49,7 +48,6 @@ pub(crate) fn polynomial(function: impl Fn(f64) -> f64) -> Polynomial {
     of_powers
 }
 
-/// The value of a polynomial at t.
 #[inline(always)]
 pub(crate) fn value(polynomial: &Polynomial, t: f64) -> f64 {
     polynomial.iter().rev().fold(0.0, |sum, coefficient| sum * t + coefficient)

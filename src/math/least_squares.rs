@@ -3,7 +3,6 @@
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
-/// Step of the differences.
 const STEP: f64 = 1e-6;
 
 struct Differences<F> {

@@ -14,7 +14,6 @@ pub use number::{Jet, Number};
 /// Numbers a formula may depend on.
 pub type Parameters = [f64; 3];
 
-/// The argument of a formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Variable {
     /// x itself. The formula is smooth in x from the start of its piece on.
@@ -63,27 +62,22 @@ impl PartialEq for Smooth {
 }
 
 impl Smooth {
-    /// A formula with its parameters.
     pub const fn new(formula: &'static Formula, parameters: Parameters) -> Self {
         Self { formula, parameters }
     }
 
-    /// Whether it is this formula.
     pub(crate) fn is(&self, formula: &'static Formula) -> bool {
         std::ptr::eq(self.formula, formula)
     }
 
-    /// Its numbers.
     pub(crate) fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// What it is a function of.
     pub fn variable(&self) -> Variable {
         self.formula.variable
     }
 
-    /// f at a distance.
     #[cold]
     pub fn value(&self, start: f64, distance: f64) -> f64 {
         match self.formula.variable {
@@ -113,7 +107,6 @@ impl Smooth {
         (self.formula.jet)(&self.parameters, Jet::variable(argument))
     }
 
-    /// f as a function of its own variable.
     #[inline]
     pub(crate) fn at_variable(&self, argument: f64) -> f64 {
         (self.formula.value)(&self.parameters, argument)

@@ -214,7 +214,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
         warn(py, &py.detach(|| warnings_of(&plan, &contact.inner)))?;
     }
     let Scene { forces, solver, .. } = &plan.scene;
-    let is_exact = forces.is_none() && solver.method.chosen(forces, || true, false) == Some(Method::ClosedForm);
+    let is_exact = forces.is_none() && solver.method.chosen(forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
         let of = |speed: &f64| match contact.inner.restitution(contact.scene.approach_at(*speed)) {
             Ok(restitution) => (restitution, 0.0),

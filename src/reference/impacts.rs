@@ -16,7 +16,6 @@ rows! {
 }
 
 rows! {
-    /// A sample in time.
     pub struct Sample read by samples from "fe_dynamic_curves.csv" {
         pub case: String,
         pub time as "time_s": f64,
@@ -28,5 +27,4 @@ rows! {
     }
 }
 
-/// The table of the impacts.
 pub const TABLE: &str = "fe_dynamic.csv";

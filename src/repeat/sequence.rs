@@ -33,7 +33,6 @@ pub struct Hit {
     pub speed: f64,
     /// Speed with which the flight begins \[m/s\]: e v, where e is the one with waves if the half-space has a density.
     pub rebound_speed: f64,
-    /// What a table holds of it.
     pub essentials: Essentials,
     /// Where the kinetic energy went; what is recovered is that of the rebound speed.
     pub energy: Energy,
@@ -41,7 +40,6 @@ pub struct Hit {
     pub under_forces: Option<UnderForces>,
     /// How much deeper this impact made the dent \[m\].
     pub dent_growth: f64,
-    /// The flight after it, if there is one.
     pub flight: Option<Flight>,
 }
 
@@ -56,19 +54,16 @@ impl Deref for Hit {
 /// The results of a series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sequence {
-    /// The impacts in order.
     pub hits: Vec<Hit>,
     /// The first of them with their traces.
     pub traced: Vec<Impact>,
     /// The fall before the first impact.
     pub fall: Option<Flight>,
-    /// Why it ended.
     pub end: End,
     /// Time from the last separation until the sphere would rest, if the last e held for all bounces to come \[s\]:
     /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v. Contact times are left out, and where e rises
     /// as the speed falls this is a lower bound. `None` where it is infinite (e of 1 or more), or nothing bounces.
     pub remaining_time: Option<f64>,
-    /// Method of the impacts.
     pub method: Method,
     /// The first warning of each kind, with the number of its impact.
     pub warnings: Vec<(usize, Warning)>,

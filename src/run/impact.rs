@@ -33,7 +33,7 @@ pub fn prepare(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
 
 /// Refuses a method without a trace, which a run writes.
 pub(super) fn can_be_traced(scenario: &Scenario, scene: &Scene) -> Result<(), Error> {
-    let method = scene.solver.method.chosen(&scene.forces, || true, true);
+    let method = scene.solver.method.chosen(&scene.forces, true);
     method.map(drop).ok_or_else(|| no_result(scenario, &ImpactError::NoClosedForm))
 }
 

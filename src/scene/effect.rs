@@ -102,9 +102,9 @@ impl Scene {
         format!("{pair:?} {law:?} {motion:?} {waves:?} {steps:?} {doubts:?}")
     }
 
-    /// Whether a row of this scene is integrated.
+    /// Whether a row of this scene is integrated, or its times are.
     pub fn is_stepped(&self) -> bool {
-        let closes = || self.contact().map_or(true, |contact| contact.closes());
-        self.solver.method.chosen(&self.forces, closes, false).is_some_and(|method| method != Method::ClosedForm)
+        let method = self.solver.method.chosen(&self.forces, false);
+        self.forces.gravity.is_some() || method.is_some_and(|method| method != Method::ClosedForm)
     }
 }

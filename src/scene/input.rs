@@ -110,7 +110,8 @@ tables! {
 
     /// σ_Y (1 + E ε/σ_Y)^N.
     pub struct PowerInput {
-        /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens.
+        /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens; finite elements
+        /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
         exponent: Option<f64> as Number(&HARDENING_EXPONENT),
     }
 

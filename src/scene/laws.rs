@@ -11,7 +11,7 @@ use super::key::Form::{self, Number, NumberOr, Text, Word};
 use super::quantity::{AREA_FACTOR, EXPONENT, FACTOR, SHARE, STRENGTH, TRANSITION_RATIO};
 use super::read::{Fault, Reader, items};
 use super::table::{keys, tables};
-use super::words::{HARDNESSES, JUMPS, LOADINGS, UNLOADINGS};
+use super::words::{HARDNESSES, LOADINGS, UNLOADINGS};
 use super::written::{COMBINED, Node, below};
 use crate::law::catalogue::{
     brake::Brake, every_law, hertz::Hertz, jackson_green::JacksonGreen, johnson::Johnson, kogut_etsion::KogutEtsion,
@@ -44,19 +44,12 @@ keys! {
         yield_factor: Number(&FACTOR) => "1.295 exp(0.736 nu)",
         /// Formula of the geometric hardness: exponential is that of 2005, cosine the later one.
         hardness: Word(&HARDNESSES) => "\"exponential\"",
-        /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
-        jumps: Word(&JUMPS) => "\"printed\"",
     }
     KogutEtsion {
         /// Largest Hertz pressure at first yield over the yield strength.
         yield_factor: Number(&FACTOR) => "(0.454 + 0.41 nu) x 2.8",
-        /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
-        jumps: Word(&JUMPS) => "\"printed\"",
     }
-    KogutKomvopoulos {
-        /// What becomes of the jumps of the printed formulas: kept, or every piece goes on until it crosses the next.
-        jumps: Word(&JUMPS) => "\"printed\"",
-    }
+    KogutKomvopoulos {}
     YigitChristoforou {
         /// Largest Hertz pressure at first yield over the yield strength.
         yield_factor: Number(&FACTOR) => "1.649",

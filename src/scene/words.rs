@@ -7,7 +7,6 @@ use super::results::columns;
 use super::written::Node;
 use crate::impact::{Method, PlateTheory};
 use crate::law::catalogue::jackson_green::Hardness;
-use crate::law::jumps::Jumps;
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::materials::{Entry as Material, all, find};
 use crate::repeat::Place;
@@ -31,8 +30,6 @@ pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has
 pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
 /// Where repeated impacts hit.
 pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
-/// What is done about a jump of the printed formulas.
-pub static JUMPS: Words = words("word", "words here", || texts(Jumps::ALL.map(Jumps::name)));
 /// Forms of the hardness of Jackson and Green.
 pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
 /// How the noise of measurements is given, if not by numbers.
@@ -84,7 +81,6 @@ named! {
     Option<&'static Material>: find;
     Option<PlateTheory>: PlateTheory::find;
     Option<Place>: Place::find;
-    Jumps: Jumps::find;
     Hardness: Hardness::find;
 }
 

@@ -13,7 +13,6 @@ use crate::units::{Dimension, describe, number};
 /// A point of a measured curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FlowPoint {
-    /// Plastic strain.
     pub strain: f64,
     /// True stress \[Pa\].
     pub stress: f64,
@@ -58,7 +57,6 @@ pub enum FlowError {
     Strain {
         /// Place of the point, counted from 1.
         place: usize,
-        /// Strain of the point.
         strain: f64,
     },
     /// The stress falls from one point to the next, or is not a positive finite number.
@@ -84,7 +82,6 @@ pub enum FlowError {
         describe(*.yield_strength, Dimension::Pressure)
     )]
     Start {
-        /// Strain of the first point.
         strain: f64,
         /// Stress of the first point \[Pa\].
         stress: f64,
@@ -103,7 +100,6 @@ pub enum FlowError {
     Steep {
         /// Where the steepest part begins.
         from: f64,
-        /// Where it ends.
         to: f64,
         /// Its slope \[Pa\].
         slope: f64,
@@ -198,7 +194,6 @@ const SAME_STRESS: f64 = 1e-9;
 /// σ/σ_Y as a function of plastic strain, for one metal. It starts from 1 and never falls.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rise {
-    /// The form of the curve.
     pub curve: FlowCurve,
     /// σ_Y \[Pa\].
     yield_strength: f64,
@@ -224,30 +219,6 @@ impl Rise {
                 stress / self.yield_strength
             }
         }
-    }
-}
-
-/// Within this much plastic strain the stress of a metal does not rise by half, but for the first bend of the power form.
-const STEP_WIDTH: f64 = 1e-3;
-/// By which ratio the stress rises in a step.
-const STEP: f64 = 1.5;
-
-impl Rise {
-    /// The worst step of the curve before this strain: where the stress rises by half or more within 0.1 % of strain, and by
-    /// which ratio.
-    pub fn step_before(&self, strain: f64) -> Option<(f64, f64)> {
-        // between these strains the ratio has no maximum
-        let starts: Vec<f64> = match &self.curve {
-            FlowCurve::Power { .. } | FlowCurve::Linear { .. } => return None,
-            FlowCurve::Voce { .. } => vec![0.0],
-            FlowCurve::Points(points) => {
-                let ends = points.iter().map(|point| point.strain - STEP_WIDTH).filter(|start| *start > 0.0);
-                std::iter::once(0.0).chain(points.iter().map(|point| point.strain)).chain(ends).collect()
-            }
-        };
-        let rises = starts.into_iter().filter(|start| *start < strain);
-        let rises = rises.map(|start| (start, self.at(start + STEP_WIDTH) / self.at(start)));
-        rises.filter(|(_, ratio)| *ratio >= STEP).max_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
 

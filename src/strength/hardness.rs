@@ -19,13 +19,10 @@ use crate::units::names::named;
 use crate::units::number;
 
 named! {
-    /// A scale of hardness.
     pub enum Scale {
-        /// Vickers.
         Vickers = "HV",
         /// Brinell, with a ball of hard metal.
         Brinell = "HB",
-        /// Rockwell C.
         RockwellC = "HRC",
     }
 }
@@ -53,9 +50,7 @@ const VICKERS_AREA: f64 = 0.9272;
     .scale.name()
 )]
 pub struct OutsideTable {
-    /// The number.
     pub value: f64,
-    /// Its scale.
     pub scale: Scale,
     /// The first and the last number of the table.
     pub range: (f64, f64),

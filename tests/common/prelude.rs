@@ -19,7 +19,6 @@ pub use plm_impact::law::catalogue::kogut_komvopoulos::KogutKomvopoulos;
 pub use plm_impact::law::catalogue::stronge::Stronge;
 pub use plm_impact::law::catalogue::thornton::Thornton;
 pub use plm_impact::law::catalogue::walton_braun::WaltonBraun;
-pub use plm_impact::law::jumps::Jumps;
 pub use plm_impact::law::published::Recovered;
 pub use plm_impact::materials::{Property, all, find};
 pub use plm_impact::math::power::max_or_nan;

@@ -31,16 +31,10 @@ fn law_of(law: &dyn ContactLaw) -> Law {
     law.law(&case_3()).unwrap()
 }
 
-/// Every whole law, also with crossed jumps, and combinations of laws that have only loading or only unloading.
+/// Every whole law, and combinations of laws that have only loading or only unloading.
 fn whole_laws() -> Vec<(String, LawChoice)> {
     let mut laws: Vec<LawChoice> = LawChoice::all().into_iter().filter(LawChoice::has_loading).collect();
-    laws.push(LawChoice::JacksonGreen(JacksonGreen {
-        hardness: Hardness::Cosine,
-        jumps: Jumps::Crossed,
-        yield_factor: None,
-    }));
-    laws.push(LawChoice::KogutEtsion(KogutEtsion { jumps: Jumps::Crossed, yield_factor: None }));
-    laws.push(LawChoice::KogutKomvopoulos(KogutKomvopoulos { jumps: Jumps::Crossed }));
+    laws.push(LawChoice::JacksonGreen(JacksonGreen { hardness: Hardness::Cosine, yield_factor: None }));
     for pair in [
         "plm + thornton",
         "jackson_green + brake",

@@ -64,7 +64,7 @@ const SPOTS: &[&str] = &["", "repeat.spot=fresh"];
 
 /// Laws with pieces that are neither straight nor a Hertz curve.
 const CURVED: &[&str] =
-    &["law.plm.unloading_exponent=1.2", "law.plm.unloading_exponent=pressure-shape", "law.jackson_green.jumps=crossed"];
+    &["law.plm.unloading_exponent=1.2", "law.plm.unloading_exponent=pressure-shape", "law=jackson_green"];
 
 const BODIES: &[&str] = &[
     "sphere.youngs_modulus=rigid",
@@ -84,10 +84,7 @@ const LAWS: &[&str] = &[
     "law.stronge.unloading_factor=0.8",
     "law.jackson_green.yield_factor=1.5",
     "law.jackson_green.hardness=cosine",
-    "law.jackson_green.jumps=crossed",
     "law.kogut_etsion.yield_factor=1.2",
-    "law.kogut_etsion.jumps=crossed",
-    "law.kogut_komvopoulos.jumps=crossed",
     "law.yigit_christoforou.yield_factor=1.3",
     "law.ma_liu.hardness_ratio=3.1",
     "law.ma_liu.transition_ratio=60",

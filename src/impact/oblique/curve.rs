@@ -23,7 +23,6 @@ const NODES: [usize; 2] = [121, 241];
 const NEAR: usize = 6;
 
 impl Curve {
-    /// No nodes yet.
     pub fn new(chi: f64) -> Self {
         Self { chi, sides: NODES.map(|nodes| vec![OnceLock::new(); nodes].into()) }
     }

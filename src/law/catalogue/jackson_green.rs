@@ -4,8 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::jumps::{Jumps, crossing};
-use crate::law::published::{Loading, Rules, hertzian};
+use crate::law::published::{Loading, Rules, crossing, hertzian};
 use crate::math::functions::{exp, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 use crate::units::names::named;
@@ -28,10 +27,11 @@ use crate::units::names::named;
 /// | a, R | | m | contact radius, sphere radius |
 /// | x_m | | 1 | δ_m/δ_y |
 ///
-/// The printed force jumps at x = 1.9: by +0.5 % for ν = 0.3, by −3.1 % for ν = 0.49. `jumps` = printed keeps that. With
-/// crossed, Hertz goes on to where the fit falls below it: x = 2.0 for ν = 0.3, 1.825 for 0.34, 1.586 for 0.40, 1.412 for 0.45,
-/// 1.287 for 0.49 (σ_Y/E* = 0.002). For a given C above about 2 that would be before first yield, and for one below about
-/// 0.3 it may be beyond the range of the fit: then the crossed law has no answer beyond first yield.
+/// The printed pieces do not meet at x = 1.9: there the fit is 0.5 % above Hertz for ν = 0.3, and 3.1 % below for ν = 0.49.
+/// Here Hertz goes on to where the fit falls below it: x = 2.0 for ν = 0.3, 1.825 for 0.34, 1.586 for 0.40, 1.412 for 0.45,
+/// 1.287 for 0.49 (σ_Y/E* = 0.002). From the printed force this differs by those 0.5 to 3.1 % at most. For a given C above
+/// about 2 the pieces would meet before first yield, and for one below about 0.3 perhaps beyond the range of the fit: then the
+/// law has no answer beyond first yield.
 /// The residual indentation would exceed δ_m from x_m = 10⁴ on, and the fits have no meaning beyond a = R or σ_Y/E* = 0.05:
 /// there the law has no answer. Fitted for a/R ≤ 0.412 and σ_Y/E* from 0.00105 to 0.0081, a deformable sphere on a rigid flat.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -40,8 +40,6 @@ pub struct JacksonGreen {
     pub yield_factor: Option<f64>,
     /// Which form of H_G.
     pub hardness: Hardness,
-    /// How the printed jump is treated.
-    pub jumps: Jumps,
 }
 
 named! {
@@ -56,7 +54,6 @@ named! {
     }
 }
 
-/// Where the fit begins.
 const TRANSITION: f64 = 1.9;
 /// a/R of the fit's data.
 const STATED_RADIUS: f64 = 0.412;
@@ -117,14 +114,9 @@ impl ContactLaw for JacksonGreen {
         let reaches =
             |ratio: f64| pow(ratio / (FRAC_PI_2 * factor * strain) * pow(TRANSITION, 0.5 * b), 2.0 / (1.0 + b));
         let end = reaches(1.0);
-        let starts = match self.jumps {
-            Jumps::Printed => Some(TRANSITION),
-            Jumps::Crossed => {
-                let excess = |x: f64| smooth.value(0.0, s * x) - pow(s * x, 1.5);
-                // from the printed limit, or from first yield if the fit has fallen below Hertz before that limit
-                crossing(excess, TRANSITION, end).or_else(|| crossing(excess, 1.0, TRANSITION))
-            }
-        };
+        let excess = |x: f64| smooth.value(0.0, s * x) - pow(s * x, 1.5);
+        // from the printed limit, or from first yield if the fit has fallen below Hertz before that limit
+        let starts = crossing(excess, TRANSITION, end).or_else(|| crossing(excess, 1.0, TRANSITION));
         let starts = starts.filter(|starts| strain <= LARGEST_STRAIN && end > 2.0 * starts);
         let curve = starts.map_or_else(Curve::hertz, |starts| {
             // beyond a = R, where the law is refused, only so that the impact ends somewhere

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::law::UnloadingShape;
 use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::jumps::Jumps;
 use crate::law::published::{Loading, PeakState, Recovered, Rules};
 use crate::math::functions::pow;
 
@@ -26,13 +25,10 @@ use crate::math::functions::pow;
 /// | K H | `yield_factor` σ_Y | Pa | K = 0.454 + 0.41 ν, H = 2.8 σ_Y: largest Hertz pressure at yield |
 /// | x, x_m | | 1 | δ/ω_c, δ_m/ω_c |
 ///
-/// The printed pieces do not meet: the force jumps by +3.0 % at x = 1, +1.7 % at 6, and +7.9 % at 110, from where on users
-/// go on fully plastic (an extension, not the authors'). `jumps` = printed keeps that; crossed lets every piece go on until
-/// the next one falls below it: x = 1.48, 6.65 and 147 (ν = 0.3). A large K H makes the last piece cross an earlier one.
-/// From K H = 8.4 σ_Y on it would cross Hertz before first yield: there the crossed law has no answer.
-///
-/// Just above yield the printed law gives back up to 1.5 % more indentation (3 % more energy) than it takes. The elastic
-/// approach is then cut to what the work of loading allows, so that e = 1.
+/// The printed pieces do not meet: the next one is 3.0 % higher at x = 1, 1.7 % at 6, and 7.9 % at 110, from where on users
+/// go on fully plastic (an extension, not the authors'). Here every piece goes on until the next one falls below it:
+/// x = 1.48, 6.65 and 147 (ν = 0.3). From the printed force this differs by those 7.9 % at most. A large K H makes the last
+/// piece cross an earlier one. From K H = 8.4 σ_Y on it would cross Hertz before first yield: there the law has no answer.
 ///
 /// Fitted for 1 ≤ x ≤ 110, a deformable sphere on a rigid flat. The two exponents of the residual and n are from memory,
 /// not seen in print.
@@ -40,14 +36,12 @@ use crate::math::functions::pow;
 pub struct KogutEtsion {
     /// K H/σ_Y; `None`: 2.8 (0.454 + 0.41 ν).
     pub yield_factor: Option<f64>,
-    /// How the printed jumps are treated.
-    pub jumps: Jumps,
 }
 
 /// H/σ_Y.
 const HARDNESS: f64 = 2.8;
 const PIECES: [(f64, f64); 2] = [(1.03, 1.425), (1.40, 1.263)];
-/// Where the printed pieces begin.
+/// Where the printed pieces of the contact area begin.
 const LIMITS: [f64; 3] = [1.0, 6.0, 110.0];
 
 impl ContactLaw for KogutEtsion {
@@ -57,19 +51,13 @@ impl ContactLaw for KogutEtsion {
         // f = 2π R H δ in units of ω_c and its force
         let plastic = 3.0 * HARDNESS / factor;
         let [(k1, p1), (k2, p2)] = PIECES;
-        let [first, second, third] = match self.jumps {
-            Jumps::Printed => LIMITS,
-            Jumps::Crossed => {
-                [pow(k1, 1.0 / (1.5 - p1)), pow(k2 / k1, 1.0 / (p1 - p2)), pow(plastic / k2, 1.0 / (p2 - 1.0))]
-            }
-        };
+        let (first, second) = (pow(k1, 1.0 / (1.5 - p1)), pow(k2 / k1, 1.0 / (p1 - p2)));
         // the straight line may cross a piece before the last one: then the pieces between are never reached
-        let third = match self.jumps {
-            Jumps::Crossed if third < second => {
-                let at_first = pow(plastic / k1, 1.0 / (p1 - 1.0));
-                if at_first < first { plastic * plastic } else { at_first }
-            }
-            _ => third,
+        let [at_first, at_second] = [(k1, p1), (k2, p2)].map(|(k, p)| pow(plastic / k, 1.0 / (p - 1.0)));
+        let third = match () {
+            () if at_second >= second => at_second,
+            () if at_first >= first => at_first,
+            () => plastic * plastic,
         };
         let is_whole = third >= 1.0;
         let mut curve = Curve::hertz();

@@ -2,9 +2,8 @@
 
 use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
-use crate::law::jumps::{Jumps, crossing};
 use crate::law::plm::Plm;
-use crate::law::published::{Loading, Rules};
+use crate::law::published::{Loading, Rules, crossing};
 use crate::math::functions::{ln, pow};
 use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
@@ -24,19 +23,16 @@ use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 /// | s | | 1 | 1.792 at Hertz's first yield for ν = 0.3 |
 /// | p_m, A | | Pa, m² | mean pressure, contact area |
 ///
-/// The fit begins where Hertz reaches s = 1.78 (x = 0.987 for ν = 0.3) with a force 1.3 % above Hertz's, and jumps by +3.2 %
-/// at s = 21 (pressure +3.9 %, area −0.7 %). `jumps` = crossed lets each piece go on until the next one falls below it:
-/// x = 1.16, and s = 22. Where yield is so deep (σ_Y/E* above about 0.07) that the fit begins below Hertz, nothing crosses
-/// and the crossed law has no answer beyond yield.
+/// The printed pieces do not meet: the fit begins where Hertz reaches s = 1.78 (x = 0.987 for ν = 0.3) with a force 1.3 % above
+/// Hertz's, and at s = 21 the next piece is 3.2 % higher (pressure +3.9 %, area −0.7 %). Here each piece goes on until the next
+/// one falls below it: x = 1.16, and s = 22. From the printed force this differs by those 3.2 % at most. Where yield is so deep
+/// (σ_Y/E* above about 0.07) that the fit begins below Hertz, nothing crosses and the law has no answer beyond yield.
 /// Beyond δ = R/2 the cut of the sphere no longer grows like a contact: there the law has no answer.
 ///
 /// **Its own unloading is not public** (a fit of δ_r to δ_m and E*/σ_Y). Here it unloads by the paper's law with the elastic
 /// approach that the PLM has at the same force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct KogutKomvopoulos {
-    /// How the printed jumps are treated.
-    pub jumps: Jumps,
-}
+pub struct KogutKomvopoulos;
 
 const ELASTIC: f64 = 1.78;
 const PLASTIC: f64 = 21.0;
@@ -79,15 +75,10 @@ impl ContactLaw for KogutKomvopoulos {
         };
         let (yields, plastic, end) = (reaches(ELASTIC), reaches(PLASTIC), 0.5 / depth);
         let (mixed, fully) = (Smooth::new(&MIXED, parameters), Smooth::new(&FULLY, parameters));
-        let starts = match self.jumps {
-            Jumps::Printed => Some((yields, plastic)),
-            // the fit begins above Hertz, and the fully plastic force above the fit
-            Jumps::Crossed => crossing(|x| mixed.value(0.0, x) - pow(x, 1.5), yields, 2.0 * yields).zip(crossing(
-                |x| fully.value(0.0, x) - mixed.value(0.0, x),
-                plastic,
-                2.0 * plastic,
-            )),
-        };
+        // the fit begins above Hertz, and the fully plastic force above the fit
+        let first = crossing(|x| mixed.value(0.0, x) - pow(x, 1.5), yields, 2.0 * yields);
+        let second = crossing(|x| fully.value(0.0, x) - mixed.value(0.0, x), plastic, 2.0 * plastic);
+        let starts = first.zip(second);
         let mut curve = Curve::hertz();
         if let Some((first, second)) = starts {
             for (from, smooth, until) in [(first, mixed, second.min(end)), (second, fully, end)] {

@@ -19,11 +19,8 @@ use crate::material::Pair;
 pub struct Provenance {
     /// Short name, reported with every result.
     pub name: String,
-    /// What they were determined from.
     pub source: String,
-    /// How well they fit.
     pub accuracy: String,
-    /// Where they hold.
     pub range: String,
 }
 
@@ -40,7 +37,6 @@ pub struct ForceTable {
 }
 
 impl ForceTable {
-    /// The loading curve for this κ².
     pub fn curve(&self, kappa_squared: f64) -> Curve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
         pieces.fold(Curve::hertz(), |curve, ((from, slope), per_kappa)| {
@@ -57,7 +53,6 @@ pub struct ApproachTable {
     pub first_slope: f64,
     /// What κ² adds to it.
     pub first_slope_kappa_squared: f64,
-    /// Largest value of that slope.
     pub first_slope_limit: f64,
     /// Fully plastic from A = 1 + this × ρ_E.
     pub plastic_from_rho: f64,
@@ -67,7 +62,6 @@ pub struct ApproachTable {
     pub plastic_slope_kappa_squared: f64,
     /// Finite geometry: A a_Y/R from which each factor multiplies the slope.
     pub geometry_from: Vec<f64>,
-    /// The factors.
     pub geometry_factor: Vec<f64>,
 }
 
@@ -75,13 +69,9 @@ pub struct ApproachTable {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlmCoefficients {
-    /// Where they come from.
     pub provenance: Provenance,
-    /// Force.
     pub force: ForceTable,
-    /// Elastic approach.
     pub elastic_approach: ApproachTable,
-    /// Contact radius.
     pub contact_radius: RadiusTable,
 }
 
@@ -91,16 +81,8 @@ pub enum CoefficientsError {
     /// Not TOML of the expected form; the text shows line and key.
     #[error("{0}")]
     Form(String),
-    /// A value that is not allowed.
     #[error("{key} = {value} is not allowed: {rule}")]
-    Value {
-        /// Which key.
-        key: &'static str,
-        /// Its value.
-        value: String,
-        /// What is allowed.
-        rule: &'static str,
-    },
+    Value { key: &'static str, value: String, rule: &'static str },
 }
 
 fn is_rising(values: &[f64]) -> bool {
@@ -116,7 +98,6 @@ fn is_not_negative(values: &[f64]) -> bool {
 }
 
 impl PlmCoefficients {
-    /// The built-in table.
     pub fn built_in() -> &'static Self {
         static TABLE: LazyLock<PlmCoefficients> = LazyLock::new(|| {
             PlmCoefficients::from_toml(include_str!("coefficients.toml"))
@@ -190,7 +171,6 @@ impl PlmCoefficients {
         Law::plm(loading, rule)
     }
 
-    /// The same as its two halves.
     pub(super) fn halves(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> (Curve, PlmRule) {
         let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
         let line = ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio);

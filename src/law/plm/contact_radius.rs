@@ -10,7 +10,6 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The coefficients of the contact radius.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RadiusTable {

@@ -20,17 +20,13 @@ use std::iter::successors;
 use super::lines::LineSlopes;
 use crate::law::curve::Curve;
 use crate::math::functions::{ln, pow};
-use crate::strength::flow::{FlowCurve, Rise};
+use crate::strength::flow::Rise;
 
 /// The plastic strains that stand for the strain field, divided by s.
 const STRAINS: [f64; 2] = [0.025, 0.37];
 
-/// The exponents of the power laws that finite elements have run.
-pub(crate) const EXPONENTS: [f64; 2] = [0.1, 0.3];
-
 /// Largest ratio of neighbouring points of the loading curve: straight between them, the force is off by less than 0.1 %.
 const RATIO: f64 = 1.1;
-/// Its logarithm.
 const LN_RATIO: f64 = 0.095_310_179_804_324_93;
 
 /// Least d ln f/d ln x of a piece. With the flow curves of metals it is above 1; a kink in a measured curve may give less.
@@ -65,25 +61,9 @@ impl Hardening {
     /// The largest plastic strain at which loading to x needs the flow curve, and the largest one for which the curve is
     /// known. `None` where the curve reaches far enough.
     pub(crate) fn beyond_flow_curve(&self, x: f64) -> Option<(f64, f64)> {
-        let strain = self.largest_strain(x);
+        let strain = STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0);
         let last = self.rise.curve.last_strain()?;
         (strain > last).then_some((strain, last))
-    }
-
-    /// The worst step of the flow curve that loading to x meets, see [`Rise::step_before`].
-    pub(crate) fn step(&self, x: f64) -> Option<(f64, f64)> {
-        self.rise.step_before(self.largest_strain(x))
-    }
-
-    fn largest_strain(&self, x: f64) -> f64 {
-        (STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0)).max(0.0)
-    }
-
-    /// The exponent of a power law, if loading to x is plastic and the exponent is outside of [`EXPONENTS`]. 0 is a metal
-    /// that does not harden.
-    pub(crate) fn untested_exponent(&self, x: f64) -> Option<f64> {
-        let FlowCurve::Power { exponent } = self.rise.curve else { return None };
-        (x > 1.0 && exponent > 0.0 && !(EXPONENTS[0]..=EXPONENTS[1]).contains(&exponent)).then_some(exponent)
     }
 
     /// ε at a point (x, f) with x > 1.

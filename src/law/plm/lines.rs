@@ -7,7 +7,6 @@ pub struct LineSlopes {
     pub(super) first: f64,
     /// A from which the contact is fully plastic, ≥ 1.
     pub(super) plastic_from: f64,
-    /// Slope from there on.
     pub(super) plastic: f64,
     /// Finite geometry: A a_Y/R from which a factor multiplies the slope that holds there, rising.
     pub(super) geometry: Vec<(f64, f64)>,

@@ -15,7 +15,6 @@ pub struct PlmRule {
     pub hardening: Option<Hardening>,
     /// The contact radius, in units of a_Y.
     pub radius: RadiusTable,
-    /// Which exponent the branch has.
     pub exponent: UnloadingExponent,
 }
 

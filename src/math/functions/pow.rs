@@ -8,7 +8,6 @@
 /// A number as a sum of two doubles, good to about 31 digits.
 type Sum = (f64, f64);
 
-/// Entries of each table.
 const ENTRIES: usize = 128;
 /// 1/c are multiples of 1/PARTS, so that z/c − 1 has no rounding where z has few bits.
 const PARTS: f64 = 256.0;

@@ -60,7 +60,6 @@ pub struct Jet {
 }
 
 impl Jet {
-    /// The variable itself.
     pub fn variable(value: f64) -> Self {
         Self { value, slope: 1.0, curvature: 0.0 }
     }

@@ -111,7 +111,7 @@ pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &
 }
 
 pub(super) const YIELDS: &str = "the half-space has a yield strength";
-pub(super) const WAVES: &str = "the half-space has a density; not under damping, on a plate, where the force of the law jumps, nor without a rebound";
+pub(super) const WAVES: &str = "the half-space has a density; not under damping, on a plate, nor without a rebound";
 pub(super) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
 pub(super) const FORCES: &str = "there is gravity, damping or a plate";
 pub(super) const PLATE: &str = "a plate is hit";

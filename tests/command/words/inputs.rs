@@ -28,10 +28,9 @@ fn every_kind_lists_the_parameters_of_its_law() {
     for kind in KINDS {
         let thornton = format!("{STEEL}[law.thornton]\nyield_pressure = \"700 MPa\"\n{kind}");
         holds(&inputs(&thornton), &json!({ "law": "thornton", "law_thornton_yield_pressure_Pa": 7e8 }));
-        let green = "[law.jackson_green]\nhardness = \"cosine\"\njumps = \"crossed\"\n";
+        let green = "[law.jackson_green]\nhardness = \"cosine\"\n";
         let green = inputs(&format!("{STEEL}{green}{kind}"));
         holds(&green, &json!({ "law": "jackson_green", "law_jackson_green_hardness": "cosine" }));
-        holds(&green, &json!({ "law_jackson_green_jumps": "crossed" }));
         let shape = inputs(&format!("{STEEL}[law.plm]\nunloading_exponent = \"pressure-shape\"\n{kind}"));
         holds(&shape, &json!({ "law_plm_unloading_exponent": "pressure-shape" }));
         assert!(shape["law_plm_coefficients"].is_string(), "{shape}");

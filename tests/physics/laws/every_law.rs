@@ -3,10 +3,10 @@
 use plm_impact::law::catalogue::brake::Brake;
 use proptest::prop_assert;
 
-use super::{bodies, factor, law_of, whole_laws};
+use super::{bodies, law_of, whole_laws};
 use crate::common::prelude::*;
 
-/// Depths of peaks in units of δ_Y: below, at and around the printed jumps, and far beyond them.
+/// Depths of peaks in units of δ_Y: below, at and around the places where printed pieces begin, and far beyond them.
 const PEAKS: [f64; 16] =
     [0.5, 1.0, 1.004, 1.02, 1.5, 1.9, 1.95, 3.0, 6.0, 6.1, 20.0, 84.0, 109.0, 112.0, 843.1, 3000.0];
 
@@ -47,45 +47,24 @@ fn at_first_yield_nothing_is_lost() {
         for x in [0.3 * until, until] {
             let outcome = closed_form::solve(&law, x.powf(1.25));
             assert!(off(outcome.restitution, 1.0) < 1e-15, "{name}: {}", outcome.restitution);
-            // at a jump the last 1e-8 of the way (the square root of rounding) may have either force
             assert!(off(outcome.contact_time, 2.943_275_184_324_704_7 * x.powf(-0.25)) < 1e-9, "{name}");
         }
-        // with printed jumps the force is 3 % higher just above yield, but e must not exceed 1
         let just_above = closed_form::solve(&law, (1.000_001 * until).powf(1.25)).restitution;
         // laws with a small dent directly at yield may lose up to 0.1 %
         assert!((0.999..=1.0 + 1e-12).contains(&just_above), "{name}: {just_above}");
         compared += 1;
     }
-    assert!(compared >= 16, "{compared} laws");
+    assert!(compared >= 14, "{compared} laws");
 }
 
-/// The force is continuous except at the documented jumps: KE +3.0, +1.7, +7.9 %, JG +0.5 %, KK +1.3, +3.2 %.
 #[test]
-fn forces_jump_where_the_print_does_and_nowhere_with_crossed_pieces() {
-    let jumps = |law: &Law| -> Vec<(f64, f64)> {
-        let pieces = law.loading.pieces();
-        pieces
-            .windows(2)
-            .map(|pair| (pair[1].start, 100.0 * (pair[1].force / pair[0].force_at(pair[1].start) - 1.0)))
-            .filter(|(_, percent)| percent.abs() > 1e-9)
-            .collect()
-    };
-    let printed = jumps(&law_of(&KogutEtsion { yield_factor: Some(factor()), jumps: Jumps::Printed }));
-    // the last jump is 8.1 % instead of 7.9 %, because the last piece is in units of C_ν instead of K H
-    for ((at, percent), (want_at, want)) in printed.iter().zip([(1.0, 3.0), (6.0, 1.7), (110.0, 8.1)]) {
-        assert!(off(*at, want_at) < 1e-14 && (percent - want).abs() < 0.06, "{at}: {percent}");
-    }
-    assert_eq!(printed.len(), 3);
-    let jackson_green = jumps(&law_of(&JacksonGreen { yield_factor: Some(factor()), ..Default::default() }));
-    assert!(off(jackson_green[0].0, 1.9) < 1e-14 && (jackson_green[0].1 - 0.5).abs() < 0.06, "{jackson_green:?}");
-    let kogut_komvopoulos = jumps(&law_of(&KogutKomvopoulos::default()));
-    for ((at, percent), (want_at, want)) in kogut_komvopoulos.iter().zip([(0.987, 1.3), (136.8, 3.2)]) {
-        assert!(off(*at, want_at) < 1e-3 && (percent - want).abs() < 0.06, "{at}: {percent}");
-    }
+fn no_force_jumps() {
     for (name, choice) in whole_laws() {
-        let found = jumps(&law_of(choice.get()));
-        let is_printed = name.contains("Printed");
-        assert!(is_printed || found.is_empty(), "{name}: {found:?}");
+        let law = law_of(choice.get());
+        for pair in law.loading.pieces().windows(2) {
+            let before = pair[0].force_at(pair[1].start);
+            assert!(off(pair[1].force, before) < 1e-12, "{name} at {}", pair[1].start);
+        }
     }
 }
 
@@ -158,7 +137,7 @@ fn unloading_branches_are_pieces() {
         assert_eq!(unloading.force(peak.residual() - 1.0), 0.0);
         compared += 1;
     }
-    assert!(compared >= 21, "{compared} laws");
+    assert!(compared >= 19, "{compared} laws");
 }
 
 #[test]
@@ -246,7 +225,7 @@ fn extreme_bodies_give_numbers_or_a_refusal() {
             }
         }
     }
-    assert!(given >= 340, "{given} impacts");
+    assert!(given >= 310, "{given} impacts");
 }
 
 /// Random scenes: no energy is gained, forces rise, and the integration agrees with the quadrature.

@@ -295,5 +295,5 @@ fn the_fastest_impact_that_changes_nothing_is_that_of_the_law() {
         assert_ne!(Spot::loaded_to(&contact, memory(1.5)), Spot::fresh(), "{name}");
         compared += 1;
     }
-    assert!(compared >= 21, "{compared} laws");
+    assert!(compared >= 19, "{compared} laws");
 }

@@ -1,0 +1,40 @@
+//! An impact under gravity alone. With w = m g/Φ, x the indentation and u the speed the motion is conservative on each branch,
+//!
+//! ```text
+//! (2/5) u² = (2/5) q² + w x − W(x)
+//! ```
+//!
+//! so peak, rebound and capture follow from the energy, exact to rounding. The times are those of a run by rk8.
+
+use crate::impact::course;
+use crate::impact::forces::ScaledForces;
+use crate::impact::outcome::{Fate, Outcome};
+use crate::impact::record::Recorder;
+use crate::impact::scales::ACCELERATION;
+use crate::integrate::IntegrationError;
+use crate::integrate::rk8::Rk8;
+use crate::law::Law;
+
+/// The outcome, with times of this relative tolerance.
+pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces, tolerance: f64) -> Result<Outcome, IntegrationError> {
+    let (last, distance) = forces.turn(law, 0.4 * q * q);
+    let unloading = law.turned(last, distance);
+    let is_captured = forces.captures(&unloading, q);
+    // the sphere leaves at the end of the branch, or its run ends at the static indentation
+    let at_end = if is_captured { unloading.recovered_at(forces.weight) } else { 0.0 };
+    let way = (unloading.peak.elastic_approach - at_end).max(0.0);
+    let left = unloading.capacity() - unloading.stored_of(at_end) - forces.weight * way;
+    // if the dent does not grow, the rebound speed is the impact speed
+    let is_elastic = !is_captured && law.plastic(&unloading) == 0.0;
+    let speed = if is_elastic { q } else { (2.0 * ACCELERATION * left).max(0.0).sqrt() };
+    let run = course::integrate(law, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
+    Ok(Outcome {
+        unloading,
+        restitution: if is_captured { 0.0 } else { speed / q },
+        largest_force: unloading.peak.force,
+        fate: if is_captured { Fate::Captured } else { Fate::Separated },
+        end_indentation: law.dent(&unloading.peak).residual() + at_end,
+        end_speed: -speed,
+        ..run
+    })
+}
