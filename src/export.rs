@@ -16,6 +16,7 @@ use crate::error::{Error, ErrorKind};
 use crate::math::functions::pow;
 use crate::run::contact_alone;
 use crate::scenario::Scenario;
+use crate::scene::at::at;
 pub use request::{Request, Target};
 pub use springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 
@@ -53,7 +54,7 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         scenario,
         contact: &contact,
         impact: &impact,
-        friction: scene.input.friction.coefficient,
+        friction: scene.input.number(at!("friction.coefficient")),
         command,
     };
     head.lines(request, &table)

@@ -6,6 +6,7 @@ pub(crate) mod random;
 mod source;
 
 use crate::impact::Method;
+use crate::scene::at::at;
 use crate::scene::results::{Column, Needs, columns};
 use crate::scene::taken::Body;
 use crate::scene::{Input, Key, Scene, Use, without_effect};
@@ -85,7 +86,7 @@ impl Plan {
         let of_curve = || varies("half_space.youngs_modulus") || varies("half_space.flow_stress.power.exponent");
         let has_curve = self.scene.law.flow().is_some();
         let of_metal = || varies(HARDNESS) || varies(Body::HalfSpace.material());
-        self.scene.input.half_space.hardness.is_some() && (of_metal() || has_curve && of_curve())
+        self.scene.input.number(at!("half_space.hardness")).is_some() && (of_metal() || has_curve && of_curve())
     }
 
     /// The results that the table has.

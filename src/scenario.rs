@@ -26,7 +26,6 @@ mod beside;
 pub mod calibrate;
 mod document;
 pub mod edit;
-mod file;
 mod flow;
 pub mod indentation;
 mod kind;
@@ -37,6 +36,7 @@ mod repeat;
 pub mod schema;
 mod source;
 mod sweep;
+mod varied;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -44,26 +44,23 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::plan::axis::Setting;
-use crate::scene::read::Reader;
+use crate::scene::at::at;
+use crate::scene::read::{Reader, items};
 use crate::scene::taken::Taken;
 use crate::scene::written::add_places;
 use crate::scene::{EITHER, Input, KEYS, Scene, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
-use file::Tables;
-pub use file::every_key;
 pub use kind::{Kind, template};
+use varied::Varied;
 
 /// A scenario file, read and checked.
 #[derive(Debug, Clone)]
 pub struct Scenario {
     /// Its text, in which the place of a value can be found.
     pub document: Document,
-    /// Its tables of one impact, with what the bodies take from their materials.
+    /// Its values, with what the bodies take from their materials.
     input: Input,
-    /// The results that a table has besides the restitution, if it names them.
-    columns: Option<Vec<String>>,
-    /// Its other tables.
-    tables: Tables,
+    varied: Varied,
     /// The values that its bodies take from named materials.
     pub taken: Vec<Taken>,
     /// The files that it names, by their keys, with their texts. They are read once: hash and numbers are of one text.
@@ -136,7 +133,11 @@ impl Scenario {
         };
         let root = document.tables()?;
         let mut reader = Reader::new(&mut read);
-        let (mut input, mut tables) = file::read(&root, &mut reader);
+        let (mut input, mut varied) = (Input::default(), Varied::default());
+        if let Ok(tables) = items(&root) {
+            input.read(tables, "", &mut reader);
+            varied = Varied::read(tables, &mut reader);
+        }
         if let Some(refusal) = document.refused(reader.refused) {
             return Err(refusal);
         }
@@ -144,19 +145,17 @@ impl Scenario {
         add_places("", &root, &mut places);
         drop(root);
         document.places = places;
-        let taken = tables.take_materials(&input, &document)?;
+        let taken = varied.take_materials(&input, &document)?;
         for taken in &taken {
             input.take(taken);
         }
-        // rows of a table copy the input
-        let columns = input.output.columns.take();
-        if let Some(name) = tables.calibrate.as_ref().and_then(|calibrate| calibrate.data.as_ref()) {
+        if let Some(name) = input.text(at!("calibrate.data")) {
             let path = directory.join(name);
             // one that cannot be read is refused where it is needed
             let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
             files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
         }
-        let scenario = Self { document, input, columns, tables, taken, files, directory };
+        let scenario = Self { document, input, varied, taken, files, directory };
         scenario.check_beside()?;
         scenario.need(&NEEDED[..3])?;
         Ok(scenario)
@@ -170,7 +169,7 @@ impl Scenario {
 
     /// Whether a key varies over the cases of a table, or is to be found.
     fn varies(&self, path: &str) -> bool {
-        self.tables.varied().contains(&path)
+        self.varied.paths().contains(&path)
     }
 
     /// Refuses a scenario in which one of these keys is missing. A key in place of it counts, and a key that varies
@@ -185,7 +184,7 @@ impl Scenario {
         let (table, _) = group[0].split_once('.').unwrap_or_default();
         // a body needs more keys than the one that varies, and so its table
         let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
-        if !self.has(table) && !self.tables.varied().iter().any(|path| table == "impact" && in_table(path)) {
+        if !self.has(table) && !self.varied.paths().iter().any(|path| table == "impact" && in_table(path)) {
             return Err(self.document.missing("", table));
         }
         Err(self.document.missing_one_of(table, &group, ""))
@@ -232,17 +231,17 @@ impl Scenario {
     fn first_case(&self) -> Input {
         let mut input = self.input.clone();
         if let Some(speed) = self.speeds().and_then(<[f64]>::first) {
-            input.impact.speed = Some(*speed);
+            input.set(at!("impact.speed"), Some(*speed));
         }
-        for axis in self.tables.sweep.iter().flatten() {
+        for axis in self.varied.sweep.iter().flatten() {
             if let Setting::Number { key, values } = &axis.setting {
                 key.put(&mut input, values.at(0));
             }
         }
-        for variable in self.tables.monte_carlo.iter().flat_map(|random| &random.variables) {
+        for variable in self.varied.monte_carlo.iter().flat_map(|random| &random.variables) {
             variable.key.put(&mut input, variable.middle());
         }
-        for free in self.tables.calibrate.iter().flat_map(|calibrate| &calibrate.free).flatten() {
+        for free in self.varied.free.iter().flatten() {
             free.key.put(&mut input, free.from);
         }
         input

@@ -1,18 +1,19 @@
 //! The scene of an impact in plain numbers, and the tables of a scenario that give these numbers.
 
+pub(crate) mod at;
 mod effect;
-pub(crate) mod field;
 mod gone;
 pub mod input;
 pub mod key;
 pub mod keys;
-pub mod laws;
+mod laws;
+pub mod list;
 pub mod measured;
 pub mod quantity;
 pub(crate) mod read;
 mod resolve;
 pub(crate) mod results;
-pub(crate) mod table;
+pub(crate) mod tables;
 pub(crate) mod taken;
 pub mod words;
 pub(crate) mod written;
@@ -20,9 +21,11 @@ pub(crate) mod written;
 use crate::impact::{Approach, Contact, Forces, ImpactError, Incidence, Solver, Warning};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Sphere};
+use at::at;
 pub use effect::{Use, without_effect};
 pub use input::Input;
 pub use keys::{EITHER, KEYS, Key};
+pub use list::EVERY_KEY;
 use taken::Taken;
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
@@ -69,6 +72,8 @@ impl Scene {
 
     /// Whether more than a yield strength describes the flow stress, or the law does not use it.
     pub fn has_flow(&self) -> bool {
-        self.input.half_space.hardness.is_some() || self.law.flow().is_some() || matches!(self.law, LawChoice::Hertz(_))
+        self.input.number(at!("half_space.hardness")).is_some()
+            || self.law.flow().is_some()
+            || matches!(self.law, LawChoice::Hertz(_))
     }
 }

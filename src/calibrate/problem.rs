@@ -71,7 +71,8 @@ impl<'a> Problem<'a> {
             let range = &mut ranges[value.row];
             *range = if range.end == 0 { at..at + 1 } else { range.start..at + 1 };
         }
-        let mut input = Input { law: scene.law.clone(), ..scene.input.clone() };
+        let mut input = scene.input.clone();
+        input.law.clone_from(&scene.law);
         for key in free.iter().map(|free| free.key).chain(data.keys.iter().copied()) {
             // it takes away the key in place of which it stands
             key.put(&mut input, 1.0);

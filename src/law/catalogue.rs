@@ -24,28 +24,6 @@ pub use super::plm;
 use super::published::Rules;
 use crate::strength::flow::FlowCurve;
 
-/// Gives all laws but combinations to a macro: the file of each, which has its name, and its type.
-macro_rules! every_law {
-    ($into:ident) => {
-        $into!(
-            plm::Plm,
-            hertz::Hertz,
-            thornton::Thornton,
-            stronge::Stronge,
-            jackson_green::JacksonGreen,
-            kogut_etsion::KogutEtsion,
-            kogut_komvopoulos::KogutKomvopoulos,
-            yigit_christoforou::YigitChristoforou,
-            ma_liu::MaLiu,
-            brake::Brake,
-            mesarovic_johnson::MesarovicJohnson,
-            walton_braun::WaltonBraun,
-            johnson::Johnson,
-        );
-    };
-}
-pub(crate) use every_law;
-
 macro_rules! laws {
     ($($file:ident::$law:ident),* $(,)?) => {
         /// A law with its parameters. Its file has its name.
@@ -78,7 +56,22 @@ macro_rules! laws {
     };
 }
 
-every_law!(laws);
+// in the order of lists and tables
+laws!(
+    plm::Plm,
+    hertz::Hertz,
+    thornton::Thornton,
+    stronge::Stronge,
+    jackson_green::JacksonGreen,
+    kogut_etsion::KogutEtsion,
+    kogut_komvopoulos::KogutKomvopoulos,
+    yigit_christoforou::YigitChristoforou,
+    ma_liu::MaLiu,
+    brake::Brake,
+    mesarovic_johnson::MesarovicJohnson,
+    walton_braun::WaltonBraun,
+    johnson::Johnson,
+);
 
 impl Default for LawChoice {
     fn default() -> Self {

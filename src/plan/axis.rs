@@ -3,6 +3,7 @@
 use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::math::functions::{log10, pow};
+use crate::scene::at::at;
 use crate::scene::taken::Taken;
 use crate::scene::{Input, Key};
 
@@ -163,7 +164,9 @@ impl Axis {
         match &self.setting {
             Setting::Number { key, values } => key.set(input, Some(values.at(i))),
             Setting::Words { words, .. } => match &words[i as usize] {
-                Word::Method(method) => input.solver.method = Some(*method),
+                Word::Method(method) => {
+                    input.choose(at!("solver.method"), Method::ALL.iter().position(|known| known == method));
+                }
                 Word::Law(law) => input.law.clone_from(law),
                 Word::Material(taken) => input.take(taken),
             },

@@ -10,6 +10,7 @@ use crate::indentation::{Target, Tested};
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
+use crate::scene::at::at;
 use crate::scene::results::indentation::{self as results, stepped};
 use crate::scene::results::{fields, lists};
 use crate::units::aligned::aligned;
@@ -99,7 +100,8 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
             row(&name, value);
         }
     }
-    let is_precise = scene.law.flow().is_some() || scenario.as_given().input.half_space.hardness.is_some();
+    let is_precise =
+        scene.law.flow().is_some() || scenario.as_given().input.number(at!("half_space.hardness")).is_some();
     let strength = tested.iter().find_map(|one| one.specimen.half_space.yield_strength);
     aligned(&rows, |_| true) + overview::which_strength(strength, is_precise)
 }

@@ -3,11 +3,11 @@
 
 use serde::ser::{Serialize, Serializer};
 
-use crate::impact::Method;
+use crate::impact::{Method, PlateTheory};
 use crate::plan::axis::{Axis, Word};
 use crate::plan::{Plan, YIELD_STRENGTH};
-use crate::scene::field::{Held, show_word};
-use crate::scene::input::SolverInput;
+use crate::scene::at::at;
+use crate::scene::input::Held;
 use crate::scene::taken::Body;
 use crate::scene::{Input, Scene};
 
@@ -32,17 +32,17 @@ impl Inputs {
             path => (can_yield || !path.starts_with("law")) && !held.value.is_null(),
         };
         let mut entries: Vec<Held> = complete(scene).held().into_iter().filter(is_used).collect();
-        if scene.input.half_space.hardness.is_some() {
+        if scene.input.number(at!("half_space.hardness")).is_some() {
             let rule = if scene.law.flow().is_some() {
                 "hardness and flow_stress: at a plastic strain of 0.08 the flow stress is the mean pressure over 2.9"
             } else {
                 "hardness: mean pressure over 2.9"
             };
-            show_word(rule, "half_space.yield_strength_from", &mut entries);
+            entries.push(Held::word("half_space.yield_strength_from", rule));
         }
         for taken in &scene.materials {
-            show_word(taken.material.name.as_str(), taken.body.material(), &mut entries);
-            taken.notes().for_each(|(path, note)| show_word(note, &path, &mut entries));
+            entries.push(Held::word(taken.body.material(), taken.material.name.as_str()));
+            entries.extend(taken.notes().map(|(path, note)| Held::word(&path, note)));
         }
         Self(entries)
     }
@@ -76,7 +76,7 @@ impl Inputs {
             "sphere.radius" => !varies("sphere.diameter"),
             YIELD_STRENGTH => !plan.derives_strength(),
             "impact.speed" => {
-                plan.scene.input.impact.drop_height.is_none()
+                plan.scene.input.number(at!("impact.drop_height")).is_none()
                     || !varies("impact.drop_height") && !varies("gravity.acceleration")
             }
             // a table has no trace
@@ -91,22 +91,25 @@ impl Inputs {
 /// The keys of a scene, with defaults and with what follows from other keys.
 fn complete(scene: &Scene) -> Input {
     let mut input = scene.input.clone();
-    let (sphere, half_space) = (&mut input.sphere, &mut input.half_space);
-    (sphere.radius, sphere.diameter) = (Some(scene.sphere.radius), None);
-    (sphere.material, half_space.material) = (None, None);
-    sphere.spin = scene.incidence.map(|incidence| incidence.spin);
-    half_space.yield_strength = scene.half_space.yield_strength;
-    half_space.plate.get_or_insert_default();
-    let flow = &mut half_space.flow_stress;
-    flow.points = flow.points.take().or(flow.table.take());
-    input.impact.angle = scene.incidence.map(|incidence| incidence.angle);
-    input.impact.speed = Some(scene.speed);
     input.law.clone_from(&scene.law);
-    input.solver = SolverInput {
-        tolerance: Some(scene.solver.tolerance),
-        method: Some(scene.solver.method),
-        steps_per_contact: Some(scene.solver.steps_per_contact.into()),
-    };
-    input.output.samples = Some(scene.samples as u64);
+    input.fill_law();
+    input.set(at!("sphere.radius"), Some(scene.sphere.radius));
+    input.set(at!("sphere.diameter"), None);
+    input.choose(at!("sphere.material"), None);
+    input.choose(at!("half_space.material"), None);
+    input.set(at!("sphere.spin"), scene.incidence.map(|incidence| incidence.spin));
+    input.set(at!("half_space.yield_strength"), scene.half_space.yield_strength);
+    let theory = scene.forces.plate.map_or_else(PlateTheory::default, |plate| plate.theory);
+    input.choose(at!("half_space.plate"), PlateTheory::ALL.iter().position(|known| *known == theory));
+    if let Some(curve) = input.value(at!("half_space.flow_stress.table")).cloned() {
+        input.put_value(at!("half_space.flow_stress.points"), Some(curve));
+        input.put_value(at!("half_space.flow_stress.table"), None);
+    }
+    input.set(at!("impact.angle"), scene.incidence.map(|incidence| incidence.angle));
+    input.set(at!("impact.speed"), Some(scene.speed).filter(|speed| !speed.is_nan()));
+    input.set(at!("solver.tolerance"), Some(scene.solver.tolerance));
+    input.choose(at!("solver.method"), Method::ALL.iter().position(|known| *known == scene.solver.method));
+    input.set_count(at!("solver.steps_per_contact"), scene.solver.steps_per_contact.into());
+    input.set_count(at!("output.samples"), scene.samples as u64);
     input
 }

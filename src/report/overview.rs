@@ -7,6 +7,7 @@ use crate::law::LawChoice;
 use crate::material::Pair;
 use crate::plan::HARDNESS;
 use crate::scene::Scene;
+use crate::scene::at::at;
 use crate::strength::hardness;
 use crate::units::aligned::aligned;
 use crate::units::{Dimension, describe, four_digits, number};
@@ -29,7 +30,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
                 rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
             }
             HARDNESS => {
-                let vickers = scene.input.half_space.hardness.map_or(f64::NAN, hardness::vickers);
+                let vickers = scene.input.number(at!("half_space.hardness")).map_or(f64::NAN, hardness::vickers);
                 rows.push([key, format!("{text}, {} HV", four_digits(vickers))]);
             }
             _ => rows.push([key, text]),

@@ -10,8 +10,6 @@ use crate::materials;
 use crate::plan::axis::{Axis, Values, Word};
 use crate::plan::free::Free;
 use crate::plan::random::{Distribution, Variable};
-use crate::scene::field::Field;
-use crate::scene::key::Form;
 use crate::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
 use crate::scene::read::{Fault, Reader, count, items, list, named, number, word};
 use crate::scene::taken::{Body, Taken};
@@ -37,17 +35,14 @@ pub(super) struct RandomKeys {
     pub(super) materials: Vec<(Body, usize)>,
 }
 
-impl Field for Option<Vec<Axis>> {
-    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        let keys = items(node)?;
-        if keys.is_empty() {
-            let message =
-                "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
-            return Err(Fault::at(node, message));
-        }
-        *self = Some(each(keys, reader, axis));
-        Ok(())
+/// The axes of `[sweep]`.
+pub(super) fn axes(node: &Node, reader: &mut Reader) -> Result<Vec<Axis>, Fault> {
+    let keys = items(node)?;
+    if keys.is_empty() {
+        let message = "has no axis; leave the table out, or give one such as \"impact.speed\" = [\"1 m/s\", \"2 m/s\"]";
+        return Err(Fault::at(node, message));
     }
+    Ok(each(keys, reader, axis))
 }
 
 /// What `read` makes of the keys of a table; a refusal is kept.
@@ -103,23 +98,23 @@ fn words(
 
 const AT_LEAST_ONE: &str = "an axis needs at least one value";
 
-impl Field for RandomKeys {
-    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+impl RandomKeys {
+    /// Reads `[monte_carlo]`.
+    pub(super) fn read(&mut self, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
+        let refused = reader.refused.len();
         for (name, value) in items(node)? {
             reader.within(name.get_ref(), |_| self.take(name, value));
         }
         let problem = if !items(node)?.contains_key("samples") {
             "samples, the number of cases, is missing"
-        } else if self.variables.is_empty() && self.materials.is_empty() && reader.refused.is_empty() {
+        } else if self.variables.is_empty() && self.materials.is_empty() && reader.refused.len() == refused {
             "has no random key; give one such as \"half_space.yield_strength\" = { normal = { mean = \"345 MPa\", sd = \"20 MPa\" } }"
         } else {
             return Ok(());
         };
         Err(Fault::at(node, problem))
     }
-}
 
-impl RandomKeys {
     fn take(&mut self, name: &Name, node: &Node) -> Result<(), Fault> {
         match &**name.get_ref() {
             "samples" => self.samples = count(&SAMPLED, node)?,
@@ -138,19 +133,19 @@ impl RandomKeys {
     }
 }
 
-impl Field for Option<Vec<Free>> {
-    fn read(&mut self, _: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        let keys = items(node)?;
-        if keys.len() > 2 {
-            let message =
-                format!("{} keys are given, expected one or two, each with {FREE}; or none, to compare", keys.len());
-            return Err(Fault::at(node, message));
-        }
-        *self = Some(each(keys, reader, free));
-        Ok(())
+/// The keys of `calibrate.free`; none where measurements are only compared.
+pub(super) fn free_keys(node: &Node, reader: &mut Reader) -> Result<Vec<Free>, Fault> {
+    let keys = items(node)?;
+    if keys.len() > 2 {
+        let message =
+            format!("{} keys are given, expected one or two, each with {FREE}; or none, to compare", keys.len());
+        return Err(Fault::at(node, message));
     }
+    Ok(each(keys, reader, free))
 }
 
+/// The place of a logarithmic scale among [`SCALES`].
+const LOG: usize = 0;
 const FREE: &str = "{ from = ..., to = ... }, and scale = \"log\" or \"linear\" if need be";
 
 /// A key to find, with its range.
@@ -161,7 +156,7 @@ fn free(name: &Name, node: &Node) -> Result<Free, Fault> {
     let ends = end(from)?.zip(end(to)?).filter(|(from, to)| from < to);
     let (from, to) = ends.ok_or_else(|| Fault::at(node, format!("needs two ends, the lower first: {FREE}")))?;
     let is_logarithmic = match scale {
-        Some(scale) => word(&SCALES, scale)? == "log",
+        Some(scale) => word(&SCALES, scale)? == LOG,
         None => from > 0.0,
     };
     if is_logarithmic && from <= 0.0 {

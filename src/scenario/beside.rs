@@ -4,6 +4,7 @@
 use super::Scenario;
 use crate::error::Error;
 use crate::impact::PlateError;
+use crate::scene::tables::is_at_or_below;
 use crate::scene::{EITHER, KEYS, Scene};
 
 /// Keys that are refused beside others.
@@ -122,7 +123,7 @@ impl Scenario {
             }
         }
         // what a calibration varies is checked with the data
-        let swept = if self.tables.calibrate.is_none() { self.tables.varied() } else { Vec::new() };
+        let swept = if self.has("calibrate") { Vec::new() } else { self.varied.paths() };
         if let Some((path, problem)) = self.contradicted(&swept) {
             return Err(self.refuse_varied(path, problem));
         }
@@ -140,9 +141,7 @@ impl Scenario {
 
     /// Whether a key or a table is given, or a key of it varies.
     pub(super) fn gives(&self, path: &str) -> bool {
-        let is_of_it =
-            |varied: &&str| varied.strip_prefix(path).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-        self.has(path) || self.tables.varied().iter().any(is_of_it)
+        self.has(path) || self.varied.paths().iter().any(|varied| is_at_or_below(varied, path))
     }
 
     /// A refusal of a key where it stands, or where it varies.

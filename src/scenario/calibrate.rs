@@ -1,7 +1,6 @@
 //! `[calibrate]`: keys that are found from measurements.
 
 use super::document::read_text;
-use super::file::{CalibrateInput, numbers};
 use super::{DATA, LARGEST_DATA, NEEDED, Scenario};
 use crate::error::Error;
 use crate::impact::Method;
@@ -9,6 +8,8 @@ use crate::law::LawChoice;
 use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
+use crate::scene::at::at;
+use crate::scene::words::STUDENT_T;
 use crate::scene::{Input, Key, Scene};
 use crate::strength::hardness::CONSTRAINT;
 
@@ -53,12 +54,12 @@ impl Scenario {
     /// [`Error`] where keys contradict each other or something is missing.
     pub fn wanted(&self) -> Result<Wanted, Error> {
         self.refuse_columns("a calibration")?;
-        let Some(given) = &self.tables.calibrate else {
+        if !self.has("calibrate") {
             return Err(self.document.refuse("", NO_TABLE));
-        };
+        }
         let mut input = self.checked(BODIES)?.input;
-        input.solver.method = input.solver.method.or(Some(Method::Auto));
-        let free = self.free(given, &input);
+        input.choose_method(Method::Auto);
+        let free = self.free(&input);
         for free in &free {
             free.key.put(&mut input, free.from);
         }
@@ -68,29 +69,30 @@ impl Scenario {
             // the law of the scenario keeps the parameters that the scenario gives
             _ => scene.law.clone(),
         };
-        let laws: Vec<LawChoice> = given.laws.iter().flatten().map(own).collect();
+        let laws = self.input.words(at!("calibrate.laws")).unwrap_or_default();
+        let laws: Vec<LawChoice> = laws.iter().map(own).collect();
         if scene.law.flow().is_some() && laws.iter().any(|law| law.name() != scene.law.name()) {
             let message = "only the law plm has hardening: leave out half_space.flow_stress, or the other laws";
             return Err(self.document.refuse("calibrate.laws", message));
         }
-        let mut deviations = numbers(given.noise.as_ref());
-        let is_estimated = given.noise.is_some() && deviations.is_empty();
+        let mut deviations = self.input.numbers_of("calibrate.noise");
+        let is_estimated = self.has("calibrate.noise") && deviations.is_empty();
         deviations.retain(|(name, _)| name != "model");
         Ok(Wanted {
-            source: self.measurements(given)?,
+            source: self.measurements()?,
             free,
             deviations,
-            model_error: given.noise.as_ref().and_then(|noise| noise.model).unwrap_or(0.0),
+            model_error: self.input.number(at!("calibrate.noise.model")).unwrap_or(0.0),
             is_estimated,
-            is_robust: given.robust.as_ref().is_some_and(|robust| robust == "student-t"),
+            is_robust: self.input.word(at!("calibrate.robust")) == Some(STUDENT_T),
             laws,
             scene,
         })
     }
 
-    fn measurements(&self, given: &CalibrateInput) -> Result<Source, Error> {
-        let measured = numbers(given.measured.as_ref());
-        match (&given.data, measured.is_empty()) {
+    fn measurements(&self) -> Result<Source, Error> {
+        let measured = self.input.numbers_of("calibrate.measured");
+        match (self.input.text(at!("calibrate.data")), measured.is_empty()) {
             (Some(name), _) => {
                 if let Some((path, text)) = self.files.get(DATA) {
                     return Ok(Source::Text(path.display().to_string(), text.clone()));
@@ -107,8 +109,8 @@ impl Scenario {
     }
 
     /// The keys to find. If the scenario names none, it is the yield strength; or the hardness, if the scenario gives that.
-    fn free(&self, given: &CalibrateInput, input: &Input) -> Vec<Free> {
-        if let Some(free) = &given.free {
+    fn free(&self, input: &Input) -> Vec<Free> {
+        if let Some(free) = &self.varied.free {
             return free.clone();
         }
         let (path, factor) = if self.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (YIELD_STRENGTH, 1.0) };

@@ -5,8 +5,7 @@ use super::beside::FLOW;
 use crate::error::Error;
 use crate::law::LawChoice;
 use crate::plan::{HARDNESS, YIELD_STRENGTH};
-use crate::scene::input::FlowInput;
-use crate::scene::table::Table as _;
+use crate::scene::tables::names;
 use crate::scene::{Input, KEYS, Scene};
 use crate::strength::flow::FlowCurve;
 
@@ -17,7 +16,7 @@ impl Scenario {
     /// Refuses two forms of a flow curve, none, and one that lacks a number.
     pub(super) fn check_flow(&self, input: &Input) -> Result<(), Error> {
         let path = |form: &str| format!("{FLOW}.{form}");
-        let mut forms = FlowInput::names().into_iter().filter(|form| self.gives(&path(form)));
+        let mut forms = names(FLOW).into_iter().filter(|form| self.gives(&path(form)));
         let Some(form) = forms.next() else {
             return if self.has(FLOW) {
                 Err(self.document.refuse(FLOW, format!("has no curve; write one of {EXAMPLE}")))
@@ -39,7 +38,7 @@ impl Scenario {
     /// Refuses laws and keys that cannot stand beside a flow curve.
     pub(super) fn check_strength(&self, scene: &Scene) -> Result<(), Error> {
         let varies = |key: &str| self.varies(key);
-        let Some(flow) = scene.input.half_space.flow_stress.curve() else { return Ok(()) };
+        let Some(flow) = scene.input.flow_curve() else { return Ok(()) };
         let refuse = |message: &str| Err(self.document.refuse(FLOW, message));
         if !matches!(scene.law, LawChoice::Plm(_)) {
             let name = scene.law.name();

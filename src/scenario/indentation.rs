@@ -1,13 +1,13 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
 use super::Scenario;
-use super::file::{self, IndentationInput, StepInput};
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material};
-use crate::scene::{Input, Scene, Use};
+use crate::scene::at::at;
+use crate::scene::{Input, Scene, Use, key};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;
@@ -39,11 +39,11 @@ impl Scenario {
     /// [`Error`] where keys contradict each other, something is missing, or the file of coefficients is bad.
     pub fn indentation(&self) -> Result<IndentationScene, Error> {
         self.refuse_columns("an indentation")?;
-        let Some(given) = &self.tables.indentation else {
+        if !self.has("indentation") {
             return Err(self.document.missing("", "indentation"));
-        };
-        let specimens = self.specimens(given)?;
-        let targets = self.targets(given)?;
+        }
+        let specimens = self.specimens()?;
+        let targets = self.targets()?;
         let scene = self.as_given();
         let samples = scene.samples;
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
@@ -73,15 +73,15 @@ impl Scenario {
     /// The input with one of the half-spaces.
     fn input_on(&self, &HalfSpace { material, yield_strength, .. }: &HalfSpace) -> Input {
         let mut input = self.input.clone();
-        input.half_space.youngs_modulus = Some(material.youngs_modulus);
-        input.half_space.poissons_ratio = Some(material.poissons_ratio);
-        input.half_space.yield_strength = yield_strength;
+        input.set(at!("half_space.youngs_modulus"), Some(material.youngs_modulus));
+        input.set(at!("half_space.poissons_ratio"), Some(material.poissons_ratio));
+        input.set(at!("half_space.yield_strength"), yield_strength);
         input
     }
 
-    fn targets(&self, given: &IndentationInput) -> Result<Vec<Target>, Error> {
-        let as_in = format!("as in {}", file::STEPS);
-        let Some(steps) = &given.steps else {
+    fn targets(&self) -> Result<Vec<Target>, Error> {
+        let as_in = format!("as in {}", key::STEPS);
+        let Some(steps) = self.input.items("indentation.steps[]") else {
             let message = format!("the key `steps` is missing: a list, {as_in}");
             return Err(self.document.refuse("indentation", message));
         };
@@ -89,7 +89,10 @@ impl Scenario {
             let message = format!("there is no step; give one at least, {as_in}");
             return Err(self.document.refuse(STEPS, message));
         }
-        let target = |(i, step): (usize, &StepInput)| match (step.load, step.indentation) {
+        let ends = |step: &Input| {
+            (step.number(at!("indentation.steps[].load")), step.number(at!("indentation.steps[].indentation")))
+        };
+        let target = |(i, step): (usize, &Input)| match ends(step) {
             (Some(load), None) => Ok(Target::Load(load)),
             (None, Some(indentation)) => Ok(Target::Indentation(indentation)),
             (both, _) => {
@@ -101,30 +104,34 @@ impl Scenario {
         (1..).zip(steps).map(target).collect()
     }
 
-    fn specimens(&self, given: &IndentationInput) -> Result<Vec<Specimen>, Error> {
+    fn specimens(&self) -> Result<Vec<Specimen>, Error> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
         if self.has("half_space") {
             let half_space = self.at_rest()?.half_space;
             return Ok(vec![Specimen { name: None, half_space }]);
         }
-        let Some(several) = given.half_space.as_ref().filter(|several| !several.is_empty()) else {
+        let several = self.input.items("indentation.half_space[]");
+        let Some(several) = several.filter(|several| !several.is_empty()) else {
             return Err(self.document.missing("", "half_space"));
         };
         let mut specimens: Vec<Specimen> = Vec::new();
         for (i, one) in several.iter().enumerate() {
             let missing = |name| self.document.missing(&format!("{SPECIMENS}[{i}]"), name);
-            let name = one.name.as_ref().ok_or_else(|| missing("name"))?;
+            let name = one.text(at!("indentation.half_space[].name")).ok_or_else(|| missing("name"))?;
             if let Some(problem) = problem_of_name(name) {
                 return refuse(format!("number {} {problem}", i + 1));
             }
             if specimens.iter().any(|other| other.name.as_deref() == Some(name)) {
                 return refuse(format!("two are called \"{name}\"; give each its own name"));
             }
+            let modulus = one.number(at!("indentation.half_space[].youngs_modulus"));
+            let ratio = one.number(at!("indentation.half_space[].poissons_ratio"));
             let material = Material {
-                youngs_modulus: one.youngs_modulus.ok_or_else(|| missing("youngs_modulus"))?,
-                poissons_ratio: one.poissons_ratio.ok_or_else(|| missing("poissons_ratio"))?,
+                youngs_modulus: modulus.ok_or_else(|| missing("youngs_modulus"))?,
+                poissons_ratio: ratio.ok_or_else(|| missing("poissons_ratio"))?,
             };
-            let half_space = HalfSpace { material, yield_strength: one.yield_strength, density: None };
+            let yield_strength = one.number(at!("indentation.half_space[].yield_strength"));
+            let half_space = HalfSpace { material, yield_strength, density: None };
             specimens.push(Specimen { name: Some(name.to_owned()), half_space });
         }
         Ok(specimens)

@@ -3,12 +3,13 @@
 use super::Scenario;
 use super::beside::FLOW;
 use super::document::Document;
-use super::file::Tables;
+use super::varied::Varied;
 use crate::error::Error;
 use crate::law::LawChoice;
-use crate::materials::{Entry, Property};
+use crate::materials::{self, Entry, Property};
 use crate::plan::axis::{Axis, Word};
 use crate::plan::random::{Distribution, Variable};
+use crate::scene::at::at;
 use crate::scene::taken::{Body, Taken};
 use crate::scene::{Input, Key};
 
@@ -23,7 +24,7 @@ fn instead(body: Body, property: Property) -> &'static [&'static str] {
     }
 }
 
-impl Tables {
+impl Varied {
     /// What the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
     /// is drawn becomes random keys.
     pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<Taken>, Error> {
@@ -80,8 +81,7 @@ impl Tables {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
             Some([Word::Material(first), ..]) => Some(first.material),
-            _ if body == Body::Sphere => input.sphere.material,
-            _ => input.half_space.material,
+            _ => materials::all().get(input.word(body.material_key())?),
         }
     }
 
@@ -89,12 +89,11 @@ impl Tables {
     fn is_left(&self, input: &Input, document: &Document, body: Body, property: Property) -> bool {
         let Some(path) = body.path(property) else { return false };
         let has = |path: &str| document.has(path);
-        let free = self.calibrate.as_ref().map(|calibrate| calibrate.free.is_some());
-        let varied = self.varied();
+        let varied = self.paths();
         let is_given = |path: &str| {
             let inner = format!("{path}.");
             // a calibration that names no key looks for the strength
-            let is_wanted = path == "half_space.yield_strength" && free == Some(false);
+            let is_wanted = path == "half_space.yield_strength" && has("calibrate") && self.free.is_none();
             is_wanted || has(path) || varied.iter().any(|varied| *varied == path || varied.starts_with(&inner))
         };
         let is_moving = !has("indentation");
@@ -112,19 +111,11 @@ impl Tables {
         };
         has_use && !is_given(path) && !instead(body, property).iter().any(|path| is_given(path))
     }
-
-    /// The keys that vary, or are to be found.
-    pub(super) fn varied(&self) -> Vec<&'static str> {
-        let axes = self.sweep.iter().flatten().map(Axis::path);
-        let variables = self.monte_carlo.iter().flat_map(|random| &random.variables).map(|variable| variable.key.path);
-        let free = self.calibrate.iter().flat_map(|calibrate| &calibrate.free).flatten().map(|free| free.key.path);
-        axes.chain(variables).chain(free).collect()
-    }
 }
 
 /// The values of a material as random keys: even between the ends of their ranges.
 fn drawn(input: &Input, taken: &Taken) -> Vec<Variable> {
-    let is_rigid = input.sphere.youngs_modulus == Some(f64::INFINITY);
+    let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
     let drawn = |(path, known): (&'static str, _)| {
         let [from, to] = taken.range(known);
         // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio

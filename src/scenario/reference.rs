@@ -2,29 +2,28 @@
 
 use std::fmt::Write as _;
 
-use super::file::every_key;
 use crate::law::LawChoice;
-use crate::scene::Key;
-use crate::scene::key::{AnyKey, Form};
+use crate::scene::key::{AnyKey, Form, Words};
 use crate::scene::keys::varied;
 use crate::scene::quantity::Quantity;
+use crate::scene::tables::{POINT, pair_example};
 use crate::scene::written::pattern;
+use crate::scene::{EVERY_KEY, Key};
 
 /// All keys as Markdown, a table for every table of a scenario.
 pub fn keys() -> String {
-    let keys: Vec<AnyKey> = every_key().collect();
     let mut tables: Vec<&str> = Vec::new();
-    for (table, _) in keys.iter().map(place) {
+    for (table, _) in EVERY_KEY.iter().map(place) {
         if !tables.contains(&table) {
             tables.push(table);
         }
     }
     // the tables in the order of the registry, those of the laws together
-    tables.sort_by_key(|table| keys.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
+    tables.sort_by_key(|table| EVERY_KEY.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
     let mut text = String::new();
     for table in tables {
         let _ = writeln!(text, "### {}\n\n| key | value | default | meaning |\n|---|---|---|---|", heading(table));
-        for key in keys.iter().filter(|key| place(key).0 == table) {
+        for key in EVERY_KEY.iter().filter(|key| place(key).0 == table) {
             let axis = if Key::find(key.path).is_some() { " \u{2195}" } else { "" };
             let default = if key.default.is_empty() { "\u{2013}" } else { key.default };
             let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", place(key).1, written(&key.form), key.about);
@@ -58,22 +57,26 @@ pub fn written(form: &Form) -> String {
         Form::Number(quantity) => number(quantity),
         Form::NumberOr(quantity, word) => format!("{}, or `\"{word}\"`", number(quantity)),
         Form::Count(quantity) => format!("a whole number {}", quantity.allowed()),
-        Form::List(Form::Number(quantity)) => format!("a list of numbers, each {}", number(quantity)),
-        Form::List(Form::Pair(first, second)) => {
-            format!("a list of pairs such as `{}`: {} and {}", form.example(), number(first), number(second))
+        Form::Numbers(quantity) => format!("a list of numbers, each {}", number(quantity)),
+        Form::Points => {
+            let [strain, stress] = POINT.map(number);
+            format!("a list of pairs such as `[{}]`: {strain} and {stress}", pair_example(POINT))
         }
-        Form::List(inner) => format!("a list of {}", written(inner).trim_start_matches("one of ")),
-        Form::Pair(first, second) => format!("{} and {}", number(first), number(second)),
-        Form::Word(words) if (words.known)().len() > MOST_WORDS => {
-            // the list of materials ends the page of keys; results have a page of their own
-            let place = if words.several == "results" { "results.md" } else { "#materials" };
-            format!("one of the [{}]({place})", words.several)
-        }
-        Form::Word(words) => quoted(&(words.known)()),
-        Form::Text(example) => format!("a text such as `\"{example}\"`"),
-        Form::Axes | Form::Variables | Form::Free | Form::Table | Form::Items(..) => "a table, see below".to_owned(),
+        Form::Words(words) => format!("a list of {}", one_of(words).trim_start_matches("one of ")),
+        Form::Word(words) => one_of(words),
+        Form::Text(example) | Form::File(example) => format!("a text such as `\"{example}\"`"),
+        Form::Axes | Form::Variables | Form::Free => "a table, see below".to_owned(),
         Form::WordOrTable(words) => format!("{}, or a table", quoted(&(words.known)())),
     }
+}
+
+fn one_of(words: &Words) -> String {
+    if (words.known)().len() <= MOST_WORDS {
+        return quoted(&(words.known)());
+    }
+    // the list of materials ends the page of keys; results have a page of their own
+    let place = if words.several == "results" { "results.md" } else { "#materials" };
+    format!("one of the [{}]({place})", words.several)
 }
 
 fn quoted(words: &[String]) -> String {
@@ -92,7 +95,7 @@ pub(super) fn allowed(key: &str) -> Option<String> {
 /// How the value of a key is written.
 fn form_of(key: &str) -> Option<Form> {
     let pattern = pattern(key);
-    every_key().find(|key| key.path == pattern).map(|key| key.form)
+    EVERY_KEY.iter().find(|key| key.path == pattern).map(|key| key.form)
 }
 
 /// The message that `name` is missing in `table`; where `table` is empty, that the table `name` is missing.
@@ -111,7 +114,7 @@ pub(super) fn missing(name: &str, table: &str) -> String {
         Some(Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity)) => {
             format!("{} such as {name} = {}", quantity.name, quantity.example)
         }
-        Some(Form::Text(example)) => format!("a text such as {name} = \"{example}\""),
+        Some(Form::Text(example) | Form::File(example)) => format!("a text such as {name} = \"{example}\""),
         _ => return format!("the key `{name}` is missing"),
     };
     format!("the key `{name}` is missing: {example}")

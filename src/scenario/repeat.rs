@@ -2,8 +2,9 @@
 
 use super::Scenario;
 use crate::error::Error;
-use crate::repeat::{Drive, MOST_IMPACTS, Repeat};
+use crate::repeat::{Drive, MOST_IMPACTS, Place, Repeat};
 use crate::scene::Scene;
+use crate::scene::at::at;
 
 const SPOTS: &str =
     "write \"same\" (the dent is what the sphere meets next) or \"fresh\" (every impact on new surface)";
@@ -13,7 +14,7 @@ const NEEDS_IMPACTS: &str = "the key `impacts` is missing: the most impacts ther
 impl Scenario {
     /// The speeds of a list of shots, if the scenario has one.
     pub(super) fn speeds(&self) -> Option<&[f64]> {
-        self.tables.repeat.as_ref()?.speeds.as_deref()
+        self.input.numbers(at!("repeat.speeds"))
     }
 
     /// Refuses a list without shots, and one with too many.
@@ -33,24 +34,27 @@ impl Scenario {
     /// # Errors
     /// [`Error`] where keys are missing or contradict each other.
     pub fn repeat(&self, scene: &Scene) -> Result<Option<Repeat>, Error> {
-        let Some(given) = &self.tables.repeat else { return Ok(None) };
+        if !self.has("repeat") {
+            return Ok(None);
+        }
+        let input = &self.input;
         let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
-        let Some(place) = given.spot else {
+        let Some(place) = input.word(at!("repeat.spot")) else {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));
         };
-        let until = given.until.as_ref().and_then(|until| until.speed);
-        let drive = match (&given.speeds, given.impacts, scene.forces.gravity) {
-            (Some(speeds), ..) => Drive::Shots(speeds.clone()),
+        let until = input.number(at!("repeat.until.speed"));
+        let drive = match (self.speeds(), input.count(at!("repeat.impacts")), scene.forces.gravity) {
+            (Some(speeds), ..) => Drive::Shots(speeds.to_vec()),
             (None, None, _) => return refuse("repeat", NEEDS_IMPACTS),
             (None, Some(most), Some(gravity)) => Drive::Bouncing {
                 gravity,
-                drop_height: scene.input.impact.drop_height,
+                drop_height: scene.input.number(at!("impact.drop_height")),
                 speed: scene.speed,
                 most,
                 until,
             },
             (None, Some(most), None) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
         };
-        Ok(Some(Repeat { place, drive }))
+        Ok(Some(Repeat { place: Place::ALL[place], drive }))
     }
 }

@@ -5,13 +5,13 @@ use std::ops::Bound;
 use serde_json::{Value, json};
 
 use super::Kind;
-use super::file::every_key;
 use crate::law::LawChoice;
 use crate::scene::key::{Form, Words};
 use crate::scene::quantity::Quantity;
+use crate::scene::tables::POINT;
 use crate::scene::taken::Body;
 use crate::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
-use crate::scene::{EITHER, KEYS};
+use crate::scene::{EITHER, EVERY_KEY, KEYS};
 
 /// The schema (draft 2020-12). It describes the forms, the words, the ranges of numbers, which keys exclude each other, and
 /// that an impact needs a speed. Of texts with a unit it refuses those of another dimension; the program itself checks more.
@@ -21,7 +21,7 @@ pub fn schema() -> Value {
         insert(&mut root, &format!("law.{law}"), table());
     }
     let mut quantities = Vec::new();
-    for key in every_key() {
+    for key in EVERY_KEY {
         let mut schema = of_form(&key.form, &mut quantities);
         schema["description"] = json!(key.about);
         insert(&mut root, key.path, schema);
@@ -97,16 +97,17 @@ fn of_form(form: &Form, quantities: &mut Vec<&'static Quantity>) -> Value {
         Form::Number(quantity) => number(quantity),
         Form::NumberOr(quantity, word) => json!({ "anyOf": [number(quantity), { "const": word }] }),
         Form::Count(quantity) => ranged("integer", quantity),
-        Form::Pair(first, second) => {
-            json!({ "type": "array", "prefixItems": [number(first), number(second)], "minItems": 2, "maxItems": 2 })
+        Form::Numbers(quantity) => list_of(&number(quantity), 0),
+        Form::Points => {
+            let pair = POINT.map(number);
+            list_of(&json!({ "type": "array", "prefixItems": pair, "minItems": 2, "maxItems": 2 }), 2)
         }
-        Form::List(inner) => list_of(&of_form(inner, quantities), if let Form::Pair(..) = inner { 2 } else { 0 }),
         Form::Word(words) => one_of(words),
-        Form::Text(_) => json!({ "type": "string" }),
+        Form::Words(words) => list_of(&one_of(words), 0),
+        Form::Text(_) | Form::File(_) => json!({ "type": "string" }),
         Form::Axes => axes(),
         Form::Variables => variables(),
         Form::Free => free(),
-        Form::Table | Form::Items(..) => table(),
         Form::WordOrTable(words) => {
             let mut schema = table();
             schema["type"] = json!(["string", "object"]);

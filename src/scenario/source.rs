@@ -6,6 +6,7 @@ use super::{DATA, Scenario};
 use crate::error::Error;
 use crate::plan::Source;
 use crate::provenance::{FORMAT, Provenance, VERSION};
+use crate::scene::at::at;
 
 impl Scenario {
     /// Its texts.
@@ -25,8 +26,8 @@ impl Scenario {
     /// The same with measurements that are known without the file `calibrate.data`.
     #[must_use]
     pub fn with_data(mut self, csv: String) -> Self {
-        let name = self.tables.calibrate.as_ref().and_then(|calibrate| calibrate.data.clone());
-        self.files.insert(DATA.to_owned(), (name.unwrap_or_default().into(), csv));
+        let name = self.input.text(at!("calibrate.data")).unwrap_or_default();
+        self.files.insert(DATA.to_owned(), (name.into(), csv));
         self
     }
 

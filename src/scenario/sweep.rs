@@ -4,9 +4,9 @@ use super::axes::{METHOD, RandomKeys};
 use super::{Kind, Scenario};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
-use crate::plan::axis::{Axis, Word};
 use crate::plan::{Cases, MOST_CASES, Plan};
 use crate::scene::Use;
+use crate::scene::at::at;
 use crate::scene::results::columns;
 use crate::scene::taken::Taken;
 
@@ -20,25 +20,14 @@ impl Scenario {
             return Ok(None);
         }
         let mut input = self.first_impact()?.input;
-        if input.solver.method.is_none() {
-            // a table has no trace, so the closed form is enough
-            input.solver.method = Some(Method::Auto);
-        }
+        // a table has no trace, so the closed form is enough
+        input.choose_method(Method::Auto);
         let refuse = |path: &str, message: String| Err(self.refuse_varied(path, message));
-        let cases = match (&self.tables.sweep, &self.tables.monte_carlo) {
+        let cases = match (&self.varied.sweep, &self.varied.monte_carlo) {
             (None, None) => return Ok(None),
             (Some(axes), _) => {
-                let mut axes = axes.clone();
-                for word in axes.iter_mut().flat_map(Axis::words_mut) {
-                    // the law of the scenario keeps the parameters that the scenario gives
-                    if let Word::Law(law) = word
-                        && law.name() == input.law.name()
-                    {
-                        law.clone_from(&input.law);
-                    }
-                }
-                self.refuse_mixture(&axes)?;
-                Cases::Grid(axes)
+                self.refuse_mixture(axes)?;
+                Cases::Grid(axes.clone())
             }
             (None, Some(RandomKeys { samples, seed, variables, .. })) => {
                 Cases::MonteCarlo { samples: *samples, seed: *seed, variables: variables.clone() }
@@ -73,7 +62,7 @@ impl Scenario {
 
     /// Leaves in the table of a plan only the results that the scenario names, if it names any.
     pub(super) fn choose_columns(&self, plan: &mut Plan) -> Result<(), Error> {
-        let Some(names) = &self.columns else {
+        let Some(names) = self.input.words(at!("output.columns")) else {
             return Ok(());
         };
         let refuse = |message: String| Err(self.document.refuse("output.columns", message));
@@ -94,7 +83,7 @@ impl Scenario {
 
     /// Refuses columns for `scene`, which is no table.
     pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), Error> {
-        if self.columns.is_none() {
+        if self.input.words(at!("output.columns")).is_none() {
             return Ok(());
         }
         let message = format!("is for tables, and this scenario is {scene}: leave it out, or give an impact a [sweep]");

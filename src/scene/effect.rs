@@ -1,5 +1,6 @@
 //! Whether a key has an effect: it is changed, and what the computation gets is compared.
 
+use super::at::at;
 use super::keys::Key;
 use super::{Input, Scene};
 use crate::impact::Method;
@@ -94,8 +95,14 @@ impl Scene {
         if let Some(plate) = forces.plate.as_mut().filter(|_| of == Use::Rows) {
             plate.edge_distance = None;
         }
-        let sliding = self.incidence.map(|incidence| (incidence, self.input.sphere.moment_of_inertia));
-        let motion = is_moving.then_some((self.sphere.density, self.input.sphere.mass, self.speed, forces, sliding));
+        let sliding = self.incidence.map(|incidence| (incidence, self.input.number(at!("sphere.moment_of_inertia"))));
+        let motion = is_moving.then_some((
+            self.sphere.density,
+            self.input.number(at!("sphere.mass")),
+            self.speed,
+            forces,
+            sliding,
+        ));
         let waves = self.half_space.density.filter(|_| is_moving && forces.damping.is_none());
         let steps = (of == Use::Impact || of == Use::Rows && self.is_stepped()).then_some(&self.solver);
         let doubts = self.sphere.yield_strength.filter(|_| matches!(of, Use::Impact | Use::Indentation));

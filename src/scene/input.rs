@@ -1,259 +1,254 @@
-//! The tables of one impact as they are written: every number as it is given, and nothing that follows from others.
+//! What file and command line say: every number as it is given, and nothing that follows from others. Every key has a value of
+//! its own here, so that the order in which values are set does not matter; `resolve.rs` works out what follows from them.
 
-use super::field::{Field, Held, show_word};
-use super::key::Form::{self, Count, List, Number, NumberOr, Pair, Table, Text, Word};
-use super::quantity::{
-    ACCELERATION, ANGLE, DENSITY, DROP_HEIGHT, FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS,
-    HUNT_CROSSLEY, LENGTH, MASS, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, SAMPLES, SATURATION, SPEED,
-    SPHERE_MODULUS, SPIN, STEPS, STRAIN, STRENGTH, TOLERANCE, VISCOUS,
-};
-use super::read::{Fault, Reader, list, pair};
-use super::table::tables;
-use super::words::{COLUMNS, MATERIALS, METHODS, PLATES};
-use super::written::Node;
-use crate::impact::{Method, PlateTheory};
-use crate::law::LawChoice;
-use crate::materials::Entry as Material;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::at::{At, COUNT, NUMBER, OTHER, WORD, at};
+use super::key::{Form, Part};
+use super::list::EVERY_KEY;
+use super::quantity::Quantity;
+use crate::law::{LawChoice, PlmCoefficients};
 use crate::strength::flow::{FlowCurve, FlowPoint};
-use crate::units::csv_text::{CsvText, Refusal};
-use crate::units::{Dimension, human, number};
+use crate::units::{Dimension, describe, human, number};
 
-tables! {
-    /// What the file and the command line say about one impact. Every key sets a value of its own here, so that the order in
-    /// which values are set does not matter; [`Input::resolve`] works out what follows from them.
-    pub struct Input {
-        /// The sphere.
-        sphere: SphereInput as Table,
-        /// The half-space.
-        half_space: HalfSpaceInput as Table,
-        /// The impact.
-        impact: ImpactInput as Table,
-        /// Friction.
-        friction: FrictionInput as Table,
-        /// Gravity.
-        gravity: GravityInput as Table,
-        /// Damping.
-        damping: DampingInput as Table,
-        /// The contact law with its parameters; [`Input::resolve`] gives it the flow curve of the half-space.
-        law: LawChoice as Table,
-        /// The integration.
-        solver: SolverInput as Table,
-        /// Traces and tables.
-        output: OutputInput as Table,
+/// A value that is no number and no word.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    Numbers(Vec<f64>),
+    Words(Vec<String>),
+    Text(String),
+    /// A flow curve through points, which stand in a list or in a file.
+    Curve(FlowCurve),
+    /// Coefficients of a file.
+    Coefficients(Arc<PlmCoefficients>),
+}
+
+/// The values that an input has besides its numbers.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Others {
+    /// By the places of their keys.
+    values: BTreeMap<usize, Value>,
+    /// The items of lists of tables, by the paths of the lists.
+    items: BTreeMap<&'static str, Vec<Input>>,
+}
+
+/// All values of a scenario.
+#[derive(Debug, Clone)]
+pub struct Input {
+    /// By the place of the key: numbers in SI, whole numbers, and words by their place in the list of such words. Not a number
+    /// where nothing is given, infinite for the word in place of a number.
+    numbers: [f64; EVERY_KEY.len()],
+    // rows of a table copy the input, and leave these alone
+    others: Arc<Others>,
+    /// The law that the scenario names, without the numbers that it gives to it: see [`Input::hardening_law`].
+    pub law: LawChoice,
+}
+
+impl Default for Input {
+    fn default() -> Self {
+        Self { numbers: [f64::NAN; EVERY_KEY.len()], others: Arc::default(), law: LawChoice::default() }
     }
+}
 
-    /// `[sphere]`
-    pub struct SphereInput {
-        /// Radius of the sphere (not its diameter).
-        radius: Option<f64> as Number(&LENGTH),
-        /// Diameter of the sphere, in place of the radius.
-        diameter: Option<f64> as Number(&LENGTH),
-        /// Young's modulus of the sphere, or "rigid".
-        youngs_modulus: Option<f64> as NumberOr(&SPHERE_MODULUS, "rigid"),
-        /// Poisson's ratio of the sphere.
-        poissons_ratio: Option<f64> as Number(&POISSONS_RATIO),
-        /// Density of the sphere, which gives its mass.
-        density: Option<f64> as Number(&DENSITY),
-        /// Mass of all that moves with the sphere, in place of its density; for a hammer or a pendulum with a spherical tip.
-        mass: Option<f64> as Number(&MASS),
-        /// Moment of inertia of all that moves with the sphere, about the sphere's centre. Needed with mass where the sphere
-        /// comes in at an angle or spins.
-        moment_of_inertia: Option<f64> as Number(&MOMENT_OF_INERTIA) => "of a solid sphere",
-        /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Needs friction.
-        spin: Option<f64> as Number(&SPIN) => "0",
-        /// Yield strength of the sphere. It only serves to warn where the sphere would yield too.
-        yield_strength: Option<f64> as Number(&STRENGTH),
-        /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
-        material: Option<&'static Material> as Word(&MATERIALS),
-    }
-
-    /// `[half_space]`
-    pub struct HalfSpaceInput {
-        /// Young's modulus of the half-space.
-        youngs_modulus: Option<f64> as Number(&MODULUS),
-        /// Poisson's ratio of the half-space.
-        poissons_ratio: Option<f64> as Number(&POISSONS_RATIO),
-        /// Uniaxial yield strength of the half-space; without it the contact is elastic and nothing plastic is reported.
-        yield_strength: Option<f64> as Number(&STRENGTH),
-        /// Hardness of the half-space in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
-        /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
-        /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
-        hardness: Option<f64> as Number(&HARDNESS),
-        /// Density of the half-space; with it the energy that is radiated as elastic waves is reported, and bouncing loses it.
-        density: Option<f64> as Number(&DENSITY),
-        /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
-        material: Option<&'static Material> as Word(&MATERIALS),
-        /// Thickness of a large plate in place of the half-space; needs its density. It can be an axis.
-        thickness: Option<f64> as Number(&LENGTH),
-        /// Distance of the plate's nearest edge. It only serves to warn where bending waves come back from it in time.
-        edge_distance: Option<f64> as Number(&LENGTH),
-        /// How the plate gives way: as a thin one, or with the first term of a thick one.
-        plate: Option<PlateTheory> as Word(&PLATES) => "zener",
-        /// How the half-space hardens.
-        flow_stress: FlowInput as Table,
-    }
-
-    /// `[half_space.flow_stress]`: one of its forms.
-    pub struct FlowInput {
-        /// A power law.
-        power: Option<PowerInput> as Table,
-        /// A stress that rises to a limit.
-        voce: Option<VoceInput> as Table,
-        /// A stress that rises in a straight line.
-        linear: Option<LinearInput> as Table,
-        /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after the
-        /// last.
-        points: Option<FlowCurve> as List(&Pair(&STRAIN, &STRENGTH)),
-        /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
-        table: Option<FlowCurve> as Text("flow.csv"),
-    }
-
-    /// σ_Y (1 + E ε/σ_Y)^N.
-    pub struct PowerInput {
-        /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens; finite elements
-        /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
-        exponent: Option<f64> as Number(&HARDENING_EXPONENT),
-    }
-
-    /// σ_Y (1 + b (1 − exp(−c ε))).
-    pub struct VoceInput {
-        /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
-        saturation: Option<f64> as Number(&SATURATION),
-        /// Rate c of that flow stress: how fast it rises with plastic strain.
-        rate: Option<f64> as Number(&HARDENING_RATE),
-    }
-
-    /// σ_Y + H ε.
-    pub struct LinearInput {
-        /// Slope of a flow stress that rises in a straight line with plastic strain.
-        slope: Option<f64> as Number(&HARDENING_SLOPE),
-    }
-
-    /// `[impact]`
-    pub struct ImpactInput {
-        /// Speed of the sphere at first touch, towards the half-space.
-        speed: Option<f64> as Number(&SPEED),
-        /// Height that the sphere falls from, in place of the speed: v = sqrt(2 g h), with g = 9.80665 m/s^2 unless gravity is
-        /// given. With gravity it may be 0: the sphere is released at first touch.
-        drop_height: Option<f64> as Number(&DROP_HEIGHT),
-        /// Angle of the path from the normal of the half-space (in erosion it is often counted from the surface). The speed
-        /// is then the whole speed. Needs friction.
-        angle: Option<f64> as Number(&ANGLE) => "0 deg",
-    }
-
-    /// `[friction]`
-    pub struct FrictionInput {
-        /// Coefficient of Coulomb friction between sphere and half-space; 0 for none.
-        coefficient: Option<f64> as Number(&FRICTION),
-    }
-
-    /// `[gravity]`
-    pub struct GravityInput {
-        /// Gravity, towards the half-space, that acts during contact and flight. A drop height alone does not need it.
-        acceleration: Option<f64> as Number(&ACCELERATION),
-    }
-
-    /// `[damping]`
-    pub struct DampingInput {
-        /// Coefficient chi of the force F (1 + chi v).
-        hunt_crossley: Option<f64> as Number(&HUNT_CROSSLEY),
-        /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
-        viscous: Option<f64> as Number(&VISCOUS),
-    }
-
-    /// `[solver]`
-    pub struct SolverInput {
-        /// Relative tolerance of the integration, on the dimensionless state.
-        tolerance: Option<f64> as Number(&TOLERANCE) => "1e-10",
-        /// Integration method; it can be an axis. auto is the closed form where there is one and no trace is asked for,
-        /// else rk8.
-        method: Option<Method> as Word(&METHODS) => "rk8; auto for tables and repeated impacts",
-        /// Steps of verlet during the contact time.
-        steps_per_contact: Option<u64> as Count(&STEPS) => "50",
-    }
-
-    /// `[output]`
-    pub struct OutputInput {
-        /// Rows of a trace, evenly spaced in time; every event adds a row.
-        samples: Option<u64> as Count(&SAMPLES) => "400",
-        /// Results that a table has besides the restitution.
-        columns: Option<Vec<String>> as List(&Word(&COLUMNS)) => "all",
+impl PartialEq for Input {
+    fn eq(&self, other: &Self) -> bool {
+        self.numbers.map(f64::to_bits) == other.numbers.map(f64::to_bits)
+            && self.others == other.others
+            && self.law == other.law
     }
 }
 
 impl Input {
-    /// The keys that have a value, for reports: numbers, words and counts in the order of the file.
+    /// The number of a key, SI.
+    #[inline]
+    pub fn number(&self, at: At<NUMBER>) -> Option<f64> {
+        self.given(at.place())
+    }
+
+    #[inline]
+    pub(super) fn given(&self, place: usize) -> Option<f64> {
+        let number = self.numbers[place];
+        if number.is_nan() { None } else { Some(number) }
+    }
+
+    /// Puts a checked number there, SI, or takes it away.
+    #[inline]
+    pub fn set(&mut self, at: At<NUMBER>, number: Option<f64>) {
+        self.numbers[at.place()] = number.unwrap_or(f64::NAN);
+    }
+
+    /// A whole number.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole and positive, checked when it was read
+    pub fn count(&self, at: At<COUNT>) -> Option<u64> {
+        self.given(at.place()).map(|number| number as u64)
+    }
+
+    /// Puts a whole number there.
+    #[allow(clippy::cast_precision_loss)] // no key counts so far
+    pub fn set_count(&mut self, at: At<COUNT>, count: u64) {
+        self.numbers[at.place()] = count as f64;
+    }
+
+    /// The place of a word in the list of the words that the key takes.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a place in a list
+    pub fn word(&self, at: At<WORD>) -> Option<usize> {
+        self.given(at.place()).map(|place| place as usize)
+    }
+
+    /// Puts a word there, by its place in the list of the words that the key takes, or takes it away.
+    #[allow(clippy::cast_precision_loss)] // lists of words are short
+    pub fn choose(&mut self, at: At<WORD>, word: Option<usize>) {
+        self.numbers[at.place()] = word.map_or(f64::NAN, |place| place as f64);
+    }
+
+    /// Any other value.
+    pub fn value(&self, at: At<OTHER>) -> Option<&Value> {
+        self.others.values.get(&at.place())
+    }
+
+    /// Puts such a value there, or takes it away.
+    pub fn put_value(&mut self, at: At<OTHER>, value: Option<Value>) {
+        let values = &mut Arc::make_mut(&mut self.others).values;
+        match value {
+            Some(value) => drop(values.insert(at.place(), value)),
+            None => drop(values.remove(&at.place())),
+        }
+    }
+
+    /// Puts what was read at a place of the list.
+    pub(super) fn put_number(&mut self, place: usize, number: f64) {
+        self.numbers[place] = number;
+    }
+
+    pub(super) fn put_other(&mut self, place: usize, value: Value) {
+        Arc::make_mut(&mut self.others).values.insert(place, value);
+    }
+
+    /// The words of a list.
+    pub fn words(&self, at: At<OTHER>) -> Option<&[String]> {
+        if let Some(Value::Words(words)) = self.value(at) { Some(words) } else { None }
+    }
+
+    /// The numbers of a list.
+    pub fn numbers(&self, at: At<OTHER>) -> Option<&[f64]> {
+        if let Some(Value::Numbers(numbers)) = self.value(at) { Some(numbers) } else { None }
+    }
+
+    /// A text, or the name of a file.
+    pub fn text(&self, at: At<OTHER>) -> Option<&str> {
+        if let Some(Value::Text(text)) = self.value(at) { Some(text) } else { None }
+    }
+
+    /// The items of a list of tables; `None` where it is not given.
+    pub fn items(&self, path: &str) -> Option<&[Self]> {
+        self.others.items.get(path).map(Vec::as_slice)
+    }
+
+    /// Puts the items of a list of tables there.
+    pub fn set_items(&mut self, path: &'static str, items: Vec<Self>) {
+        Arc::make_mut(&mut self.others).items.insert(path, items);
+    }
+
+    /// The numbers of a table, by their names in alphabetical order.
+    pub fn numbers_of(&self, table: &str) -> Vec<(String, f64)> {
+        let name = |path: &'static str| path.strip_prefix(table)?.strip_prefix('.');
+        let all = EVERY_KEY.iter().zip(self.numbers).filter(|(key, number)| key.number().is_some() && !number.is_nan());
+        let mut all: Vec<_> = all.filter_map(|(key, number)| Some((name(key.path)?.to_owned(), number))).collect();
+        all.sort_by(|a, b| a.0.cmp(&b.0));
+        all
+    }
+
+    /// The flow curve, if all its numbers are given.
+    pub fn flow_curve(&self) -> Option<FlowCurve> {
+        let number = |at| self.number(at);
+        if let Some(exponent) = number(at!("half_space.flow_stress.power.exponent")) {
+            return Some(FlowCurve::Power { exponent });
+        }
+        let saturation = number(at!("half_space.flow_stress.voce.saturation"));
+        if let Some((saturation, rate)) = saturation.zip(number(at!("half_space.flow_stress.voce.rate"))) {
+            return Some(FlowCurve::Voce { saturation, rate });
+        }
+        if let Some(slope) = number(at!("half_space.flow_stress.linear.slope")) {
+            return Some(FlowCurve::Linear { slope });
+        }
+        let points = self.value(at!("half_space.flow_stress.points"));
+        let table = || self.value(at!("half_space.flow_stress.table"));
+        if let Some(Value::Curve(curve)) = points.or_else(table) { Some(curve.clone()) } else { None }
+    }
+
+    /// The keys of one impact that have a value, for reports: in the order of the list, with the name of the law before its
+    /// keys.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // counts and places are whole
     pub fn held(&self) -> Vec<Held> {
         let mut held = Vec::new();
-        self.show(&Table, "", &mut held);
+        let of_law = format!("law.{}.", self.law.about().name);
+        for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| key.part != Part::Kind) {
+            if key.part == Part::Law && !held.iter().any(|held: &Held| held.path == "law") {
+                held.push(Held::word("law", self.law.name()));
+            }
+            if key.part == Part::Law && !key.path.starts_with(&of_law) {
+                continue;
+            }
+            let value = match (key.form, self.given(place), self.others.values.get(&place)) {
+                (Form::NumberOr(_, word), Some(f64::INFINITY), _) => word.into(),
+                (Form::Count(_), Some(count), _) => (count as u64).into(),
+                (Form::Word(words), Some(place), _) => (words.known)().get(place as usize).cloned().into(),
+                (_, Some(number), _) => number.into(),
+                (.., Some(value)) if value.text().is_some() => value.text().into(),
+                _ => continue,
+            };
+            held.push(Held { path: key.path.to_owned(), quantity: key.number().map(|(quantity, _)| quantity), value });
+        }
         held
     }
 }
 
-/// A flow curve through points, which stand in a list or in a file.
-impl Field for Option<FlowCurve> {
-    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        let refused = |message| Fault::at(node, message);
-        *self = Some(match form {
-            Text(example) => {
-                let [path, text] = reader.file(node, example)?;
-                let at = |line: Option<u64>| line.map(|line| format!(":{line}")).unwrap_or_default();
-                let points = points(&text).and_then(|points| through(&points).map_err(|message| (None, message)));
-                points.map_err(|(line, message)| refused(format!("{path}{}: {message}", at(line))))?
+impl Value {
+    /// What reports say of it; `None` for what they leave out.
+    fn text(&self) -> Option<String> {
+        match self {
+            Self::Curve(FlowCurve::Points(points)) => {
+                let pair = |point: &FlowPoint| {
+                    format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure))
+                };
+                Some(points.iter().map(pair).collect::<Vec<_>>().join(", "))
             }
-            form => {
-                let items = list(node, &form.example())?;
-                let points =
-                    items.iter().map(|item| pair([&STRAIN, &STRENGTH], item)).collect::<Result<Vec<_>, _>>()?;
-                through(&points).map_err(refused)?
-            }
-        });
-        Ok(())
-    }
-    fn show(&self, _: &Form, path: &str, into: &mut Vec<Held>) {
-        let Some(FlowCurve::Points(points)) = self else { return };
-        let pair =
-            |point: &FlowPoint| format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure));
-        show_word(points.iter().map(pair).collect::<Vec<_>>().join(", "), path, into);
+            Self::Coefficients(table) => Some(format!("{} ({})", table.provenance.name, table.provenance.source)),
+            _ => None,
+        }
     }
 }
 
-const OF_POINTS: [&str; 2] = ["plastic_strain", "stress_Pa"];
-
-/// The points of a file: `plastic_strain, stress_Pa`.
-fn points(text: &str) -> Result<Vec<[f64; 2]>, Refusal> {
-    let table = CsvText::new(text)?;
-    if table.header.iter().collect::<Vec<_>>() != OF_POINTS {
-        return Err((table.line, format!("its columns must be {}", OF_POINTS.join(", "))));
-    }
-    let mut points = Vec::new();
-    for row in table.rows() {
-        let (line, row) = row?;
-        let field = |i: usize| {
-            let no_number = |_| (Some(line), format!("{} is no number, but \"{}\"", OF_POINTS[i], &row[i]));
-            row[i].parse::<f64>().map_err(no_number)
-        };
-        points.push([field(0)?, field(1)?]);
-    }
-    Ok(points)
+/// A key and its value, for reports.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Held {
+    /// As in the file, with dots.
+    pub path: String,
+    /// Of a number.
+    pub quantity: Option<&'static Quantity>,
+    /// In SI, or a word.
+    pub value: serde_json::Value,
 }
 
-fn through(points: &[[f64; 2]]) -> Result<FlowCurve, String> {
-    let points = points.iter().map(|&[strain, stress]| FlowPoint { strain, stress });
-    FlowCurve::through(points.collect::<Vec<_>>()).map_err(|error| error.to_string())
-}
+impl Held {
+    /// A word.
+    pub fn word(path: &str, word: impl Into<serde_json::Value>) -> Self {
+        Self { path: path.to_owned(), quantity: None, value: word.into() }
+    }
 
-impl FlowInput {
-    /// The curve, if all its numbers are given.
-    pub fn curve(&self) -> Option<FlowCurve> {
-        if let Some(PowerInput { exponent: Some(exponent) }) = self.power {
-            Some(FlowCurve::Power { exponent })
-        } else if let Some(VoceInput { saturation: Some(saturation), rate: Some(rate) }) = self.voce {
-            Some(FlowCurve::Voce { saturation, rate })
-        } else if let Some(LinearInput { slope: Some(slope) }) = self.linear {
-            Some(FlowCurve::Linear { slope })
-        } else {
-            self.points.as_ref().or(self.table.as_ref()).cloned()
+    /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
+    pub fn column(&self) -> String {
+        self.path.replace('.', "_") + self.quantity.map_or("", |quantity| quantity.dimension.suffix())
+    }
+
+    /// The value for the terminal.
+    pub fn text(&self) -> String {
+        match (self.quantity, self.value.as_f64(), self.value.as_str()) {
+            (Some(quantity), Some(number), _) => describe(number, quantity.dimension),
+            (.., Some(word)) => word.to_owned(),
+            _ => self.value.to_string(),
         }
     }
 }

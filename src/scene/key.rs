@@ -2,19 +2,36 @@
 
 use super::quantity::Quantity;
 
-/// A key of any kind, as it is described.
+/// A key.
 #[derive(Debug, Clone, Copy)]
 pub struct AnyKey {
     /// As in the file, with dots; `[]` stands behind the name of a list of tables.
     pub path: &'static str,
+    pub part: Part,
     /// How its value is written.
     pub form: Form,
-    /// What it is, in one sentence.
-    pub about: &'static str,
     /// Its value where the scenario does not give it, in words; empty where there is none.
     pub default: &'static str,
-    /// The way to its field: the number of the field in each table.
-    pub way: &'static [usize],
+    /// What it is, in one sentence.
+    pub about: &'static str,
+}
+
+/// What a key is part of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    Sphere,
+    HalfSpace,
+    /// The flow stress of the half-space.
+    Flow,
+    Law,
+    /// Gravity and damping.
+    Forces,
+    /// How the sphere comes in: all that changes from impact to impact on one contact.
+    Approach,
+    Solver,
+    Output,
+    /// A kind of scene with a table of its own, such as `[repeat]`.
+    Kind,
 }
 
 /// How a value is written.
@@ -22,30 +39,30 @@ pub struct AnyKey {
 pub enum Form {
     /// A number in SI, or a text with a unit.
     Number(&'static Quantity),
-    /// The same, or the word.
+    /// Such a number, or the word.
     NumberOr(&'static Quantity, &'static str),
     /// A whole number.
     Count(&'static Quantity),
-    /// A pair of numbers.
-    Pair(&'static Quantity, &'static Quantity),
+    /// A list of numbers.
+    Numbers(&'static Quantity),
+    /// A list of points of a flow curve.
+    Points,
     /// One of some words.
     Word(&'static Words),
+    /// A list of such words.
+    Words(&'static Words),
+    /// A word, or a table with keys of its own.
+    WordOrTable(&'static Words),
     /// Any text, such as this one.
     Text(&'static str),
-    /// A list of such values.
-    List(&'static Form),
+    /// The name of a file, such as this one.
+    File(&'static str),
     /// The axes of a table, by the keys that vary.
     Axes,
     /// The random variables of a table, by the keys that vary.
     Variables,
     /// Numeric keys that a calibration finds, with their ranges.
     Free,
-    /// A word, or a table with keys of its own.
-    WordOrTable(&'static Words),
-    /// A table with keys of its own.
-    Table,
-    /// A list of tables with keys of their own: how it is written, and what an item of it is.
-    Items(&'static str, &'static str),
 }
 
 /// Words that a key takes.
@@ -58,3 +75,40 @@ pub struct Words {
     /// All of them.
     pub known: fn() -> Vec<String>,
 }
+
+impl AnyKey {
+    /// The quantity of a number, and the word that may stand in its place.
+    pub fn number(&self) -> Option<(&'static Quantity, Option<&'static str>)> {
+        match self.form {
+            Form::Number(quantity) => Some((quantity, None)),
+            Form::NumberOr(quantity, word) => Some((quantity, Some(word))),
+            _ => None,
+        }
+    }
+}
+
+/// A list of tables, each item with the keys below its path.
+#[derive(Debug)]
+pub struct List {
+    pub path: &'static str,
+    /// How it is written.
+    pub example: &'static str,
+    /// What an item of it is.
+    pub item: &'static str,
+}
+
+/// How steps of an indentation are written.
+pub const STEPS: &str = "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]";
+
+pub const LISTS: [List; 2] = [
+    List {
+        path: "indentation.steps[]",
+        example: STEPS,
+        item: "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }",
+    },
+    List {
+        path: "indentation.half_space[]",
+        example: "[[indentation.half_space]] with a name",
+        item: "a table with a name",
+    },
+];

@@ -64,29 +64,23 @@ impl<'f> Reader<'f> {
         (self.files)(&self.path, text(node, example)?).map_err(|message| Fault::at(node, message))
     }
 
-    /// Refuses keys that the table has not; `known` are the names of those that it has.
-    pub fn unknown<'n, 't: 'n>(
-        &mut self,
-        others: impl IntoIterator<Item = (&'n Name<'t>, &'n Node<'t>)>,
-        known: &[&str],
-    ) {
+    /// Refuses a key that the table has not; `known` are the names of those that it has.
+    pub fn unknown(&mut self, name: &Name, known: &[&str]) {
         let (thing, things) = match self.path.as_str() {
             "" => ("table", "tables"),
             "law" => ("law", "laws"),
             _ => ("key", "keys here"),
         };
-        for (name, _) in others {
-            let written = name.get_ref();
-            let message = if let Some(instead) = instead(&below(&self.path, written)) {
-                format!("there is no {thing} `{written}` any more: {instead}")
-            } else if known.is_empty() {
-                format!("unknown {thing} `{written}`; this table takes none")
-            } else {
-                let all = format!("{things} are {}", known.join(", "));
-                format!("unknown {thing} `{written}`{}", did_you_mean(written, known.iter().copied(), '`', &all))
-            };
-            self.within(written, |_| Err(Fault { span: name.span(), message }));
-        }
+        let written = name.get_ref();
+        let message = if let Some(instead) = instead(&below(&self.path, written)) {
+            format!("there is no {thing} `{written}` any more: {instead}")
+        } else if known.is_empty() {
+            format!("unknown {thing} `{written}`; this table takes none")
+        } else {
+            let all = format!("{things} are {}", known.join(", "));
+            format!("unknown {thing} `{written}`{}", did_you_mean(written, known.iter().copied(), '`', &all))
+        };
+        self.within(written, |_| Err(Fault { span: name.span(), message }));
     }
 }
 
@@ -150,9 +144,9 @@ pub fn text<'n>(node: &'n Node, example: &str) -> Result<&'n str, Fault> {
     }
 }
 
-/// A word that is known.
-pub fn word(words: &Words, node: &Node) -> Result<String, Fault> {
-    named(words, node, |given| (words.known)().into_iter().find(|word| word == given))
+/// The place of a word in the list of those that are known.
+pub fn word(words: &Words, node: &Node) -> Result<usize, Fault> {
+    named(words, node, |given| (words.known)().iter().position(|word| word == given))
 }
 
 /// What a word stands for.

@@ -3,12 +3,14 @@
 
 use std::f64::consts::PI;
 
-use super::input::{HalfSpaceInput, Input, SolverInput};
+use super::at::at;
+use super::input::Input;
 use super::keys::Key;
 use super::taken::Taken;
 use super::{DEFAULT_SAMPLES, Scene};
 use crate::impact::{
-    Approach, Contact, Damping, Forces, ImpactError, Incidence, Plate, STANDARD_GRAVITY, Solver, drop_speed,
+    Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Plate, PlateTheory, STANDARD_GRAVITY, Solver,
+    drop_speed,
 };
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
@@ -28,52 +30,51 @@ impl Input {
             law,
             forces: self.forces(),
             solver: self.solver(),
-            samples: self.output.samples.and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
+            samples: self.count(at!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
             materials: Vec::new(),
             warnings: Vec::new(),
         }
     }
 
-    /// The law, with the flow curve of the half-space.
-    pub fn hardening_law(&self) -> LawChoice {
-        let mut law = self.law.clone();
-        if let LawChoice::Plm(plm) = &mut law {
-            plm.flow = self.half_space.flow_stress.curve();
-        }
-        law
-    }
-
     /// The bodies. With a flow curve, which the law has, a hardness is another yield strength.
     pub fn bodies(&self, law: &LawChoice) -> (Sphere, HalfSpace) {
-        let Self { sphere, half_space, .. } = self;
         let radius = self.radius().unwrap_or(f64::NAN);
         let of_mass = |mass: f64| mass / (4.0 / 3.0 * PI * radius * radius * radius);
-        let modulus = half_space.youngs_modulus.unwrap_or(f64::NAN);
-        let strength = match half_space.hardness {
+        let number = |at| self.number(at);
+        let modulus = number(at!("half_space.youngs_modulus")).unwrap_or(f64::NAN);
+        let strength = match number(at!("half_space.hardness")) {
             Some(mean_pressure) => Some(strength_of_hardness(mean_pressure, law.flow(), modulus)),
-            None => half_space.yield_strength,
+            None => number(at!("half_space.yield_strength")),
         };
         let material = |youngs_modulus, poissons_ratio: Option<f64>| Material {
             youngs_modulus,
             poissons_ratio: poissons_ratio.unwrap_or(f64::NAN),
         };
-        let density = sphere.mass.map_or_else(|| sphere.density.unwrap_or(f64::NAN), of_mass);
-        let of_sphere = material(sphere.youngs_modulus.unwrap_or(f64::NAN), sphere.poissons_ratio);
-        let of_half_space = material(modulus, half_space.poissons_ratio);
+        let density = number(at!("sphere.density")).unwrap_or(f64::NAN);
+        let density = number(at!("sphere.mass")).map_or(density, of_mass);
+        let of_sphere = number(at!("sphere.youngs_modulus")).unwrap_or(f64::NAN);
+        let of_sphere = material(of_sphere, number(at!("sphere.poissons_ratio")));
+        let of_half_space = material(modulus, number(at!("half_space.poissons_ratio")));
+        let yield_strength = number(at!("sphere.yield_strength"));
         (
-            Sphere { radius, material: of_sphere, density, yield_strength: sphere.yield_strength },
-            HalfSpace { material: of_half_space, yield_strength: strength, density: half_space.density },
+            Sphere { radius, material: of_sphere, density, yield_strength },
+            HalfSpace { material: of_half_space, yield_strength: strength, density: number(at!("half_space.density")) },
         )
     }
 
     /// Gravity, damping and the plate.
     fn forces(&self) -> Forces {
-        let viscous = || self.damping.viscous.map(Damping::Viscous);
-        let damping = self.damping.hunt_crossley.map(Damping::HuntCrossley).or_else(viscous);
-        let &HalfSpaceInput { thickness, edge_distance, plate, .. } = &self.half_space;
-        let theory = plate.unwrap_or_default();
-        let plate = thickness.map(|thickness| Plate { thickness, edge_distance, theory });
-        Forces { gravity: self.gravity.acceleration, damping, plate }
+        let number = |at| self.number(at);
+        let viscous = || number(at!("damping.viscous")).map(Damping::Viscous);
+        let damping = number(at!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
+        let plate = number(at!("half_space.thickness")).map(|thickness| Plate {
+            thickness,
+            edge_distance: number(at!("half_space.edge_distance")),
+            theory: self
+                .word(at!("half_space.plate"))
+                .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
+        });
+        Forces { gravity: number(at!("gravity.acceleration")), damping, plate }
     }
 
     /// These bodies paired under this law.
@@ -82,8 +83,8 @@ impl Input {
     /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
     pub fn contact(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
         let contact = Contact::try_new(sphere, half_space, law.get())?;
-        let contact = if self.sphere.mass.is_some() { contact.of_a_body() } else { contact };
-        let contact = match self.sphere.moment_of_inertia {
+        let contact = if self.number(at!("sphere.mass")).is_some() { contact.of_a_body() } else { contact };
+        let contact = match self.number(at!("sphere.moment_of_inertia")) {
             Some(moment) => contact.with_moment_of_inertia(moment),
             None => contact,
         };
@@ -92,24 +93,24 @@ impl Input {
 
     /// The impact speed \[m/s\]: that of the fall where a height is given.
     pub fn speed(&self) -> f64 {
-        let fallen = self.impact.drop_height.map(|height| drop_speed(self.falling_gravity(), height));
-        fallen.or(self.impact.speed).unwrap_or(f64::NAN)
+        let fallen = self.number(at!("impact.drop_height")).map(|height| drop_speed(self.falling_gravity(), height));
+        fallen.or(self.number(at!("impact.speed"))).unwrap_or(f64::NAN)
     }
 
     /// The gravity of falls and of rebounds to a height \[m/s²\]. Without `[gravity]` a height is only another way to say
     /// a speed.
     pub fn falling_gravity(&self) -> f64 {
-        self.gravity.acceleration.unwrap_or(STANDARD_GRAVITY)
+        self.number(at!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
     }
 
     /// How the sphere comes in, if an angle or a spin is given.
     #[inline]
     fn incidence(&self) -> Option<Incidence> {
-        let (angle, spin) = (self.impact.angle, self.sphere.spin);
+        let (angle, spin) = (self.number(at!("impact.angle")), self.number(at!("sphere.spin")));
         (angle.is_some() || spin.is_some()).then(|| Incidence {
             angle: angle.unwrap_or(0.0),
             spin: spin.unwrap_or(0.0),
-            friction: self.friction.coefficient.unwrap_or(0.0),
+            friction: self.number(at!("friction.coefficient")).unwrap_or(0.0),
         })
     }
 
@@ -121,19 +122,26 @@ impl Input {
 
     /// Method and tolerance.
     pub fn solver(&self) -> Solver {
-        let SolverInput { tolerance, method, steps_per_contact } = self.solver;
         let defaults = Solver::default();
-        let steps = steps_per_contact.and_then(|steps| steps.try_into().ok());
+        let steps = self.count(at!("solver.steps_per_contact")).and_then(|steps| steps.try_into().ok());
         Solver {
-            method: method.unwrap_or(defaults.method),
-            tolerance: tolerance.unwrap_or(defaults.tolerance),
+            method: self.word(at!("solver.method")).map_or(defaults.method, |place| Method::ALL[place]),
+            tolerance: self.number(at!("solver.tolerance")).unwrap_or(defaults.tolerance),
             steps_per_contact: steps.unwrap_or(defaults.steps_per_contact),
+        }
+    }
+
+    /// Takes this method, unless one is named.
+    pub fn choose_method(&mut self, method: Method) {
+        if self.word(at!("solver.method")).is_none() {
+            self.choose(at!("solver.method"), Method::ALL.iter().position(|known| *known == method));
         }
     }
 
     /// The sphere's radius \[m\], by its radius or its diameter.
     pub fn radius(&self) -> Option<f64> {
-        self.sphere.radius.or(self.sphere.diameter.map(|diameter| 0.5 * diameter))
+        let of_diameter = || Some(0.5 * self.number(at!("sphere.diameter"))?);
+        self.number(at!("sphere.radius")).or_else(of_diameter)
     }
 
     /// Puts what a body takes from its material in the place of what it took from another.

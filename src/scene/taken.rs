@@ -1,5 +1,6 @@
 //! The values that the bodies of a scene take from named materials.
 
+use super::at::{At, WORD, at};
 use crate::materials::{Entry, Known, Property};
 
 /// A body that may name its material.
@@ -20,6 +21,14 @@ impl Body {
         match self {
             Self::Sphere => "sphere.material",
             Self::HalfSpace => "half_space.material",
+        }
+    }
+
+    /// That key in an input.
+    pub fn material_key(self) -> At<WORD> {
+        match self {
+            Self::Sphere => at!("sphere.material"),
+            Self::HalfSpace => at!("half_space.material"),
         }
     }
 

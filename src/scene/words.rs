@@ -1,14 +1,11 @@
 //! The words that keys take in place of numbers.
 
-use super::field::{Field, Held, show_word};
-use super::key::{Form, Words};
-use super::read::{Fault, Reader, named};
+use super::key::Words;
 use super::results::columns;
-use super::written::Node;
 use crate::impact::{Method, PlateTheory};
+use crate::law::LawChoice;
 use crate::law::catalogue::jackson_green::Hardness;
-use crate::law::{LawChoice, UnloadingExponent};
-use crate::materials::{Entry as Material, all, find};
+use crate::materials::all;
 use crate::repeat::Place;
 
 const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> Words {
@@ -38,6 +35,8 @@ pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
 pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]));
 /// What is done about outliers.
 pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "none"]));
+/// The place of the first of them.
+pub const STUDENT_T: usize = 0;
 /// Names of materials.
 pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
 /// How a plate gives way.
@@ -53,56 +52,4 @@ fn texts(known: impl IntoIterator<Item = impl ToString>) -> Vec<String> {
 
 fn laws(is_wanted: fn(&LawChoice) -> bool) -> Vec<String> {
     texts(LawChoice::all().iter().filter(|law| is_wanted(law)).map(LawChoice::name))
-}
-
-/// Words that stand for a value of a type that is defined elsewhere.
-macro_rules! named {
-    ($($type:ty: $find:expr;)+) => {$(
-        impl Field for $type {
-            fn read(&mut self, form: &Form, node: &Node, _: &mut Reader) -> Result<(), Fault> {
-                if let Form::Word(words) = form {
-                    *self = named(words, node, $find)?.into();
-                }
-                Ok(())
-            }
-            fn show(&self, form: &Form, path: &str, into: &mut Vec<Held>) {
-                let Form::Word(words) = form else { return };
-                let is_this = |name: &String| ($find)(name).map(<$type>::from).as_ref() == Some(self);
-                if let Some(name) = (words.known)().into_iter().find(is_this) {
-                    show_word(name, path, into);
-                }
-            }
-        }
-    )+};
-}
-
-named! {
-    Option<Method>: Method::find;
-    Option<&'static Material>: find;
-    Option<PlateTheory>: PlateTheory::find;
-    Option<Place>: Place::find;
-    Hardness: Hardness::find;
-}
-
-impl Field for UnloadingExponent {
-    fn read(&mut self, form: &Form, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        let mut value = f64::NAN;
-        value.read(form, node, reader)?;
-        self.put(Some(value));
-        Ok(())
-    }
-    fn given(&self) -> Option<f64> {
-        Some(match self {
-            Self::Paper => 1.5,
-            Self::Fixed(value) => *value,
-            Self::PressureShape => f64::INFINITY,
-        })
-    }
-    fn put(&mut self, value: Option<f64>) {
-        *self = match value {
-            None => *self,
-            Some(f64::INFINITY) => Self::PressureShape,
-            Some(value) => Self::of(value),
-        };
-    }
 }

@@ -8,6 +8,7 @@ use crate::law::LawChoice;
 use crate::plan::axis::{Axis, keeps_contact};
 use crate::plan::random::{Draws, Variable};
 use crate::plan::{Cases, Plan, places};
+use crate::scene::at::at;
 use crate::scene::{Input, Key};
 use crate::units::names::named;
 
@@ -160,11 +161,9 @@ impl<'a> Evaluator<'a> {
             *input = self.plan.input_at(places);
             return;
         };
-        // the contact is known: only what else a row needs is copied
-        input.impact.clone_from(&known.impact);
-        input.gravity.clone_from(&known.gravity);
-        input.friction.clone_from(&known.friction);
-        input.sphere.spin = known.sphere.spin;
+        // the contact is known: of the keys that change it a row needs gravity alone, for the speed of a fall
+        let gravity = at!("gravity.acceleration");
+        input.set(gravity, known.number(gravity));
         for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.keeps_contact()) {
             axis.put(*place, input);
         }

@@ -5,17 +5,16 @@ use serde_json::{Map, Value, json};
 use crate::materials::{Entry, Known, Property, all};
 use crate::plot::of_key::title_of;
 use crate::report::materials::one;
-use crate::scenario::every_key;
-use crate::scene::EITHER;
 use crate::scene::key::{Form, Words};
 use crate::scene::taken::Body;
 use crate::scene::words::LAWS;
+use crate::scene::{EITHER, EVERY_KEY};
 
 /// The keys whose value is a number or a word: path, title, meaning, default, an example, the unit of a number that is written
 /// without one, the words that may be chosen, and the key in whose place it may stand.
 pub fn fields() -> Value {
     let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.known)() });
-    let keys = every_key().filter(|key| !key.path.contains("[]")).filter_map(|key| {
+    let keys = EVERY_KEY.iter().filter(|key| !key.path.contains("[]")).filter_map(|key| {
         let (example, unit, words) = match key.form {
             Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
                 (quantity.example.trim_matches('"'), quantity.dimension.si_unit(), None)

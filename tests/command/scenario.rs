@@ -131,6 +131,18 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
     assert!(Key::find("solver.method").is_none());
 }
 
+/// What `check` says of a law whose keys are not given is what the law takes.
+#[test]
+fn the_defaults_of_keys_are_those_of_the_laws() {
+    for law in LawChoice::all() {
+        let mut input = Input::default();
+        input.law = law;
+        let own = input.hardening_law();
+        input.fill_law();
+        assert_eq!(input.hardening_law(), own);
+    }
+}
+
 #[test]
 fn a_drop_height_is_a_speed_and_gravity_acts_only_where_it_is_given() {
     let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"");
@@ -141,13 +153,13 @@ fn a_drop_height_is_a_speed_and_gravity_acts_only_where_it_is_given() {
     let scene = resolve(&text, &[gravity]).unwrap();
     // √(2 g h)
     assert_eq!(scene.speed, 9.81_f64.sqrt());
-    assert_eq!((scene.forces.gravity, scene.input.impact.drop_height), (Some(9.81), Some(0.5)));
+    assert_eq!((scene.forces.gravity, given(&scene.input, "impact.drop_height")), (Some(9.81), Some(0.5)));
     let mut input = scene.input;
     Key::find("gravity.acceleration").unwrap().put(&mut input, 4.0);
     assert_eq!(input.resolve().speed, 2.0, "the height stays");
     Key::find("impact.speed").unwrap().put(&mut input, 3.0);
     let scene = input.resolve();
-    assert_eq!((scene.speed, scene.input.impact.drop_height), (3.0, None));
+    assert_eq!((scene.speed, given(&scene.input, "impact.drop_height")), (3.0, None));
     assert_eq!(resolve(&text, &[gravity, "impact.drop_height=0"]).unwrap().speed, 0.0);
     assert_eq!(scene.contact().unwrap().forces().gravity, Some(4.0));
 }

@@ -26,8 +26,8 @@ pub use plm_impact::plan::Cases;
 pub use plm_impact::progress::Counter;
 pub use plm_impact::repeat::{Drive, Place, Repeat};
 pub use plm_impact::run;
-pub use plm_impact::scenario::{Kind, Scenario, every_key};
-pub use plm_impact::scene::{Input, Key};
+pub use plm_impact::scenario::{Kind, Scenario};
+pub use plm_impact::scene::{EVERY_KEY, Input, Key};
 pub use plm_impact::strength::flow::FlowCurve;
 pub use plm_impact::sweep::evaluator::{Evaluator, Failure, Rows};
 pub use plm_impact::validation::comparison::largest;
@@ -41,3 +41,8 @@ pub use super::picture::*;
 pub use super::reference::records;
 pub use super::run;
 pub use super::*;
+
+/// The number that an input has for this key.
+pub fn given(input: &Input, path: &str) -> Option<f64> {
+    Key::find(path).unwrap().get(input)
+}

@@ -1,0 +1,219 @@
+//! All keys of a scenario, once each: path, part, form, default in words, meaning. Reading, "did you mean", axes, columns of
+//! tables, `check`, the page of keys and the schema go over this list.
+
+use super::key::Form::{
+    Axes, Count, File, Free, Number, NumberOr, Numbers, Points, Text, Variables, Word, WordOrTable, Words,
+};
+use super::key::{AnyKey, Part};
+use super::quantity::{
+    ACCELERATION, ANGLE, AREA_FACTOR, DENSITY, DEVIATION, DROP_HEIGHT, EXPONENT, FACTOR, FORCE, FRICTION,
+    HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS, INDENTATION, LEEB, LENGTH,
+    LOAD, MASS, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, RESTITUTION, SAMPLES, SATURATION, SHARE,
+    SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN, STEPS, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOUS,
+};
+use super::words::{
+    COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, ROBUSTS, SPOTS, UNLOADINGS,
+};
+
+macro_rules! keys {
+    ($($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr $(=> $default:literal)?;)+) => {
+        /// In the order of the reference page.
+        pub const EVERY_KEY: &[AnyKey] = &[$(AnyKey {
+            path: $path,
+            part: Part::$part,
+            form: $form,
+            default: concat!($($default)?),
+            about: concat!($($about),+).trim_ascii_start(),
+        }),+];
+    };
+}
+
+keys! {
+    /// Radius of the sphere (not its diameter).
+    "sphere.radius" of Sphere: Number(&LENGTH);
+    /// Diameter of the sphere, in place of the radius.
+    "sphere.diameter" of Sphere: Number(&LENGTH);
+    /// Young's modulus of the sphere, or "rigid".
+    "sphere.youngs_modulus" of Sphere: NumberOr(&SPHERE_MODULUS, "rigid");
+    /// Poisson's ratio of the sphere.
+    "sphere.poissons_ratio" of Sphere: Number(&POISSONS_RATIO);
+    /// Density of the sphere, which gives its mass.
+    "sphere.density" of Sphere: Number(&DENSITY);
+    /// Mass of all that moves with the sphere, in place of its density; for a hammer or a pendulum with a spherical tip.
+    "sphere.mass" of Sphere: Number(&MASS);
+    /// Moment of inertia of all that moves with the sphere, about the sphere's centre. Needed with mass where the sphere
+    /// comes in at an angle or spins.
+    "sphere.moment_of_inertia" of Sphere: Number(&MOMENT_OF_INERTIA) => "of a solid sphere";
+    /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Needs friction.
+    "sphere.spin" of Approach: Number(&SPIN) => "0";
+    /// Yield strength of the sphere. It only serves to warn where the sphere would yield too.
+    "sphere.yield_strength" of Sphere: Number(&STRENGTH);
+    /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
+    "sphere.material" of Sphere: Word(&MATERIALS);
+    /// Young's modulus of the half-space.
+    "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
+    /// Poisson's ratio of the half-space.
+    "half_space.poissons_ratio" of HalfSpace: Number(&POISSONS_RATIO);
+    /// Uniaxial yield strength of the half-space; without it the contact is elastic and nothing plastic is reported.
+    "half_space.yield_strength" of HalfSpace: Number(&STRENGTH);
+    /// Hardness of the half-space in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
+    /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
+    /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
+    "half_space.hardness" of HalfSpace: Number(&HARDNESS);
+    /// Density of the half-space; with it the energy that is radiated as elastic waves is reported, and bouncing loses it.
+    "half_space.density" of HalfSpace: Number(&DENSITY);
+    /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
+    "half_space.material" of HalfSpace: Word(&MATERIALS);
+    /// Thickness of a large plate in place of the half-space; needs its density. It can be an axis.
+    "half_space.thickness" of HalfSpace: Number(&LENGTH);
+    /// Distance of the plate's nearest edge. It only serves to warn where bending waves come back from it in time.
+    "half_space.edge_distance" of HalfSpace: Number(&LENGTH);
+    /// How the plate gives way: as a thin one, or with the first term of a thick one.
+    "half_space.plate" of HalfSpace: Word(&PLATES) => "zener";
+    /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens; finite elements
+    /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
+    "half_space.flow_stress.power.exponent" of Flow: Number(&HARDENING_EXPONENT);
+    /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
+    "half_space.flow_stress.voce.saturation" of Flow: Number(&SATURATION);
+    /// Rate c of that flow stress: how fast it rises with plastic strain.
+    "half_space.flow_stress.voce.rate" of Flow: Number(&HARDENING_RATE);
+    /// Slope of a flow stress that rises in a straight line with plastic strain.
+    "half_space.flow_stress.linear.slope" of Flow: Number(&HARDENING_SLOPE);
+    /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after the
+    /// last.
+    "half_space.flow_stress.points" of Flow: Points;
+    /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
+    "half_space.flow_stress.table" of Flow: File("flow.csv");
+    /// Speed of the sphere at first touch, towards the half-space.
+    "impact.speed" of Approach: Number(&SPEED);
+    /// Height that the sphere falls from, in place of the speed: v = sqrt(2 g h), with g = 9.80665 m/s^2 unless gravity is
+    /// given. With gravity it may be 0: the sphere is released at first touch.
+    "impact.drop_height" of Approach: Number(&DROP_HEIGHT);
+    /// Angle of the path from the normal of the half-space (in erosion it is often counted from the surface). The speed
+    /// is then the whole speed. Needs friction.
+    "impact.angle" of Approach: Number(&ANGLE) => "0 deg";
+    /// Coefficient of Coulomb friction between sphere and half-space; 0 for none.
+    "friction.coefficient" of Approach: Number(&FRICTION);
+    /// Gravity, towards the half-space, that acts during contact and flight. A drop height alone does not need it.
+    "gravity.acceleration" of Forces: Number(&ACCELERATION);
+    /// Coefficient chi of the force F (1 + chi v).
+    "damping.hunt_crossley" of Forces: Number(&HUNT_CROSSLEY);
+    /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
+    "damping.viscous" of Forces: Number(&VISCOUS);
+    /// Exponent of the unloading force, or "pressure-shape": the exponent that follows from the shape of the contact
+    /// pressure at the peak. Other numbers than 1.5 are for comparison.
+    "law.plm.unloading_exponent" of Law: NumberOr(&EXPONENT, "pressure-shape") => "1.5";
+    /// File of coefficients of the loading curve, relative to the scenario.
+    "law.plm.coefficients" of Law: File("my.toml") => "built in";
+    /// Contact pressure at which the straight part of the loading begins.
+    "law.thornton.yield_pressure" of Law: Number(&STRENGTH) => "largest Hertz pressure at first yield";
+    /// Mean contact pressure at first yield over the yield strength.
+    "law.stronge.yield_pressure_ratio" of Law: Number(&FACTOR) => "1.1";
+    /// Factor f_u of the recovered approach.
+    "law.stronge.unloading_factor" of Law: Number(&FACTOR) => "1";
+    /// Largest Hertz pressure at first yield over the yield strength.
+    "law.jackson_green.yield_factor" of Law: Number(&FACTOR) => "1.295 exp(0.736 nu)";
+    /// Formula of the geometric hardness: exponential is that of 2005, cosine the later one.
+    "law.jackson_green.hardness" of Law: Word(&HARDNESSES) => "\"exponential\"";
+    /// Largest Hertz pressure at first yield over the yield strength.
+    "law.kogut_etsion.yield_factor" of Law: Number(&FACTOR) => "(0.454 + 0.41 nu) x 2.8";
+    /// Largest Hertz pressure at first yield over the yield strength.
+    "law.yigit_christoforou.yield_factor" of Law: Number(&FACTOR) => "2 sqrt(0.68) = 1.649";
+    /// Hardness over the yield strength.
+    "law.ma_liu.hardness_ratio" of Law: Number(&FACTOR) => "2.8";
+    /// Indentation of full plasticity over that at first yield.
+    "law.ma_liu.transition_ratio" of Law: Number(&TRANSITION_RATIO) => "110";
+    /// True contact area over the area in which the sphere cuts the original surface.
+    "law.mesarovic_johnson.area_factor" of Law: Number(&AREA_FACTOR) => "1.43";
+    /// Stiffness of loading, in units of force over indentation at first yield.
+    "law.walton_braun.loading_stiffness" of Law: Number(&FACTOR) => "1";
+    /// Stiffness of loading over that of unloading; the restitution is the square root of this ratio.
+    "law.walton_braun.stiffness_ratio" of Law: Number(&SHARE) => "0.5";
+    /// Mean contact pressure while the sphere goes in.
+    "law.johnson.dynamic_pressure" of Law: Number(&STRENGTH) => "3 yield strengths";
+    /// Law of the loading.
+    "law.combined.loading" of Law: Word(&LOADINGS);
+    /// Law of the unloading.
+    "law.combined.unloading" of Law: Word(&UNLOADINGS);
+    /// Relative tolerance of the integration, on the dimensionless state.
+    "solver.tolerance" of Solver: Number(&TOLERANCE) => "1e-10";
+    /// Integration method; it can be an axis. auto is the closed form where there is one and no trace is asked for,
+    /// else rk8.
+    "solver.method" of Solver: Word(&METHODS) => "rk8; auto for tables and repeated impacts";
+    /// Steps of verlet during the contact time.
+    "solver.steps_per_contact" of Solver: Count(&STEPS) => "50";
+    /// Rows of a trace, evenly spaced in time; every event adds a row.
+    "output.samples" of Output: Count(&SAMPLES) => "400";
+    /// Results that a table has besides the restitution.
+    "output.columns" of Output: Words(&COLUMNS) => "all";
+    /// Axes of a table: keys with lists or ranges of values; the first varies slowest.
+    "sweep" of Kind: Axes;
+    /// Random cases: samples, seed, and keys with distributions.
+    "monte_carlo" of Kind: Variables;
+    /// Where repeated impacts hit: same is in the dent of the impacts before, fresh is on new surface every time.
+    "repeat.spot" of Kind: Word(&SPOTS);
+    /// Largest number of impacts.
+    "repeat.impacts" of Kind: Count(&IMPACTS);
+    /// Bouncing ends before an impact that would be slower than this.
+    "repeat.until.speed" of Kind: Number(&SPEED);
+    /// Speed of every shot, in place of [impact] and impacts.
+    "repeat.speeds" of Kind: Numbers(&SHOT_SPEED);
+    /// File of measurements (CSV), relative to the scenario.
+    "calibrate.data" of Kind: File("drops.csv");
+    /// One or two numeric keys to find, each with its range and, if needed, its scale.
+    "calibrate.free" of Kind: Free => "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, 2.9 times as high";
+    /// What is done about outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
+    "calibrate.robust" of Kind: Word(&ROBUSTS) => "\"none\"";
+    /// Other laws to fit; all laws are ranked.
+    "calibrate.laws" of Kind: Words(&LAWS) => "none";
+    /// Standard deviations of the measurements, or estimate: they are found from the scatter about the fitted law.
+    "calibrate.noise" of Kind: WordOrTable(&NOISES) => "columns `_sd` of the data, else \"estimate\"";
+    /// Error of the law as a share of each value, added in quadrature, independent from value to value.
+    "calibrate.noise.model" of Kind: Number(&MODEL_ERROR) => "0";
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.restitution" of Kind: Number(&DEVIATION);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.rebound_speed" of Kind: Number(&SPEED);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.rebound_height" of Kind: Number(&LENGTH);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.leeb" of Kind: Number(&DEVIATION);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.dent_diameter" of Kind: Number(&LENGTH);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.dent_depth" of Kind: Number(&LENGTH);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.contact_time" of Kind: Number(&TIME);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.peak_force" of Kind: Number(&FORCE);
+    /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.force" of Kind: Number(&FORCE);
+    /// Rebound speed over impact speed, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.restitution" of Kind: Number(&RESTITUTION);
+    /// Speed of the rebound, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.rebound_speed" of Kind: Number(&SPEED);
+    /// Height of the rebound, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.rebound_height" of Kind: Number(&LENGTH);
+    /// Leeb hardness: 1000 times the restitution, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.leeb" of Kind: Number(&LEEB);
+    /// Diameter of the dent's rim, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.dent_diameter" of Kind: Number(&LENGTH);
+    /// Depth of the dent, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.dent_depth" of Kind: Number(&LENGTH);
+    /// Time in contact, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.contact_time" of Kind: Number(&TIME);
+    /// Largest force, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.peak_force" of Kind: Number(&FORCE);
+    /// Load at which the step ends.
+    "indentation.steps[].load" of Kind: Number(&LOAD);
+    /// Indentation at which the step ends, in place of the load.
+    "indentation.steps[].indentation" of Kind: Number(&INDENTATION);
+    /// Name of the material in tables and pictures.
+    "indentation.half_space[].name" of Kind: Text("Ti-10Nb");
+    /// Young's modulus of this half-space.
+    "indentation.half_space[].youngs_modulus" of Kind: Number(&MODULUS);
+    /// Poisson's ratio of this half-space.
+    "indentation.half_space[].poissons_ratio" of Kind: Number(&POISSONS_RATIO);
+    /// Yield strength of this half-space; without the key it stays elastic.
+    "indentation.half_space[].yield_strength" of Kind: Number(&STRENGTH);
+}
