@@ -9,6 +9,7 @@ mod output;
 mod run;
 mod scenario;
 mod shells;
+mod signalled;
 mod sweep;
 pub mod terminal;
 mod threads;
@@ -68,6 +69,7 @@ enum Command {
 pub fn run() -> Result<(), Error> {
     let Cli { command, error_format } = parse()?;
     error_format.begin();
+    signalled::as_told();
     match command {
         Command::Init(arguments) => init::init(&arguments),
         Command::Run(arguments) => run::run(&arguments),

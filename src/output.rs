@@ -18,7 +18,7 @@ use serde_json::Value;
 
 use crate::error::{Error, ErrorKind};
 pub use new_file::{
-    NewFile, create, folder, refuse_special, remove, remove_folder, remove_stale, replace, sync_folder,
+    NewFile, after_changes, create, folder, refuse_special, remove, remove_folder, remove_stale, replace, sync_folder,
 };
 
 /// The name of the summary of any run.
@@ -193,15 +193,16 @@ impl OutputDirectory {
         new.into_iter().try_for_each(|(_, file)| file.put()).map_err(unwritable(&self.path))
     }
 
-    /// Removes results of the same file with another text, apart from those of these names, and their summary first. Does
-    /// nothing when it is called again.
+    /// Removes results of the same file with another text: first their summary, so that it never stands beside newer files,
+    /// then all but those of these names. Does nothing when it is called again.
     pub fn remove_older(&self, kept: &[&str]) -> Result<(), Error> {
         if self.replaces().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
             return Ok(());
         }
         let endings = ["csv", "parquet", "png", "svg", "toml"];
         let results = self.results.iter().flat_map(|name| endings.map(|ending| format!("{name}.{ending}")));
-        for name in std::iter::once(SUMMARY.to_owned()).chain(results).filter(|name| !kept.contains(&name.as_str())) {
+        let results = results.filter(|name| !kept.contains(&name.as_str()));
+        for name in std::iter::once(SUMMARY.to_owned()).chain(results) {
             let place = self.path.join(name);
             if place.symlink_metadata().is_ok_and(|data| data.is_file()) {
                 remove(&place).map_err(unwritable(&place))?;

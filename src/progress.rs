@@ -16,6 +16,11 @@ pub struct Counter {
 }
 
 impl Counter {
+    /// Nothing is done yet. The flag, which a handler of signals may set, stops the computation.
+    pub fn stopped_by(stop: Arc<AtomicBool>) -> Self {
+        Self { stop, ..Self::default() }
+    }
+
     /// Adds pieces that are to be done.
     pub fn expect(&self, pieces: u64) {
         self.total.fetch_add(pieces, Ordering::Relaxed);
@@ -32,9 +37,9 @@ impl Counter {
         self.total.store(total, Ordering::Relaxed);
     }
 
-    /// The flag that stops the computation, for a handler of signals.
-    pub fn stop(&self) -> Arc<AtomicBool> {
-        Arc::clone(&self.stop)
+    /// Has the computation stop.
+    pub fn stop(&self) {
+        self.stop.store(true, Ordering::Relaxed);
     }
 
     /// Whether the computation has to stop. It then ends soon and gives no result.

@@ -12,7 +12,7 @@ use plm_impact::run::{Order, Outcome, RESULTS, heed};
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::parts::make_way;
 
-use super::watched::Watch;
+use super::watched::{Signals, Watch};
 
 /// What is written, and where.
 #[derive(Debug, Args)]
@@ -53,10 +53,11 @@ impl Output {
         scenario: Scenario,
         run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
     ) -> Result<(), Error> {
+        let signals = Signals::listen()?;
         let directory = self.prepare(file, &scenario)?;
         make_way(&directory)?;
         let pictures = self.pictures.format;
-        let (scenario, outcome) = Watch::without_files(self.quiet).watch(move |progress| {
+        let (scenario, outcome) = Watch::without_files(self.quiet).watch(&signals, move |progress| {
             let outcome = run(&scenario, &Order { command: &command_line(), pictures, progress })?;
             Ok((scenario, outcome))
         })?;

@@ -14,7 +14,7 @@ use plm_impact::sweep::parts::Layout;
 use plm_impact::sweep::{Format, Job, Shard};
 
 use super::output::{Output, one_of, warn};
-use super::watched::Watch;
+use super::watched::{Signals, Watch};
 
 /// Options of sweeps.
 #[derive(Debug, Args)]
@@ -86,6 +86,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
         let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
         return Err(Error::input(message.to_owned()));
     }
+    let signals = Signals::listen()?;
     let directory = output.prepare(file, scenario)?;
     let (source, provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
     let Options { format, threads, .. } = *options;
@@ -100,7 +101,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     };
     let bar = "{human_pos}/{human_len} rows, {per_sec}, {eta} left";
     let watch = Watch { is_quiet: output.quiet, bar, patience: PATIENCE, leaves };
-    let (directory, plan, written) = watch.watch(move |progress| {
+    let (directory, plan, written) = watch.watch(&signals, move |progress| {
         let job = Job {
             plan: &plan,
             shard,
@@ -118,7 +119,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
         let leaves = "the table is written, its summary is not; give the same command again";
         let tally = written.tally.clone();
         files = Watch { leaves, ..Watch::without_files(output.quiet) }
-            .watch(move |_| table::files(&plan, &tally, &warnings, &provenance, pictures))?;
+            .watch(&signals, move |_| table::files(&plan, &tally, &warnings, &provenance, pictures))?;
         directory.write(&files)?;
     }
     let found = match written.found {

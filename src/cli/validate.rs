@@ -11,7 +11,7 @@ use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 use plm_impact::validation::{self, report};
 
 use super::output::PictureArguments;
-use super::watched::Watch;
+use super::watched::{Signals, Watch};
 
 /// Compare the law with finite elements and measurements: CSV, Markdown, pictures, a summary on the terminal
 ///
@@ -38,10 +38,11 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let own = arguments.coefficients.as_deref().map(load).transpose()?;
     let is_built_in = own.is_none();
     let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());
+    let signals = Signals::listen()?;
     let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
-    let (compared, laws, pictures) = Watch::without_files(false).watch(move |progress| {
+    let (compared, laws, pictures) = Watch::without_files(false).watch(&signals, move |progress| {
         let compared = validation::comparisons(&coefficients, progress)?;
         let laws = validation::laws::laws(&coefficients)?;
         let draw = || validation::pictures(&coefficients, format, progress);

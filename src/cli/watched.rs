@@ -28,6 +28,33 @@ const BAR_AFTER: &str = "PLM_IMPACT_BAR_AFTER_MS";
 /// A shell adds the number of the signal to this for the exit code.
 const ENDED_BY: usize = 128;
 
+/// Ctrl-C and SIGTERM. Once they are listened to they do not end the process but stop the work that is watched.
+pub struct Signals {
+    is_set: Arc<AtomicBool>,
+    /// The exit code after the signal that was received.
+    code: Arc<AtomicUsize>,
+    /// Whether signals end the process, as they do by default.
+    is_off: Arc<AtomicBool>,
+}
+
+impl Signals {
+    /// Listens from now on. This comes before anything is written, so that a signal never leaves an empty folder.
+    ///
+    /// # Errors
+    /// [`Error`] where the system gives no signals.
+    pub fn listen() -> Result<Self, Error> {
+        let (is_set, code, is_off) = (Arc::default(), Arc::default(), Arc::new(AtomicBool::new(true)));
+        for signal in [SIGINT, SIGTERM] {
+            let exit_code = ENDED_BY + signal.unsigned_abs() as usize;
+            let listened = flag::register_conditional_default(signal, Arc::clone(&is_off));
+            let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&code), exit_code));
+            listened.and_then(|_| flag::register(signal, Arc::clone(&is_set))).map_err(other("signals"))?;
+        }
+        is_off.store(false, Ordering::Relaxed);
+        Ok(Self { is_set, code, is_off })
+    }
+}
+
 /// How work is watched.
 pub struct Watch {
     pub is_quiet: bool,
@@ -49,32 +76,27 @@ impl Watch {
     /// Does the work on a thread of its own. A signal asks it to stop.
     ///
     /// # Errors
-    /// That of the work; [`Error`] with its exit code after a signal; and where the system gives neither thread nor signals.
+    /// That of the work; [`Error`] with its exit code after a signal; and where the system gives no thread.
     pub fn watch<T: Send + 'static>(
         &self,
+        signals: &Signals,
         work: impl FnOnce(&Counter) -> Result<T, Error> + Send + 'static,
     ) -> Result<T, Error> {
-        let progress = Arc::new(Counter::default());
-        let (code, is_over) = (Arc::<AtomicUsize>::default(), Arc::<AtomicBool>::default());
-        for signal in [SIGINT, SIGTERM] {
-            let exit_code = ENDED_BY + signal.unsigned_abs() as usize;
-            let listened = flag::register_conditional_default(signal, Arc::clone(&is_over));
-            let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&code), exit_code));
-            listened.and_then(|_| flag::register(signal, progress.stop())).map_err(other("signals"))?;
-        }
+        signals.is_off.store(false, Ordering::Relaxed);
+        let progress = Arc::new(Counter::stopped_by(Arc::clone(&signals.is_set)));
         let (sender, receiver) = channel();
         let counter = Arc::clone(&progress);
         let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
         let worker = worker.map_err(other("thread"))?;
         let done = self.wait(&receiver, &progress);
         // signals end the process from now on, as they do by default
-        is_over.store(true, Ordering::Relaxed);
+        signals.is_off.store(true, Ordering::Relaxed);
         let done = done.unwrap_or_else(|| {
             // it ended without a result: by a panic
             worker.join().unwrap_or_else(|panic| resume_unwind(panic));
             Err(Error::failed("the work ended without a result"))
         });
-        done.map_err(|error| match (error.kind, u8::try_from(code.load(Ordering::Relaxed))) {
+        done.map_err(|error| match (error.kind, u8::try_from(signals.code.load(Ordering::Relaxed))) {
             (ErrorKind::Stopped(_), Ok(code @ 1..)) => Error::new(ErrorKind::Stopped(code), error.to_string()),
             _ => error,
         })
@@ -86,6 +108,10 @@ impl Watch {
         let bar = self.bar();
         let soon = std::env::var(BAR_AFTER).ok().and_then(|time| time.parse().ok()).unwrap_or(SOON);
         let done = loop {
+            if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
+                let what = format!("interrupted; {}", self.leaves);
+                break Some(Err(Error::new(ErrorKind::Stopped(0), what)));
+            }
             let received = receiver.recv_timeout(LOOK);
             let (done, total) = progress.read();
             if begun.elapsed() >= Duration::from_millis(soon) && total > 1 {
@@ -96,10 +122,6 @@ impl Watch {
                 Ok(done) => break Some(done),
                 Err(RecvTimeoutError::Disconnected) => break None,
                 Err(RecvTimeoutError::Timeout) => {}
-            }
-            if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
-                let what = format!("interrupted; {}", self.leaves);
-                break Some(Err(Error::new(ErrorKind::Stopped(0), what)));
             }
         };
         bar.finish_and_clear();

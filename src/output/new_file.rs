@@ -5,12 +5,30 @@ use std::fs::{self, File, OpenOptions};
 use std::hash::{BuildHasher as _, RandomState};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::time::Duration;
 
 /// The end of a temporary name.
 const PART: &str = ".part";
 /// A temporary file that nobody has written to for so long was left by a killed run.
 const STALE: Duration = Duration::from_secs(3600);
+
+/// What is called after every change of the disk.
+static AFTER_CHANGES: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
+
+/// Has a function called after every step of writing: a file begun, some of its bytes written, synchronised, renamed or
+/// removed. Tests have signals come there. Only the first call counts.
+pub fn after_changes(then: impl Fn() + Send + Sync + 'static) {
+    AFTER_CHANGES.get_or_init(|| Box::new(then));
+}
+
+/// Notes that the disk has changed.
+fn changed<T>(done: T) -> T {
+    if let Some(then) = AFTER_CHANGES.get() {
+        then();
+    }
+    done
+}
 
 /// A file that is not in its place yet. It is removed unless it is put there.
 #[derive(Debug)]
@@ -26,24 +44,24 @@ impl NewFile {
     pub fn create(place: &Path) -> io::Result<Self> {
         refuse_special(place)?;
         let temporary = temporary(place)?;
-        let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
+        let file = OpenOptions::new().write(true).create_new(true).open(&temporary).map(changed)?;
         Ok(Self { file, temporary, place: place.to_owned(), is_put: false })
     }
 
-    /// The open file, for a copy inside the system.
-    pub fn inner(&mut self) -> &mut File {
-        &mut self.file
+    /// Appends the rest of another file, copied inside the system.
+    pub fn append(&mut self, other: &mut File) -> io::Result<()> {
+        io::copy(other, &mut self.file).map(changed).map(drop)
     }
 
     /// Synchronises it to the disk. After that, closing the file cannot fail.
     pub fn sync(&self) -> io::Result<()> {
-        self.file.sync_all()
+        self.file.sync_all().map(changed)
     }
 
     /// Puts it in its place, over an older file.
     pub fn put(mut self) -> io::Result<()> {
         refuse_special(&self.place)?;
-        fs::rename(&self.temporary, &self.place)?;
+        fs::rename(&self.temporary, &self.place).map(changed)?;
         self.is_put = true;
         sync_folder(folder(&self.place))
     }
@@ -51,7 +69,7 @@ impl NewFile {
 
 impl Write for NewFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
+        self.file.write(bytes).map(changed)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -90,13 +108,13 @@ pub fn create(place: &Path, bytes: &[u8]) -> io::Result<()> {
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
             Err(io::Error::from(io::ErrorKind::AlreadyExists))
         }
-        linked => linked.and_then(|()| sync_folder(folder(place))),
+        linked => linked.map(changed).and_then(|()| sync_folder(folder(place))),
     }
 }
 
 /// Removes a file of the program, also from the disk.
 pub fn remove(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
+    match fs::remove_file(path).map(changed) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         Err(error) => Err(error),
         Ok(()) => sync_folder(folder(path)),
@@ -106,10 +124,10 @@ pub fn remove(path: &Path) -> io::Result<()> {
 /// Removes a folder of the program with all its files. It is renamed first, so that other processes see all of it or nothing.
 pub fn remove_folder(path: &Path) -> io::Result<()> {
     let away = temporary(path)?;
-    match fs::rename(path, &away) {
+    match fs::rename(path, &away).map(changed) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         Err(error) => Err(error),
-        Ok(()) => fs::remove_dir_all(&away),
+        Ok(()) => fs::remove_dir_all(&away).map(changed),
     }
 }
 
@@ -122,7 +140,7 @@ pub fn sync_folder(path: &Path) -> io::Result<()> {
     match File::open(path)?.sync_all() {
         // some network file systems have nothing to sync in a folder
         Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => Ok(()),
-        result => result,
+        result => result.map(changed),
     }
 }
 

@@ -4,7 +4,6 @@
 use std::mem;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::Ordering;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -61,7 +60,7 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Counter) -> T +
                 Ok(done) => return Ok(done),
                 Err(RecvTimeoutError::Timeout) => {
                     if let Err(signal) = py.check_signals() {
-                        progress.stop().store(true, Ordering::Relaxed);
+                        progress.stop();
                         return Err(signal);
                     }
                 }

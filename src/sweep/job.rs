@@ -1,7 +1,7 @@
 //! The request for a table, and how it is fulfilled: parts that are there are read, the others computed.
 
 use std::fs::{self, File};
-use std::io::{self, Seek as _, SeekFrom, Write as _};
+use std::io::{Seek as _, SeekFrom, Write as _};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -169,7 +169,7 @@ impl<F: Form> Table<'_, F> {
             let path = self.part(part);
             let mut part = File::open(&path).map_err(file("cannot be read", &path))?;
             part.seek(SeekFrom::Start(header.len() as u64)).map_err(file("cannot be read", &path))?;
-            io::copy(&mut part, whole.inner()).map_err(&unwritable)?;
+            whole.append(&mut part).map_err(&unwritable)?;
         }
         whole.sync().and_then(|()| whole.put()).map_err(&unwritable)?;
         remove_folder(&folder).map_err(file("cannot be removed", &folder))

@@ -11,7 +11,7 @@ pytest.importorskip("snakemake")
 
 
 def test_the_snakefile_makes_the_table_and_goes_on_where_it_was_stopped(tmp_path: Path) -> None:
-    desk = Desk(tmp_path, points=200)
+    desk = Desk(tmp_path)
     shutil.copytree(ROOT / "scenarios", tmp_path / "scenarios")
     line = recipe("snakemake").strip()
     assert line in (ROOT / "scenarios" / "Snakefile").read_text()

@@ -1,6 +1,7 @@
 //! The command as a process: a directory to call it in, its output and its files.
 
 use std::fs;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
@@ -75,6 +76,12 @@ impl Desk {
         names.sort();
         names
     }
+}
+
+/// Says on the terminal what is not tested here and why. `.ci/run` counts such lines.
+#[allow(clippy::explicit_write)] // the test runner would keep what `eprintln!` says
+pub fn skip(what: &str, why: &str) {
+    writeln!(io::stderr(), "!!! SKIPPED: {what}. {why} !!!").unwrap();
 }
 
 /// Runs the one impact of a scenario in memory, without pictures.

@@ -1,9 +1,12 @@
 """Tables of impacts: broadcasting, what is refused, and who reads them."""
 
+import faulthandler
 import re
 import signal
+import sys
 import threading
 import time
+from collections.abc import Callable
 from multiprocessing import get_context
 
 import numpy as np
@@ -141,57 +144,47 @@ def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact
     assert structured.dtype.names == tuple(expected) and structured["restitution"].tolist() == expected["restitution"]
 
 
-def test_ctrl_c_ends_a_long_table() -> None:
+def interrupted(work: Callable[[], object]) -> None:
+    """Ctrl-C while the module is at work, from another thread of Python, which goes on meanwhile."""
     # a process that a shell starts in the background ignores Ctrl-C by default
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    # rows that would take hours: fixed steps of a hundred-thousandth of the contact time
-    contact = steel(solver=dict(method="verlet", steps_per_contact=100_000))
-    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
-    begun = time.monotonic()
+    is_called = threading.Event()
+
+    def interrupt() -> None:
+        is_called.wait()
+        # the module takes the time of the processor; the main thread waits
+        begun = time.process_time()
+        while time.process_time() < begun + 0.3:
+            time.sleep(0.001)
+        signal.raise_signal(signal.SIGINT)
+
+    other = threading.Thread(target=interrupt)
+    other.start()
+    # what does not hear Ctrl-C, or keeps other threads from running, is ended after minutes
+    faulthandler.dump_traceback_later(600, exit=True, file=sys.__stderr__)
     with pytest.raises(KeyboardInterrupt):
-        plm.impacts(contact, speed=np.linspace(1, 2, 10_000_000))
-    assert time.monotonic() - begun < 30
-    assert contact.restitution(1.0) < 1
+        is_called.set()
+        work()
+    faulthandler.cancel_dump_traceback_later()
+    other.join()
 
 
-@pytest.mark.parametrize("kind", ["bounces", "rows", "calibration"])
-def test_ctrl_c_ends_a_long_run_and_a_calibration(kind: str) -> None:
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+@pytest.mark.parametrize("kind", ["impacts", "bounces", "rows", "calibration"])
+def test_ctrl_c_ends_long_work_and_other_threads_go_on_meanwhile(kind: str) -> None:
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
     # the steps take 5 ms for an impact, so that the whole work takes hours
-    scene = dict(sphere=dict(radius=5e-3, density=7850, **bodies), solver=dict(method="verlet", steps_per_contact=100_000))
-    speeds = np.linspace(1, 2, 20_000)
-
-    def work() -> None:
-        if kind == "bounces":
-            plm.run({**scene, "half_space": bodies, "impact": dict(speed=1.0), "gravity": dict(acceleration=9.81), "repeat": dict(spot="same", impacts=1_000_000)})
-        elif kind == "rows":
-            plm.run({**scene, "half_space": bodies, "sweep": {"impact.speed": dict(linspace=[1, 2], points=1_000_000)}})
-        else:
-            plm.calibrate({**scene, "half_space": bodies, "calibrate": dict(noise=dict(restitution=0.01))}, dict(speed_m_per_s=speeds, restitution=0.6 / speeds**0.25))
-
-    threading.Timer(0.5, signal.raise_signal, [signal.SIGINT]).start()
-    begun = time.monotonic()
-    with pytest.raises(KeyboardInterrupt):
-        work()
-    assert time.monotonic() - begun < 30
-
-
-def test_other_threads_go_on_meanwhile(contact: plm.Contact) -> None:
-    ticks, is_done = [], threading.Event()
-
-    def tick() -> None:
-        while not is_done.is_set():
-            ticks.append(time.monotonic())
-            time.sleep(0.001)
-
-    watcher = threading.Thread(target=tick)
-    watcher.start()
-    slow = steel(solver=dict(method="rk8", tolerance=1e-13), law=dict(jackson_green={}))
-    plm.impacts(slow, speed=np.linspace(1, 2, 20_000))
-    is_done.set()
-    watcher.join()
-    assert len(ticks) > 3
+    solver = dict(method="verlet", steps_per_contact=100_000)
+    scene = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=bodies, solver=solver)
+    speeds = np.linspace(1, 2, 10_000_000)
+    contact = steel(solver=solver)
+    work = {
+        "impacts": lambda: plm.impacts(contact, speed=speeds),
+        "bounces": lambda: plm.run({**scene, "impact": dict(speed=1.0), "gravity": dict(acceleration=9.81), "repeat": dict(spot="same", impacts=1_000_000)}),
+        "rows": lambda: plm.run({**scene, "sweep": {"impact.speed": dict(linspace=[1, 2], points=1_000_000)}}),
+        "calibration": lambda: plm.calibrate({**scene, "calibrate": dict(noise=dict(restitution=0.01))}, dict(speed_m_per_s=speeds[::500], restitution=0.6 / speeds[::500] ** 0.25)),
+    }
+    interrupted(work[kind])
+    assert contact.restitution(1.0) < 1
 
 
 def e_of(speeds: np.ndarray) -> bytes:
@@ -204,7 +197,7 @@ def test_a_child_process_has_threads_of_its_own(contact: plm.Contact, start: str
     speeds = np.linspace(1, 2, 10_000)
     here = contact.restitution(speeds).tobytes()
     with get_context(start).Pool(2) as pool:
-        assert pool.map_async(e_of, [speeds] * 3).get(timeout=120) == [here] * 3
+        assert pool.map_async(e_of, [speeds] * 3).get(timeout=600) == [here] * 3
 
 
 def test_oblique_impacts_take_the_keys_and_have_the_results_of_the_command() -> None:

@@ -1,11 +1,13 @@
 //! Tables in parts: kills, shards, two writers, a full disk, parts that are torn or of another table. Tested with processes.
 
 #![cfg(unix)]
+use std::collections::BTreeMap;
 use std::os::unix::fs::MetadataExt as _;
+use std::os::unix::process::ExitStatusExt as _;
 use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
 
 use crate::common::prelude::*;
+use crate::signalled;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 /// Tables of these tests are small, and so are their parts.
@@ -93,57 +95,85 @@ fn threads_parts_and_shards_in_any_order_give_the_same_bytes_and_statistics() {
     }
 }
 
-/// A child that is killed after this time; whether it was still at work.
-fn killed(mut child: Child, after: Duration) -> bool {
-    std::thread::sleep(after);
-    let is_at_work = child.try_wait().unwrap().is_none();
-    child.kill().unwrap();
-    child.wait().unwrap();
-    is_at_work
-}
+type Files = BTreeMap<String, Vec<u8>>;
 
-/// Kills fifteen runs, at all phases of a run; every run goes on with what the one before has left, until one is through.
-fn fifteen_kills(rows_per_part: Option<u32>, runs: &[&[&str]]) {
-    let desk = Desk::with(random());
-    let format: &[&str] = if runs[0].contains(&"--format") { &runs[0][..2] } else { &[] };
-    let begun = Instant::now();
-    ends(run(&desk, "alone", rows_per_part, format), 0);
-    let time = begun.elapsed();
-    // a table in parts leaves what tells of them
-    assert_eq!(desk.path("alone/_table.json").exists(), rows_per_part.is_some());
-    let mut kills = 0;
-    for k in 0..15 {
-        let children: Vec<Child> =
-            runs.iter().map(|more| run(&desk, "out", rows_per_part, more).spawn().unwrap()).collect();
-        let after = time * (k * 7 % 15) / 15;
-        let at_work: Vec<bool> =
-            children.into_iter().map(|child| killed(child, after / u32::try_from(runs.len()).unwrap())).collect();
-        kills += u32::from(at_work.contains(&true));
-        if !at_work.contains(&true) {
-            ends(run(&desk, "out", rows_per_part, format), 0);
-            assert!(bytes(&desk, "out") == bytes(&desk, "alone"));
-            fs::remove_dir_all(desk.path("out")).unwrap();
+/// The files in `out` and `out/parts`. Hidden ones are not in their places.
+fn files(desk: &Desk) -> Files {
+    let mut files = Files::new();
+    for folder in ["out", "out/parts"].into_iter().filter(|folder| desk.path(folder).exists()) {
+        let names = desk.files(folder).into_iter().map(|name| format!("{folder}/{name}"));
+        for name in names.filter(|name| !name.contains("/.") && desk.path(name).is_file()) {
+            files.insert(name.clone(), fs::read(desk.path(&name)).unwrap());
         }
     }
-    ends(run(&desk, "out", rows_per_part, format), 0);
-    assert!(bytes(&desk, "out") == bytes(&desk, "alone"));
-    assert_eq!(summary(&desk, "out"), summary(&desk, "alone"));
-    assert!(kills > 3, "{kills}");
+    files
 }
 
-// two tests, which run side by side
-#[test]
-fn after_fifteen_kills_the_same_command_makes_the_same_table() {
-    fifteen_kills(None, &[&[]]);
-    fifteen_kills(Some(600), &[&[]]);
-    fifteen_kills(Some(600), &[&["--shard", "0/2"], &["--shard", "1/2"]]);
+/// What is in `out` after these runs, one after the other.
+fn after(desk: &Desk, runs: &[&[&str]]) -> Files {
+    for more in runs {
+        ends(run(desk, "out", Some(2), more), 0);
+    }
+    files(desk)
+}
+
+/// What these runs make beside files that are there.
+fn made(desk: &Desk, there: &Files, runs: &[&[&str]]) -> Files {
+    drop(fs::remove_dir_all(desk.path("out")));
+    for (name, bytes) in there {
+        desk.put(name, bytes);
+    }
+    after(desk, runs)
+}
+
+/// Kills the first runs after their first change of the disk, after the second, and so on until they are through. Each time all
+/// runs follow. Files that are `there` before give way; `between` are others that the runs make and remove.
+fn killed_after_every_change(desk: &Desk, there: &Files, between: &Files, first: &[&[&str]], all: &[&[&str]]) {
+    let last = made(desk, there, all);
+    for change in 1.. {
+        made(desk, there, &[]);
+        let signal = format!("9@{change}");
+        let begin = |more: &&[&str]| run(desk, "out", Some(2), more).env("PLM_IMPACT_SIGNAL", &signal).spawn().unwrap();
+        // at the same time
+        let children: Vec<Child> = first.iter().map(begin).collect();
+        let ended = children.into_iter().map(|child| child.wait_with_output().unwrap().status);
+        let ended: Vec<(Option<i32>, Option<i32>)> = ended.map(|status| (status.code(), status.signal())).collect();
+        assert!(ended.iter().all(|ended| [(Some(0), None), (None, Some(9))].contains(ended)), "{ended:?}");
+        let left = files(desk);
+        for (name, bytes) in &left {
+            let is_whole = [there, between, &last].into_iter().any(|files| files.get(name) == Some(bytes));
+            assert!(is_whole, "{name} after change {change} of {first:?}");
+        }
+        // a summary says of what the files beside it are
+        assert!(!left.contains_key("out/summary.json") || left == *there || left == last, "{change} of {first:?}");
+        assert!(after(desk, all) == last, "after change {change} of {first:?}");
+        if ended.iter().all(|(code, _)| code.is_some()) {
+            assert!(change > 10, "{change} changes by {first:?}");
+            return;
+        }
+    }
 }
 
 #[test]
-fn after_fifteen_kills_a_table_as_parquet_is_the_same_too() {
-    fifteen_kills(None, &[&["--format", "parquet"]]);
-    fifteen_kills(Some(600), &[&["--format", "parquet"]]);
-    fifteen_kills(Some(500), &[&["--format", "parquet", "--shard", "0/2"], &["--format", "parquet", "--shard", "1/2"]]);
+fn after_a_kill_at_any_change_of_the_disk_all_files_are_whole_and_the_same_command_makes_the_same_table() {
+    let none = Files::new();
+    let other = ["--set", "sphere.radius=4 mm"];
+    let impact = Desk::with(STEEL);
+    let older = made(&impact, &none, &[&other]);
+    killed_after_every_change(&impact, &older, &none, &[&[]], &[&[]]);
+    let desk = Desk::with(random().replace("12000", "8"));
+    for format in FORMATS.map(|format| ["--format", format]) {
+        // as one file, in place of an older one
+        let older = made(&desk, &none, &[&[format, other].concat()]);
+        killed_after_every_change(&desk, &older, &none, &[&format], &[&format]);
+        // in four parts, of which one is there
+        let [first, second, whole] = ["0/2", "1/2", "0/1"].map(|shard| [format[0], format[1], "--shard", shard]);
+        let [begun, parts] =
+            [made(&desk, &none, &[&[&format[..], &["--shard", "0/4"]].concat()]), made(&desk, &none, &[&whole])];
+        killed_after_every_change(&desk, &begun, &parts, &[&format], &[&format]);
+        // in two shards
+        killed_after_every_change(&desk, &none, &parts, &[&first, &second], &[&first, &second, &format]);
+    }
 }
 
 #[test]
@@ -190,7 +220,7 @@ fn a_full_disk_ends_with_1_and_with_more_space_the_same_command_goes_on() {
             Command::new("mount").args(["-t", "tmpfs", "-o", options, "tmpfs"]).arg(desk.path("disk")).output()
         };
         if !mount("size=4m").is_ok_and(|done| done.status.success()) {
-            eprintln!("skipped: a disk of 4 MB cannot be mounted here");
+            skip("a full disk", "No disk of 4 MB can be mounted here: that takes root.");
             return;
         }
         let more = ["--format", format];
@@ -345,7 +375,7 @@ fn nothing_is_locked_and_the_summary_comes_last() {
         command.current_dir(desk.path("")).output()
     };
     if !trace(&["run", "s.toml", "--out", "out"]).is_ok_and(|done| done.status.success()) {
-        eprintln!("skipped: no strace here");
+        skip("no file is locked", "The program strace is not here, or may not be used.");
         return;
     }
     let calls = desk.read("calls");
@@ -357,33 +387,27 @@ fn nothing_is_locked_and_the_summary_comes_last() {
     assert!(!desk.read("calls").contains("flock("));
 }
 
-/// Rows that take milliseconds each: velocity Verlet with very many steps.
+/// Rows that take milliseconds each: velocity Verlet with very many steps. All of them would take minutes in one file, and days
+/// in parts.
 #[test]
 fn signals_are_heard_between_slow_rows_and_what_is_said_is_so() {
-    let slow = |points: u32| {
-        format!(
-            "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 100000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = {points} }}\n"
-        )
-    };
-    for format in FORMATS {
-        // in one file, and in parts
-        for (points, says) in [(256, "the same command starts anew"), (20_000, "goes on from the parts that are whole")]
-        {
-            let desk = Desk::with(slow(points));
-            for (name, want) in [("-INT", 130), ("-TERM", 143)] {
-                let child = run(&desk, "out", None, &["--format", format]).spawn().unwrap();
-                std::thread::sleep(Duration::from_millis(300));
-                assert!(Command::new("kill").arg(name).arg(child.id().to_string()).status().unwrap().success());
-                let begun = Instant::now();
-                let output = child.wait_with_output().unwrap();
-                let message = text(&output.stderr);
-                // a slow machine may have given the signal before it was listened to
-                if output.status.code().is_some() {
-                    assert_eq!(output.status.code(), Some(want), "{format}: {message}");
-                    assert!(message.contains("interrupted") && message.contains(says), "{message}");
-                }
-                assert!(begun.elapsed() < Duration::from_secs(20));
-            }
+    let signals = [("-INT", 130), ("-TERM", 143)];
+    for (format, (signal, want)) in FORMATS.into_iter().flat_map(|format| signals.map(|signal| (format, signal))) {
+        for (points, rows, folder, says) in [
+            (20_000, Some(1250), "out", "the same command starts anew"),
+            (100_000_000, None, "out/parts", "goes on from the parts that are whole"),
+        ] {
+            let desk = Desk::with(format!(
+                "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 100000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = {points} }}\n"
+            ));
+            let child = run(&desk, "out", rows, &["--format", format, "--threads", "1"]).spawn().unwrap();
+            // the first hidden file is begun when the first rows are done
+            let is_begun = |name: &String| name.starts_with('.') && !name.contains("trial");
+            let is_at_work = || desk.path(folder).exists() && desk.files(folder).iter().any(is_begun);
+            let output = signalled(child, is_at_work, signal);
+            let message = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(want), "{format}: {message}");
+            assert!(message.contains("interrupted") && message.contains(says), "{message}");
         }
     }
 }

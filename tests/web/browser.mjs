@@ -59,9 +59,9 @@ export async function browse() {
     back: () => post("/back"),
     /** The value of an expression in the page. */
     value: (expression) => post("/execute/sync", { script: `return ${expression}`, args: [] }),
-    /** Waits until an expression is true. */
+    /** Waits until an expression is true; after ten minutes that is an error. */
     async until(expression) {
-      for (let tries = 0; tries < 200; tries += 1) {
+      for (const end = performance.now() + 600_000; performance.now() < end; ) {
         if (await page.value(expression)) return;
         await new Promise((later) => setTimeout(later, 50));
       }
@@ -69,8 +69,11 @@ export async function browse() {
       throw new Error(`never true: ${expression}; the page shows\n${shown}`);
     },
     click: async (css) => post(`/element/${await find(css)}/click`),
-    /** Types into a field, in place of what was there: Ctrl+A, then the text. */
-    type: (css, text) => page.send(css, `\uE009a\uE000${text}`),
+    /** Types into a field, in place of what was there: Ctrl+A, then the text. Waits until all of it is answered. */
+    async type(css, text) {
+      await page.send(css, `\uE009a\uE000${text}`);
+      await page.until('document.getElementById("results").ariaBusy !== "true"');
+    },
     /** Chooses a file, or presses keys. */
     send: async (css, text) => post(`/element/${await find(css)}/value`, { text }),
     /** The names by which a screen reader calls the elements that are seen. */

@@ -34,13 +34,15 @@ export async function agrees(stdout) {
   await page.until(`${SHOWN}.split(/\\s+/).filter(Boolean).join(" ") === ${JSON.stringify(words)}`);
 }
 
-/** Chooses from a list. */
-export const choose = (css, value) =>
-  page.value(`(() => {
+/** Chooses from a list, and waits for the answer. */
+export async function choose(css, value) {
+  await page.value(`(() => {
     const list = document.querySelector(${JSON.stringify(css)});
     list.value = ${JSON.stringify(value)};
     for (const kind of ["input", "change"]) list.dispatchEvent(new Event(kind));
   })()`);
+  await page.until('document.getElementById("results").ariaBusy !== "true"');
+}
 
 export const cells = (css) => page.value(`[...document.querySelectorAll(${JSON.stringify(css)})].map((one) => one.textContent)`);
 

@@ -31,6 +31,7 @@ function take(newText) {
   // what was copied is not this scenario
   at("told").textContent = "";
   at("address").hidden = true;
+  at("results").ariaBusy = "true";
   run(FILE, text, data);
   // browsers take only some changes of the address a second
   clearTimeout(later);
@@ -72,6 +73,7 @@ function restore() {
 }
 
 function done(reply) {
+  at("results").ariaBusy = "false";
   const { error, details } = reply;
   const cure = details?.needs ? cureOf(details.needs) : null;
   const isAtField = form.complain(details?.key, details?.message, cure);
