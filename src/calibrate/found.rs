@@ -84,7 +84,11 @@ impl Calibration<'_> {
             let key = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
             return Some(format!(
                 "no value of {key} in its range gives what was measured under the law {law}; the nearest is off by {}",
-                percent(unreached)
+                if unreached < 10.0 {
+                    percent(unreached)
+                } else {
+                    format!("{} times the value", four_digits(unreached))
+                }
             ));
         }
         let (p, what) = if self.fit.noise == Noise::Given {

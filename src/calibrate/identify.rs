@@ -109,7 +109,10 @@ fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f
         let factors: Vec<String> = names
             .iter()
             .zip(direction.iter())
-            .map(|(name, part)| format!("{name} times {}", four_digits(exp(step * part))))
+            .map(|(name, part)| (name, four_digits(exp(step * part))))
+            // a key that does not change has no part in it
+            .filter(|(_, factor)| factor != "1")
+            .map(|(name, factor)| format!("{name} times {factor}"))
             .collect();
         format!(
             "these measurements do not tell the keys apart: {} changes what was measured by {} only, and the law itself is off by {off}",

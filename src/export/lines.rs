@@ -9,6 +9,7 @@ use crate::impact::{Contact, Essentials, Impact};
 use crate::math::functions::{atan, pow};
 use crate::provenance::PROGRAM;
 use crate::scenario::Scenario;
+use crate::units::four_digits;
 
 /// Stiffness of a tangential spring over that of the normal one: both swing alike for a solid sphere.
 const TANGENTIAL: f64 = 2.0 / 7.0;
@@ -59,11 +60,15 @@ impl Head<'_> {
         if request.target.takes_table() {
             about.push("all units are SI; linear between the speeds".to_owned());
         } else {
-            let (from, to) = range_of_constant(self.contact, speed, restitution);
+            let [from, to] = range_of_constant(self.contact, speed, restitution).map(|end| end.map(four_digits));
             let within = 100.0 * E_WITHIN;
-            about.push(format!(
-                "e is a constant here; in the law it stays within {within} % from {from:.4} to {to:.4} m/s"
-            ));
+            let range = match (from, to) {
+                (Some(from), Some(to)) => format!("from {from} to {to} m/s"),
+                (None, Some(to)) => format!("up to {to} m/s"),
+                (Some(from), None) => format!("from {from} m/s on"),
+                (None, None) => "at all speeds near this one".to_owned(),
+            };
+            about.push(format!("e is a constant here; in the law it stays within {within} % {range}"));
             let (step, steps) = (self.time_step(), steps_per_contact(restitution));
             about.push(format!(
                 "time step {step:.3e} s or less ({steps} steps a contact, e within 1 %), for a sphere of"

@@ -32,13 +32,16 @@ pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
     (loss < 2.0).then(|| (mass * frequency * frequency, 2.0 * mass * frequency * sin(angle)))
 }
 
-/// The range of speeds around `speed` in which e differs from its value at `speed` by at most [`E_WITHIN`]. Each end is
-/// searched up to a factor of 1000.
-pub fn range_of_constant(contact: &Contact, speed: f64, e: f64) -> (f64, f64) {
+/// The lowest and the highest speed between which e differs from its value at `speed` by at most [`E_WITHIN`]; `None` if an
+/// end is farther than a factor of 1000.
+pub fn range_of_constant(contact: &Contact, speed: f64, e: f64) -> [Option<f64>; 2] {
     let is_near = |factor: f64| {
         let other = contact.closed_form(speed * factor).map_or(f64::NAN, |impact| impact.restitution);
         (other / e - 1.0).abs() <= E_WITHIN
     };
-    let end = |sign: f64| exp(sign * halved(0.0, ln(1000.0), |log| is_near(exp(sign * log))).0);
-    (speed * end(-1.0), speed * end(1.0))
+    [-1.0, 1.0].map(|sign| {
+        let end = ln(1000.0);
+        let log = (!is_near(exp(sign * end))).then(|| halved(0.0, end, |log| is_near(exp(sign * log))).0);
+        log.map(|log| speed * exp(sign * log))
+    })
 }

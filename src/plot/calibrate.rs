@@ -7,7 +7,7 @@ use super::style::Style;
 use super::{Axis, Chart, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::statistics::{LEVELS, reach};
-use crate::calibrate::{Calibration, Fit, Found};
+use crate::calibrate::{Calibration, Fit, Found, Noise};
 use crate::plan::free::Free;
 use crate::scene::Key;
 use crate::scene::measured::Measured;
@@ -119,6 +119,7 @@ impl<'a> Measurement<'a> {
 
     fn fitted(self) -> Chart {
         let Self { of, what, shown, points, .. } = &self;
+        let has_bars = shown.len() <= MOST_BARS && !of.fit.has_no_noise();
         let bars = shown.iter().zip(points).map(|(value, (x, y))| (*x, *y, of.fit.problem.deviations[*value]));
         let line = if let Over::Prediction = self.over {
             let (low, high) = extremes(points.iter().map(|point| point.0));
@@ -129,8 +130,13 @@ impl<'a> Measurement<'a> {
         let mut series: Vec<Series> =
             self.band().map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
         series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(Style::LAW));
-        series.push(Series::bars(bars.filter(|_| shown.len() <= MOST_BARS)).styled(0));
-        series.push(Series::points("measured, with its sd", points.clone()).styled(0));
+        series.push(Series::bars(bars.filter(|_| has_bars)).styled(0));
+        let measured = match of.fit.noise {
+            Noise::Given => "measured, with its sd",
+            Noise::Estimated { .. } => "measured, with the estimated sd",
+            Noise::TooFew | Noise::NoScatter => "measured",
+        };
+        series.push(Series::points(measured, points.clone()).styled(0));
         let notes = of.keys.iter().flat_map(|Found { free, estimate, sd, .. }| {
             let sd = sd.map_or_else(String::new, |sd| format!(", sd {}", free.say(sd, 2)));
             [title_of(free.key.path), free.say(*estimate, 4) + &sd]
@@ -151,8 +157,12 @@ impl<'a> Measurement<'a> {
     /// What a law with its best keys predicts.
     fn line(&self, fit: &Fit) -> Points {
         let shares = &fit.best().shares;
-        if let Over::Key(key) = self.over {
-            let (data, at) = self.along(key);
+        let along = match self.over {
+            Over::Key(key) => Some(self.along(key)),
+            Over::Indentation => Some(self.between_points()),
+            Over::Prediction => None,
+        };
+        if let Some((data, at)) = along {
             let predicted = fit.problem.predicting(&data).predict(shares).unwrap_or_default();
             return at.into_iter().zip(predicted).collect();
         }
@@ -175,14 +185,31 @@ impl<'a> Measurement<'a> {
         Some(edge(-1.0).chain(upper.into_iter().rev()).collect())
     }
 
+    /// The way of an indentation curve with places between its points, and the indentations there.
+    fn between_points(&self) -> (Data, Vec<f64>) {
+        let points: Vec<f64> = self.of.fit.problem.data.rows.iter().filter_map(|row| row.indentation).collect();
+        let steps = PLACES.div_ceil(u32::try_from(points.len()).unwrap_or(PLACES)).max(1);
+        let way = |pair: &[f64]| {
+            let (from, to) = (pair[0], pair[1]);
+            (1..=steps).map(move |i| from + (to - from) * f64::from(i) / f64::from(steps))
+        };
+        let at: Vec<f64> = points.first().copied().into_iter().chain(points.windows(2).flat_map(way)).collect();
+        let rows = at.iter().map(|at| Row { line: 0, keys: Vec::new(), indentation: Some(*at) }).collect();
+        (Data { name: String::new(), keys: Vec::new(), rows, values: self.ones(at.len()) }, at)
+    }
+
+    /// Values to predict, one in every row.
+    fn ones(&self, rows: usize) -> Vec<Value> {
+        (0..rows).map(|row| Value { row, what: self.what, value: 1.0, deviation: None }).collect()
+    }
+
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
     fn along(&self, key: &'static Key) -> (Data, Vec<f64>) {
         let (from, to) = extremes(self.points.iter().map(|point| point.0));
         let range = Free { key, from, to, is_logarithmic: is_wide(&self.points) };
         let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
         let rows = at.iter().map(|value| Row { line: 0, keys: vec![*value], indentation: None }).collect();
-        let values = (0..at.len()).map(|row| Value { row, what: self.what, value: 1.0, deviation: None }).collect();
-        (Data { name: String::new(), keys: vec![key], rows, values }, at)
+        (Data { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) }, at)
     }
 }
 

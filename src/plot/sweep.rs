@@ -88,8 +88,8 @@ fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
         let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
         let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
         let name = axes.get(1).map_or_else(String::new, |second| format!("{} {}", words(second), second.label(*curve)));
-        angles.push(Series::line(name, points(|after| after.angle.to_degrees())).styled(number));
-        spins.push(Series::line("", points(|after| after.spin)).styled(number));
+        angles.push(curve_of(name, points(|after| after.angle.to_degrees())).styled(number));
+        spins.push(curve_of("", points(|after| after.spin)).styled(number));
     }
     let panels = [
         Panel::new(plot::Axis::linear("Rebound angle", "deg"), angles),
@@ -123,6 +123,12 @@ fn shown(axis: &Axis, place: u64) -> f64 {
     unit(axis).1(axis.number(place))
 }
 
+/// A curve, with a marker on each of few points.
+fn curve_of(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
+    let look = if points.len() <= FEW_POINTS { Look::MarkedLine } else { Look::Line };
+    Series { look, ..Series::line(name, points) }
+}
+
 fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
     let evaluator = Evaluator::new(plan);
     let first = &axes[0];
@@ -131,18 +137,23 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
     let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, most(second)));
     // all laws yield at about the same speed, so one guide is enough
     let is_by_law = axes.get(1).is_some_and(|second| matches!(second.words(), [Word::Law(_), ..]));
-    let (mut series, mut guides) = (Vec::new(), Vec::new());
+    let (mut series, mut yielding) = (Vec::new(), Vec::new());
     for (number, curve) in of.iter().enumerate() {
         let points: Vec<(f64, f64)> =
             at.iter().map(|place| (shown(first, *place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
         let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| second.label(*curve));
         if first.path() == "impact.speed" && !(is_by_law && number > 0) {
-            let guide = yield_speed(plan, axes, *curve).map(|at| Series::vertical(at, "yield speed"));
-            guides.extend(guide.map(|guide| if is_by_law { guide } else { guide.colored(number) }));
+            yielding.extend(yield_speed(plan, axes, *curve).map(|at| (number, at)));
         }
-        let look = if at.len() <= FEW_POINTS { Look::MarkedLine } else { Look::Line };
-        series.push(Series { look, ..Series::line(name, points) });
+        series.push(curve_of(name, points));
     }
+    // one guide in grey where all curves yield at the same speed
+    let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);
+    let guide = |(number, at): &(usize, f64)| {
+        let guide = Series::vertical(*at, "yield speed");
+        if is_same { guide } else { guide.colored(*number) }
+    };
+    let mut guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
     if first.path() == "impact.speed" && is_by_law {
         series.extend(finite_elements(plan, &series));
     }

@@ -227,7 +227,12 @@ pub fn residuals(of: &Calibration) -> Result<Vec<u8>, Error> {
 fn ranked(of: &Calibration) -> Vec<Vec<String>> {
     let row = |(law, fit): &OfLaw| match fit {
         Ok(fit) => {
-            let values = fit.values().into_iter().zip(&of.keys).map(|(value, found)| found.free.say(value, 4));
+            // where the law does not know the keys, rounding alone is left of their information
+            let is_known = fit.covariance.as_ref().is_some_and(|all| all.diagonal().iter().all(|square| *square < 1.0));
+            let say = |(value, found): (f64, &Found)| {
+                if is_known { found.free.say(value, 4) } else { "not determined".to_owned() }
+            };
+            let values = fit.values().into_iter().zip(&of.keys).map(say);
             let numbers = [fit.aic, fit.aic - of.least_aic()].map(|number| format!("{number:.2}"));
             [law.clone()].into_iter().chain(numbers).chain(values).collect()
         }
@@ -247,8 +252,15 @@ pub fn table(of: &Calibration) -> String {
         let sd = found.sd.map_or_else(String::new, |sd| format!("   sd {}", found.free.say(sd, 2)));
         row(found.free.key.path, say(found.estimate) + &sd);
         for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
-            let end = |end: Option<f64>, what: &str| end.map_or_else(|| format!("{what} {UNBOUNDED}"), say);
-            row(name, format!("{} to {}", end(ends[0], "below"), end(ends[1], "above")));
+            row(
+                name,
+                match *ends {
+                    [Some(low), Some(high)] => format!("{} to {}", say(low), say(high)),
+                    [Some(low), None] => format!("{} and more, {UNBOUNDED}", say(low)),
+                    [None, Some(high)] => format!("{} and less, {UNBOUNDED}", say(high)),
+                    [None, None] => UNBOUNDED.to_owned(),
+                },
+            );
         }
     }
     if let Some(told) = of.identifiability.as_ref().filter(|_| of.refusal.is_some() && of.keys.len() > 1) {

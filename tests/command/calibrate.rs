@@ -241,7 +241,7 @@ fn an_interval_that_reaches_its_bound_is_not_bounded() {
     assert!(
         desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0)
             .0
-            .contains("above not bounded by these data")
+            .contains("and more, not bounded by these data")
     );
     desk.ends(&["calibrate", "s.toml", "--out", "p", "--pictures", "none", "--strict"], 1);
     assert!(!desk.path("p").exists());

@@ -297,3 +297,46 @@ fn a_dark_pixel_at_the_border_is_seen() {
     pixels[40 * 10 + 39] = [0; 3];
     assert!(!has_white_border(40, &pixels));
 }
+
+/// The number of markers: closed shapes or discs without a line, in this colour, within the first box.
+fn markers(drawn: &Drawn, color: &str) -> usize {
+    let right = drawn.boxes()[0][2];
+    let document = drawn.document();
+    let is_marker = |node: &Node| node.attribute("fill") == Some(color) && !node.has_tag_name("text");
+    let is_inside = |node: &Node| {
+        let at = node.attribute("points").map_or_else(|| number(*node, "cx"), |_| points(*node)[0].0);
+        at <= right
+    };
+    document.descendants().filter(is_marker).filter(is_inside).count()
+}
+
+/// With few points every one has its marker, also where the rebound is drawn against the angle.
+#[test]
+fn two_angles_have_two_markers() {
+    let text = format!("{}[friction]\ncoefficient = 0.1\n[sweep]\n\"impact.angle\" = [20, 40]\n", crate::common::STEEL);
+    let desk = Desk::with(text.replace("[20, 40]", "[\"20 deg\", \"40 deg\"]"));
+    desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+    let drawn = Drawn(desk.read("o/rebound.svg"));
+    // two panels with two points each
+    assert_eq!(markers(&drawn, BLUE), 4, "{}", drawn.0);
+}
+
+/// Where the second axis does not move the yield speed, one grey guide shows it; where it does, each curve has its own.
+#[test]
+fn guides_that_coincide_are_one() {
+    for (axis, grey) in
+        [("\"damping.viscous\" = [0, 0.1, 0.2]", true), ("\"half_space.yield_strength\" = [3e8, 5e8]", false)]
+    {
+        let speeds = "\"impact.speed\" = { logspace = [0.001, 10], points = 30 }";
+        let desk = Desk::with(format!("{}[sweep]\n{speeds}\n{axis}\n", crate::common::STEEL));
+        desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+        let drawn = Drawn(desk.read("o/restitution.svg"));
+        let [_, top, right, bottom] = drawn.boxes()[0];
+        let is_upright = |line: &&Vec<(f64, f64)>| {
+            line.iter().all(|at| (at.0 - line[0].0).abs() < 1.0 && at.0 < right)
+                && (line[0].1 - line[1].1).abs() < bottom - top
+        };
+        let of = |color: &str| drawn.lines(color).iter().filter(is_upright).count();
+        assert_eq!(of(BLUE) == 0, grey, "{axis}");
+    }
+}

@@ -78,3 +78,31 @@ fn an_indentation_curve_begins_at_zero() {
     assert!(summary["misfit"].as_f64().unwrap() < 1.0 && !desk.read("o/residuals.csv").contains("NaN"), "{summary}");
     assert!(desk.path("o/fit_force.png").exists());
 }
+
+/// The fitted law between two points of an unloading is the law, which bends there with its exponent, and not a chord. The key
+/// says that the standard deviation is estimated.
+#[test]
+fn the_law_of_a_curve_is_drawn_as_the_law() {
+    let data = "indentation_um,force_N\n5,60\n20,370\n15,60\n";
+    let text = super::scenario("data = \"d.csv\"\nfree = {}\n");
+    let (desk, _) = calibrated(&text, data, &["--pictures", "svg"], 0);
+    let svg = desk.read("o/fit_force.svg");
+    let document = Document::parse(&svg).unwrap();
+    let corners = document.descendants().filter(|node| node.has_tag_name("polyline"));
+    let longest = corners.filter_map(|node| Some(node.attribute("points")?.split_whitespace().count())).max();
+    assert!(longest.unwrap() > 80, "{longest:?}");
+    assert!(svg.contains("measured, with the estimated sd") && !svg.contains("with its sd"));
+}
+
+/// No sentence says what it does not mean: a law that does not know the strength has no best strength, and an end that the data
+/// leave open is not a number.
+#[test]
+fn what_is_not_determined_is_not_given_as_a_number() {
+    let text = super::scenario(&format!("data = \"d.csv\"\n{}", super::STRENGTH));
+    let desk = Desk::with(text);
+    desk.put("d.csv", super::restitutions());
+    let said = desk.call(&["calibrate", "s.toml", "--law", "all", "--out", "o", "--pictures", "none"]);
+    let said = String::from_utf8(said.stdout).unwrap();
+    let of_springs = said.lines().find(|line| line.starts_with("walton_braun")).unwrap();
+    assert!(of_springs.contains("not determined"), "{said}");
+}
