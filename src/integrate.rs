@@ -64,11 +64,13 @@ pub enum IntegrationError {
     StepUnderflow { time: f64, step: f64 },
     /// More steps than any impact needs.
     #[error(
-        "no landing within {steps} steps; loosen the tolerance, lower the damping, or use method = \"auto\", which takes the closed form where there is one"
+        "no landing within {steps} steps; loosen the tolerance, or use method = \"auto\", which takes the closed form where there is one"
     )]
     TooManySteps { steps: u64 },
-    /// A motion damped far beyond critical, which creeps.
-    #[error("no end of the contact within {steps} steps: damped far beyond critical it only creeps; lower the damping")]
+    /// A motion damped far beyond critical, which creeps, or whose fast decay leaves only tiny steps.
+    #[error(
+        "no end of the contact within {steps} steps: it is damped so strongly that it creeps, or that steps are no longer than the fast decay; lower the damping, whose unit may be mistaken"
+    )]
     Creeping { steps: u64 },
     #[error("the state became infinite or not a number at dimensionless time {time:e}")]
     NotFinite { time: f64 },

@@ -1,7 +1,7 @@
 //! Contact laws: a loading curve made of smooth pieces, the elastic approach along it, and an unloading rule.
 //!
-//! A law is data. It knows no time, no file and no solver, and evaluating it changes nothing: the memory of a contact
-//! (its largest state so far, [`Peak`]) is a value that is handed in and out.
+//! A law is data. It knows no time, no file and no solver, and evaluating it changes nothing. The law of a spot that was loaded
+//! before is another one, [`Law::reloaded`]; who follows a contact step by step hands its memory, a [`Peak`], in and out.
 //!
 //! # Sources
 //! * Hertz (1882), J. reine angew. Math. 92, 156-171.

@@ -9,8 +9,8 @@
 //! m δ'' = −F(δ, memory),   δ(0) = 0,  δ'(0) = v,   until F = 0 at δ = δ_r;   e = −δ'(end)/v
 //! ```
 //!
-//! Without gravity and damping the impact has a closed form, which is computed always: it is what tables of e(v) are made
-//! of, and what every integration is compared with.
+//! Without gravity and damping the impact has a closed form: it is what tables of e(v) are made of, unless they name a method,
+//! and what the integration of a single impact is compared with.
 //!
 //! # Notation
 //!

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::contact::Contact;
 use super::essentials::OnPlate;
+use super::forces::Damping;
 use super::oblique::{Approach, Incidence};
 use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
@@ -146,6 +147,7 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     if let (Some(plate), Some(of)) = (&contact.forces().plate, &impact.on_plate) {
         warnings.extend(of_plate(plate, of, impact.peak_contact_radius));
     }
+    warnings.extend(of_damping(contact, impact));
     warnings.extend(of_rebound(contact, impact));
     warnings.extend(of_run(impact, solver));
     warnings
@@ -157,6 +159,22 @@ fn of_waves(impact: &Impact) -> Option<Warning> {
     Warning::when(loss > 0.2 * recovered, WarningKind::StrongWaves, loss / recovered, || {
         format!(
             "elastic waves take {loss:.3} of the kinetic energy, while the law gives {recovered:.3} of it back: too much for a first-order estimate; take restitution_with_waves as a rough value (0 where nothing is left)"
+        )
+    })
+}
+
+/// χ v from which on the damping of Hunt and Crossley leaves less than a thousandth of the speed.
+const STIFF: f64 = 1e3;
+
+/// The warning of damping that leaves next to nothing, and whose fast decay makes steps tiny.
+fn of_damping(contact: &Contact, impact: &Impact) -> Option<Warning> {
+    let Some(Damping::HuntCrossley(chi)) = contact.forces().damping else { return None };
+    let size = chi * impact.speed;
+    Warning::when(size > STIFF, WarningKind::StiffDamping, size, || {
+        format!(
+            "damping.hunt_crossley x speed = {}: above {STIFF} the sphere keeps only 1/hunt_crossley = {} of its speed; check the unit, s/m",
+            four_digits(size),
+            human(1.0 / chi, Dimension::Speed)
         )
     })
 }

@@ -38,6 +38,8 @@ pub enum WarningKind {
     NearEdge,
     /// A plate that bends so far that it stretches.
     DeepPlate,
+    /// Damping so strong that next to nothing comes back, as where a unit is mistaken.
+    StiffDamping,
     /// More comes back than was brought.
     EnergyGain,
     /// An oblique impact whose dent is so deep that the sphere ploughs.

@@ -13,7 +13,7 @@ use super::oscillation::Oscillation;
 use super::piece::power::DraggedHertz;
 use super::piece::straight::DraggedStraight;
 use super::piece::{AnyDragged, Dragged, Quad};
-use super::{Arrival, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Restoring, Segment, State, Work};
+use super::{Arrival, Drag, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Restoring, Segment, State, Work};
 use crate::math::functions::pow;
 use crate::math::power::max_or_nan;
 use crate::math::root::bracketed;
@@ -91,7 +91,7 @@ impl Damped {
         let mut rounds = 0;
         loop {
             if self.work.steps + self.work.rejected >= most {
-                return Err(IntegrationError::Creeping { steps: MOST_STEPS });
+                return Err(out_of_steps(path));
             }
             let last = step_to(sign * (end - node[0]), sign * rates[0], sign * rates[1]);
             // no tiny step for the end
@@ -167,15 +167,16 @@ impl Damped {
         }
     }
 
-    /// Notes a rejected step; `h` is the length of the next one.
+    /// Notes a rejected step; `h` is the length of the next one, which has to move something.
     fn rejected(&mut self, h: f64, node: &Quad, rates: &Quad) -> Result<f64, IntegrationError> {
         self.work.rejected += 1;
-        match h {
-            f64::MIN_POSITIVE.. => Ok(h),
-            _ if rates.iter().all(|rate| rate.is_finite()) => {
-                Err(IntegrationError::StepUnderflow { time: node[2], step: h })
+        let time = node[2];
+        match () {
+            () if !rates.iter().all(|rate| rate.is_finite()) => Err(IntegrationError::NotFinite { time }),
+            () if node.iter().zip(rates).all(|(part, rate)| part + h * rate == *part) => {
+                Err(IntegrationError::StepUnderflow { time, step: h })
             }
-            _ => Err(IntegrationError::NotFinite { time: node[2] }),
+            () => Ok(h),
         }
     }
 
@@ -209,6 +210,15 @@ impl Damped {
             }
             Restoring::Power { .. } | Restoring::Smooth { .. } => self.run(AnyDragged::<M>(*path), path, state, track),
         }
+    }
+}
+
+fn out_of_steps(path: &Path) -> IntegrationError {
+    let steps = MOST_STEPS;
+    if path.drag == Drag::NONE {
+        IntegrationError::TooManySteps { steps }
+    } else {
+        IntegrationError::Creeping { steps }
     }
 }
 

@@ -10,7 +10,7 @@ pub enum Restoring {
     Power {
         /// k > 0.
         coefficient: f64,
-        /// n > 1.
+        /// n ≥ 1.
         exponent: f64,
     },
     /// g = g_0 + s d.

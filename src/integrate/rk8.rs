@@ -113,6 +113,9 @@ impl Rk8 {
             if error > 1.0 {
                 self.work.rejected += 1;
                 h = shrunk(this, error);
+                if now.y + h * now.u == now.y && now.u + h * now.g == now.u {
+                    return Err(IntegrationError::StepUnderflow { time: now.t, step: h });
+                }
                 continue;
             }
             if error.is_nan() {

@@ -2,6 +2,7 @@
 
 use super::{gravity, under, viscous};
 use crate::common::prelude::*;
+use plm_impact::integrate::Drag;
 
 /// A case found by the property tests. The last step of ode_solvers ended only 6e-6 of the contact time before
 /// lift-off. Newton's method missed this lift-off, the search went on after it, and 1.2 % of the energy went to gravity
@@ -87,4 +88,31 @@ fn no_turning_point_is_near_while_the_pull_is_the_stronger() {
         assert!(off(impact.peak_indentation, exact.peak_indentation) < 10.0 * tolerance, "{tolerance:e}");
         assert!(impact.energy.drift < 10.0 * tolerance, "{tolerance:e}: {:e}", impact.energy.drift);
     }
+}
+
+/// A tolerance far below rounding: the steps run out or move nothing any more, and who has no damping is not told to lower it.
+#[test]
+fn a_run_without_damping_that_runs_out_of_steps_is_not_told_to_lower_it() {
+    let law = Scene::steel().law();
+    let run = |weight: f64, drag| {
+        let forces = ScaledForces { weight, drag };
+        course::integrate(&law, 3.0, &forces, &mut Rk8::new(1e-40), &mut Recorder::default()).unwrap_err()
+    };
+    let is_of_steps = |error: &IntegrationError| {
+        matches!(error, IntegrationError::StepUnderflow { .. } | IntegrationError::TooManySteps { .. })
+    };
+    let [free, falling] = [0.0, 0.1].map(|weight| run(weight, Drag::NONE));
+    assert!(is_of_steps(&free) && is_of_steps(&falling), "{free} {falling}");
+    let damped = run(0.0, Damping::Viscous(0.1).drag(1.0));
+    assert!(is_of_steps(&damped) || damped.to_string().contains("lower the damping"), "{damped}");
+}
+
+#[test]
+fn stiff_damping_is_doubted() {
+    let says = |chi: f64| {
+        let contact = under(&Scene::steel(), super::hunt_crossley(chi));
+        let impact = contact.impact(3.0, &solver(Method::Rk8, 1e-6), None).unwrap();
+        impact.warnings.iter().any(|warning| warning.kind == WarningKind::StiffDamping)
+    };
+    assert_eq!([100.0, 1e3].map(says), [false, true]);
 }
