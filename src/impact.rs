@@ -5,9 +5,10 @@
 //!
 //! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`]); the dimensionless result
 //! ([`record`], [`outcome`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is reported of it
-//! ([`contact`], `case`, [`oblique`], [`essentials`], `ledger`, [`result`], `validity`); the impacts of a contact (`impacts`,
+//! ([`contact`], `case`, [`oblique`], [`essentials`], `ledger`, [`result`], `bodies`, `validity`); the impacts of a contact (`impacts`,
 //! [`spot`]); the law as a force of its own (`response`, [`friction`]); and this file, which only names them.
 
+mod bodies;
 mod case;
 pub mod closed_form;
 pub mod contact;
@@ -32,7 +33,9 @@ pub mod verlet;
 mod warning;
 pub mod waves;
 
-pub use contact::Contact;
+pub use bodies::TOO_HIGH;
+pub(crate) use bodies::{of_half_space, of_sphere, of_yielding_sphere};
+pub use contact::{Contact, Named};
 pub use error::ImpactError;
 pub use essentials::{Essentials, OnPlate};
 pub use forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces, drop_speed};
@@ -47,5 +50,5 @@ pub use result::{Accuracy, Energy, Impact, UnderForces};
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;
-pub(crate) use validity::{of_dent, of_half_space, of_peak, of_sphere};
+pub(crate) use validity::{of_dent, of_peak};
 pub use warning::{Warning, WarningKind};

@@ -13,7 +13,7 @@ mod specimen;
 
 use thiserror::Error;
 
-use crate::impact::{Warning, WarningKind, of_dent, of_peak};
+use crate::impact::{Warning, WarningKind, of_dent, of_peak, of_yielding_sphere};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
@@ -156,6 +156,8 @@ struct Units {
 #[derive(Debug, Clone)]
 pub struct StaticContact {
     indenter: Indenter,
+    /// Yield strength of the half-space \[Pa\], if it has one.
+    strength: Option<f64>,
     pair: Pair,
     units: Units,
     law: Law,
@@ -178,7 +180,7 @@ impl StaticContact {
             let force = normal("force of a Hertz contact one radius deep (N)", deep)?;
             (Units { length: radius, force, contact_radius: radius }, Law::hertz())
         };
-        Ok(Self { indenter, pair, units, law })
+        Ok(Self { indenter, strength: half_space.yield_strength, pair, units, law })
     }
 
     pub fn pair(&self) -> &Pair {
@@ -278,7 +280,8 @@ impl StaticContact {
         let (radius, strength) = (self.indenter.radius, self.indenter.yield_strength);
         let of_step = |step: &Step| {
             let Memory { contact_radius, mean_pressure, .. } = step.memory;
-            of_dent(&self.law, contact_radius / radius, mean_pressure, strength)
+            let yields = of_yielding_sphere(mean_pressure, strength, self.strength, "less comes back than computed");
+            of_dent(&self.law, contact_radius / radius).into_iter().chain(yields)
         };
         let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| warning.kind).collect();
         let gain = (step.plastic_work < 0.0).then(|| {

@@ -6,7 +6,7 @@ mod file;
 
 use std::sync::LazyLock;
 
-pub use entry::{Entry, Known, Property, Written};
+pub use entry::{Class, Entry, Known, Property, Written};
 pub use file::read;
 
 /// All materials, in the order of the file.

@@ -154,6 +154,7 @@ impl Repeat {
                 sequence.remaining_time = sequence.geometric_rest(gravity);
             }
         }
+        sequence.warnings.sort_by_key(|(_, warning)| !warning.is_grave());
         Ok(sequence)
     }
 }

@@ -50,13 +50,14 @@ impl Head<'_> {
     fn about(&self, request: &Request) -> Vec<String> {
         let speed = self.impact.speed;
         let Essentials { restitution, contact_time, peak_force, .. } = self.impact.essentials;
-        let mut about = vec![
+        let mut about: Vec<String> = self.impact.warnings.iter().map(|warning| format!("warning: {warning}")).collect();
+        about.extend([
             format!("{PROGRAM}: {}", self.command),
             format!("scenario {}, SHA-256 {}", self.scenario.document.name(), self.scenario.sha256()),
             format!(
                 "impact at {speed} m/s: e {restitution:.6}, contact time {contact_time:.6e} s, peak force {peak_force:.6e} N"
             ),
-        ];
+        ]);
         if request.target.takes_table() {
             about.push("all units are SI; linear between the speeds".to_owned());
         } else {

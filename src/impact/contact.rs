@@ -10,7 +10,19 @@ use super::scales::Scales;
 use super::waves::Waves;
 use crate::law::{ContactLaw, Law};
 use crate::material::{HalfSpace, Pair, Sphere, normal};
+use crate::materials::Entry;
 use crate::math::functions::pow;
+
+/// The materials of the bodies, as far as they have names.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Named {
+    /// That of the sphere.
+    pub sphere: Option<&'static Entry>,
+    /// That of the half-space.
+    pub half_space: Option<&'static Entry>,
+    /// Whether the strength of the half-space is its hardness, without an exponent of hardening.
+    pub is_by_hardness: bool,
+}
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
 #[derive(Debug, Clone)]
@@ -33,6 +45,8 @@ pub struct Contact {
     waves: Option<Waves>,
     /// Of all that moves, about the sphere's centre \[kg m²\]; `None`: that of a solid sphere.
     moment_of_inertia: Option<f64>,
+    /// The materials of the bodies, if they have names.
+    pub(super) named: Named,
     /// Oblique impacts that stay elastic.
     curve: OnceLock<Curve>,
 }
@@ -67,6 +81,7 @@ impl Contact {
             under: None,
             waves,
             moment_of_inertia: None,
+            named: Named::default(),
             curve: OnceLock::new(),
         })
     }
@@ -95,6 +110,12 @@ impl Contact {
             None => Under::new(plate, &self.half_space, self.mass, &self.scales, &self.law),
         });
         Self { forces, under, ..self }
+    }
+
+    /// The same contact of bodies of these materials, which results are judged by.
+    #[must_use]
+    pub fn of_materials(self, named: Named) -> Self {
+        Self { named, ..self }
     }
 
     /// The same contact, where the sphere is only the tip of the body that moves. The wave speed of that body is not known.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
+use super::bodies::{of_half_space, of_materials, of_sphere, of_yielding_sphere};
 use super::contact::Contact;
 use super::essentials::OnPlate;
 use super::forces::Damping;
@@ -11,17 +12,9 @@ use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
 use crate::law::{Law, Peak};
-use crate::material::{HalfSpace, Material};
 use crate::math::power::max_or_nan;
 use crate::math::root::halved;
 use crate::units::{Dimension, four_digits, human};
-
-/// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.
-const LIGHT: f64 = 100.0;
-/// Larger spheres are doubted: their radius \[m\].
-const LARGE: f64 = 1.0;
-/// Higher strengths are doubted, over Young's modulus; whiskers without a flaw reach a tenth.
-const HIGH: f64 = 0.1;
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
 pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> + use<> {
@@ -44,68 +37,14 @@ pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> +
     stated.into_iter().chain(curve)
 }
 
-/// The warnings for a dent of this radius, over that of the sphere, which this mean pressure has made.
-pub(crate) fn of_dent(
-    law: &Law,
-    ratio: f64,
-    pressure: f64,
-    strength: Option<f64>,
-) -> impl Iterator<Item = Warning> + use<> {
+/// The warning for a dent of this radius, over that of the sphere.
+pub(crate) fn of_dent(law: &Law, ratio: f64) -> Option<Warning> {
     let limit = law.limits.widest;
-    let deep = Warning::when(ratio > limit, WarningKind::DeepDent, ratio, || {
+    Warning::when(ratio > limit, WarningKind::DeepDent, ratio, || {
         format!(
             "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and dent as estimates, or let the dent be shallower"
         )
-    });
-    let yields = strength.filter(|strength| pressure > 1.1 * strength).map(|strength| {
-        let text = format!(
-            "peak mean pressure {pressure:.3e} Pa is above 1.1 x the sphere's yield strength {strength:.3e} Pa: the sphere would yield too, and less would come back"
-        );
-        Warning::new(WarningKind::SphereYields, pressure / strength, text)
-    });
-    [deep, yields].into_iter().flatten()
-}
-
-/// The warnings for a sphere whose numbers hardly any body has. A mass that is not its own has no density.
-pub(crate) fn of_sphere(
-    radius: f64,
-    material: &Material,
-    strength: Option<f64>,
-    density: Option<f64>,
-) -> impl Iterator<Item = Warning> + use<> {
-    let large = Warning::when(radius > LARGE, WarningKind::LargeSphere, radius, || {
-        format!("sphere.radius = {radius} m is above {LARGE} m: check the unit, such as \"5 mm\"")
-    });
-    large.into_iter().chain(of_body("sphere", material, strength, density))
-}
-
-/// The warnings for a half-space whose numbers hardly any body has.
-pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
-    let HalfSpace { material, yield_strength, density } = half_space;
-    of_body("half_space", material, *yield_strength, *density)
-}
-
-fn of_body(
-    table: &str,
-    material: &Material,
-    strength: Option<f64>,
-    density: Option<f64>,
-) -> impl Iterator<Item = Warning> + use<> {
-    let modulus = material.youngs_modulus;
-    let high = strength.filter(|strength| *strength > HIGH * modulus).map(|strength| {
-        let [given, modulus_text] = [strength, modulus].map(|pressure| human(pressure, Dimension::Pressure));
-        let text = format!(
-            "{table}.yield_strength = {given} is more than a tenth of Young's modulus, {modulus_text}, which hardly any solid reaches: check the units"
-        );
-        Warning::new(WarningKind::HighStrength, strength / modulus, text)
-    });
-    let light = density.filter(|density| *density < LIGHT).map(|density| {
-        let text = format!(
-            "{table}.density = {density} kg/m^3 is below {LIGHT} kg/m^3, lighter than cork: check the unit, such as \"7850 kg/m^3\" or \"7.85 g/cm^3\""
-        );
-        Warning::new(WarningKind::LightBody, -density, text)
-    });
-    [high, light].into_iter().flatten()
+    })
 }
 
 impl Contact {
@@ -128,13 +67,22 @@ impl Contact {
 }
 
 pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak, solver: &Solver) -> Vec<Warning> {
-    let mut warnings: Vec<Warning> = of_peak(law, peak).collect();
     let sphere = contact.sphere();
+    let of_half_space_strength = contact.half_space().yield_strength;
+    let yielding = of_yielding_sphere(
+        impact.peak_mean_pressure,
+        sphere.yield_strength,
+        of_half_space_strength,
+        "e is far too high",
+    );
+    let mut warnings: Vec<Warning> = yielding.into_iter().collect();
+    warnings.extend(of_materials(contact, impact, law));
+    warnings.extend(of_peak(law, peak));
     let ratio = impact.peak_contact_radius / sphere.radius;
     let density = (!contact.is_of_a_body()).then_some(sphere.density);
     warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
     warnings.extend(of_half_space(contact.half_space()));
-    warnings.extend(of_dent(law, ratio, impact.peak_mean_pressure, sphere.yield_strength));
+    warnings.extend(of_dent(law, ratio));
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
     let transits = impact.duration() / transit;
     let is_short = transits < 5.0 && !contact.is_of_a_body();
@@ -150,6 +98,7 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     warnings.extend(of_damping(contact, impact));
     warnings.extend(of_rebound(contact, impact));
     warnings.extend(of_run(impact, solver));
+    warnings.sort_by_key(|warning| !warning.is_grave());
     warnings
 }
 

@@ -25,6 +25,10 @@ pub enum WarningKind {
     BeyondFlowCurve,
     /// The sphere would yield as well.
     SphereYields,
+    /// A body that cracks or creeps where a metal would yield.
+    NoMetal,
+    /// The hardness of a metal that hardens, without its exponent.
+    NoExponent,
     /// Too short for a quasi-static sphere.
     ShortContact,
     /// More radiation than a first-order estimate can bear.
@@ -56,9 +60,23 @@ pub enum WarningKind {
     OpenLedger,
 }
 
+/// Beyond this mean pressure over its yield strength a sphere yields as far as a half-space does at 2.9.
+pub(super) const FULLY: f64 = 2.0;
+
 impl Warning {
     pub(crate) fn new(kind: WarningKind, size: f64, text: String) -> Self {
         Self { kind, size, text }
+    }
+
+    /// Whether the result is not to be used at all. Such a warning comes before the others.
+    pub fn is_grave(&self) -> bool {
+        self.kind == WarningKind::NoMetal || self.kind == WarningKind::SphereYields && self.size > FULLY
+    }
+
+    /// Whether the two say the same, of which one is enough. Those of materials are as many as materials.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let is_of_material = matches!(self.kind, WarningKind::NoMetal | WarningKind::NoExponent);
+        self.kind == other.kind && (!is_of_material || self.text == other.text)
     }
 
     /// The warning of a key or a table without effect; `reason` says why, and the way out.

@@ -25,6 +25,22 @@ named! {
     }
 }
 
+named! {
+    /// How a material gives way.
+    #[derive(Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Class {
+        /// It flows.
+        Metal = "metal",
+        /// It cracks.
+        Glass = "glass",
+        /// It cracks, but only where metals flow already; hardmetal too.
+        Ceramic = "ceramic",
+        /// It creeps.
+        Polymer = "polymer",
+    }
+}
+
 impl Property {
     /// Its dimension.
     pub fn dimension(self) -> Dimension {
@@ -65,6 +81,10 @@ pub struct Entry {
     pub name: String,
     /// The material and its condition, in words.
     pub title: String,
+    /// How it gives way.
+    pub class: Class,
+    /// Whether it is a metal that hardens by an exponent that no two sources agree on.
+    pub lacks_exponent: bool,
     /// A remark for the user.
     pub note: Option<String>,
     /// The known properties, in the order of [`Property::ALL`].
@@ -98,6 +118,6 @@ impl Entry {
 
     /// Whether the material yields. Glass, ceramics and polymers are computed as elastic.
     pub fn is_metal(&self) -> bool {
-        self.of(Property::Hardness).is_some()
+        self.class == Class::Metal
     }
 }

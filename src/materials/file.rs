@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Entry, Known, Property, Written};
+use super::{Class, Entry, Known, Property, Written};
 use crate::error::Error;
 use crate::strength::hardness;
 use crate::units;
@@ -21,6 +21,9 @@ struct File {
 struct Raw {
     name: String,
     title: String,
+    class: Class,
+    #[serde(default)]
+    lacks_exponent: bool,
     note: Option<String>,
     #[serde(flatten)]
     known: BTreeMap<Property, RawKnown>,
@@ -41,9 +44,9 @@ struct RawKnown {
 /// [`Error`] for a text of another form, a value that is not allowed, and a source without an entry.
 pub fn read(text: &str) -> Result<Vec<Entry>, Error> {
     let File { basis, sources, material } = toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
-    let entry = |Raw { name, title, note, known }: Raw| {
+    let entry = |Raw { name, title, class, lacks_exponent, note, known }: Raw| {
         let known = known.into_iter().map(|(property, raw)| raw.known(&name, property, &basis, &sources));
-        Ok(Entry { known: known.collect::<Result<_, Error>>()?, name, title, note })
+        Ok(Entry { known: known.collect::<Result<_, Error>>()?, name, title, class, lacks_exponent, note })
     };
     material.into_iter().map(entry).collect()
 }

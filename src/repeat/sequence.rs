@@ -118,7 +118,7 @@ impl Sequence {
 
     pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {
         for warning in warnings {
-            if self.warnings.iter().all(|(_, known)| known.kind != warning.kind) {
+            if !self.warnings.iter().any(|(_, known)| known.is_like(warning)) {
                 self.warnings.push((number, warning.clone()));
             }
         }

@@ -30,7 +30,7 @@ pub fn list(begin: &str) -> String {
 
 /// The page about one material: values, ranges, the kind of each number, and its sources.
 pub fn one(entry: &Entry) -> String {
-    let mut text = format!("{}\n  {}\n", entry.name, entry.title);
+    let mut text = format!("{}\n  {} ({})\n", entry.name, entry.title, entry.class.name());
     if let Some(note) = &entry.note {
         let _ = writeln!(text, "  {note}");
     }

@@ -29,12 +29,12 @@ pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
 
 /// The warnings about a table of this plan.
 pub fn warnings(plan: &Plan) -> Vec<String> {
-    [texts(&plan.scene.warnings), at_corners(plan, None)].concat()
+    [at_corners(plan, None), texts(&plan.scene.warnings)].concat()
 }
 
 /// The same where the contact of the plan is known.
 pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
-    [texts(&plan.scene.warnings), at_corners(plan, Some(contact))].concat()
+    [at_corners(plan, Some(contact)), texts(&plan.scene.warnings)].concat()
 }
 
 /// `summary.json`, which repeats the `warnings`, and the pictures of a whole table.

@@ -6,14 +6,15 @@ use std::f64::consts::PI;
 use super::at::at;
 use super::input::Input;
 use super::keys::Key;
-use super::taken::Taken;
+use super::taken::{Body, Taken};
 use super::{DEFAULT_SAMPLES, Scene};
 use crate::impact::{
-    Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Plate, PlateTheory, STANDARD_GRAVITY, Solver,
-    drop_speed,
+    Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
+    Solver, drop_speed,
 };
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
+use crate::materials::all;
 use crate::strength::hardness::strength_of_hardness;
 
 impl Input {
@@ -88,7 +89,11 @@ impl Input {
             Some(moment) => contact.with_moment_of_inertia(moment),
             None => contact,
         };
-        Ok(contact.with_forces(self.forces()))
+        let [sphere, half_space] =
+            Body::ALL.map(|body| self.word(body.material_key()).and_then(|place| all().get(place)));
+        let is_by_hardness = self.number(at!("half_space.hardness")).is_some() && law.flow().is_none();
+        let named = Named { sphere, half_space, is_by_hardness };
+        Ok(contact.with_forces(self.forces()).of_materials(named))
     }
 
     /// The impact speed \[m/s\]: that of the fall where a height is given.
@@ -146,6 +151,7 @@ impl Input {
 
     /// Puts what a body takes from its material in the place of what it took from another.
     pub fn take(&mut self, taken: &Taken) {
+        self.choose(taken.body.material_key(), all().iter().position(|known| known.name == taken.material.name));
         for property in &taken.left {
             if let Some(key) = taken.body.path(*property).and_then(Key::find) {
                 key.set(self, taken.material.of(*property).map(|known| taken.value(known)));

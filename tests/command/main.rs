@@ -8,6 +8,7 @@ mod common;
 mod bench;
 mod calibrate;
 mod cli;
+mod doubts;
 mod export;
 mod forces_output;
 mod hostile_input;

@@ -141,7 +141,7 @@ fn a_power_law_by_name_has_the_proof_stress_of_its_metal() {
 fn a_file_with_a_slip_is_refused_with_its_place() {
     let file = |value: &str, source: &str| {
         format!(
-            "[basis]\n[sources]\nme = \"A book\"\n[[material]]\nname = \"x\"\ntitle = \"X\"\n\
+            "[basis]\n[sources]\nme = \"A book\"\n[[material]]\nname = \"x\"\ntitle = \"X\"\nclass = \"metal\"\n\
              hardness = {{ value = \"{value}\", range = [\"1 HV\", \"2 HV\"], says = {{ {source} = \"1\" }} }}\n"
         )
     };

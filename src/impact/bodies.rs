@@ -1,0 +1,119 @@
+//! Doubts about the bodies: numbers that hardly any body has, a sphere that yields, and what the materials say against a
+//! result, where they have names. Only metals yield here, and a metal that hardens needs more than its hardness.
+
+use super::contact::Contact;
+use super::result::Impact;
+use super::warning::{FULLY, Warning, WarningKind};
+use crate::law::Law;
+use crate::material::{HalfSpace, Material};
+use crate::materials::{Class, Entry};
+use crate::units::rounded::quantity;
+use crate::units::{Dimension, four_digits, human};
+
+/// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.
+const LIGHT: f64 = 100.0;
+/// Larger spheres are doubted: their radius \[m\].
+const LARGE: f64 = 1.0;
+/// Higher strengths are doubted, over Young's modulus; whiskers without a flaw reach a tenth.
+const HIGH: f64 = 0.1;
+
+/// How far e is too high by the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
+pub const TOO_HIGH: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
+
+/// The warnings of an impact for the materials of its bodies. With damping, what the material takes is given.
+pub(super) fn of_materials(contact: &Contact, impact: &Impact, law: &Law) -> impl Iterator<Item = Warning> + use<> {
+    let named = contact.named;
+    let is_elastic = contact.pair().yield_point.is_none();
+    let is_damped = contact.forces().damping.is_some();
+    let limit =
+        if (impact.restitution - 1.0).abs() < 1e-6 { "e = 1 is the elastic limit" } else { "e is an upper limit" };
+    let brittle = |body: &str, entry: &Entry| {
+        let fate = if entry.class == Class::Polymer { "creeps" } else { "cracks" };
+        let text = format!("{body}.material = {} {fate}: {limit}, not a prediction", entry.name);
+        Warning::new(WarningKind::NoMetal, 0.0, text)
+    };
+    let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
+    // a ball of ceramic is harder than what it hits
+    let is_weak = |entry: &&Entry| matches!(entry.class, Class::Glass | Class::Polymer);
+    let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
+    let hardens = |entry: &&Entry| entry.lacks_exponent || entry.hardens();
+    let is_too_high = named.is_by_hardness && law.hardening().is_none() && impact.has_dent();
+    let metal = named.half_space.filter(|entry| is_too_high && hardens(entry)).map(|entry| {
+        let text = format!(
+            "half_space.material = {} hardens, and its hardness is used without an exponent N: e is {TOO_HIGH}; give half_space.flow_stress.power.exponent under the law plm",
+            entry.name
+        );
+        Warning::new(WarningKind::NoExponent, 0.0, text)
+    });
+    let brittle = [half_space.map(|entry| brittle("half_space", entry)), sphere.map(|entry| brittle("sphere", entry))];
+    brittle.into_iter().flatten().chain(metal)
+}
+
+/// The warning for a sphere of this strength under a mean pressure, on a half-space of that strength. `so` says what is then
+/// wrong with the results.
+pub(crate) fn of_yielding_sphere(
+    pressure: f64,
+    strength: Option<f64>,
+    half_space: Option<f64>,
+    so: &str,
+) -> Option<Warning> {
+    let strength = strength.filter(|strength| pressure > 1.1 * strength)?;
+    let ratio = pressure / strength;
+    let [peak, own] = [pressure, strength].map(|pressure| quantity(pressure, "Pa"));
+    let text = if ratio > FULLY {
+        let is_softer = half_space.is_none_or(|half_space| strength < half_space);
+        let way_out =
+            if is_softer { "write the softer body as half_space" } else { "no law here lets both bodies yield" };
+        format!(
+            "the sphere yields: {so}; {way_out} (peak mean pressure {peak}, {} times the sphere's yield strength {own})",
+            four_digits(ratio)
+        )
+    } else {
+        format!(
+            "peak mean pressure {peak} is above 1.1 x the sphere's yield strength {own}: the sphere would yield too, and less would come back"
+        )
+    };
+    Some(Warning::new(WarningKind::SphereYields, ratio, text))
+}
+
+/// The warnings for a sphere whose numbers hardly any body has. A mass that is not its own has no density.
+pub(crate) fn of_sphere(
+    radius: f64,
+    material: &Material,
+    strength: Option<f64>,
+    density: Option<f64>,
+) -> impl Iterator<Item = Warning> + use<> {
+    let large = Warning::when(radius > LARGE, WarningKind::LargeSphere, radius, || {
+        format!("sphere.radius = {radius} m is above {LARGE} m: check the unit, such as \"5 mm\"")
+    });
+    large.into_iter().chain(of_body("sphere", material, strength, density))
+}
+
+/// The warnings for a half-space whose numbers hardly any body has.
+pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
+    let HalfSpace { material, yield_strength, density } = half_space;
+    of_body("half_space", material, *yield_strength, *density)
+}
+
+fn of_body(
+    table: &str,
+    material: &Material,
+    strength: Option<f64>,
+    density: Option<f64>,
+) -> impl Iterator<Item = Warning> + use<> {
+    let modulus = material.youngs_modulus;
+    let high = strength.filter(|strength| *strength > HIGH * modulus).map(|strength| {
+        let [given, modulus_text] = [strength, modulus].map(|pressure| human(pressure, Dimension::Pressure));
+        let text = format!(
+            "{table}.yield_strength = {given} is more than a tenth of Young's modulus, {modulus_text}, which hardly any solid reaches: check the units"
+        );
+        Warning::new(WarningKind::HighStrength, strength / modulus, text)
+    });
+    let light = density.filter(|density| *density < LIGHT).map(|density| {
+        let text = format!(
+            "{table}.density = {density} kg/m^3 is below {LIGHT} kg/m^3, lighter than cork: check the unit, such as \"7850 kg/m^3\" or \"7.85 g/cm^3\""
+        );
+        Warning::new(WarningKind::LightBody, -density, text)
+    });
+    [high, light].into_iter().flatten()
+}

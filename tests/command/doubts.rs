@@ -1,0 +1,115 @@
+//! Results that are not to be used: what is said of them, and that it is said first.
+
+use crate::common::prelude::*;
+
+/// A ball of one material on another at 3 m/s, with further tables.
+fn pair(sphere: &str, half_space: &str, more: &str) -> String {
+    format!(
+        "[sphere]\nradius = \"5 mm\"\nmaterial = \"{sphere}\"\n[half_space]\nmaterial = \"{half_space}\"\n{more}\n[impact]\nspeed = 3\n"
+    )
+}
+
+/// The warnings of a check.
+fn warned(text: &str) -> Vec<String> {
+    run::check(&read(text, NONE)).unwrap().warnings
+}
+
+const YIELDS: &str = "the sphere yields: e is far too high; write the softer body as half_space";
+
+#[test]
+fn a_sphere_that_yields_is_the_first_line_and_strict_refuses_it() {
+    // a key without effect is a warning too, and comes later
+    let lead = pair("lead", "steel-wear-450", "[friction]\ncoefficient = 0.1");
+    let tables = [
+        ("", YIELDS.to_owned()),
+        ("[sweep]\n\"impact.speed\" = [1, 3]\n", format!("at impact.speed = 3 m/s: {YIELDS}")),
+        ("[repeat]\nspot = \"same\"\nimpacts = 2\n", format!("impact 1: {YIELDS}")),
+    ];
+    for (table, first) in tables {
+        let text = lead.clone() + table;
+        let text = if table.starts_with("[sweep]") { text.replace("speed = 3\n", "") } else { text };
+        let desk = Desk::with(&text);
+        let run = ["run", "s.toml", "--out", "out", "--quiet", "--pictures", "none"];
+        let (_, said) = desk.ends(&[&run[..], &["--strict"]].concat(), 1);
+        assert!(said.starts_with(&format!("warning: {first}")), "{said}");
+        assert!(!desk.path("out/summary.json").exists());
+        let (_, said) = desk.ends(&run, 0);
+        assert!(said.starts_with(&format!("warning: {first}")), "{said}");
+        assert!(desk.summary()["warnings"][0].as_str().unwrap().starts_with(&first));
+    }
+    // what is handed to another code says it too
+    let (lines, _) = Desk::with(pair("lead", "steel-wear-450", "")).ends(&["export", "s.toml", "--to", "lammps"], 0);
+    assert!(lines.starts_with(&format!("# warning: {YIELDS}")), "{lines}");
+    // between 1.1 and 2 times its strength it is no more than a doubt; equal bodies both yield
+    let bodies =
+        |strength: &str| warned(&STEEL.replace("density", &format!("yield_strength = \"{strength}\"\ndensity")));
+    let pressure = contact(STEEL, NONE).closed_form(3.0).unwrap().peak_mean_pressure;
+    assert!(bodies(&format!("{} Pa", pressure / 1.05)).is_empty());
+    assert!(bodies(&format!("{} Pa", pressure / 1.9))[0].contains("the sphere would yield too"));
+    assert!(bodies("345 MPa")[0].contains("no law here lets both bodies yield"));
+    assert!(bodies("300 MPa")[0].starts_with(YIELDS));
+}
+
+#[test]
+fn what_cracks_or_creeps_has_no_predicted_restitution() {
+    let limit = "e = 1 is the elastic limit, not a prediction";
+    for (sphere, half_space, said) in [
+        ("nylon-66", "steel-304-annealed", format!("sphere.material = nylon-66 creeps: {limit}")),
+        ("steel-52100-hardened", "nylon-66", format!("half_space.material = nylon-66 creeps: {limit}")),
+        ("steel-52100-hardened", "pmma", format!("half_space.material = pmma creeps: {limit}")),
+        ("steel-52100-hardened", "glass-soda-lime", format!("half_space.material = glass-soda-lime cracks: {limit}")),
+        ("steel-52100-hardened", "alumina-99.5", format!("half_space.material = alumina-99.5 cracks: {limit}")),
+        (
+            "glass-soda-lime",
+            "aluminium-6061-t6",
+            "glass-soda-lime cracks: e is an upper limit, not a prediction".to_owned(),
+        ),
+    ] {
+        let text = pair(sphere, half_space, "");
+        assert!(warned(&text)[0].ends_with(&said), "{:?}", warned(&text));
+        let summary = Desk::ran(&text).summary();
+        assert!(summary["warnings"][0].as_str().unwrap().ends_with(&said), "{summary}");
+    }
+    // a ball of ceramic is what balls are made of; what damping takes is given, and so is a strength
+    for (sphere, half_space, more) in [
+        ("alumina-99.5", "aluminium-6061-t6", ""),
+        ("nylon-66", "steel-wear-450", "[damping]\nviscous = 0.1"),
+        ("steel-52100-hardened", "pmma", "yield_strength = \"100 MPa\""),
+    ] {
+        let said = warned(&pair(sphere, half_space, more)).join("\n");
+        assert!(!said.contains("not a prediction"), "{said}");
+    }
+    // a table of materials names each of them
+    let table = pair("steel-52100-hardened", "pmma", "").replace("material = \"pmma\"\n", "")
+        + "[sweep]\n\"half_space.material\" = [\"glass-soda-lime\", \"pmma\"]\n";
+    let said = warned(&table).join("\n");
+    assert!(said.contains("glass-soda-lime cracks") && said.contains("pmma creeps"), "{said}");
+}
+
+#[test]
+fn the_bias_of_a_hardness_without_an_exponent_is_a_number() {
+    let guide = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/README.md")).unwrap();
+    assert!(guide.contains(&format!("| {TOO_HIGH} |")));
+    let says = |half_space: &str, more: &str| {
+        let said = warned(&pair("steel-52100-hardened", half_space, more));
+        said.iter().any(|line| line.contains(&format!("its hardness is used without an exponent N: e is {TOO_HIGH}")))
+    };
+    assert!(says("steel-s235", "") && says("steel-s355", "hardness = \"180 HB\""));
+    // an exponent is known, but another law does not take it
+    assert!(!says("steel-304-annealed", "") && says("steel-304-annealed", "[law.thornton]"));
+    // given here; a metal that hardens no more; a strength of one's own
+    assert!(!says("steel-s235", "flow_stress.power.exponent = 0.2"));
+    assert!(!says("steel-4140-qt", "") && !says("steel-s235", "yield_strength = \"400 MPa\""));
+
+    // the numbers are those that the law with hardening gives, which finite elements confirm: e by the hardness alone over
+    // e of the flow curve with the same hardness, at dents that are neither shallow nor beyond the law
+    for (exponent, least, most) in [("0.1", 1.04, 1.10), ("0.3", 1.19, 1.35)] {
+        let by_hardness = STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"180 HB\"");
+        let flow = format!("half_space.flow_stress.power.exponent={exponent}");
+        for speed in [0.5, 1.0, 3.0, 8.0] {
+            let e = |set: &[&str]| contact(&by_hardness, set).closed_form(speed).unwrap().restitution;
+            let bias = e(&[]) / e(&[&flow]);
+            assert!((least..most).contains(&bias), "N = {exponent} at {speed} m/s: {bias}");
+        }
+    }
+}
