@@ -50,5 +50,5 @@ pub use result::{Accuracy, Energy, Impact, UnderForces};
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;
-pub(crate) use validity::{of_dent, of_peak};
+pub(crate) use validity::{of_dent, of_exponent, of_peak};
 pub use warning::{Warning, WarningKind};

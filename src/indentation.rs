@@ -13,7 +13,7 @@ mod specimen;
 
 use thiserror::Error;
 
-use crate::impact::{Warning, WarningKind, of_dent, of_peak, of_yielding_sphere};
+use crate::impact::{Warning, WarningKind, of_dent, of_exponent, of_peak, of_yielding_sphere};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
 use crate::math::functions::pow;
@@ -47,6 +47,11 @@ pub enum IndentationError {
     /// A step that ends where it begins.
     #[error("step {step} ends where it begins; take it out, or give it another target")]
     NoMove { step: usize },
+    /// A step whose contact is wider than any sphere.
+    #[error(
+        "step {step} makes a contact with a radius of {contact_radius:.4e} m, wider than the sphere with its radius of {radius:.4e} m, where no contact law holds; lower the target"
+    )]
+    TooWide { step: usize, contact_radius: f64, radius: f64 },
     /// A step deeper than any sphere can go.
     #[error(
         "step {step} presses the sphere in by {indentation:.4e} m, deeper than its radius of {radius:.4e} m, where no contact law holds; lower the target"
@@ -212,13 +217,18 @@ impl StaticContact {
             }
             let stroke = machine.go_to(goal).ok_or(IndentationError::NoMove { step: number })?;
             let peak = &stroke.memory.peak;
-            self.law.accept(peak).map_err(|reason| IndentationError::Outside { step: number, reason })?;
+            self.law.accept(&stroke.memory).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
                 trace.extend(stroke.points(samples).map(|point| self.row(number, &stroke, point)));
             }
             let step = self.step(*target, &stroke)?;
+            let Memory { contact_radius, .. } = step.memory;
+            if contact_radius > radius {
+                return Err(IndentationError::TooWide { step: number, contact_radius, radius });
+            }
             if stroke.is_new_peak() {
-                doubts.extend(of_peak(&self.law, peak).map(|warning| Doubt { step: number, warning }));
+                let warnings = of_peak(&self.law, peak).chain(of_exponent(&self.law, &stroke.memory));
+                doubts.extend(warnings.map(|warning| Doubt { step: number, warning }));
             }
             self.doubt(number, &step, steps.last(), &mut doubts);
             steps.push(step);

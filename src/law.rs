@@ -30,7 +30,7 @@ use curve::Curve;
 use memory::Reloaded;
 pub use plm::rule::PlmRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
-use published::{Limits, Published, WIDEST_PARABOLOID};
+use published::{LARGEST_CUT, Limits, Published, WIDEST_PARABOLOID};
 pub use published::{Loading, OutsideLaw};
 pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
@@ -65,6 +65,17 @@ pub struct Law {
     pub rule: Rule,
     /// What a spot remembers that was loaded before.
     pub(crate) memory: Option<Box<Reloaded>>,
+}
+
+/// An exponent of unloading that is larger than the one that was asked for, which would give back more than was spent.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Raised {
+    /// The one that was asked for.
+    pub(crate) asked: f64,
+    /// The one of the branch.
+    pub(crate) used: f64,
+    /// What the first gives back over what was spent, less 1.
+    pub(crate) gain: f64,
 }
 
 impl Law {
@@ -162,25 +173,46 @@ impl Law {
         if let Rule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
     }
 
-    /// Checks that the law has an answer for a peak.
+    /// What is known of the exponent of this branch, where it is not the one that was asked for.
+    pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
+        let (peak, used) = (&unloading.peak, unloading.exponent);
+        match self.rule_at(peak.indentation) {
+            Rule::Polyline(rule) if self.branch_at(peak.indentation).is_none() => {
+                let asked = rule.asked(peak);
+                // the energy of a branch goes with 1/(n + 1)
+                (used > asked).then(|| Raised { asked, used, gain: (used - asked) / (asked + 1.0) })
+            }
+            _ => None,
+        }
+    }
+
+    /// Checks that the law has an answer for the peak of this branch.
     ///
     /// # Errors
-    /// [`OutsideLaw`] where a published law has no answer there.
+    /// [`OutsideLaw`] where a law has no answer there: a published one outside of its formulas, and any one whose unloading
+    /// gives back more energy than was spent, by more than [`LARGEST_CUT`].
     #[inline]
-    pub fn accept(&self, peak: &Peak) -> Result<(), OutsideLaw> {
-        let indentation = peak.indentation;
+    pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
+        let Peak { indentation, .. } = unloading.peak;
+        let ratio = self.in_yields(indentation);
+        let refused = |problem| Err(OutsideLaw::Range { ratio, problem });
+        if let Some(Raised { asked, gain, .. }) = self.raised(unloading).filter(|raised| raised.gain > LARGEST_CUT) {
+            return Err(OutsideLaw::Exponent { asked, ratio, gain });
+        }
         match self.rule_at(indentation) {
             Rule::Published(rule) if self.branch_at(indentation).is_none() => {
                 if indentation > self.limits.holds_until {
-                    return Err(OutsideLaw::Range {
-                        indentation,
-                        problem: "outside the range of its loading formulas",
-                    });
+                    return refused("outside the range of its loading formulas");
                 }
-                rule.accept(peak, self.work_since_fresh(indentation))
+                rule.problem(&unloading.peak, self.work_since_fresh(indentation)).map_or(Ok(()), refused)
             }
             _ => Ok(()),
         }
+    }
+
+    /// x over the indentation at which this law yields; over that of C_ν where it has no elastic regime.
+    pub(crate) fn in_yields(&self, x: f64) -> f64 {
+        if self.limits.elastic_until > 0.0 { x / self.limits.elastic_until } else { x }
     }
 
     /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1); on the branch of a spot that was loaded before the dent

@@ -8,7 +8,7 @@ use super::oblique::curve::Curve;
 use super::plate::{PlateError, Under};
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::law::{ContactLaw, Law};
+use crate::law::{ContactLaw, Law, Peak};
 use crate::material::{HalfSpace, Pair, Sphere, normal};
 use crate::materials::Entry;
 use crate::math::functions::pow;
@@ -157,6 +157,22 @@ impl Contact {
     /// force is not that of the law, and on a plate, which takes energy in another way.
     pub fn waves(&self) -> Option<&Waves> {
         self.waves.as_ref().filter(|_| !self.forces.have_drag())
+    }
+
+    /// The contact radius at a peak \[m\].
+    ///
+    /// # Errors
+    /// [`ImpactError::TooDeep`] where it, or the indentation, is larger than the radius of the sphere.
+    pub(super) fn contact_radius(&self, scales: &Scales, law: &Law, peak: &Peak) -> Result<f64, ImpactError> {
+        let (indentation, radius) = (peak.indentation * scales.length, self.sphere.radius);
+        let contact_radius = scales.contact_radius * law.contact_radius(peak);
+        // a spring has no geometry, but its sphere has a radius
+        let is_too_wide = contact_radius > radius && law.limits.widest.is_finite();
+        if indentation > radius || is_too_wide {
+            let yield_strength = self.half_space.yield_strength;
+            return Err(ImpactError::TooDeep { indentation, contact_radius, radius, yield_strength });
+        }
+        Ok(contact_radius)
     }
 
     /// Mass of the sphere \[kg\].

@@ -109,8 +109,8 @@ pub fn integrate<I: Integrator>(
         recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, &at);
     }
     let State { time, distance, speed, loss } = at;
-    // nothing was lost, so what is above 1 is the error of the run
-    let limit = if drag == Drag::NONE && law.plastic(&unloading) == 0.0 { 1.0 } else { f64::INFINITY };
+    // what is above 1 is then the error of the run
+    let limit = if forces.is_even(law, &unloading) { 1.0 } else { f64::INFINITY };
     Ok(Outcome {
         restitution: if fate == Fate::Captured { 0.0 } else { (-speed / q).min(limit) },
         loading_time,

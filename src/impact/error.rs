@@ -7,6 +7,7 @@ use crate::error::{Error as Failure, ErrorKind};
 use crate::integrate::IntegrationError;
 use crate::law::OutsideLaw;
 use crate::material::OutOfFloatRange;
+use crate::units::{Dimension, human};
 
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ImpactError {
@@ -17,6 +18,34 @@ pub enum ImpactError {
     /// The law has no answer for this impact.
     #[error(transparent)]
     Law(#[from] OutsideLaw),
+    /// A dent that no sphere can make.
+    #[error(
+        "the sphere would go in by {} with a contact radius of {}, and its own radius is {}: no contact law holds there; check the units{}, or lower the speed",
+        human(*.indentation, Dimension::Length), human(*.contact_radius, Dimension::Length), human(*.radius, Dimension::Length),
+        .yield_strength.map_or_else(String::new, |strength| {
+            format!(", such as that of half_space.yield_strength = {}", human(strength, Dimension::Pressure))
+        })
+    )]
+    TooDeep {
+        /// δ_m \[m\].
+        indentation: f64,
+        /// a_m \[m\].
+        contact_radius: f64,
+        /// R \[m\].
+        radius: f64,
+        /// σ_Y \[Pa\].
+        yield_strength: Option<f64>,
+    },
+    /// A moment of inertia that is too small for the steps of friction.
+    #[error(
+        "with so small a moment of inertia the contact point swings too fast for the steps of friction: from {least:.3e} kg m^2 on it is computed here, and a solid sphere has {solid:.3e} kg m^2"
+    )]
+    SmallInertia {
+        /// The least one \[kg m²\].
+        least: f64,
+        /// That of a solid sphere \[kg m²\].
+        solid: f64,
+    },
     /// There is no impact on such a plate.
     #[error(transparent)]
     Plate(#[from] PlateError),

@@ -29,6 +29,10 @@ pub struct Essentials {
     /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::law::Law::contact_radius). If there is a dent, this
     /// is the radius of its rim.
     pub peak_contact_radius: f64,
+    /// a_m/R \[1\].
+    pub radius_ratio: f64,
+    /// Whether a_m/R or δ_m is outside of the range that the law holds for, or is stated for.
+    pub is_outside_law: bool,
     /// ½ m v² \[J\].
     pub kinetic_in: f64,
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
@@ -102,6 +106,8 @@ impl Essentials {
         if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
             return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
         }
+        let peak_contact_radius = contact.contact_radius(scales, law, &peak)?;
+        let radius_ratio = peak_contact_radius / contact.sphere().radius;
         let residual = law.dent(&peak).residual();
         let lost = law.plastic(&outcome.unloading);
         // under gravity the share may exceed 1; without kinetic energy there is none
@@ -118,7 +124,9 @@ impl Essentials {
             peak_force: normal("peak force (N)", outcome.largest_force * scales.force)?,
             peak_indentation: peak.indentation * scales.length,
             residual_indentation: residual * scales.length,
-            peak_contact_radius: scales.contact_radius * law.contact_radius(&peak),
+            peak_contact_radius,
+            radius_ratio,
+            is_outside_law: radius_ratio > law.limits.widest || law.outside_stated(&peak).is_some(),
             kinetic_in,
             plastic_fraction: share,
             wave_loss_fraction: waves,

@@ -54,7 +54,7 @@ impl Contact {
             Some(outcome) => outcome,
             None => run(case.law, case.q, &case.forces, None, solver, None)?.outcome,
         };
-        case.law.accept(&outcome.unloading.peak)?;
+        case.law.accept(&outcome.unloading)?;
         let mut essentials = Essentials::new(self, speed, &case, &outcome)?;
         if let Some(inclined) = Inclined::new(self, &case, &outcome, approach) {
             essentials.rebound = Some(inclined.rebound(&inclined.slip(false)?)?);
@@ -76,7 +76,8 @@ impl Contact {
         }
         let case = self.case(None, speed)?;
         let (unloading, restitution) = closed_form::energy_balance(case.law, case.q);
-        case.law.accept(&unloading.peak)?;
+        case.law.accept(&unloading)?;
+        self.contact_radius(&case.scales, case.law, &unloading.peak)?;
         Ok(restitution)
     }
 
@@ -109,14 +110,14 @@ impl Contact {
         let exact = case.exact(if method == Method::ClosedForm { solver.tolerance } else { FINEST })?;
         let solver = Solver { method, ..*solver };
         let computed = run(law, *q, forces, exact.as_ref(), &solver, samples)?;
-        let peak = computed.outcome.unloading.peak;
-        law.accept(&peak)?;
+        let unloading = computed.outcome.unloading;
+        law.accept(&unloading)?;
         let mut impact = Impact::new(self, speed, &case, method, &computed, exact.as_ref())?;
-        impact.warnings = validity::warnings(self, &impact, law, &peak, &solver);
+        impact.warnings = validity::warnings(self, &impact, law, &unloading, &solver);
         if let Some(inclined) = Inclined::new(self, &case, &computed.outcome, approach) {
             impact.add_friction(&inclined, approach)?;
             impact.warnings.extend(validity::of_oblique(self, &impact, approach));
         }
-        Ok((impact, law, peak))
+        Ok((impact, law, unloading.peak))
     }
 }

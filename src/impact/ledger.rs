@@ -69,6 +69,14 @@ impl<'a> Ledger<'a> {
         self.drift(end_speed, self.spent + stored, loss, x)
     }
 
+    /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with it.
+    pub(super) fn left(&self) -> f64 {
+        let Outcome { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
+        let force = unloading.force_of(x - self.case.law.dent(&unloading.peak).residual());
+        let speed = end_speed + self.case.plate.map_or(0.0, |plate| plate.mobility * force);
+        0.4 * speed * speed + unloading.stored(x)
+    }
+
     /// The error at the peak. With damping the loss up to the peak is not known, and this is 0.
     pub(super) fn at_peak(&self) -> f64 {
         if !self.case.forces.is_conservative() {

@@ -23,11 +23,11 @@ use std::borrow::Cow;
 
 use super::case::Case;
 use super::contact::Contact;
+use super::error::ImpactError;
 use super::outcome::Outcome;
-use crate::integrate::IntegrationError;
 use crate::law::Rule;
 use crate::material::{Material, OutOfFloatRange};
-use crate::math::functions::{atan2, sin_cos};
+use crate::math::functions::{atan2, pow, sin_cos};
 use mindlin::Motion;
 
 /// How a sphere comes in, beside its speed.
@@ -80,7 +80,7 @@ pub struct Rebound {
     pub tangential_restitution: f64,
     /// −s_1/s_0; no number without s_0.
     pub contact_point_restitution: f64,
-    /// Tangential impulse over normal impulse, against the slip speed; at most μ.
+    /// −J_t over the normal impulse: positive where friction slows v_t; its size is at most μ.
     pub impulse_ratio: f64,
     /// Energy taken by friction, over ½ m v².
     pub loss_fraction: f64,
@@ -88,6 +88,9 @@ pub struct Rebound {
     pub is_sliding: bool,
     /// ψ_1; infinite without friction.
     pub psi: f64,
+    /// |r(N) − r(N/2)|/3 with r = s_1/s_0 and N springs: the error of the run. That of the curve for a row that is read from
+    /// it, and 0 for gross sliding.
+    pub error: f64,
 }
 
 impl Rebound {
@@ -100,8 +103,6 @@ impl Rebound {
 /// The rest of what friction makes of one impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Oblique {
-    /// |r(N) − r(N/2)|/3 with r = s_1/s_0 and N springs: the error of the run; 0 for gross sliding.
-    pub error: f64,
     /// ½ m v_t² + ½ I ω² before the impact \[J\].
     pub kinetic_in: f64,
     /// The same after it \[J\].
@@ -172,6 +173,10 @@ pub(super) struct Inclined<'a> {
     chi: f64,
 }
 
+/// How far the swings of the contact point may be shifted by the length of the steps \[rad\]: at this shift the error of
+/// s_1/s_0 is a few thousandths.
+const LARGEST_SHIFT: f64 = 0.01;
+
 /// How the slip speed changes.
 #[derive(Debug)]
 pub(super) struct Slip {
@@ -194,7 +199,10 @@ impl<'a> Inclined<'a> {
     pub(super) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome, approach: Approach) -> Option<Self> {
         let incidence = approach.incidence?;
         let speeds = approach.components();
-        let slip = speeds[1] - contact.sphere().radius * incidence.spin;
+        let rolls = contact.sphere().radius * incidence.spin;
+        // a difference of rounding is a sphere that rolls
+        let slip = speeds[1] - rolls;
+        let slip = if slip.abs() <= 4.0 * f64::EPSILON * rolls.abs() { 0.0 } else { slip };
         let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (incidence.friction * speeds[0]) };
         Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() })
     }
@@ -224,7 +232,10 @@ impl<'a> Inclined<'a> {
 
     /// How the slip speed changes: known at once where the contact point does not move, or slides all the time; else from a
     /// run. One that is followed has an error, and friction on the way.
-    pub(super) fn slip(&self, is_followed: bool) -> Result<Slip, IntegrationError> {
+    ///
+    /// # Errors
+    /// [`ImpactError::SmallInertia`] where the steps of the run are too long for the swings of the contact point.
+    pub(super) fn slip(&self, is_followed: bool) -> Result<Slip, ImpactError> {
         if self.slip == 0.0 {
             return Ok(Slip::new(0.0));
         }
@@ -235,13 +246,15 @@ impl<'a> Inclined<'a> {
         // the normal motion of all elastic impacts is the same
         let is_elastic = self.case.law.rule == Rule::Elastic && self.case.forces.is_none();
         if !is_followed && is_elastic && self.contact.moment_of_inertia().is_none() {
-            return self.contact.curve().ratio(self.psi.abs()).map(Slip::new);
+            let ratio = self.contact.curve().ratio(self.psi.abs())?;
+            return Ok(Slip { error: curve::ERROR, ..Slip::new(ratio) });
         }
         let motion = if is_elastic {
             Cow::Borrowed(Motion::elastic()?)
         } else {
             Cow::Owned(Motion::new(self.case.law, self.case.q, &self.case.forces)?)
         };
+        self.resolves(&motion)?;
         let sigma = self.psi * self.case.q;
         let mut points = Vec::new();
         let ratio = motion.run(sigma, self.chi, 1, |slip, force| {
@@ -249,11 +262,20 @@ impl<'a> Inclined<'a> {
                 points.push([slip, force]);
             }
         });
-        if !is_followed {
-            return Ok(Slip::new(ratio));
-        }
         let error = (ratio - motion.run(sigma, self.chi, 2, |_, _| ())).abs() / 3.0;
-        Ok(Slip { error, course: Some((motion, points)), ..Slip::new(ratio) })
+        Ok(Slip { error, course: is_followed.then_some((motion, points)), ..Slip::new(ratio) })
+    }
+
+    /// Checks that the steps of the run are short beside the swings of the contact point.
+    fn resolves(&self, motion: &Motion) -> Result<(), ImpactError> {
+        let (shift, mass, radius) = (motion.shift(self.chi), self.contact.mass(), self.contact.sphere().radius);
+        if shift <= LARGEST_SHIFT {
+            return Ok(());
+        }
+        // the shift goes with (j − 1 + 1)^1.5, and j − 1 with 1/I
+        let j = self.contact.slip_factor() * pow(LARGEST_SHIFT / shift, 2.0 / 3.0);
+        let of_sphere = mass * radius * radius;
+        Err(ImpactError::SmallInertia { least: of_sphere / (j - 1.0), solid: 0.4 * of_sphere })
     }
 
     pub(super) fn rebound(&self, slip: &Slip) -> Result<Rebound, OutOfFloatRange> {
@@ -278,6 +300,7 @@ impl<'a> Inclined<'a> {
             loss_fraction: lost / whole,
             is_sliding: slip.is_sliding,
             psi: self.psi,
+            error: slip.error,
         })
     }
 
@@ -297,7 +320,6 @@ impl<'a> Inclined<'a> {
         let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
         let size = (mass * radius * before).abs().max((moment * spin_before).abs()).max(parts[0].abs());
         Oblique {
-            error: slip.error,
             kinetic_in: energy(before, spin_before),
             recovered: energy(speed, spin),
             loss: 0.5 * mass * self.lost(slip),

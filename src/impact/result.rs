@@ -68,7 +68,9 @@ pub struct UnderForces {
     /// Elastic energy left \[J\] where the sphere lifts off a contact that has not yet recovered, as it does under viscous
     /// damping: no force is left then, so the contact's own damping takes it afterwards. `None` where there is none by rule.
     pub stored_at_separation: Option<f64>,
-    /// m g times the way since first touch \[J\].
+    /// Kinetic and elastic energy \[J\] where the run of a captured sphere ends.
+    pub left: Option<f64>,
+    /// m g times the way of the sphere's centre since first touch \[J\]: its indentation, and that of a plate below it.
     pub gravity_work: Option<f64>,
 }
 
@@ -160,7 +162,8 @@ impl Impact {
         let energy = scales.energy();
         let under_forces = (!contact.forces().is_none()).then(|| {
             let lifts_off = !is_captured && forces.drag.lifts_off();
-            let sunk = outcome.end_indentation - law.touch();
+            let moved = essentials.on_plate.map_or(0.0, |plate| plate.displacement / scales.length);
+            let sunk = outcome.end_indentation - law.touch() + moved;
             UnderForces {
                 fate: outcome.fate,
                 end_time: outcome.contact_time * scales.time(),
@@ -169,6 +172,7 @@ impl Impact {
                     .then(|| forces.static_point(law, &outcome.unloading).indentation * scales.length),
                 damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
                 stored_at_separation: lifts_off.then(|| outcome.unloading.stored(outcome.end_indentation) * energy),
+                left: is_captured.then(|| ledger.left() * energy),
                 gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
             }
         });

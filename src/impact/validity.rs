@@ -1,5 +1,7 @@
 //! Checks of model and run. What they find is a warning in the result, and an error only with `--strict`.
 
+mod of_run;
+
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::bodies::{of_half_space, of_materials, of_sphere, of_yielding_sphere};
@@ -11,19 +13,21 @@ use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
-use crate::law::{Law, Peak};
-use crate::math::power::max_or_nan;
+use crate::law::{Law, Peak, Raised, Unloading};
 use crate::math::root::halved;
+use crate::units::rounded::percent;
 use crate::units::{Dimension, four_digits, human};
+use of_run::{of_gain, of_rebound, of_run};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
 pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> + use<> {
     let x = peak.indentation;
     let stated = law.outside_stated(peak).map(|(from, to)| {
-        let end = if to.is_finite() { format!("to {}", four_digits(to)) } else { "and more".to_owned() };
+        let in_yields = |x: f64| four_digits(law.in_yields(x));
+        let end = if to.is_finite() { format!("to {}", in_yields(to)) } else { "and more".to_owned() };
         let text = format!(
-            "peak indentation = {} x the yield indentation is outside {} {end}, the range that the law is stated for: take the result for an extrapolation",
-            four_digits(x), four_digits(from)
+            "peak indentation = {} x the yield indentation of the law is outside {} {end}, the range that the law is stated for: take the result for an extrapolation",
+            in_yields(x), in_yields(from)
         );
         Warning::new(WarningKind::OutsideStated, (x / to).max(from / x), text)
     });
@@ -35,6 +39,18 @@ pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> +
         Warning::new(WarningKind::BeyondFlowCurve, strain, text)
     });
     stated.into_iter().chain(curve)
+}
+
+/// The warning for an exponent of unloading that is not the one that was asked for.
+pub(crate) fn of_exponent(law: &Law, unloading: &Unloading) -> Option<Warning> {
+    let Raised { asked, used, gain } = law.raised(unloading)?;
+    let text = format!(
+        "an unloading exponent of {} would give back {} of the energy more than was spent: {} is used in its place, with which e is 1 but for gravity and drag; give a larger exponent, or let the peak be further above first yield",
+        four_digits(asked),
+        percent(gain),
+        four_digits(used)
+    );
+    Some(Warning::new(WarningKind::RaisedExponent, gain, text))
 }
 
 /// The warning for a dent of this radius, over that of the sphere.
@@ -66,7 +82,15 @@ impl Contact {
     }
 }
 
-pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Peak, solver: &Solver) -> Vec<Warning> {
+/// All warnings of an impact.
+pub(super) fn warnings(
+    contact: &Contact,
+    impact: &Impact,
+    law: &Law,
+    unloading: &Unloading,
+    solver: &Solver,
+) -> Vec<Warning> {
+    let peak = &unloading.peak;
     let sphere = contact.sphere();
     let of_half_space_strength = contact.half_space().yield_strength;
     let yielding = of_yielding_sphere(
@@ -78,6 +102,7 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
     let mut warnings: Vec<Warning> = yielding.into_iter().collect();
     warnings.extend(of_materials(contact, impact, law));
     warnings.extend(of_peak(law, peak));
+    warnings.extend(of_exponent(law, unloading));
     let ratio = impact.peak_contact_radius / sphere.radius;
     let density = (!contact.is_of_a_body()).then_some(sphere.density);
     warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
@@ -96,7 +121,8 @@ pub(super) fn warnings(contact: &Contact, impact: &Impact, law: &Law, peak: &Pea
         warnings.extend(of_plate(plate, of, impact.peak_contact_radius));
     }
     warnings.extend(of_damping(contact, impact));
-    warnings.extend(of_rebound(contact, impact));
+    let is_verlet = solver.method == Method::Verlet;
+    warnings.extend(if is_verlet { of_gain(contact, impact) } else { of_rebound(contact, impact) });
     warnings.extend(of_run(impact, solver));
     warnings.sort_by_key(|warning| !warning.is_grave());
     warnings
@@ -196,52 +222,18 @@ pub(super) fn of_oblique(
             "the materials differ so much (Dundurs' beta = {mismatch:.2}) that pressure and friction act on each other, which is neglected: where the contact slips as little as here, psi_2 may be off by 0.1"
         )
     });
-    [ploughing, coupled].into_iter().flatten()
+    let error = impact.rebound.map_or(0.0, |rebound| rebound.error);
+    let is_rough = error > LARGEST_FRICTION_ERROR || error.is_nan();
+    let rough = Warning::when(is_rough, WarningKind::RoughFriction, error, || {
+        format!(
+            "friction_error = {error:.1e} is above {LARGEST_FRICTION_ERROR:.0e}: the contact point swings so fast that the steps of friction are too long for it, as where sphere.moment_of_inertia is small; take what friction does for an estimate"
+        )
+    });
+    [ploughing, coupled, rough].into_iter().flatten()
 }
+
+/// An error of s_1/s_0 above this one is warned of.
+const LARGEST_FRICTION_ERROR: f64 = 1e-3;
 
 /// Dundurs' β from which on finite elements show that it is neglected.
 const LARGEST_MISMATCH: f64 = 0.25;
-
-/// The warning of a restitution above 1 by more than rounding and the error of the run, or by so much that a number with three
-/// digits shows it. By the work of gravity alone a sphere that sinks into its dent may leave faster than it came.
-fn of_rebound(contact: &Contact, impact: &Impact) -> Option<Warning> {
-    let (restitution, drift) = (impact.restitution, impact.energy.drift);
-    let known = impact.accuracy.restitution_error;
-    let gravity = contact.forces().gravity.unwrap_or(0.0);
-    // the drift is relative to all the energy put in, e to the kinetic energy of the impact
-    let sunk = contact.mass() * gravity * impact.peak_indentation;
-    let error = if known.is_nan() { drift * (1.0 + sunk / impact.energy.kinetic_in) } else { known };
-    let is_by_weight = gravity > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0);
-    let is_real = restitution > 1.0 + 1e-12 + 10.0 * error;
-    let is_doubtful = if is_real { !is_by_weight } else { known.is_nan() && restitution > 1.0005 };
-    Warning::when(is_doubtful, WarningKind::EnergyGain, restitution, || {
-        format!(
-            "restitution {restitution:.6} is above 1, which is no physics: take it for 1. Either the run is too coarse (its energy ledger is off by {drift:.1e}: tighten the tolerance or use another method), or a second hit ended just behind a knot of the loading curve, where the plastic work of the law falls a little"
-        )
-    })
-}
-
-/// The warning of a run that is further from the closed form than its tolerance allows or, without a closed form, of one
-/// that has lost energy. Damping is not smooth at first touch, which costs the methods of `ode_solvers` up to three digits.
-fn of_run(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
-    let drift = impact.energy.drift;
-    let error = max_or_nan(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
-    let way_out = "tighten the tolerance or use another method";
-    if method == Method::Verlet {
-        None
-    } else if impact.accuracy.closed_form_restitution.is_nan() {
-        let is_open = drift > 1000.0 * tolerance || drift.is_nan();
-        Warning::when(is_open, WarningKind::OpenLedger, drift, || {
-            format!(
-                "the energy ledger is off by {drift:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
-            )
-        })
-    } else {
-        let is_inaccurate = error > 100.0 * tolerance || error.is_nan();
-        Warning::when(is_inaccurate, WarningKind::Inaccurate, error, || {
-            format!(
-                "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: {way_out}"
-            )
-        })
-    }
-}

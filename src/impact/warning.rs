@@ -48,10 +48,14 @@ pub enum WarningKind {
     EnergyGain,
     /// An oblique impact whose dent is so deep that the sphere ploughs.
     Ploughing,
+    /// Friction whose steps are too long.
+    RoughFriction,
     /// Bodies whose pressure and friction act on each other.
     Mismatch,
     /// A key or a table of the scenario that has no effect.
     Unused,
+    /// An exponent of unloading that is not kept, because it would give back more than was spent.
+    RaisedExponent,
     /// A published law outside the range that its authors state.
     OutsideStated,
     /// Integration and closed form disagree.

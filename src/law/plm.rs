@@ -24,7 +24,6 @@ use std::sync::{Arc, LazyLock};
 use super::contact_law::{Bodies, ContactLaw};
 use super::curve::Curve;
 use super::published::{Loading, PeakState, Recovered, Rules};
-use super::unloading::exponent_within;
 use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
 use crate::material::{HalfSpace, Pair};
 use crate::strength::flow::FlowCurve;
@@ -90,10 +89,7 @@ impl ContactLaw for Plm {
             let peak = |elastic_approach| Peak { indentation: at.indentation, force: at.force, elastic_approach };
             let exponent = match of_unloading.exponent {
                 UnloadingExponent::Paper => 1.5,
-                UnloadingExponent::Fixed(n) => {
-                    // what even 3/2 cannot keep within the work is for the bounds of published laws
-                    exponent_within(at.spent, &peak(elastic_approach.min(at.indentation)), n).min(n.max(1.5))
-                }
+                UnloadingExponent::Fixed(n) => n,
                 UnloadingExponent::PressureShape => of_unloading.pressure_shape(&peak(elastic_approach)),
             };
             Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }

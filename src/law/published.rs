@@ -18,6 +18,7 @@ use super::{Peak, Unloading, UnloadingShape};
 use crate::math::root::halved;
 use crate::strength::flow::FlowError;
 use crate::units::four_digits;
+use crate::units::rounded::percent;
 
 /// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there.
 pub const LARGEST_CUT: f64 = 0.05;
@@ -44,8 +45,7 @@ impl PeakState {
     /// [`OutsideLaw`] where the law has no answer.
     pub fn unload(&self, recovery: &RecoveryRule) -> Result<Unloading, OutsideLaw> {
         let (unloading, problem) = self.unloaded(recovery(*self));
-        let indentation = self.indentation;
-        problem.map_or(Ok(unloading), |problem| Err(OutsideLaw::Range { indentation, problem }))
+        problem.map_or(Ok(unloading), |problem| Err(OutsideLaw::Range { ratio: self.indentation, problem }))
     }
 
     /// The branch whose ε is at most x and at most what the work of loading allows, and the limit that the law's own formulas
@@ -152,13 +152,27 @@ impl Rules {
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
     #[error(
-        "the law has no answer for a peak indentation of {} x the yield indentation: {problem}; use another law, or another speed or depth",
-        four_digits(*.indentation)
+        "the law has no answer for a peak indentation of {} x its yield indentation: {problem}; use another law, or another speed or depth",
+        four_digits(*.ratio)
     )]
     Range {
-        /// x_m.
-        indentation: f64,
+        /// The peak indentation over that at which the law yields.
+        ratio: f64,
+        /// What is wrong there.
         problem: &'static str,
+    },
+    /// An exponent of unloading that gives back too much.
+    #[error(
+        "with the unloading exponent {}, a peak indentation of {} x the yield indentation would give back {} of the energy more than was spent: give a larger exponent, or another speed or depth",
+        four_digits(*.asked), four_digits(*.ratio), percent(*.gain)
+    )]
+    Exponent {
+        /// n.
+        asked: f64,
+        /// The peak indentation over that at which the law yields.
+        ratio: f64,
+        /// The energy given back over that spent, less 1.
+        gain: f64,
     },
     /// A flow curve that is none.
     #[error("the flow curve of the half-space: {0}")]
@@ -203,15 +217,16 @@ impl Published {
         at.unloaded((self.recovery)(at)).0
     }
 
-    /// Whether the law has an answer for a peak that took the work `spent`.
+    /// Why the law has no answer for a peak that took the work `spent`, where it has none.
     #[cold]
-    pub(super) fn accept(&self, peak: &Peak, spent: f64) -> Result<(), OutsideLaw> {
+    pub(super) fn problem(&self, peak: &Peak, spent: f64) -> Option<&'static str> {
         let &Peak { indentation, force, elastic_approach } = peak;
         // an approach that is well below both limits (n is at least 1) is that of the formulas
         if elastic_approach < indentation && force * elastic_approach < 1.9 * spent {
-            return Ok(());
+            return None;
         }
-        self.loaded(indentation, force, spent).unload(&self.recovery).map(drop)
+        let at = self.loaded(indentation, force, spent);
+        at.unloaded((self.recovery)(at)).1
     }
 }
 

@@ -142,7 +142,9 @@ pub struct Unloading {
 /// ```
 ///
 /// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the exponent that was asked for, if that is below 3/2; if
-/// it is above, n jumps to it.
+/// it is above, n jumps to it. An impact says so: it warns of a larger exponent, and has no answer where the one that was asked
+/// for gives back over 5 % more than was spent ([`Law::accept`](super::Law::accept)). A code that asks for the force alone always
+/// gets one.
 #[inline(always)]
 pub(crate) fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;

@@ -89,6 +89,11 @@ impl Hit {
         self.under_forces.as_ref().and_then(value)
     }
 
+    /// Energy in the plate at the end of the impact \[J\], if there is a plate.
+    pub fn plate_energy(&self) -> Option<f64> {
+        self.on_plate.map(|plate| plate.energy)
+    }
+
     /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
     pub fn is_captured(&self) -> bool {
         self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)

@@ -13,6 +13,9 @@ use crate::units::rounded::{percent, quantity};
 pub fn impact(contact: &Contact, impact: &Impact) -> String {
     let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, "m/s"), String::new()]];
     lines.extend(self::lines(&results(), &Single { contact, impact }));
+    if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
+        value.push_str(" (outside the law)");
+    }
     aligned(&lines, |_| true)
 }
 

@@ -2,7 +2,8 @@
 
 use crate::error::{Error, ErrorKind};
 use crate::impact::{ImpactError, Warning};
-use crate::law::LawChoice;
+use crate::integrate::IntegrationError;
+use crate::law::{LawChoice, OutsideLaw};
 use crate::output::OutputFile;
 use crate::plot::Pictures;
 use crate::progress::Counter;
@@ -69,15 +70,41 @@ pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, 
 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.
 pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
+    let speeds = ["impact.speed", "impact.drop_height", "repeat.speeds"];
     let key = match reason {
+        ImpactError::Law(OutsideLaw::Exponent { .. }) => "law.plm.unloading_exponent",
         ImpactError::Law(_) => "law",
         ImpactError::Plate(_) => "half_space.thickness",
         ImpactError::NoClosedForm => "solver.method",
+        ImpactError::SmallInertia { .. } => "sphere.moment_of_inertia",
+        ImpactError::TooDeep { .. } => speeds.into_iter().find(|key| scenario.document.has(key)).unwrap_or(speeds[0]),
         ImpactError::Range(_) | ImpactError::Integration(_) => "",
     };
-    if scenario.document.has(key) {
-        return scenario.document.refuse(key, reason.to_string());
+    let document = &scenario.document;
+    if document.has(key) {
+        return document.refuse(key, reason.to_string());
     }
-    let kind = if matches!(reason, ImpactError::Integration(_)) { ErrorKind::Failed } else { ErrorKind::Input };
-    Error::in_file(kind, scenario.document.name(), reason)
+    match reason {
+        ImpactError::Integration(IntegrationError::StepUnderflow { .. } | IntegrationError::NotFinite { .. }) => {
+            let given: Vec<&str> = OF_THE_MOTION.into_iter().filter(|key| document.has(key)).collect();
+            let text = format!("{reason}; one of these numbers is too extreme for it: {}", given.join(", "));
+            Error::in_file(ErrorKind::Input, document.name(), text)
+        }
+        ImpactError::Integration(_) => Error::in_file(ErrorKind::Failed, document.name(), reason),
+        _ => Error::in_file(ErrorKind::Input, document.name(), reason),
+    }
 }
+
+/// The keys that a motion depends on most.
+const OF_THE_MOTION: [&str; 10] = [
+    "sphere.radius",
+    "sphere.diameter",
+    "sphere.density",
+    "sphere.mass",
+    "impact.speed",
+    "impact.drop_height",
+    "gravity.acceleration",
+    "damping.viscous",
+    "damping.hunt_crossley",
+    "solver.tolerance",
+];

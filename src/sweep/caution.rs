@@ -5,10 +5,11 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
-use crate::impact::{Approach, Contact, Impact, Solver, Warning};
+use crate::impact::{Contact, Impact, Method, Solver, Warning};
 use crate::plan::axis::{Axis, Setting, Values, Word};
 use crate::plan::random::Variable;
 use crate::plan::{Cases, Plan, put};
+use crate::scene::Input;
 
 /// The largest number of corners that are computed all: those of thirteen axes of numbers. Of more, so many are a sample.
 const MOST_CORNERS: u64 = 1 << 13;
@@ -44,10 +45,10 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
         put(axes, &places, &mut input);
         let Some(impact) = shared.map_or_else(
             || {
-                let scene = input.resolve();
-                impact(&scene.contact().ok()?, scene.approach_at(scene.speed))
+                let contact = input.resolve().contact().ok()?;
+                impact(&contact, &input)
             },
-            |contact| impact(contact, input.approach()),
+            |contact| impact(contact, &input),
         ) else {
             continue;
         };
@@ -108,8 +109,11 @@ fn ends(axis: &Axis) -> Vec<u64> {
             smallest.into_iter().chain(largest).map(|(place, _)| place).collect()
         }
         Setting::Number { .. } => vec![0, axis.len() - 1],
-        // the method changes no warning
-        Setting::Words { words, .. } if matches!(words[..], [Word::Method(_), ..]) => vec![0],
+        // of the methods only fixed steps have warnings of their own
+        Setting::Words { words, .. } if matches!(words[..], [Word::Method(_), ..]) => {
+            let verlet = words.iter().position(|word| matches!(word, Word::Method(Method::Verlet)));
+            vec![0, verlet.unwrap_or(0) as u64]
+        }
         Setting::Words { .. } => (0..axis.len()).collect(),
     };
     places.dedup();
@@ -122,6 +126,8 @@ fn tails(variable: &Variable) -> Axis {
 }
 
 /// The impact of one corner; `None` if it has no result, which the status in the table says.
-fn impact(contact: &Contact, approach: Approach) -> Option<Impact> {
-    contact.impact(approach, &Solver::AUTO, None).ok()
+fn impact(contact: &Contact, input: &Input) -> Option<Impact> {
+    let of_input = input.solver();
+    let solver = if of_input.method == Method::Verlet { of_input } else { Solver::AUTO };
+    contact.impact(input.approach(), &solver, None).ok()
 }

@@ -25,6 +25,8 @@ named! {
         NotFinite = "not_finite",
         /// The case lies outside the range of the law.
         OutsideLaw = "outside_law",
+        /// The moment of inertia is too small for the steps of friction.
+        SmallInertia = "small_inertia",
         /// There is no impact on such a plate.
         OutsidePlate = "outside_plate",
         /// The method is `closed_form`, but the scene has no closed form.
@@ -36,7 +38,8 @@ impl From<ImpactError> for Failure {
     fn from(error: ImpactError) -> Self {
         match error {
             ImpactError::Range(_) => Self::OutOfFloatRange,
-            ImpactError::Law(_) => Self::OutsideLaw,
+            ImpactError::Law(_) | ImpactError::TooDeep { .. } => Self::OutsideLaw,
+            ImpactError::SmallInertia { .. } => Self::SmallInertia,
             ImpactError::Plate(_) => Self::OutsidePlate,
             ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,

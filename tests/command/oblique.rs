@@ -43,7 +43,14 @@ fn a_table_has_columns_of_friction_where_an_angle_varies() {
         scenario.unwrap().plan().unwrap().unwrap().column_names()
     };
     let names_of_sweep = names(sweep);
-    for name in ["rebound_angle_deg", "tangential_restitution", "rebound_spin_rad_per_s", "is_sliding", "psi_1"] {
+    for name in [
+        "rebound_angle_deg",
+        "tangential_restitution",
+        "rebound_spin_rad_per_s",
+        "is_sliding",
+        "psi_1",
+        "friction_error",
+    ] {
         assert!(names_of_sweep.iter().any(|column| column == name), "{name} in {names_of_sweep:?}");
     }
     // straight tables have no such columns

@@ -70,3 +70,16 @@ fn shots_have_no_time_and_an_elastic_half_space_no_dent() {
     );
     assert_eq!(column(&impacts, "restitution"), ["1.0", "1.0"]);
 }
+
+/// A series that ends captured has separated before: at the touch and the contact time of the last impact that left.
+#[test]
+fn the_last_separation_is_that_of_the_last_impact_that_left() {
+    let damped = BOUNCING.replace("0.5 m", "1 mm").replace("impacts = 4", "impacts = 10000");
+    let desk = Desk::ran(format!("{BODIES}{damped}[damping]\nviscous = 0.3\n"));
+    let (impacts, summary) = (desk.read("out/impacts.csv"), desk.summary());
+    let [times, contacts] = ["time_s", "contact_time_s"].map(|name| numbers(&impacts, name));
+    let last = contacts.iter().rposition(|contact| contact.is_finite()).unwrap();
+    assert!(summary["ended_by"] == "captured" && last > 2, "{summary}");
+    let got = summary["last_separation_time_s"].as_f64().unwrap();
+    assert!(off(got, times[last] + contacts[last]) < 1e-14, "{got}");
+}

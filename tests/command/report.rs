@@ -36,6 +36,7 @@ fn every_number_of_the_summary_reads_back_to_the_same_bits() {
         ("/peak_indentation_m", impact.peak_indentation),
         ("/peak_sphere_indentation_m", impact.peak_sphere_indentation),
         ("/peak_contact_radius_m", impact.peak_contact_radius),
+        ("/contact_radius_over_R", impact.peak_contact_radius / 5e-3),
         ("/peak_mean_pressure_Pa", impact.peak_mean_pressure),
         ("/elastic_approach_m", impact.elastic_approach),
         ("/residual_indentation_m", impact.residual_indentation),
@@ -98,6 +99,12 @@ fn a_summary_says_what_the_scene_is() {
         assert!(said.table.contains(text), "{text} not in\n{}", said.table);
     }
     assert!(said.table.lines().all(|line| !line.ends_with(' ')));
+    // the law holds up to a contact radius of 0.45 R
+    for (speed, is_outside) in [("30 m/s", false), ("90 m/s", true)] {
+        let table = ran(&[&format!("impact.speed={speed}")]).table;
+        let line = table.lines().find(|line| line.starts_with("restitution")).unwrap();
+        assert_eq!(line.contains(" (outside the law)"), is_outside, "{table}");
+    }
 }
 
 /// A half-space without a yield strength says nothing plastic.

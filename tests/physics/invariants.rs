@@ -5,9 +5,13 @@ use crate::common::prelude::*;
 const TOLERANCE: f64 = 1e-10;
 
 /// A random scene and v/v_Y: radius 1 nm to 10 m, moduli 1 MPa to 10 TPa, any Poisson's ratio, σ_Y/E* from 1e-5 to 0.1.
+/// The dent is smaller than the sphere.
 fn any_impact() -> impl Strategy<Value = (Scene, f64)> {
     (scenes(6.0..13.0, -0.9..0.49, -9.0..1.0, -5.0..-1.0), 2.0..4.3_f64, -3.0..4.0_f64)
         .prop_map(|(scene, log_rho, log_q)| (Scene { density: 10_f64.powf(log_rho), ..scene }, 10_f64.powf(log_q)))
+        .prop_filter("too deep", |(scene, q)| {
+            scene.contact().essentials(q * scene.yield_speed(), &Solver::AUTO).is_ok()
+        })
 }
 
 /// The largest rise of e after a knot, by the definition of the law: 0.02 % for κ > 0.4 (0.03 % with the exponent
@@ -57,7 +61,7 @@ proptest! {
         let scene_contact = scene.contact();
         let speed = q * scene.yield_speed();
         let slow = scene_contact.closed_form(speed).unwrap().restitution;
-        let fast = scene_contact.closed_form(speed * (1.0 + 10_f64.powf(log_step))).unwrap().restitution;
+        let fast = held(scene_contact.closed_form(speed * (1.0 + 10_f64.powf(log_step))))?.restitution;
         prop_assert!(fast <= slow * (1.0 + allowed_rise(&scene)), "{slow} {fast}");
     }
 
@@ -100,8 +104,8 @@ proptest! {
         let law = scene.law();
         let knots = law.loading.pieces().iter().skip(1).map(|piece| (2.5 * piece.work).sqrt()).chain([1.0]);
         for q in knots {
-            let at = |q: f64| contact.closed_form(q * yield_speed).unwrap();
-            let (below, above) = (at(q * (1.0 - gap)), at(q * (1.0 + gap)));
+            let at = |q: f64| held(contact.closed_form(q * yield_speed));
+            let (Ok(below), Ok(above)) = (at(q * (1.0 - gap)), at(q * (1.0 + gap))) else { break };
             // |d ln e/d ln v| < 1/2 on every piece, |d ln T/d ln v| < 1
             prop_assert!(off(above.restitution, below.restitution) <= gap + 1e-13, "{q}");
             prop_assert!(off(above.contact_time, below.contact_time) <= 2.0 * gap + 1e-13, "{q}");
@@ -153,11 +157,12 @@ fn the_smallest_and_the_largest_scenes_are_computed_or_refused_by_name() {
                         assert!(impact.has_dent() || off(stored, impact.kinetic_in) < 1e-9, "{impact:?}");
                         computed += 1;
                     }
-                    Err(ImpactError::Range(_)) => {}
+                    Err(ImpactError::Range(_) | ImpactError::TooDeep { .. }) => {}
                     Err(error) => panic!("R = {radius:e}, E = {modulus:e}, v = {speed:e}: {error}"),
                 }
             }
         }
     }
-    assert!(computed >= 10, "{computed} of 72 scenes");
+    // of the others many would go deeper than the sphere
+    assert!(computed >= 5, "{computed} of 72 scenes");
 }

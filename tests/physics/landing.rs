@@ -3,7 +3,7 @@
 use crate::common::prelude::*;
 
 /// Speeds in units of the yield speed: an elastic impact, impacts beyond each knot, and far beyond the last knot.
-const SPEEDS: [f64; 14] = [0.1, 0.999, 1.000_001, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 1e4];
+const SPEEDS: [f64; 14] = [0.1, 0.999, 1.000_001, 1.001, 1.5, 2.5, 5.0, 10.0, 20.0, 45.0, 100.0, 250.0, 700.0, 4e3];
 
 /// The steppers, and the closed form, whose traces are made of the exact motion.
 const TRACING: [(Method, f64); 4] = [STEPPING[0], STEPPING[1], STEPPING[2], (Method::ClosedForm, 1.0)];
@@ -11,6 +11,7 @@ const TRACING: [(Method, f64); 4] = [STEPPING[0], STEPPING[1], STEPPING[2], (Met
 fn scenes() -> [Scene; 3] {
     let mut soft = Scene::steel();
     soft.sphere.youngs_modulus = 5e9;
+    soft.yield_strength = Some(34.5e6);
     soft.exponent = UnloadingExponent::PressureShape;
     [Scene::steel(), Scene::case_3(), soft]
 }

@@ -176,11 +176,10 @@ fn the_ledger_of_a_hundred_bounces_with_gravity_and_damping_closes() {
 
 #[test]
 fn capture_ends_a_series_at_its_limit() {
-    // soft and heavy, so that F_m = (n + 1) m g is reached while the dent is small: a sphere of 1 m, dense as lead, on
-    // wax
+    // soft and heavy, so that F_m = (n + 1) m g is reached while the dent is small: a sphere of 4 cm, dense as lead, on wax
     let soft = Material { youngs_modulus: 1e6, poissons_ratio: 0.3 };
     let scene = Scene {
-        radius: 0.5,
+        radius: 0.02,
         density: 10_000.0,
         sphere: Material { youngs_modulus: 200e9, poissons_ratio: 0.3 },
         half_space: soft,
@@ -192,7 +191,7 @@ fn capture_ends_a_series_at_its_limit() {
     let run = |speed: f64| bouncing(Place::Fresh, speed, 50, None).run(&contact, &auto(), 10, None).unwrap();
     let is_captured = |hit: &Hit| hit.peak_force <= 2.5 * weight;
     // the limit by bisection between a captured and a free first impact
-    let (mut low, mut high) = (1e-3, 1e3);
+    let (mut low, mut high) = (1e-3, 0.5);
     assert!(run(low).hits[0].is_captured() && !run(high).hits[0].is_captured());
     while high / low > 1.0 + 1e-12 {
         let middle = f64::sqrt(low * high);
@@ -216,7 +215,7 @@ fn capture_ends_a_series_at_its_limit() {
     assert_eq!((same.end, same.hits.len()), (End::Impacts, 5));
     assert!(same.hits[1..].iter().all(|hit| hit.restitution == 1.0));
     // every series ends by one of these rules, at any speed
-    for speed in [0.5, 2.0, 5.0, 50.0] {
+    for speed in [0.02, 0.1, 0.2, 0.5] {
         let sequence = run(speed);
         assert!(matches!(sequence.end, End::Captured | End::InDent), "{speed} {:?}", sequence.end);
     }
@@ -247,11 +246,16 @@ fn a_drop_starts_the_clock_at_the_release() {
 /// A random scene that yields under gravity, the first speed over v_Y, the second speed over the first, and weight over
 /// yield force, up to a fifth.
 fn any_pair() -> impl Strategy<Value = (Scene, f64, f64, f64)> {
-    (scenes(9.0..11.5, 0.2..0.4, -4.0..-0.5, -3.5..-1.5), 0.1..3.0_f64, -2.0..1.0_f64, -8.0..-0.7_f64).prop_map(
-        |(scene, log_q, log_ratio, log_weight)| {
-            (scene, 10_f64.powf(log_q), 10_f64.powf(log_ratio), 10_f64.powf(log_weight))
-        },
-    )
+    let any = (scenes(9.0..11.5, 0.2..0.4, -4.0..-0.5, -3.5..-1.5), 0.1..3.0_f64, -2.0..1.0_f64, -8.0..-0.7_f64);
+    let any = any.prop_map(|(scene, log_q, log_ratio, log_weight)| {
+        (scene, 10_f64.powf(log_q), 10_f64.powf(log_ratio), 10_f64.powf(log_weight))
+    });
+    any.prop_filter("too deep", |(scene, q, ratio, weight)| {
+        let plain = scene.contact();
+        let gravity = Some(weight * plain.pair().yield_point.unwrap().force / plain.mass());
+        let fastest = q * scene.yield_speed() * ratio.hypot(1.0);
+        plain.with_forces(Forces { gravity, ..Forces::default() }).essentials(fastest, &Solver::AUTO).is_ok()
+    })
 }
 
 proptest! {

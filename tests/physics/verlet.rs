@@ -141,3 +141,32 @@ fn restitution_is_never_above_one_where_nothing_is_lost() {
         }
     }
 }
+
+/// A coarse step is an error that the run sees: in its energy, or in what comes back.
+#[test]
+fn steps_that_are_too_long_are_warned_of() {
+    let kinds = |impact: &Impact| impact.warnings.iter().map(|warning| warning.kind).collect::<Vec<_>>();
+    let exact = Scene::steel().impact(1.0, Method::ClosedForm, 1e-10, None);
+    let mut largest: f64 = 0.0;
+    for steps in [1, 2, 3, 5, 10, 20, 50, 200] {
+        let impact = Scene::steel().contact().impact(1.0, &verlet(steps), None).unwrap();
+        let kinds = kinds(&impact);
+        assert_eq!(kinds.contains(&WarningKind::OpenLedger), impact.energy.drift > 1e-2, "{steps}: {kinds:?}");
+        assert_eq!(kinds.contains(&WarningKind::EnergyGain), impact.restitution > 1.0005, "{steps}: {kinds:?}");
+        if kinds.is_empty() {
+            assert!((impact.restitution - exact.restitution).abs() < 0.01, "{steps}: {}", impact.restitution);
+        }
+        largest = largest.max(impact.restitution);
+    }
+    assert!(largest > 1.5, "{largest}");
+    // on a thin plate, the default of 50 steps: more than all of the energy in the plate
+    let glass = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+    let half_space = HalfSpace { material: glass, yield_strength: None, density: Some(7850.0) };
+    let plate = Plate { thickness: 1.2149e-3, edge_distance: None, theory: PlateTheory::Zener };
+    let contact = Contact::try_new(Sphere::elastic(5e-3, glass, 7850.0), half_space, &Plm::default()).unwrap();
+    let contact = contact.with_forces(Forces { plate: Some(plate), ..Forces::default() });
+    let impact = contact.impact(3.0, &verlet(50), None).unwrap();
+    assert!(impact.plate_loss_fraction().unwrap() > 1.0);
+    let kinds = kinds(&impact);
+    assert!(kinds.contains(&WarningKind::OpenLedger) && kinds.contains(&WarningKind::EnergyGain), "{kinds:?}");
+}

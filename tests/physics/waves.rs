@@ -278,7 +278,7 @@ fn waves_that_would_take_more_than_comes_back_leave_nothing_and_a_warning() {
         ["youngs_modulus=3e9", "poissons_ratio=0.45", "yield_strength=5e6"].map(|set| format!("half_space.{set}"));
     let [light, heavy] = ["half_space.density=10", "half_space.density=1e7"].map(|density| {
         let set: Vec<&str> = soft.iter().map(String::as_str).chain([density]).collect();
-        contact(STEEL, &set).closed_form(100.0).unwrap()
+        contact(STEEL, &set).closed_form(20.0).unwrap()
     });
     assert!(!light.warnings.iter().any(|warning| warning.kind == WarningKind::StrongWaves));
     assert!(heavy.warnings.iter().any(|warning| warning.kind == WarningKind::StrongWaves));
@@ -306,6 +306,7 @@ proptest! {
             &format!("law.plm.unloading_exponent={exponent}"),
         ]);
         let speed = contact.yield_speed().unwrap() * 10f64.powf(speed);
+        held(contact.closed_form(speed))?;
         let error = off(loss(&contact, speed), loss_by_quadrature(&contact, speed));
         prop_assert!(error < 1e-10, "{error:.1e}");
     }

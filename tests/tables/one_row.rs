@@ -88,7 +88,8 @@ fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
 #[test]
 fn rows_have_the_bits_of_their_single_cases() {
     let given: Vec<usize> = TABLES.iter().map(|(settings, axes)| compare(settings, axes)).collect();
-    assert_eq!(given, [20, 25, 25, 25, 25, 12, 6, 12, 10, 10, 10, 30, 4, 4]);
+    // under 1e5 m/s^2 the highest drop is deeper than the sphere, but for damping
+    assert_eq!(given, [20, 25, 25, 25, 25, 11, 5, 12, 10, 10, 10, 30, 4, 4]);
 }
 
 #[test]
@@ -100,7 +101,7 @@ fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
     let given = compare(&[], &[("law", &laws), ("impact.speed", &["1e-3", "0.03", "1", "10"])]);
     // some laws have no answer at some speeds
     assert!(given > 3 * laws.len() && given < 4 * laws.len(), "{given} of 4 x {}", laws.len());
-    let exponents: &[&str] = &["1.3", "1.5", "1.7"];
+    let exponents: &[&str] = &["1.4", "1.5", "1.7"];
     assert_eq!(compare(&[], &[("law.plm.unloading_exponent", exponents), SPEEDS]), 15);
     let metals: &[&str] = &["\"steel-304-annealed\"", "\"aluminium-6061-t6\""];
     let text = STEEL.split("youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nyield").next().unwrap();

@@ -24,9 +24,8 @@ pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces, tolerance: f64) ->
     let at_end = if is_captured { unloading.recovered_at(forces.weight) } else { 0.0 };
     let way = (unloading.peak.elastic_approach - at_end).max(0.0);
     let left = unloading.capacity() - unloading.stored_of(at_end) - forces.weight * way;
-    // if the dent does not grow, the rebound speed is the impact speed
-    let is_elastic = !is_captured && law.plastic(&unloading) == 0.0;
-    let speed = if is_elastic { q } else { (2.0 * ACCELERATION * left).max(0.0).sqrt() };
+    let is_even = !is_captured && forces.is_even(law, &unloading);
+    let speed = if is_even { q } else { (2.0 * ACCELERATION * left).max(0.0).sqrt() };
     let run = course::integrate(law, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
     Ok(Outcome {
         unloading,

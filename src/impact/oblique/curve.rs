@@ -17,6 +17,8 @@ pub struct Curve {
     sides: [Box<[OnceLock<f64>]>; 2],
 }
 
+/// The largest error of a value of the curve.
+pub const ERROR: f64 = 5e-5;
 /// Nodes of both sides.
 const NODES: [usize; 2] = [121, 241];
 /// Nodes of a polynomial.

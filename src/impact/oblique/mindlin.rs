@@ -100,6 +100,17 @@ impl Motion {
         ((leg + since) as usize).min(2 * SPRINGS)
     }
 
+    /// How far the steps shift the phase of the swings of a contact that sticks \[rad\]: Σ (ω Δτ)³/24 with ω² = (15/4) χ α.
+    /// From a step of ω Δτ = 2 on they grow without end.
+    pub fn shift(&self, chi: f64) -> f64 {
+        let at = |k: usize| {
+            let step = self.step[usize::from(k > SPRINGS)];
+            let square = 3.0 * ACCELERATION * chi * self.radius[k] * step * step;
+            square * square.sqrt() / 24.0
+        };
+        (1..2 * SPRINGS).map(at).sum()
+    }
+
     /// σ_1/σ_0 with every `stride`-th point and spring. `record` gets σ and T at each point.
     #[allow(clippy::cast_precision_loss)] // counts up to 2 N
     pub fn run(&self, sigma: f64, chi: f64, stride: usize, mut record: impl FnMut(f64, f64)) -> f64 {

@@ -37,12 +37,17 @@ impl PlmRule {
     /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
     #[inline(always)]
     pub(crate) fn unloading(&self, peak: Peak, spent: f64) -> Unloading {
-        let asked = match self.exponent {
+        Unloading::power(peak, exponent_within(spent, &peak, self.asked(&peak)))
+    }
+
+    /// The exponent that is asked for; that of Hertz where there is no dent.
+    #[inline(always)]
+    pub(crate) fn asked(&self, peak: &Peak) -> f64 {
+        match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
-            UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(&peak),
+            UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(peak),
             _ => 1.5,
-        };
-        Unloading::power(peak, exponent_within(spent, &peak, asked))
+        }
     }
 
     /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.

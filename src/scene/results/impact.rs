@@ -64,8 +64,9 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |of: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
-        /// Share of the kinetic energy that the plate has taken at separation.
-        "plate_loss_fraction" in Percent as "the plate takes {} of the energy"
+        /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
+        /// gravity it may exceed 1, as the weight does work too.
+        "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
             [Thickness: Essentials::plate_loss_fraction];
         /// Zener's inelasticity parameter: 0 for a thick plate; from 1 on little comes back.
         "inelasticity" as "Zener's number {}" [Thickness: |row| row.on_plate.map(|plate| plate.inelasticity)];
@@ -78,8 +79,8 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// How far away an edge must be, so that no bending wave comes back from it during the contact.
         "plate_reach_m" in Length as "edges beyond {}"
             [Thickness: |row| row.on_plate.map(|plate| plate.reach).filter(|reach| reach.is_finite())];
-        /// Share of the kinetic energy that is radiated as elastic waves, to first order.
-        "wave_loss_fraction" in Percent as "waves take {} of the energy" [Density: |row| row.wave_loss_fraction];
+        /// Energy radiated as elastic waves, to first order, over the kinetic energy of the motion normal to the half-space.
+        "wave_loss_fraction" in Percent as "waves take {} of the normal energy" [Density: |row| row.wave_loss_fraction];
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
         "restitution_with_waves" as "with waves" [Density: Essentials::restitution_with_waves];
         /// Speed of the sphere when it separates, normal to the half-space.
@@ -98,10 +99,12 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
             [Incidence: |row| rebound(row, |after| after.tangential_speed)];
         /// Spin of the sphere after the impact; positive for rolling forward.
         "rebound_spin_rad_per_s" in AngularSpeed as "spin after" [Incidence: |row| rebound(row, |after| after.spin)];
-        /// Tangential impulse against the slip over normal impulse; at most the coefficient of friction.
+        /// Tangential impulse over normal impulse, positive where friction pushes the sphere back along its path; its size is
+        /// at most the coefficient of friction. A sphere that spins faster than it would roll is pushed forward: negative.
         "impulse_ratio" as "impulse ratio" [Incidence: |row| rebound(row, |after| after.impulse_ratio)];
-        /// Energy taken by friction over the kinetic energy of the whole speed.
-        "friction_loss_fraction" in Percent as "friction takes {} of the energy"
+        /// Energy taken by friction over the kinetic energy of the whole speed, without that of the spin; a fast spin may bring
+        /// more than that.
+        "friction_loss_fraction" in Percent as "friction takes {} of the whole energy"
             [Incidence: |row| rebound(row, |after| after.loss_fraction)];
         /// `sliding` where the contact point slips all the time, by the closed form; else `partial`.
         "sliding_regime" as "regime" if OBLIQUE:
@@ -112,8 +115,9 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "psi_1" [Incidence: |row| rebound(row, |after| after.psi)];
         /// The same of the slip speed after the impact.
         "psi_2" [Incidence: |row| rebound(row, Rebound::psi_after)];
-        /// Error of -s_1/s_0: a third of the change from half as many springs; 0 for a closed form.
-        "friction_error" in Error if OBLIQUE: of.oblique(|friction| friction.error);
+        /// Error of -s_1/s_0: a third of the change from half as many springs; 5e-5 for a row of a table that is read from a
+        /// curve, and 0 for gross sliding.
+        "friction_error" in Error [Incidence: |row| rebound(row, |after| after.error)];
         /// Time from first touch to separation; `null` for a captured sphere.
         "contact_time_s" in Time as "contact time"
             [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)];
@@ -127,6 +131,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "peak_sphere_indentation_m" in Length as "sphere {}": of.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
         "peak_contact_radius_m" in Length as "contact radius": of.impact.peak_contact_radius;
+        /// Contact radius over the radius of the sphere; the warning of a dent that is too wide names the limit of the law.
+        "contact_radius_over_R" as "{} of the sphere's radius" [Nothing: |row| Some(row.radius_ratio)];
+        /// 1 where the contact radius or the indentation is outside of the range that the law holds for, or is stated for: take
+        /// the row for an estimate; else 0.
+        "is_outside_law" if TABLES [Nothing: |row| Some(f64::from(u8::from(row.is_outside_law)))];
         /// Peak force over the contact area there.
         "peak_mean_pressure_Pa" in Pressure as "mean pressure {}": of.impact.peak_mean_pressure;
         /// The part of the largest indentation that is recovered on unloading.
@@ -145,9 +154,9 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "yield_indentation_m" in Length if YIELDS: of.plastic(of.contact.yields_at().map(|(indentation, _)| indentation));
         /// Force at first yield.
         "yield_force_N" in Force as "first yield at {}" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
-        /// Share of the kinetic energy that comes back: the square of the restitution.
+        /// Share of the normal kinetic energy that comes back: the square of the restitution.
         "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
-        /// Share of the kinetic energy that is spent on the dent.
+        /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
         "plastic_fraction" in Percent if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)];
         /// Whether the sphere left (`separated`) or stayed (`captured`).
         "outcome" as "outcome" if FORCES: of.forced(|under| under.fate.name());
@@ -180,7 +189,9 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
         "energy.stored_at_separation_J" in Energy as "{%} left in the contact" if VISCOUS:
             of.forced(|under| under.stored_at_separation).flatten();
-        /// Work of gravity since first touch.
+        /// Kinetic and elastic energy where the computation of a captured sphere ends.
+        "energy.left_J" in Energy as "{%} left in sphere and contact" if CAPTURED: of.forced(|under| under.left).flatten();
+        /// Work of gravity since first touch: the weight times the way of the sphere's centre, which a plate below it lengthens.
         "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
         /// Kinetic energy along the half-space and of the spin at first touch.
         "energy.tangential_in_J" in Energy as "along the surface" if OBLIQUE: of.oblique(|friction| friction.kinetic_in);

@@ -39,6 +39,11 @@ impl Series<'_> {
         self.sequence.hits.last().map_or(0.0, value)
     }
 
+    /// The energy in the plate after all impacts, if there is a plate.
+    fn plate_energy(&self) -> Option<f64> {
+        self.contact.forces().plate.map(|_| self.sequence.hits.iter().filter_map(Hit::plate_energy).sum())
+    }
+
     fn largest(&self, value: fn(&Hit) -> f64) -> f64 {
         self.sequence.hits.iter().map(value).fold(0.0, max_or_nan)
     }
@@ -78,9 +83,9 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "most_impacts" if BOUNCES: of.bouncing().map(|(_, most, _)| most);
         /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
         "until_speed_m_per_s" in Speed if BOUNCES: of.bouncing().map(|(.., until)| until);
-        /// Time of the last separation.
+        /// Time of the last separation; `null` where the first impact captures the sphere.
         "last_separation_time_s" in Time as "last separation" if BOUNCES:
-            of.bouncing().map(|_| of.sequence.hits.last().and_then(Hit::separation_time));
+            of.bouncing().map(|_| of.sequence.hits.iter().rev().find_map(Hit::separation_time));
         /// Estimate of the time that bouncing would still last; `null` if it would never end, or if the sphere stays in
         /// its dent.
         "remaining_time_s" in Time as "time to rest" if BOUNCES: of.bouncing().map(|_| of.sequence.remaining_time);
@@ -103,6 +108,8 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
             of.sequence.hits.iter().filter_map(Hit::radiated).reduce(|all, one| all + one);
         /// Energy spent on dents.
         "energy.plastic_J" in Energy if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
+        /// Energy that the plate has taken in all impacts.
+        "energy.plate_J" in Energy if PLATE: of.plate_energy();
         /// Largest error of the energy balance of any impact.
         "energy.drift" in Error as "energy drift": of.sequence.drift();
         /// Impacts that the trace has: the first ones of a long series.
@@ -168,10 +175,16 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         "waves_J" in Energy if WAVES: row.1.radiated();
         /// Energy spent on the dent.
         "plastic_J" in Energy if YIELDS: row.1.energy.plastic;
+        /// Energy in the plate at separation, or where the computation of a captured sphere ends.
+        "plate_J" in Energy if PLATE: row.1.plate_energy();
         /// Energy taken by damping.
         "damping_J" in Energy if DAMPING: row.1.forced(|forces| forces.damping_loss);
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
         "stored_at_separation_J" in Energy if VISCOUS: row.1.forced(|forces| forces.stored_at_separation);
+        /// Kinetic and elastic energy where the computation of a captured sphere ends.
+        "left_J" in Energy if CAPTURED: row.1.forced(|forces| forces.left);
+        /// Work of gravity since first touch.
+        "gravity_work_J" in Energy if GRAVITY: row.1.forced(|forces| forces.gravity_work);
         /// Error of the energy balance.
         "energy_drift" in Error: row.1.energy.drift;
     }

@@ -4,19 +4,25 @@ use super::{gravity, under, viscous};
 use crate::common::prelude::*;
 use plm_impact::integrate::Drag;
 
+/// The cases were found on bodies so soft that the sphere sank in whole. Moduli that are larger by a power of two, and speeds
+/// and gravity that are smaller by its square, are the same motion to the last bit, and a shallow dent.
+const STIFFER: f64 = 128.0;
+const SLOWER: f64 = STIFFER * STIFFER;
+
 /// A case found by the property tests. The last step of ode_solvers ended only 6e-6 of the contact time before
 /// lift-off. Newton's method missed this lift-off, the search went on after it, and 1.2 % of the energy went to gravity
 /// in flight.
 #[test]
 fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
-    let body = Material { youngs_modulus: 1e6, poissons_ratio: 0.0 };
+    let body = Material { youngs_modulus: STIFFER * 1e6, poissons_ratio: 0.0 };
     let exponent = UnloadingExponent::PressureShape;
     let (sphere, half_space, yield_strength) = (body, body, Some(50e3));
     let scene = Scene { radius: 1.0, density: 5000.0, sphere, half_space, yield_strength, exponent };
     let damping = Some(Damping::Viscous(0.000_199_150_842_193_006_05));
-    let contact = under(&scene, Forces { gravity: Some(0.010_903_512_061_853_768), damping, ..Forces::default() });
+    let contact =
+        under(&scene, Forces { gravity: Some(0.010_903_512_061_853_768 / SLOWER), damping, ..Forces::default() });
     let tolerance = 10_f64.powf(-10.537_586_821_357_346);
-    let speed = 8.382_852_251_562_502;
+    let speed = 8.382_852_251_562_502 / SLOWER;
     let fine = contact.impact(speed, &solver(Method::Rk8, 1e-13), None).unwrap();
     let got = contact.impact(speed, &solver(Method::Dopri5, tolerance), None).unwrap();
     assert!(got.energy.drift < 1e3 * tolerance, "{:e}", got.energy.drift);
@@ -29,7 +35,8 @@ fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
 /// from the error estimate. The errors of their energy ledgers were 40 and 22 times the tolerance.
 #[test]
 fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
-    let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
+    let body =
+        |youngs_modulus: f64, poissons_ratio| Material { youngs_modulus: STIFFER * youngs_modulus, poissons_ratio };
     let exponent = UnloadingExponent::Paper;
     let soft = Scene {
         radius: 1.0,
@@ -51,6 +58,7 @@ fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
         (auxetic, 0.554_719_682_301_636_5, 13.309_992_882_581_513, 0.009_944_343_793_455_42, 8.71e-12),
     ];
     for (scene, speed, acceleration, zeta, tolerance) in cases {
+        let (speed, acceleration) = (speed / SLOWER, acceleration / SLOWER);
         let forces = Forces { gravity: Some(acceleration), ..viscous(zeta) };
         let contact = under(&scene, forces);
         // also at similar tolerances, because all earlier steps decide which step goes wrong

@@ -20,16 +20,21 @@ fn thornton_gives_his_closed_form() {
         // 1.56 (p_y⁵/(E*⁴ ρ))^½ with three printed digits
         let printed = 1.56 * (p_y.powi(5) / (pair.effective_modulus.powi(4) * scene.density)).sqrt();
         assert!(off(printed, v_y) < 5e-3, "{printed} {v_y}");
+        // of the law alone: no sphere is hit so fast that its dent is still smaller than itself
+        let restitution = |speed: f64| {
+            let (_, law, q) = contact.scaled(speed).unwrap();
+            closed_form::energy_balance(law, q).1
+        };
         for q in [1.0, 0.9, 0.5, 0.1, 0.01, 1e-3, 1e-6] {
-            let e = contact.closed_form(v_y / q).unwrap().restitution;
+            let e = restitution(v_y / q);
             let root = (1.2 - 0.2 * q * q).sqrt();
             let closed = (1.2 * 3_f64.sqrt()).sqrt() * (1.0 - q * q / 6.0).sqrt() * (q / (q + 2.0 * root)).powf(0.25);
             assert!(off(e, closed) < 1e-12, "{q}: {e}");
         }
         // 1.185 has four digits
-        let e = contact.closed_form(v_y / 1e-8).unwrap().restitution;
+        let e = restitution(v_y / 1e-8);
         assert!(off(e, 1.185 * 1e-8_f64.powf(0.25)) < 5e-4, "{e}");
-        let slope = (contact.closed_form(2e8 * v_y).unwrap().restitution / e).log2();
+        let slope = (restitution(2e8 * v_y) / e).log2();
         assert!((slope + 0.25).abs() < 1e-7, "{slope}");
     }
 }

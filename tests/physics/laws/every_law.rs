@@ -18,7 +18,7 @@ fn integrators_and_quadrature_agree_on_every_law() {
         for x in PEAKS {
             let speed = (2.5 * law.loading.work(x)).sqrt();
             let exact = closed_form::solve(&law, speed);
-            if law.accept(&exact.unloading.peak).is_err() {
+            if law.accept(&exact.unloading).is_err() {
                 continue;
             }
             assert!(off(exact.unloading.peak.indentation, x) < 1e-12, "{name} at {x}: {exact:?}");
@@ -118,10 +118,10 @@ fn unloading_branches_are_pieces() {
     for (name, choice) in whole_laws() {
         let law = law_of(choice.get());
         let peak = law.loaded_to(105.1);
-        if law.accept(&peak).is_err() {
+        let unloading = law.unloading(peak);
+        if law.accept(&unloading).is_err() {
             continue;
         }
-        let unloading = law.unloading(peak);
         let branch = unloading.branch();
         assert!(off(branch.force_at(105.1), peak.force) < 1e-13, "{name}");
         assert!(off(branch.work_at(105.1), unloading.stored(105.1)) < 1e-12, "{name}");
@@ -144,7 +144,7 @@ fn unloading_branches_are_pieces() {
 fn outside_its_range_a_law_has_no_answer() {
     let refused = |name: &str, x: f64| {
         let law = law_of(LawChoice::from_name(name).unwrap().get());
-        law.accept(&law.loaded_to(x)).err().map(|error| error.to_string())
+        law.accept(&law.unloading(law.loaded_to(x))).err().map(|error| error.to_string())
     };
     // laws without an elastic regime: the dent would be negative
     for name in ["mesarovic_johnson", "johnson"] {
@@ -225,7 +225,8 @@ fn extreme_bodies_give_numbers_or_a_refusal() {
             }
         }
     }
-    assert!(given >= 310, "{given} impacts");
+    // the others would be deeper than the sphere
+    assert!(given >= 230, "{given} impacts");
 }
 
 /// Random scenes: no energy is gained, forces rise, and the integration agrees with the quadrature.
@@ -246,7 +247,7 @@ fn every_law_is_an_honest_contact() {
         }
         let speed = (2.5 * law.loading.work(x)).sqrt();
         let exact = closed_form::solve(&law, speed);
-        if law.accept(&exact.unloading.peak).is_err() {
+        if law.accept(&exact.unloading).is_err() {
             return Ok(false);
         }
         prop_assert!(exact.restitution <= 1.0 + 1e-12 && exact.restitution > 0.0, "{name}: {exact:?}");
@@ -260,6 +261,17 @@ fn every_law_is_an_honest_contact() {
         Ok(true)
     });
     assert!(compared >= 40, "{compared} of 48");
+}
+
+/// The message counts in yield indentations of the law itself, as the summary has it; Stronge's is not that of C_ν.
+#[test]
+fn a_refusal_counts_in_the_yield_indentation_of_the_law() {
+    let contact = Scene::steel().contact_by(&Stronge::default());
+    let speed = 1.4 * contact.yield_speed().unwrap();
+    let Err(ImpactError::Law(OutsideLaw::Range { ratio, .. })) = contact.closed_form(speed) else { panic!() };
+    let (scales, law, q) = contact.scaled(speed).unwrap();
+    let peak = closed_form::energy_balance(law, q).0.peak.indentation * scales.length;
+    assert!(ratio > 1.0 && off(ratio, peak / contact.yields_at().unwrap().0) < 1e-12, "{ratio}");
 }
 
 /// At this speed the impact is outside the range of the law; with damping it is shallow enough to be inside.
