@@ -67,7 +67,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
 fn shown(page: &str, format: Pictures) -> String {
     match format {
         Pictures::Png => page.to_owned(),
-        Pictures::Svg => page.replace(".png", ".svg"),
+        Pictures::Svg | Pictures::NarrowSvg => page.replace(".png", ".svg"),
         Pictures::None => {
             page.lines().filter(|line| !line.starts_with("![")).map(|line| line.to_owned() + "\n").collect()
         }

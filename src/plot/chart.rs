@@ -6,8 +6,8 @@ use plotters::style::RGBColor;
 
 use super::axis::Axis;
 use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP};
-use super::key::Key;
-use super::pen::{self, Pen};
+use super::key::{Key, MARGIN};
+use super::pen::{self, Pen, Point};
 use super::series::{Look, Series};
 use super::style::{GREY, Style};
 use super::{PlotError, SIZE};
@@ -18,6 +18,9 @@ const GAP: f64 = 28.0;
 const BAR: f64 = 44.0;
 const BAR_MARGIN: f64 = 30.0;
 const BAR_ROOM: f64 = 250.0;
+/// Width of a narrow picture, its height without the key, and the room at the right of its axes \[px\].
+const NARROW: (f64, f64) = (800.0, 830.0);
+const NARROW_MARGIN: f64 = 40.0;
 /// Number of steps of the colour bar.
 const STEPS: u32 = 256;
 
@@ -37,6 +40,18 @@ pub struct Chart {
 
 /// The colour at a share of the axis of colours.
 pub type Shade = fn(f64) -> RGBColor;
+
+/// Where everything of a picture lies.
+struct Layout {
+    /// Width and height of the picture \[px\].
+    sheet: (u32, u32),
+    /// The room of all boxes, with that at their right.
+    all: Bounds,
+    frames: Vec<Frame>,
+    key: Key,
+    /// Its upper left corner.
+    key_at: Point,
+}
 
 /// One box.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,20 +132,31 @@ impl Chart {
     /// [`PlotError::Font`] in a browser, where plotters draws no letters into pixels.
     pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
         #[cfg(not(target_arch = "wasm32"))]
-        return pen::png::png(|pen| self.paint(pen));
+        return pen::png::png(|pen| self.paint(&self.layout(false), pen));
         #[cfg(target_arch = "wasm32")]
         Err(PlotError::Font)
     }
 
     /// The picture as SVG: shapes and text, which stay sharp at any size.
     pub fn to_svg(&self) -> Result<Vec<u8>, PlotError> {
-        pen::svg(|pen| self.paint(pen))
+        self.svg(&self.layout(false))
     }
 
-    fn paint<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), PlotError> {
+    /// The picture as SVG for a column of a paper or a narrow window: the axes half as wide, with letters of the same size, and
+    /// the key below them.
+    pub fn to_narrow_svg(&self) -> Result<Vec<u8>, PlotError> {
+        self.svg(&self.layout(true))
+    }
+
+    fn svg(&self, layout: &Layout) -> Result<Vec<u8>, PlotError> {
+        pen::svg(layout.sheet, |pen| self.paint(layout, pen))
+    }
+
+    fn layout(&self, is_narrow: bool) -> Layout {
         let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
-        let (width, height) = (f64::from(SIZE.0), f64::from(SIZE.1));
-        let all = Bounds { left: LEFT, top: TOP, right: width, bottom: height - BOTTOM };
+        let width = if is_narrow { NARROW.0 } else { f64::from(SIZE.0) };
+        let bottom = if is_narrow { NARROW.1 } else { f64::from(SIZE.1) } - BOTTOM;
+        let all = Bounds { left: LEFT, top: TOP, right: width, bottom };
         #[allow(clippy::cast_precision_loss)] // a handful
         let room = all.bottom - all.top - GAP * (self.panels.len() - 1) as f64;
         let shares: f64 = self.panels.iter().map(|panel| panel.share).sum();
@@ -143,20 +169,37 @@ impl Chart {
             frames.push(Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
         }
         let key = Key::of(&self.key(&frames));
-        let right = width - if self.colors.is_some() { BAR_ROOM } else { key.width() };
-        let mut number = 0;
-        for (i, (panel, frame)) in self.panels.iter().zip(&mut frames).enumerate() {
+        let beside = match self.colors {
+            Some(_) => BAR_ROOM,
+            None if is_narrow => NARROW_MARGIN,
+            None => key.width(),
+        };
+        let right = width - beside;
+        for frame in &mut frames {
             frame.bounds.right = right;
+        }
+        if !is_narrow {
+            return Layout { sheet: SIZE, all, frames, key, key_at: (right + MARGIN, TOP) };
+        }
+        let height = NARROW.1 + key.height();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some thousand pixels
+        let sheet = (NARROW.0 as u32, height.ceil() as u32);
+        Layout { sheet, all, frames, key, key_at: (MARGIN, NARROW.1) }
+    }
+
+    fn paint<B: DrawingBackend>(&self, layout: &Layout, pen: &mut Pen<B>) -> Result<(), PlotError> {
+        let mut number = 0;
+        for (i, (panel, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
             frame.draw_x(pen, i + 1 == self.panels.len())?;
             frame.draw_y(pen)?;
             self.fill(panel, frame, number, pen)?;
             number += panel.series.len();
             if i == 0 {
                 frame.draw_title(pen, &self.title)?;
-                key.draw(pen, frame)?;
+                layout.key.draw(pen, layout.key_at)?;
             }
         }
-        self.draw_colors(pen, all)
+        self.draw_colors(pen, layout.all)
     }
 
     /// Draws the content of a box, and its outline. `first` is the number of its first series.
@@ -224,7 +267,7 @@ impl Chart {
     /// The colour bar of a map.
     fn draw_colors<B: DrawingBackend>(&self, pen: &mut Pen<B>, all: Bounds) -> Result<(), PlotError> {
         let Some((axis, shade)) = &self.colors else { return Ok(()) };
-        let right = f64::from(SIZE.0) - BAR_MARGIN;
+        let right = all.right - BAR_MARGIN;
         let bounds = Bounds { left: right - BAR, right, ..all };
         let bar = Frame { bounds, x: Axis::linear("", "").fitted([]), y: axis.fitted([]) };
         bar.draw_y(pen)?;

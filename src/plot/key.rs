@@ -1,10 +1,10 @@
-//! The key of a picture: a column to the right of the axes, so that it never covers data.
+//! The key of a picture: a column to the right of the axes or below them, so that it never covers data.
 
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
-use super::frame::{Frame, TOP};
-use super::pen::{Anchor, Pen};
+use super::frame::TOP;
+use super::pen::{Anchor, Pen, Point};
 use super::series::Series;
 use super::style::{GREY, INK, LABEL_SIZE, Style};
 use super::text::{text_width, wrapped};
@@ -17,7 +17,7 @@ const GAP: f64 = 16.0;
 const LINE_HEIGHT: f64 = 38.0;
 const ENTRY_GAP: f64 = 16.0;
 /// Distance of the key from the axes and from the edge of the picture \[px\].
-const MARGIN: f64 = 28.0;
+pub const MARGIN: f64 = 28.0;
 /// Largest height of the key \[px\].
 const ROOM: f64 = SIZE.1 as f64 - TOP - MARGIN;
 /// Smallest text size over the usual size: smaller text cannot be read.
@@ -82,7 +82,8 @@ impl Key {
         }
     }
 
-    fn height(&self) -> f64 {
+    /// The height that the key takes \[px\].
+    pub fn height(&self) -> f64 {
         self.scale * self.entries.iter().map(Entry::height).sum::<f64>()
     }
 
@@ -97,10 +98,9 @@ impl Key {
         widest + 2.0 * MARGIN
     }
 
-    /// Draws the key beside a box.
-    pub fn draw<B: DrawingBackend>(&self, pen: &mut Pen<B>, frame: &Frame) -> Result<(), PlotError> {
-        let left = frame.bounds.right + MARGIN;
-        let mut y = frame.bounds.top + 0.5 * self.scale * LINE_HEIGHT;
+    /// Draws the key with this upper left corner.
+    pub fn draw<B: DrawingBackend>(&self, pen: &mut Pen<B>, (left, top): Point) -> Result<(), PlotError> {
+        let mut y = top + 0.5 * self.scale * LINE_HEIGHT;
         for entry in &self.entries {
             let [line, mark] = entry.sample;
             if let Some(style) = line {

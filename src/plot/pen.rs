@@ -10,9 +10,9 @@ use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
+use super::PlotError;
 use super::style::{Mark, PAPER, Style};
 use super::text::{fitting, text_width};
-use super::{PlotError, SIZE};
 use crate::math::functions::hypot;
 
 /// A place on the picture \[px\], measured from its upper left corner.
@@ -50,17 +50,20 @@ const SVG: Format = Format {
 };
 
 /// The picture as SVG: shapes and text, which stay sharp at any size.
-pub fn svg(paint: impl FnOnce(&mut Pen<SVGBackend>) -> Result<(), PlotError>) -> Result<Vec<u8>, PlotError> {
-    let [width, height] = [SIZE.0, SIZE.1].map(|side| side * whole_length(1.0, SVG.units));
+pub fn svg(
+    sheet: (u32, u32),
+    paint: impl FnOnce(&mut Pen<SVGBackend>) -> Result<(), PlotError>,
+) -> Result<Vec<u8>, PlotError> {
+    let [width, height] = [sheet.0, sheet.1].map(|side| side * whole_length(1.0, SVG.units));
     let mut svg = String::new();
     let mut backend = SVGBackend::with_string(&mut svg, (width, height));
-    let mut pen = Pen { backend: &mut backend, format: SVG };
-    pen.rectangle((0.0, 0.0), (f64::from(SIZE.0), f64::from(SIZE.1)), PAPER)?;
+    let mut pen = Pen { backend: &mut backend, format: SVG, sheet: (f64::from(sheet.0), f64::from(sheet.1)) };
+    pen.rectangle((0.0, 0.0), pen.sheet, PAPER)?;
     paint(&mut pen)?;
     backend.present().map_err(failed)?;
     drop(backend);
     let of_drawing = format!("width=\"{width}\" height=\"{height}\"");
-    let of_picture = format!("width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"", SIZE.0, SIZE.1);
+    let of_picture = format!("width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"", sheet.0, sheet.1);
     // all shapes are opaque, so the attribute is not needed
     Ok(svg.replacen(&of_drawing, &of_picture, 1).replace(" opacity=\"1\"", "").into_bytes())
 }
@@ -79,6 +82,8 @@ pub enum Anchor {
 pub struct Pen<'a, B: DrawingBackend> {
     backend: &'a mut B,
     format: Format,
+    /// Width and height of the picture \[px\].
+    sheet: (f64, f64),
 }
 
 impl<B: DrawingBackend> Pen<'_, B> {
@@ -165,7 +170,7 @@ impl<B: DrawingBackend> Pen<'_, B> {
     /// moved inward, and a text that is longer than the picture is made smaller.
     pub fn text(&mut self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) -> Result<(), PlotError> {
         let turned = |(x, y)| if anchor == Anchor::Upward { (y, x) } else { (x, y) };
-        let (length_of_sheet, height_of_sheet) = turned((f64::from(SIZE.0), f64::from(SIZE.1)));
+        let (length_of_sheet, height_of_sheet) = turned(self.sheet);
         let (before, horizontal) = match anchor {
             Anchor::Start => (0.0, HPos::Left),
             Anchor::Middle | Anchor::Upward => (0.5, HPos::Center),

@@ -5,12 +5,14 @@ use crate::output::OutputFile;
 use crate::units::names::named;
 
 named! {
-    /// What pictures are written as. The name is also the ending of the files.
+    /// What pictures are written as.
     pub enum Pictures {
         /// PNG: pixels.
         Png = "png",
         /// SVG: shapes and text, which stay sharp at any size.
         Svg = "svg",
+        /// SVG for a column of a paper or a narrow window: half as wide, with letters of the same size and the key below.
+        NarrowSvg = "narrow-svg",
         /// No pictures.
         None = "none",
     }
@@ -19,12 +21,13 @@ named! {
 impl Pictures {
     /// The file of a picture; `None` if no pictures are wanted.
     pub fn file(self, name: &str, chart: &Chart) -> Result<Option<OutputFile>, PlotError> {
-        let bytes = match self {
-            Self::Png => chart.to_png()?,
-            Self::Svg => chart.to_svg()?,
+        let (ending, bytes) = match self {
+            Self::Png => ("png", chart.to_png()?),
+            Self::Svg => ("svg", chart.to_svg()?),
+            Self::NarrowSvg => ("svg", chart.to_narrow_svg()?),
             Self::None => return Ok(None),
         };
-        Ok(Some(OutputFile { name: format!("{name}.{}", self.name()), bytes }))
+        Ok(Some(OutputFile { name: format!("{name}.{ending}"), bytes }))
     }
 
     /// The files of pictures. If no pictures are wanted, `drawn` is not called.

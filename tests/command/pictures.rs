@@ -73,6 +73,7 @@ fn every_kind_of_run_writes_the_pictures_that_it_is_asked_for() {
             (of(".png"), of(".svg"), names.len())
         };
         let (png, svg, none) = (run("png"), run("svg"), run("none"));
+        assert!(run("narrow-svg") == svg, "{kind}");
         // one measured number leaves nothing to draw
         assert!((kind == "calibrate") == png.0.is_empty() && png.0 == svg.1, "{kind}: {png:?} {svg:?}");
         assert!(png.1.is_empty() && svg.0.is_empty() && none.0.is_empty() && none.1.is_empty());

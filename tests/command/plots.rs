@@ -206,6 +206,40 @@ fn text_stays_text_within_the_sheet_in_any_font() {
 }
 
 #[test]
+fn a_narrow_picture_has_letters_of_the_same_size_and_its_key_below_the_axes() {
+    let curves = || (0..5).map(|i| Series::line(format!("curve {i}"), vec![(0.0, 0.0), (2.0, 3.0)])).collect();
+    let chart = Chart::new("Title", [Axis::linear("Length", "m"), Axis::linear("Height", "m")], curves());
+    let chart = chart.with_notes([LONG]);
+    let [wide, narrow] = [chart.to_svg(), chart.to_narrow_svg()].map(|svg| Drawn(text(&svg.unwrap())));
+    let size = |drawn: &Drawn, name: &str| {
+        let document = drawn.document();
+        let mut nodes = document.descendants().filter(|node| node.has_tag_name("text"));
+        nodes.find(|node| node.text().unwrap().trim() == name).map(|node| number(node, "font-size")).unwrap()
+    };
+    for name in ["Title", "Length [m]", "Height [m]", "curve 0"] {
+        assert_eq!(size(&wide, name), size(&narrow, name), "{name}");
+    }
+    let document = narrow.document();
+    let (width, height) = (number(document.root_element(), "width"), number(document.root_element(), "height"));
+    assert_eq!(width, 800.0);
+    let [left, _, right, bottom] = narrow.boxes()[0].map(|end| end / UNITS);
+    assert!(left > 0.0 && right < width && right - left > 0.7 * width, "{left} {right}");
+    let place =
+        |node: Node| [number(node, "x"), number(node, "y"), number(node, "font-size")].map(|value| value / UNITS);
+    let is_key = |node: &Node| node.has_tag_name("text") && node.attribute("text-anchor") == Some("start");
+    let key: Vec<_> = document.descendants().filter(is_key).collect();
+    assert!(key.len() > 6, "{}", key.len());
+    for node in key {
+        let ([x, y, size], words) = (place(node), node.text().unwrap().trim());
+        assert!(y - size > bottom && y + 0.5 * size < height, "{words} at {y} of {height}");
+        // letters are at least half as wide as they are high, on average
+        #[allow(clippy::cast_precision_loss)]
+        let length = 0.5 * size * words.chars().count() as f64;
+        assert!(x >= 0.0 && x + length < width, "{words}");
+    }
+}
+
+#[test]
 fn odd_data_make_a_picture_and_no_panic() {
     let odd: Vec<Vec<(f64, f64)>> = vec![
         vec![],

@@ -30,7 +30,8 @@ pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), PlotError>)
     }
     let size = (SIZE.0 * OVERSAMPLING, SIZE.1 * OVERSAMPLING);
     let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];
-    paint(&mut Pen { backend: &mut BitMapBackend::with_buffer(&mut buffer, size), format: PNG })?;
+    let sheet = (f64::from(SIZE.0), f64::from(SIZE.1));
+    paint(&mut Pen { backend: &mut BitMapBackend::with_buffer(&mut buffer, size), format: PNG, sheet })?;
     encoded(&buffer)
 }
 
