@@ -12,6 +12,7 @@ use serde_json::{Map, Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::error::{Error, ErrorKind};
+use crate::plot::Pictures;
 use crate::scenario::{Kind, Scenario, edit, template};
 
 /// Tells JavaScript why the program stopped. After that this instance of it is of no use.
@@ -21,10 +22,12 @@ fn start() {
 }
 
 /// Runs a scenario. `name` stands for its file; `data` are measurements in place of the file that `calibrate.data` names.
-/// Besides the files, an impact has a `curve`: e against its speed, as a picture and as CSV.
+/// Besides the files, an impact has a `curve`: e against its speed, as a picture and as CSV. All pictures are SVG, and narrow if
+/// `is_narrow`.
 #[wasm_bindgen]
-pub fn run(name: &str, text: &str, data: Option<String>) -> String {
-    reply(scenario(name, text, data).and_then(|scenario| answer::run(&scenario)))
+pub fn run(name: &str, text: &str, data: Option<String>, is_narrow: bool) -> String {
+    let pictures = if is_narrow { Pictures::NarrowSvg } else { Pictures::Svg };
+    reply(scenario(name, text, data).and_then(|scenario| answer::run(&scenario, pictures)))
 }
 
 /// What is understood of a scenario, and its warnings.

@@ -1,9 +1,9 @@
 //! The result of a scenario as JSON.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::curve::curve;
-use super::rows::rows_of;
+use super::rows::{rows_of, texts};
 use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plot::Pictures;
@@ -16,28 +16,25 @@ use crate::scenario::{Kind, Scenario};
 const MOST_ROWS: u64 = 100_000;
 
 /// Runs a scenario of any kind.
-pub fn run(scenario: &Scenario) -> Result<Value, Error> {
+pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
     let Outcome { warnings, text, files, contradiction } = match way(kind) {
-        Way::Once { run, .. } => {
-            run(scenario, &Order { command: &command, pictures: Pictures::Svg, progress: &Counter::default() })?
-        }
-        Way::Table => of_table(scenario, &command)?,
+        Way::Once { run, .. } => run(scenario, &Order { command: &command, pictures, progress: &Counter::default() })?,
+        Way::Table => of_table(scenario, &command, pictures)?,
     };
-    let curve = if kind == Kind::Impact { curve(scenario)? } else { None };
-    let files = files.into_iter().map(|file| (file.name, String::from_utf8_lossy(&file.bytes).into()));
+    let curve = if kind == Kind::Impact { curve(scenario, pictures)? } else { None };
     Ok(json!({
         "kind": kind.name(),
         "warnings": warnings,
         "text": text,
         "contradiction": contradiction,
-        "files": files.collect::<Map<_, _>>(),
+        "files": texts(files),
         "curve": curve
     }))
 }
 
-fn of_table(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
+fn of_table(scenario: &Scenario, command: &str, pictures: Pictures) -> Result<Outcome, Error> {
     let plan = table::plan(scenario)?;
     let rows = plan.count();
     if rows > MOST_ROWS {
@@ -49,7 +46,7 @@ fn of_table(scenario: &Scenario, command: &str) -> Result<Outcome, Error> {
     let warnings = table::warnings(&plan);
     let (csv, tally) = rows_of(&plan);
     let provenance = scenario.provenance(command);
-    let mut files = table::files(&plan, &tally, &warnings, &provenance, Pictures::Svg)?;
+    let mut files = table::files(&plan, &tally, &warnings, &provenance, pictures)?;
     files.push(OutputFile { name: "table.csv".to_owned(), bytes: csv });
     Ok(Outcome { warnings, text: lines(&tally), files, contradiction: None })
 }

@@ -1,12 +1,13 @@
 //! e against the speed of an impact, or against its drop height, with the impact as a point on the curve.
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
-use super::rows::rows_of;
+use super::rows::{rows_of, texts};
 use crate::error::Error;
 use crate::math::functions::log10;
+use crate::output::OutputFile;
 use crate::plot::sweep::pictures;
-use crate::plot::{Series, Style};
+use crate::plot::{Pictures, Series, Style};
 use crate::run::{impact, table};
 use crate::scenario::Scenario;
 use crate::sweep::count::Tally;
@@ -17,8 +18,8 @@ const POINTS: usize = 601;
 /// The curve goes so many decades below the power of ten at or below the impact, and as many above it.
 const DECADES: f64 = 2.0;
 
-/// The picture as SVG, and its points as CSV; `None` for a sphere that is released at first touch.
-pub fn curve(scenario: &Scenario) -> Result<Option<Value>, Error> {
+/// The picture in this format, and its points as CSV; `None` for a sphere that is released at first touch.
+pub fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> {
     let (scene, _, impact) = impact::compute(scenario, None)?;
     let (key, at) = match scene.input.impact.drop_height {
         Some(height) => ("impact.drop_height", height),
@@ -41,9 +42,9 @@ pub fn curve(scenario: &Scenario) -> Result<Option<Value>, Error> {
             let point = point.and(format!("e = {}", four_digits(impact.restitution)));
             chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
             "Restitution of the same bodies".clone_into(&mut chart.title);
-            let (csv, _) = rows_of(&plan);
-            let [svg, csv] = [chart.to_svg()?, csv].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-            Ok(json!({ "restitution.svg": svg, "restitution.csv": csv }))
+            let mut files: Vec<OutputFile> = format.file("restitution", &chart)?.into_iter().collect();
+            files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: rows_of(&plan).0 });
+            Ok(texts(files))
         })
         .transpose()
 }

@@ -1,5 +1,8 @@
-//! The rows of a table, in memory.
+//! The rows of a table, in memory, and files as JSON.
 
+use serde_json::{Map, Value};
+
+use crate::output::OutputFile;
 use crate::plan::Plan;
 use crate::sweep::count::{Tally, count};
 use crate::sweep::csv::Csv;
@@ -23,4 +26,10 @@ pub fn rows_of(plan: &Plan) -> (Vec<u8>, Tally) {
         begin = end;
     }
     (text, tally)
+}
+
+/// The texts of files, by their names.
+pub fn texts(files: Vec<OutputFile>) -> Value {
+    let text = |file: OutputFile| (file.name, String::from_utf8_lossy(&file.bytes).into());
+    Value::Object(files.into_iter().map(text).collect::<Map<_, _>>())
 }

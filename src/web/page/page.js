@@ -2,6 +2,7 @@
 
 import { download, element } from "./element.js";
 import { makeForm } from "./form.js";
+import { isNarrow, onRoom } from "./picture.js";
 import { edited, fields, given, load, materials, run, templates } from "./program.js";
 import { outdate, showResults } from "./results.js";
 
@@ -31,11 +32,15 @@ function take(newText) {
   // what was copied is not this scenario
   at("told").textContent = "";
   at("address").hidden = true;
-  at("results").ariaBusy = "true";
-  run(FILE, text, data);
+  compute();
   // browsers take only some changes of the address a second
   clearTimeout(later);
   later = setTimeout(address, 300);
+}
+
+function compute() {
+  at("results").ariaBusy = "true";
+  run(FILE, text, data, isNarrow(at("pictures")));
 }
 
 /** Takes other values of keys, as they are typed. */
@@ -145,6 +150,7 @@ function listen() {
     if (event.dataTransfer.files[0]) measure(event.dataTransfer.files[0]);
   });
   window.addEventListener("popstate", restore);
+  onRoom(at("pictures"), compute);
 }
 
 function openText() {

@@ -28,8 +28,8 @@ export async function load(whenDone) {
 }
 
 /** Runs a scenario; `data` are measurements, or nothing. */
-export function run(name, text, data) {
-  next = [name, text, data];
+export function run(name, text, data, isNarrow) {
+  next = [name, text, data, isNarrow];
   if (begun !== null && performance.now() - begun > PATIENCE) engage();
   if (begun === null) send();
 }

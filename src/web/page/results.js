@@ -2,7 +2,7 @@
 
 import { download, element } from "./element.js";
 import { blocks, csvTable } from "./numbers.js";
-import { drawIn } from "./picture.js";
+import { picture } from "./picture.js";
 
 const at = (id) => document.getElementById(id);
 // So many rows of a long table are shown.
@@ -17,7 +17,8 @@ export function showResults({ kind, warnings, text, contradiction, files, curve 
   const table = files["table.csv"];
   at("numbers").replaceChildren(...blocks(text), ...(table ? [csvTable("table.csv", table, SHOWN)] : []));
   const all = { ...files, ...curve };
-  drawIn(at("pictures"), Object.entries(all).filter(([name]) => name.endsWith(".svg")));
+  const pictures = Object.entries(all).filter(([name]) => name.endsWith(".svg"));
+  at("pictures").replaceChildren(...pictures.map(([name, svg]) => picture(name, svg)));
   const buttons = Object.entries(all).map(([name, content]) => {
     const button = element("button", { type: "button" }, name);
     button.addEventListener("click", () => download(name, content));
