@@ -21,8 +21,8 @@ mod _core {
     use super::convert::from_json;
     #[pymodule_export]
     use super::{
-        cases::Contact,
-        contact::{Impact, impacts},
+        cases::{Contact, checked, numeric_keys, rows},
+        contact::Impact,
         outcome::{calibrate, run},
         table::{Column, arrow_stream, table_of_csv},
     };

@@ -1,14 +1,14 @@
-//! Cases that are given as arrays of keys: finds the keys, checks the values, and makes the plan of their table.
+//! Cases that are given as arrays of keys: checks the values, and makes the plan of their table and its rows.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyInt, PyString, PyTuple};
+use pyo3::types::{PyDict, PyString};
 
 use super::convert::{Numbers, exception, numbers, warn, with};
-use super::rows::{listed, say_failures, without_axes};
+use super::rows::{failures, listed, without_axes};
 use super::table::of_values;
 use super::work;
 use crate::impact::{self, Method};
@@ -34,7 +34,8 @@ pub const SPEED: &str = "impact.speed";
 /// (see `laws()`) or a table such as dict(plm=dict(unloading_exponent="pressure-shape")).
 ///
 /// A bad key or value raises ValueError, one of a wrong type TypeError; the message has the key, the value and what is
-/// allowed. Warnings are UserWarning. A contact can be pickled, and threads may share it.
+/// allowed. Warnings are ModelWarning, at most one a call. A contact can be pickled, and threads may share it. Two contacts
+/// with the same input are equal.
 #[pyclass(frozen, module = "plm_impact")]
 #[derive(Debug)]
 pub struct Contact {
@@ -56,13 +57,9 @@ pub struct Given {
 impl Given {
     /// A number, an array of numbers, or a text with a unit.
     pub fn new(key: &'static Key, value: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let one = |value| Numbers { shape: Vec::new(), values: vec![value] };
-        let numbers = if let Ok(text) = value.cast::<PyString>() {
-            one(key.quantity.parse(&text.to_cow()?).map_err(|message| refused(key, "", &message))?)
-        } else if value.cast_exact::<PyFloat>().is_ok() || value.cast_exact::<PyInt>().is_ok() {
-            one(value.extract()?)
-        } else {
-            numbers(value, key.path)?
+        let numbers = match value.cast::<PyString>() {
+            Ok(text) => Numbers::one(key.quantity.parse(&text.to_cow()?).map_err(|text| refused(key, "", &text))?),
+            Err(_) => numbers(value, key.path)?,
         };
         for (index, value) in numbers.values.iter().enumerate() {
             let place = || if numbers.values.len() == 1 { String::new() } else { format!(" at index {index}") };
@@ -121,87 +118,46 @@ fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
     Ok(plan)
 }
 
-/// The numeric keys that the name of an argument may mean. For `impact.speed` the names are `impact.speed`,
-/// `impact_speed` and `speed`. The last part alone does not mean keys of other laws than that of the contact, nor the
-/// strength of the sphere, which changes no table.
-fn meant(contact: &Contact, name: &str) -> Vec<&'static Key> {
-    let letters = |path: &str| path.bytes().map(|letter| if letter == b'.' { b'_' } else { letter }).eq(name.bytes());
-    if let Some(whole) = KEYS.iter().find(|key| key.path == name || letters(key.path)) {
-        return vec![whole];
-    }
-    let ends = |path: &str| path.strip_suffix(name).is_some_and(|head| head.ends_with('.'));
-    let last: Vec<_> = KEYS.iter().filter(|key| ends(key.path)).collect();
-    let own = format!("law.{}.", contact.scene.law.about().name);
-    let is_idle = |path: &str| path == "sphere.yield_strength" || path.starts_with("law.") && !path.starts_with(&own);
-    let kept: Vec<_> = last.iter().copied().filter(|key| !is_idle(key.path)).collect();
-    if kept.is_empty() { last } else { kept }
+/// The paths of all numeric keys, in the order of the registry.
+#[pyfunction]
+pub fn numeric_keys() -> Vec<&'static str> {
+    KEYS.iter().map(|key| key.path).collect()
 }
 
-/// The arguments with their keys.
-fn keys(contact: &Contact, arguments: &Bound<'_, PyDict>) -> PyResult<Vec<Given>> {
-    let mut given: Vec<(String, Given)> = Vec::new();
-    for (name, value) in arguments {
-        let name: String = name.extract()?;
-        let key = match meant(contact, &name)[..] {
-            [key] => key,
-            [] if ["law", "method", "material"].iter().any(|word| name.ends_with(word)) => {
-                let message = format!(
-                    "{name}: words are not broadcast; make a Contact for each, or plm_impact.run a scenario with a sweep of them"
-                );
-                return Err(PyTypeError::new_err(message));
-            }
-            [] => {
-                let refusal =
-                    with(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(name.as_str()))]);
-                return Err(refusal.err().map_or_else(|| PyValueError::new_err(name), exception));
-            }
-            ref keys => {
-                let names: Vec<_> = keys.iter().map(|key| key.path.replace('.', "_")).collect();
-                let message = format!("{name}: may be {}; write one of them", names.join(" or "));
-                return Err(PyValueError::new_err(message));
-            }
-        };
-        if let Some((other, _)) = given.iter().find(|(_, other)| other.key.path == key.path) {
-            return Err(refused(key, "", &format!("is given twice, as {other} and as {name}; keep one of the two")));
-        }
-        given.push((name, Given::new(key, &value)?));
-    }
-    // the order of the registry, so that results do not depend on the order of the arguments
-    given.sort_by_key(|(_, given)| KEYS.iter().position(|key| key.path == given.key.path));
-    Ok(given.into_iter().map(|(_, given)| given).collect())
-}
-
-/// The same in one common shape.
-fn broadcast(py: Python<'_>, given: Vec<Given>) -> PyResult<Vec<Given>> {
-    if given.windows(2).all(|pair| pair[0].numbers.shape == pair[1].numbers.shape) {
-        return Ok(given);
-    }
-    let (keys, arrays): (Vec<_>, Vec<_>) = given.into_iter().map(|given| (given.key, given.numbers.numpy(py))).unzip();
-    let arrays = PyTuple::new(py, arrays.into_iter().collect::<PyResult<Vec<_>>>()?)?;
-    let arrays = py.import("numpy")?.call_method1("broadcast_arrays", arrays)?;
-    let given = |(key, array): (&'static Key, PyResult<Bound<'_, PyAny>>)| {
-        Ok(Given { key, numbers: numbers(&array?, key.path)? })
+/// The values of a numeric key in SI units, all of them in the allowed range: a number, or an array in the shape of `value`.
+#[pyfunction]
+pub fn checked<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let Some(key) = Key::find(path) else {
+        // a scenario refuses it with a suggestion
+        let refusal = with(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(path))]);
+        return Err(refusal.err().map_or_else(|| PyValueError::new_err(path.to_owned()), exception));
     };
-    keys.into_iter().zip(arrays.try_iter()?).map(given).collect()
+    Given::new(key, value)?.numbers.numpy(value.py())
 }
 
-/// The table of impacts with these keys, broadcast against each other.
-pub fn impacts<'py>(contact: &Contact, arguments: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyAny>> {
-    let py = arguments.py();
-    let given = keys(contact, arguments)?;
+/// The columns of a table of impacts, by name. Each key comes with checked values, in arrays of one shape and in the order of
+/// the registry. A warning points at the caller of the Python function that calls this one.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)] // what Python hands over
+pub fn rows<'py>(
+    py: Python<'py>,
+    contact: &Contact,
+    keys: Vec<(String, Bound<'py, PyAny>)>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let given = keys.iter().map(|(path, values)| {
+        let key = Key::find(path).ok_or_else(|| PyValueError::new_err(path.clone()))?;
+        Ok(Given { key, numbers: numbers(values, path)? })
+    });
+    let given: Vec<Given> = given.collect::<PyResult<_>>()?;
     let plan = plan(contact, &given)?;
-    let given = broadcast(py, given)?;
-    let shape = given.first().map_or_else(Vec::new, |given| given.numbers.shape.clone());
-    let count = shape.iter().product();
-    if count > 0 {
-        warn(py, &py.detach(|| warnings_of(&plan, &contact.inner)))?;
-    }
+    let count = given.first().map_or(0, |given| given.numbers.values.len());
+    let mut warnings = if count > 0 { py.detach(|| warnings_of(&plan, &contact.inner)) } else { Vec::new() };
     let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
     let named = without_axes(&plan);
     let values = listed(py, &plan, &contact.inner, &keys, count, &named)?;
-    say_failures(py, values.last().map_or(&[], Vec::as_slice))?;
-    let columns = given.into_iter().map(|Given { key, numbers }| (key.column(), numbers.values));
-    of_values(py, &shape, columns, named, values)
+    warnings.extend(failures(values.last().map_or(&[], Vec::as_slice)));
+    warn(py, 2, &warnings)?;
+    of_values(py, given.into_iter().map(|Given { key, numbers }| (key.column(), numbers.values)), named, values)
 }
 
 /// Restitution at these speeds, in an array of their shape, or as a number for one speed.
@@ -210,9 +166,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let given = [Given::speed(speed)?];
     let plan = plan(contact, &given)?;
     let [Given { key, numbers: Numbers { shape, values: speeds } }] = given;
-    if !speeds.is_empty() {
-        warn(py, &py.detach(|| warnings_of(&plan, &contact.inner)))?;
-    }
+    let mut warnings = if speeds.is_empty() { Vec::new() } else { py.detach(|| warnings_of(&plan, &contact.inner)) };
     let Scene { forces, solver, .. } = &plan.scene;
     let is_exact = forces.is_none() && solver.method.chosen(forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
@@ -230,6 +184,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
         listed(py, &plan, &contact.inner, &[(key, &speeds)], speeds.len(), &named)?
     };
     let [restitutions, status]: [Vec<f64>; 2] = computed.try_into().unwrap_or_default();
-    say_failures(py, &status)?;
+    warnings.extend(failures(&status));
+    warn(py, 1, &warnings)?;
     Numbers { shape, values: restitutions }.numpy(py)
 }

@@ -1,6 +1,7 @@
 //! A contact of two bodies, and one of its impacts.
 
 use std::borrow::Cow;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::Mutex;
 
 use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
@@ -8,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
 use super::cases::{self, Contact, Given, SPEED};
-use super::convert::{Numbers, Reduced, exception, from_json, source_of, warn, with};
+use super::convert::{Numbers, Reduced, exception, from_json, html, source_of, warn, with};
 use super::force::force;
 use super::table::table_of_csv;
 use crate::error::Error;
@@ -45,7 +46,7 @@ impl Contact {
         };
         let scene = scene.map_err(exception)?;
         let contact = scene.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
-        warn(py, &texts(&scene.warnings))?;
+        warn(py, 1, &texts(&scene.warnings))?;
         Ok(Self { scenario, scene, inner: contact, plans: Mutex::default() })
     }
 
@@ -69,29 +70,10 @@ impl Contact {
     }
 }
 
-/// A table of impacts of a contact. Every other argument is a numeric key with its values: numbers in SI units (an angle in
-/// rad), arrays of numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part
-/// of its path (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`):
-///
-///     table = impacts(contact, speed=np.linspace(0.5, 5, 100), yield_strength=[[2e8], [3e8]])
-///     table["restitution"].shape                                                  # (2, 100)
-///
-/// The columns are those of table.csv. First the keys, with their units (`impact_speed_m_per_s`), then `restitution`,
-/// `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `recovered_fraction`; if the half-space yields,
-/// `residual_indentation_m`, `dent_radius_m`, `plastic_fraction`; if it has a density, `wave_loss_fraction` and
-/// `restitution_with_waves`; on a plate, `plate_loss_fraction` and others; and `status`, which is "ok" or says why a row has
-/// no numbers (they are NaN then, and a UserWarning says how many). scenarios/results.md says what each column is.
-#[pyfunction]
-#[pyo3(signature = (contact, /, **keys))]
-pub fn impacts<'py>(contact: &Contact, keys: Option<&Bound<'py, PyDict>>) -> PyResult<Bound<'py, PyAny>> {
-    let none = || PyValueError::new_err("no key is given; write one such as speed=[1.0, 2.0]");
-    cases::impacts(contact, keys.ok_or_else(none)?)
-}
-
 #[pymethods]
 impl Contact {
     #[new]
-    #[pyo3(signature = (**tables))]
+    #[pyo3(signature = (**tables), text_signature = "(*, sphere, half_space, **tables)")]
     fn new(py: Python<'_>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         Self::of(py, &tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?)
     }
@@ -114,7 +96,7 @@ impl Contact {
         }
         let samples = samples.and_then(|samples| samples.try_into().ok());
         let impact = Impact::of(slf.py(), slf.clone().unbind(), speed, samples)?;
-        warn(slf.py(), &texts(&impact.result.warnings))?;
+        warn(slf.py(), 1, &texts(&impact.result.warnings))?;
         Ok(impact)
     }
 
@@ -147,6 +129,47 @@ impl Contact {
         memory: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
         force(&self.inner, indentation, memory)
+    }
+
+    /// Impact speed above which the half-space yields (m/s); `None` if it cannot yield.
+    #[getter]
+    fn yield_speed_m_per_s(&self) -> Option<f64> {
+        self.inner.yield_speed()
+    }
+
+    /// Indentation at first yield (m); `None` if it cannot yield.
+    #[getter]
+    fn yield_indentation_m(&self) -> Option<f64> {
+        self.inner.yields_at().map(|(indentation, _)| indentation)
+    }
+
+    /// Force at first yield (N); `None` if it cannot yield.
+    #[getter]
+    #[pyo3(name = "yield_force_N")]
+    fn yield_force(&self) -> Option<f64> {
+        self.inner.yields_at().map(|(_, force)| force)
+    }
+
+    /// The name of the law.
+    #[getter]
+    fn _law(&self) -> &'static str {
+        self.scene.law.about().name
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        let has_speed = |contact: &Self| contact.scenario.document.has("impact");
+        self.scene.input == other.scene.input && has_speed(self) == has_speed(other)
+    }
+
+    fn __hash__(&self) -> u64 {
+        // equal inputs are written alike
+        let mut hasher = DefaultHasher::new();
+        format!("{:?}", self.scene.input).hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        html(slf.as_any(), None)
     }
 
     /// The bodies and the law, as `plm-impact check` shows them.
@@ -259,12 +282,18 @@ impl Impact {
         format!("<plm_impact.Impact>\n{}", table(&self.contact.get().inner, &self.result).trim_end())
     }
 
-    fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+    /// The picture of the force against the indentation, as PNG.
+    #[getter]
+    fn picture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let picture = py.detach(|| {
             Ok::<_, PyErr>(
                 plot::force_indentation(&*self.traced()?).and_then(|drawn| drawn.to_png()).map_err(exception),
             )
         });
         Ok(PyBytes::new(py, &picture??))
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        html(slf.as_any(), Some(slf.get().picture(slf.py())?))
     }
 }

@@ -3,10 +3,10 @@
 use std::ffi::CString;
 
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods as _, PyUntypedArrayMethods as _};
-use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyMapping, PyType};
+use pyo3::types::{PyBytes, PyFloat, PyInt, PyMapping, PyType};
 use serde_json::Value;
 
 use crate::error::{Details, Error};
@@ -19,6 +19,11 @@ pub type Reduced<'py, Arguments> = PyResult<(Bound<'py, PyAny>, Arguments)>;
 /// A function of `plm_impact._convert`.
 pub fn python<'py>(py: Python<'py>, function: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import("plm_impact._convert")?.getattr(function)
+}
+
+/// What a notebook shows of an object: its text, and a picture.
+pub fn html<'py>(shown: &Bound<'py, PyAny>, picture: Option<Bound<'py, PyBytes>>) -> PyResult<Bound<'py, PyAny>> {
+    shown.py().import("plm_impact._results")?.call_method1("html_of", (shown.repr()?, picture))
 }
 
 /// A scenario that is given as a dict.
@@ -45,6 +50,10 @@ pub struct Numbers {
 }
 
 impl Numbers {
+    pub fn one(value: f64) -> Self {
+        Self { shape: Vec::new(), values: vec![value] }
+    }
+
     /// A NumPy array, or a plain number.
     pub fn numpy(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
         match self.values[..] {
@@ -56,6 +65,12 @@ impl Numbers {
 
 /// The numbers of an array, or of what NumPy takes for one. Messages use `place`, the name of the numbers.
 pub fn numbers(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Numbers> {
+    static FLOAT64: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    // other subclasses of a float may have a unit
+    let is_plain = || Ok::<_, PyErr>(value.get_type().is(FLOAT64.import(value.py(), "numpy", "float64")?));
+    if value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>() || is_plain()? {
+        return Ok(Numbers::one(value.extract()?));
+    }
     // as it comes from NumPy; a subclass may have units or a mask, and data from another process may not be aligned
     let array = match value.cast_exact::<PyArrayDyn<f64>>() {
         Ok(array) if array.is_c_contiguous() && array.data().is_aligned() => array.clone(),
@@ -75,9 +90,13 @@ pub fn unreadable(py: Python<'_>, error: Error) -> PyErr {
     let (true, Some(reason), Some(file)) = (error.is_not_found(), &error.reason, &error.details.file) else {
         return exception(error);
     };
-    let arguments = (reason.raw_os_error(), format!("cannot be read: {reason}"), file.clone());
-    let class = NO_SUCH_FILE.import(py, "plm_impact", "NoSuchFile");
-    class.map_or_else(|failed| failed, |class| PyErr::from_type(class.clone(), arguments))
+    // the words that Python itself has for it
+    let class = || {
+        let words = py.import("os")?.call_method1("strerror", (reason.raw_os_error(),))?.unbind();
+        let class = NO_SUCH_FILE.import(py, "plm_impact", "NoSuchFile")?;
+        Ok(PyErr::from_type(class.clone(), (reason.raw_os_error(), words, file.clone())))
+    };
+    class().unwrap_or_else(|failed: PyErr| failed)
 }
 
 /// The exception of an error: `ValueError` if the input has to change, `RuntimeError` if a run failed.
@@ -102,11 +121,12 @@ pub fn with(scenario: &Scenario, overrides: impl IntoIterator<Item = String>) ->
     Scenario::from_source(scenario.document.name(), &source)
 }
 
-/// Issues Python warnings.
-pub fn warn<'a>(py: Python<'_>, warnings: impl IntoIterator<Item = &'a String>) -> PyResult<()> {
-    for warning in warnings {
-        let text = CString::new(warning.replace('\0', " "))?;
-        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1)?;
+/// Issues one `ModelWarning` with these texts, if there are any. It points at the caller `level` frames of Python above.
+pub fn warn(py: Python<'_>, level: i32, warnings: &[String]) -> PyResult<()> {
+    static MODEL_WARNING: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    if warnings.is_empty() {
+        return Ok(());
     }
-    Ok(())
+    let text = CString::new(warnings.join("\n").replace('\0', " "))?;
+    PyErr::warn(py, MODEL_WARNING.import(py, "plm_impact", "ModelWarning")?, &text, level)
 }

@@ -8,17 +8,14 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBytes, PyDict, PyMapping, PyType};
 
 use super::convert::{exception, overrides, python, source_of, unreadable, warn};
-use super::rows::{all, of_plan, say_failures};
-use super::table::of_values;
-use super::work::interruptible;
-use crate::error::Error;
+use super::rows::{failures, of_plan, values};
+use super::table::{of_values, table as table_of};
+use super::work::{append, interruptible, reserved};
 use crate::output::OutputFile;
 use crate::plot::Pictures;
-use crate::report;
+use crate::progress::Counter;
 use crate::run::{Order, Outcome, Way, table, way};
 use crate::scenario::Scenario;
-use crate::sweep::arrow;
-use crate::sweep::count::Tally;
 
 /// The name of measurements that are arrays, in messages.
 const DATA: &str = "data";
@@ -27,7 +24,7 @@ const DATA: &str = "data";
 /// `set` replace those of the scenario: `set={"impact.speed": "2 m/s", "law": "thornton"}`. No file is written.
 ///
 /// Raises ValueError for a bad scenario, with file, line, key, value and what is allowed; NoSuchFile, which is a
-/// FileNotFoundError too, for a missing file; RuntimeError for a run that fails. Warnings are UserWarning.
+/// FileNotFoundError too, for a missing file; RuntimeError for a run that fails. Warnings are one ModelWarning.
 #[pyfunction]
 #[pyo3(signature = (scenario, /, *, set=None))]
 pub fn run<'py>(
@@ -91,47 +88,38 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
     match way(scenario.kind().map_err(exception)?) {
         Way::Once { run, .. } => {
-            let Outcome { mut warnings, text, files, contradiction } = interruptible(py, |progress| {
-                run(scenario, &Order { command: &command, pictures: Pictures::Png, progress })
-            })?
-            .map_err(exception)?;
-            warnings.extend(contradiction);
-            warn(py, &warnings)?;
-            outcome(py, &warnings, &text, files, None)
+            let mut made =
+                interruptible(py, |progress| run(scenario, &order(&command, progress)))?.map_err(exception)?;
+            made.warnings.extend(made.contradiction.take());
+            warn(py, 1, &made.warnings)?;
+            outcome(py, made, None)
         }
-        Way::Table => run_table(py, scenario, &command),
+        Way::Table => {
+            let plan = table::plan(scenario).map_err(exception)?;
+            let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
+            let named = of_plan(&plan);
+            let mut columns = reserved(rows, &vec![1; named.len()])?;
+            let made = interruptible(py, |progress| {
+                let take = |piece| append(&mut columns, piece);
+                let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
+                table::outcome(scenario, &plan, &tally, &order(&command, progress))
+            });
+            let made = made?.map_err(exception)?;
+            let failed = failures(columns.last().map_or(&[], Vec::as_slice));
+            warn(py, 1, &made.warnings.iter().cloned().chain(failed).collect::<Vec<_>>())?;
+            outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
+        }
     }
 }
 
-fn run_table<'py>(py: Python<'py>, scenario: &Scenario, command: &str) -> PyResult<Bound<'py, PyAny>> {
-    let plan = table::plan(scenario).map_err(exception)?;
-    let warnings = table::warnings(&plan);
-    warn(py, &warnings)?;
-    let named = of_plan(&plan);
-    let values = all(py, &plan, &named)?;
-    let status = values.last().map_or(&[][..], Vec::as_slice);
-    say_failures(py, status)?;
-    let restitutions = named.iter().position(|(name, _)| name == "restitution").map_or(&[][..], |place| &values[place]);
-    let made = interruptible(py, |_| {
-        let mut tally = Tally::of(&plan);
-        for (restitution, status) in restitutions.iter().zip(status) {
-            let restitution = Some(*restitution).filter(|restitution| !restitution.is_nan());
-            tally.push(arrow::failure(*status).map_or(Ok(restitution), Err));
-        }
-        let files = table::files(&plan, &tally, &warnings, &scenario.provenance(command), Pictures::Png)?;
-        Ok::<_, Error>((report::sweep::lines(&tally), files))
-    });
-    let (text, files) = made?.map_err(exception)?;
-    let rows = status.len();
-    outcome(py, &warnings, &text, files, Some(of_values(py, &[rows], [], named, values)?))
+fn order<'a>(command: &'a str, progress: &'a Counter) -> Order<'a> {
+    Order { command, pictures: Pictures::Png, progress }
 }
 
 /// A `plm_impact.Outcome`.
 fn outcome<'py>(
     py: Python<'py>,
-    warnings: &[String],
-    text: &str,
-    files: Vec<OutputFile>,
+    Outcome { warnings, text, files, .. }: Outcome,
     table: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     static OUTCOME: PyOnceLock<Py<PyType>> = PyOnceLock::new();

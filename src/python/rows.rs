@@ -2,7 +2,6 @@
 
 use pyo3::prelude::*;
 
-use super::convert::warn;
 use super::work;
 use crate::impact::{Contact, Method};
 use crate::plan::Plan;
@@ -29,13 +28,6 @@ pub fn without_axes(plan: &Plan) -> Named {
     named
 }
 
-/// All rows of a plan.
-pub fn all(py: Python<'_>, plan: &Plan, named: &Named) -> PyResult<Vec<Vec<f64>>> {
-    let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
-    let evaluator = py.detach(|| Evaluator::new(plan));
-    made(py, plan, named, rows, |cases, made| evaluator.rows(cases.start as u64..cases.end as u64, made))
-}
-
 /// Rows of a plan at listed values of these keys, without the columns of its axes. `contact` is that of the plan, which the
 /// keys may change.
 pub fn listed(
@@ -48,30 +40,24 @@ pub fn listed(
 ) -> PyResult<Vec<Vec<f64>>> {
     let is_known = keys.iter().all(|(key, _)| keeps_contact(key.path));
     let evaluator = Evaluator::of_contact(plan, is_known.then_some(contact));
-    made(py, plan, named, rows, |cases, made| evaluator.listed(keys, cases, made))
-}
-
-fn made(
-    py: Python<'_>,
-    plan: &Plan,
-    named: &Named,
-    rows: usize,
-    make: impl Fn(std::ops::Range<usize>, &mut Rows) + Sync + Send,
-) -> PyResult<Vec<Vec<f64>>> {
     // a step of the fixed-step method may be as short as one likes
     let is_slow = plan.scene.solver.method == Method::Verlet;
     work::columns(py, rows, &vec![1; named.len()], is_slow, |cases| {
         let mut made = Rows::default();
-        make(cases, &mut made);
-        Ok(named.iter().map(|(_, column)| column.values(&made)).collect())
+        evaluator.listed(keys, cases, &mut made);
+        Ok(values(named, &made))
     })
 }
 
-/// Warns of rows without a result, by the column of the status.
-pub fn say_failures(py: Python<'_>, status: &[f64]) -> PyResult<()> {
+/// The values of these columns.
+pub fn values(named: &Named, rows: &Rows) -> Vec<Vec<f64>> {
+    named.iter().map(|(_, column)| column.values(rows)).collect()
+}
+
+/// What is said of rows without a result, by the column of the status.
+pub fn failures(status: &[f64]) -> Option<String> {
     let mut failed = status.iter().filter(|code| **code > 0.0);
-    let Some(first) = failed.next() else { return Ok(()) };
-    let name = arrow::failure(*first).map_or("", Failure::name);
+    let name = arrow::failure(*failed.next()?).map_or("", Failure::name);
     let (count, rows) = (1 + failed.count(), status.len());
-    warn(py, &[format!("{count} of {rows} cases have no result, the first: {name}; their values are not numbers")])
+    Some(format!("{count} of {rows} cases have no result, the first: {name}; their values are not numbers"))
 }

@@ -11,7 +11,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyCapsule, PyDict, PyTuple, PyType};
+use pyo3::types::{PyCapsule, PyDict, PyType};
 
 use super::convert::{Reduced, numbers};
 use super::rows::Named;
@@ -100,34 +100,37 @@ pub fn arrow_stream<'py>(
     PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(reader)), c"arrow_array_stream")
 }
 
-/// A `plm_impact.Table` of these columns, in this shape.
-fn table<'py>(
-    py: Python<'py>,
-    shape: &[usize],
-    columns: impl IntoIterator<Item = (String, ArrayRef)>,
-) -> PyResult<Bound<'py, PyAny>> {
+/// A `plm_impact.Table` of these columns, with a row for each case.
+pub fn table<'py>(columns: &Bound<'py, PyDict>, rows: usize) -> PyResult<Bound<'py, PyAny>> {
     static TABLE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    TABLE.import(columns.py(), "plm_impact", "Table")?.call1(((rows,), columns))
+}
+
+/// These columns, by name.
+fn columns<'py>(
+    py: Python<'py>,
+    columns: impl IntoIterator<Item = (String, ArrayRef)>,
+) -> PyResult<Bound<'py, PyDict>> {
     let named = PyDict::new(py);
     for (name, array) in columns {
         named.set_item(name, Column(array))?;
     }
-    TABLE.import(py, "plm_impact", "Table")?.call1((PyTuple::new(py, shape)?, named))
+    Ok(named)
 }
 
-/// The table of these values, which are `given`, and those of the named columns.
+/// Columns of numbers, which are `given`, and the named columns with these values.
 pub fn of_values<'py>(
     py: Python<'py>,
-    shape: &[usize],
     given: impl IntoIterator<Item = (String, Vec<f64>)>,
     named: Named,
     values: Vec<Vec<f64>>,
-) -> PyResult<Bound<'py, PyAny>> {
+) -> PyResult<Bound<'py, PyDict>> {
     let array = |((name, column), values): ((String, crate::sweep::column::Column), Vec<f64>)| match column.words() {
         None => Ok((name, arrow::numbers(values))),
         Some(words) => Ok((name, arrow::words(&values, &Arc::new(words.into())).map_err(failed)?)),
     };
     let computed = named.into_iter().zip(values).map(array).collect::<PyResult<Vec<_>>>()?;
-    table(py, shape, given.into_iter().map(|(name, values)| (name, arrow::numbers(values))).chain(computed))
+    columns(py, given.into_iter().map(|(name, values)| (name, arrow::numbers(values))).chain(computed))
 }
 
 /// The table of a CSV file. A column holds numbers if all its fields are numbers or empty, else words.
@@ -136,7 +139,7 @@ pub fn table_of_csv<'py>(py: Python<'py>, bytes: &[u8]) -> PyResult<Bound<'py, P
     let mut reader = csv::Reader::from_reader(bytes);
     let names = reader.headers().cloned().unwrap_or_default();
     let rows: Vec<csv::StringRecord> = reader.records().flatten().collect();
-    let columns = names.iter().enumerate().map(|(place, name)| {
+    let arrays = names.iter().enumerate().map(|(place, name)| {
         let fields = || rows.iter().map(|row| row.get(place).unwrap_or_default());
         let number = |field: &str| if field.is_empty() { Some(f64::NAN) } else { field.parse().ok() };
         let array = match fields().map(number).collect() {
@@ -145,5 +148,5 @@ pub fn table_of_csv<'py>(py: Python<'py>, bytes: &[u8]) -> PyResult<Bound<'py, P
         };
         (name.to_owned(), array)
     });
-    table(py, &[rows.len()], columns)
+    table(&columns(py, arrays)?, rows.len())
 }

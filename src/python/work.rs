@@ -87,22 +87,31 @@ pub fn columns(
     if rows == 0 || rows <= FEW && !is_slow {
         return py.detach(|| make(0..rows)).map_err(PyValueError::new_err);
     }
+    let mut columns = reserved(rows, widths)?;
+    let together = TOGETHER[usize::from(is_slow)];
+    let pieces = (0..rows).step_by(together).map(|start| start..rows.min(start + together));
+    let done = interruptible(py, |progress| {
+        let make = |piece| if progress.is_stopped() { Err(String::new()) } else { make(piece) };
+        in_order(pieces, make, |made| {
+            append(&mut columns, made);
+            Ok(())
+        })
+    })?;
+    done.map(|()| columns).map_err(PyValueError::new_err)
+}
+
+/// Empty columns with memory for so many rows; see [`columns`].
+pub fn reserved(rows: usize, widths: &[usize]) -> PyResult<Vec<Vec<f64>>> {
     let reserved = |width: usize| {
         let mut column = Vec::new();
         column.try_reserve_exact(rows.saturating_mul(width)).map(|()| column)
     };
     // all of them at once first: the system may promise more memory than there is, but not in one piece
     let columns = reserved(widths.iter().sum()).and_then(|_| widths.iter().map(|width| reserved(*width)).collect());
-    let mut columns: Vec<Vec<f64>> = columns
-        .map_err(|_| PyMemoryError::new_err(format!("a table of {rows} rows does not fit into memory; divide it")))?;
-    let together = TOGETHER[usize::from(is_slow)];
-    let pieces = (0..rows).step_by(together).map(|start| start..rows.min(start + together));
-    let done = interruptible(py, |progress| {
-        let make = |piece| if progress.is_stopped() { Err(String::new()) } else { make(piece) };
-        in_order(pieces, make, |made| {
-            columns.iter_mut().zip(made).for_each(|(column, part)| column.extend(part));
-            Ok(())
-        })
-    })?;
-    done.map(|()| columns).map_err(PyValueError::new_err)
+    columns.map_err(|_| PyMemoryError::new_err(format!("a table of {rows} rows does not fit into memory; divide it")))
+}
+
+/// Appends a piece of every column.
+pub fn append(columns: &mut [Vec<f64>], piece: Vec<Vec<f64>>) {
+    columns.iter_mut().zip(piece).for_each(|(column, part)| column.extend(part));
 }

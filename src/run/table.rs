@@ -1,19 +1,22 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Outcome, file, no_result, texts};
-use crate::error::Error;
+use super::outcome::{Order, Outcome, file, no_result, texts};
+use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
 use crate::output::{OutputFile, SUMMARY};
 use crate::plan::Plan;
 use crate::plot::Pictures;
 use crate::plot::sweep::pictures;
+use crate::progress::Counter;
 use crate::provenance::Provenance;
 use crate::report::overview::overview;
 use crate::report::plan::plan_lines;
-use crate::report::sweep::summary;
+use crate::report::sweep::{lines, summary};
 use crate::scenario::Scenario;
 use crate::sweep::caution::at_corners;
-use crate::sweep::count::Tally;
+use crate::sweep::count::{Tally, count};
+use crate::sweep::evaluator::{Evaluator, Rows};
+use crate::sweep::ordered::in_order;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;
@@ -25,6 +28,46 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
     let none = || Error::input("the scenario has neither [sweep] nor [monte_carlo]".to_owned());
     scenario.plan()?.ok_or_else(none)
+}
+
+/// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.
+///
+/// # Errors
+/// [`Error`] of the kind `Stopped` if the progress is asked to stop.
+pub fn rows<P: Send>(
+    plan: &Plan,
+    progress: &Counter,
+    encode: impl Fn(&Rows) -> P + Sync + Send,
+    mut take: impl FnMut(P) + Send,
+) -> Result<Tally, Error> {
+    let step = if plan.microseconds() > SLOW { 16 } else { 1024 };
+    let evaluator = Evaluator::new(plan);
+    let mut tally = Tally::of(plan);
+    let make = |piece: u64| {
+        if progress.is_stopped() {
+            return Err(Error::new(ErrorKind::Stopped(130), "the table was stopped"));
+        }
+        let mut rows = Rows::default();
+        evaluator.rows(piece * step..plan.count().min((piece + 1) * step), &mut rows);
+        let counts: Vec<_> = rows.results.iter().map(count).collect();
+        Ok((encode(&rows), counts))
+    };
+    in_order(0..plan.count().div_ceil(step), make, |(piece, counts)| {
+        take(piece);
+        counts.into_iter().for_each(|count| tally.push(count));
+        Ok(())
+    })?;
+    Ok(tally)
+}
+
+/// Rows that take longer than this \[µs\] are made a few at a time, so that a stop is heard soon.
+const SLOW: f64 = 100.0;
+
+/// The outcome of a whole table with this tally: all of its files but the table itself.
+pub fn outcome(scenario: &Scenario, plan: &Plan, tally: &Tally, order: &Order) -> Result<Outcome, Error> {
+    let warnings = warnings(plan);
+    let files = files(plan, tally, &warnings, &scenario.provenance(order.command), order.pictures)?;
+    Ok(Outcome::done(warnings, lines(tally), files))
 }
 
 /// The warnings about a table of this plan.

@@ -135,7 +135,7 @@ impl RandomKeys {
 
 /// The keys of `calibrate.free`; none where measurements are only compared.
 pub(super) fn free_keys(node: &Node, reader: &mut Reader) -> Result<Vec<Free>, Fault> {
-    let keys = items(node)?;
+    let DeValue::Table(keys) = node.get_ref() else { return Err(Fault::unexpected(node, A_FREE_KEY)) };
     if keys.len() > 2 {
         let message =
             format!("{} keys are given, expected one or two, each with {FREE}; or none, to compare", keys.len());
@@ -146,6 +146,7 @@ pub(super) fn free_keys(node: &Node, reader: &mut Reader) -> Result<Vec<Free>, F
 
 /// The place of a logarithmic scale among [`SCALES`].
 const LOG: usize = 0;
+const A_FREE_KEY: &str = "a table such as { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"1 GPa\" } }";
 const FREE: &str = "{ from = ..., to = ... }, and scale = \"log\" or \"linear\" if need be";
 
 /// A key to find, with its range.

@@ -8,7 +8,6 @@ use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plot::Pictures;
 use crate::progress::Counter;
-use crate::report::sweep::lines;
 use crate::run::{Order, Outcome, Way, table, way};
 use crate::scenario::{Kind, Scenario};
 
@@ -19,9 +18,10 @@ const MOST_ROWS: u64 = 100_000;
 pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
+    let order = Order { command: &command, pictures, progress: &Counter::default() };
     let Outcome { warnings, text, files, contradiction } = match way(kind) {
-        Way::Once { run, .. } => run(scenario, &Order { command: &command, pictures, progress: &Counter::default() })?,
-        Way::Table => of_table(scenario, &command, pictures)?,
+        Way::Once { run, .. } => run(scenario, &order)?,
+        Way::Table => of_table(scenario, &order)?,
     };
     let curve = if kind == Kind::Impact { curve(scenario, pictures)? } else { None };
     Ok(json!({
@@ -34,7 +34,7 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     }))
 }
 
-fn of_table(scenario: &Scenario, command: &str, pictures: Pictures) -> Result<Outcome, Error> {
+fn of_table(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let plan = table::plan(scenario)?;
     let rows = plan.count();
     if rows > MOST_ROWS {
@@ -43,10 +43,8 @@ fn of_table(scenario: &Scenario, command: &str, pictures: Pictures) -> Result<Ou
             format!("a table of {rows} rows: a page computes at most {MOST_ROWS}; ask for fewer, or use the command");
         return Err(scenario.document.refuse(key, message));
     }
-    let warnings = table::warnings(&plan);
-    let (csv, tally) = rows_of(&plan);
-    let provenance = scenario.provenance(command);
-    let mut files = table::files(&plan, &tally, &warnings, &provenance, pictures)?;
-    files.push(OutputFile { name: "table.csv".to_owned(), bytes: csv });
-    Ok(Outcome { warnings, text: lines(&tally), files, contradiction: None })
+    let (csv, tally) = rows_of(&plan)?;
+    let mut made = table::outcome(scenario, &plan, &tally, order)?;
+    made.files.push(OutputFile { name: "table.csv".to_owned(), bytes: csv });
+    Ok(made)
 }

@@ -43,7 +43,7 @@ pub fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Err
             chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
             "Restitution of the same bodies".clone_into(&mut chart.title);
             let mut files: Vec<OutputFile> = format.file("restitution", &chart)?.into_iter().collect();
-            files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: rows_of(&plan).0 });
+            files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: rows_of(&plan)?.0 });
             Ok(texts(files))
         })
         .transpose()

@@ -2,30 +2,26 @@
 
 use serde_json::{Map, Value};
 
+use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plan::Plan;
-use crate::sweep::count::{Tally, count};
+use crate::progress::Counter;
+use crate::run::table;
+use crate::sweep::count::Tally;
 use crate::sweep::csv::Csv;
-use crate::sweep::evaluator::{Evaluator, Rows};
-
-/// Rows that are computed at a time.
-const BATCH: u64 = 1024;
+use crate::sweep::evaluator::Rows;
 
 /// The table as CSV, and what its rows add up to.
-pub fn rows_of(plan: &Plan) -> (Vec<u8>, Tally) {
-    let (evaluator, form) = (Evaluator::new(plan), Csv::new(plan));
+pub fn rows_of(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
+    let form = Csv::new(plan);
+    let encode = |rows: &Rows| {
+        let mut piece = Vec::new();
+        form.write(rows, &mut piece);
+        piece
+    };
     let mut text = (plan.column_names().join(",") + "\n").into_bytes();
-    let mut tally = Tally::of(plan);
-    let (mut begin, mut rows) = (0, Rows::default());
-    while begin < plan.count() {
-        let end = plan.count().min(begin + BATCH);
-        rows.clear();
-        evaluator.rows(begin..end, &mut rows);
-        form.write(&rows, &mut text);
-        rows.results.iter().map(count).for_each(|count| tally.push(count));
-        begin = end;
-    }
-    (text, tally)
+    let tally = table::rows(plan, &Counter::default(), encode, |piece| text.extend(piece))?;
+    Ok((text, tally))
 }
 
 /// The texts of files, by their names.

@@ -24,8 +24,8 @@ def command(request: pytest.FixtureRequest) -> Path:
 
 def steel(**tables: dict[str, object]) -> plm.Contact:
     """The ball and the half-space of scenarios/steel-on-steel.toml."""
-    half_space = dict(yield_strength="345 MPa", **STEEL)
-    return plm.Contact(sphere=dict(radius="5 mm", density=7850, **STEEL), **{"half_space": half_space, **tables})
+    sphere, half_space = dict(radius="5 mm", density=7850, **STEEL), dict(yield_strength="345 MPa", **STEEL)
+    return plm.Contact(**{"sphere": sphere, "half_space": half_space, **tables})
 
 
 @pytest.fixture

@@ -1,9 +1,12 @@
 """A contact, its impacts and its force."""
 
+import base64
 import copy
 import json
 import pickle
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
+from html.parser import HTMLParser
 from pathlib import Path
 from types import MappingProxyType
 
@@ -21,7 +24,7 @@ def test_an_impact_has_the_results_of_the_summary(contact: plm.Contact) -> None:
     assert impact.restitution == outcome.summary["restitution"]
     assert impact.energy["drift"] == outcome.summary["energy"]["drift"]
     assert np.array_equal(impact.trace, outcome.trace)
-    assert impact._repr_png_() == outcome.pictures["force_indentation"] == outcome._repr_png_()
+    assert impact.picture == outcome.pictures["force_indentation"]
     assert {"restitution", "contact_time_s", "trace"} <= set(dir(impact))
     assert "restitution       0.4925" in repr(impact) and "345 MPa" in repr(contact)
 
@@ -188,6 +191,64 @@ def test_the_keys_of_a_contact_have_the_sentences_of_the_command() -> None:
         steel().impact(1.0).peak_force
 
 
+def test_contacts_with_the_same_input_are_equal_and_say_where_they_yield(contact: plm.Contact) -> None:
+    same = steel(sphere=dict(radius=5e-3, density="7.85 g/cm^3", **STEEL))
+    assert contact == same and hash(contact) == hash(same) and len({contact, same}) == 1
+    assert contact == pickle.loads(pickle.dumps(contact)) and contact != "a contact"
+    for other in (steel(law="thornton"), steel(impact=dict(speed=1)), steel(sphere=dict(radius="6 mm", density=7850, **STEEL))):
+        assert contact != other
+    # the results of the summary that depend on the contact alone
+    summary = contact.impact(3.0).to_dict()
+    for name in ("yield_speed_m_per_s", "yield_indentation_m", "yield_force_N"):
+        assert getattr(contact, name) == summary[name]
+    elastic = plm.Contact(sphere=dict(radius="5 mm", density=7850, **STEEL), half_space=STEEL)
+    assert elastic.yield_speed_m_per_s is None and elastic.yield_force_N is None
+
+
+def test_a_scalar_of_numpy_is_a_number(contact: plm.Contact) -> None:
+    assert type(contact.restitution(np.float64(3))) is float and contact.restitution(np.float64(3)) == contact.restitution(3.0)
+    # a number with a unit of its own is none
+    with pytest.raises(TypeError, match="a unit of its own"):
+        contact.restitution(Quantity(3))
+
+
+class Shown(HTMLParser):
+    """What a notebook shows: the texts, how often each tag opens, and the pictures. Tags have to be closed."""
+
+    def __init__(self, html: str) -> None:
+        super().__init__()
+        self.text, self.tags, self.pictures, self.open = "", Counter[str](), [], []
+        self.feed(html)
+        assert not self.open
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags[tag] += 1
+        if tag == "img":
+            self.pictures.append(base64.b64decode(dict(attrs)["src"].removeprefix("data:image/png;base64,")))
+        else:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_a_notebook_shows_numbers_and_picture(contact: plm.Contact) -> None:
+    impact, outcome = contact.impact(3.0), plm.run(ROOT / "scenarios" / "steel-on-steel.toml")
+    for thing, picture in [(impact, impact.picture), (outcome, outcome.pictures["force_indentation"]), (contact, None)]:
+        shown = Shown(thing._repr_html_())
+        assert shown.text == repr(thing) and shown.pictures == ([picture] if picture else [])
+    table = plm.impacts(contact, speed=np.linspace(0.001, 5, 30))
+    shown = Shown(table._repr_html_())
+    # a head, five rows, a row that stands for the others, five rows
+    assert shown.tags["tr"] == 12 and shown.tags["th"] == len(list(table)) + 1
+    assert all(name in shown.text for name in table) and f"{table['restitution'][29]:.6g}" in shown.text
+    assert Shown(plm.impacts(contact, speed=3)._repr_html_()).tags["tr"] == 2
+
+
 def test_a_law_may_be_a_name_and_a_table_any_mapping() -> None:
     thornton = steel(law="thornton")
     assert thornton.restitution(3.0) == steel(law=MappingProxyType(dict(thornton={}))).restitution(3.0)
@@ -219,7 +280,7 @@ def test_hostile_tables_are_refused_without_a_panic() -> None:
         with pytest.raises((ValueError, TypeError)):
             plm.run(tables)
     for error in (ValueError, FileNotFoundError, plm.NoSuchFile):
-        with pytest.raises(error, match="cannot be read.*no-such-file.toml") as caught:
+        with pytest.raises(error, match=r"^\[Errno 2\] No such file or directory: 'no-such-file.toml'$") as caught:
             plm.run("no-such-file.toml")
     assert caught.value.filename == "no-such-file.toml" and pickle.loads(pickle.dumps(caught.value)).errno == caught.value.errno
     for samples in (0, 1, 10**7, -1, 2**70):

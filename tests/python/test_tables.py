@@ -8,6 +8,7 @@ import threading
 import time
 from collections.abc import Callable
 from multiprocessing import get_context
+from pathlib import Path
 
 import numpy as np
 import pandas
@@ -15,7 +16,7 @@ import plm_impact as plm
 import polars
 import pyarrow
 import pytest
-from conftest import steel
+from conftest import ROOT, steel
 
 
 def test_keys_are_broadcast_and_give_the_rows_of_a_sweep(contact: plm.Contact) -> None:
@@ -109,9 +110,50 @@ def test_rows_without_a_result_are_not_numbers_and_warned_of() -> None:
     assert table.to_arrow()["restitution"].null_count == failed.sum()
 
 
-def test_warnings_come_through_warnings(contact: plm.Contact) -> None:
-    with pytest.warns(UserWarning, match="at impact.speed = 100 m/s"):
-        plm.impacts(contact, speed=[1.0, 100.0])
+def test_a_call_has_at_most_one_warning_of_a_class_of_its_own() -> None:
+    contact = steel(law=dict(stronge={}))
+    speeds = np.logspace(-4, 3, 50)
+    sweep = {"impact.speed": speeds.tolist()}
+    bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
+    tables = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=dict(yield_strength=345e6, **bodies), law=dict(stronge={}))
+    calls = [lambda: contact.restitution(speeds), lambda: plm.impacts(contact, speed=speeds), lambda: plm.run({**tables, "sweep": sweep})]
+    for call in calls:
+        with pytest.warns() as caught:
+            call()
+        (warning,) = caught
+        assert warning.category is plm.ModelWarning and issubclass(plm.ModelWarning, UserWarning)
+        assert Path(warning.filename).name == Path(__file__).name
+        # the limits of the model, and the rows without a result
+        first, *_, last = str(warning.message).splitlines()
+        assert "at impact.speed = 1 km/s" in first and "cases have no result" in last
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_a_dataset_of_xarray_has_the_keys_as_dimensions(contact: plm.Contact) -> None:
+    speeds, strengths = np.linspace(0.001, 5, 3), np.array([2e8, 9e8])
+    table = plm.impacts(contact, speed=speeds, yield_strength=strengths[:, None], radius=1e-3)
+    data = table.to_xarray()
+    assert dict(data.sizes) == {"half_space_yield_strength_Pa": 2, "impact_speed_m_per_s": 3}
+    one = data["restitution"].sel(impact_speed_m_per_s=speeds[1], half_space_yield_strength_Pa=9e8)
+    assert float(one) == table["restitution"][1, 1] and float(data["sphere_radius_m"]) == 1e-3
+    assert np.array_equal(data["dent_radius_m"], table["dent_radius_m"], equal_nan=True) and "status" in data
+    # two keys along one axis: the first of the registry names it, and the other is a coordinate
+    paired = plm.impacts(contact, speed=speeds, yield_strength=[2e8, 3e8, 4e8]).to_xarray()
+    assert paired.coords["impact_speed_m_per_s"].dims == ("half_space_yield_strength_Pa",)
+    # a key along two axes names none
+    both = plm.impacts(contact, speed=np.outer([1.0, 2.0], speeds + 1)).to_xarray()
+    assert both["restitution"].dims == both.coords["impact_speed_m_per_s"].dims == ("dim_0", "dim_1")
+    assert plm.impacts(contact, speed=3).to_xarray().sizes == {} and plm.impacts(contact, speed=[]).to_xarray().sizes == {"impact_speed_m_per_s": 0}
+    swept = plm.run(ROOT / "scenarios" / "restitution-vs-speed.toml").tables["table"]
+    assert list(swept.to_xarray().sizes.values()) == [len(swept)]
+
+
+def test_a_package_that_is_missing_is_named(contact: plm.Contact, monkeypatch: pytest.MonkeyPatch) -> None:
+    table = plm.impacts(contact, speed=3)
+    for name, method in [("pandas", table.to_pandas), ("polars", table.to_polars), ("pyarrow", table.to_arrow), ("xarray", table.to_xarray)]:
+        monkeypatch.setitem(sys.modules, name, None)
+        with pytest.raises(ImportError, match=f"needs {name}: pip install {name}"):
+            method()
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
@@ -126,6 +168,7 @@ def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact
     fresh = plm.impacts(contact, speed=np.linspace(0.001, 5, 6))
     rows = [pyarrow.table(arrow).to_pydict(), fresh.to_pandas().to_dict("list"), square.to_pandas().to_dict("list")]
     rows += [polars.DataFrame(one).to_dict(as_series=False) for one in (arrow, fresh, square)]
+    rows.append(square.to_polars().to_dict(as_series=False))
     rows.append(pandas.DataFrame(dict(fresh)).to_dict("list"))
     if hasattr(pandas.DataFrame, "from_arrow"):
         rows.append(pandas.DataFrame.from_arrow(fresh).to_dict("list"))

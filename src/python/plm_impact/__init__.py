@@ -13,15 +13,17 @@
     plm.impacts(contact, speed=np.linspace(0.5, 5, 100)).to_pandas()
 
 A wrong key or value raises ValueError, a wrong type TypeError, a missing file NoSuchFile, a run that fails RuntimeError.
-What is doubtful is a UserWarning. Long computations use all cores, and Ctrl-C stops them.
+What is doubtful is a ModelWarning, at most one a call. Long computations use all cores, and Ctrl-C stops them.
 """
 
-from ._core import Contact, Impact, __version__, calibrate, impacts, laws, materials, run, schema
+from ._core import Contact, Impact, __version__, calibrate, laws, materials, run, schema
+from ._impacts import impacts
 from ._results import Outcome, Table
 
 __all__ = [
     "Contact",
     "Impact",
+    "ModelWarning",
     "NoSuchFile",
     "Outcome",
     "Table",
@@ -33,6 +35,10 @@ __all__ = [
     "run",
     "schema",
 ]
+
+
+class ModelWarning(UserWarning):
+    """What is doubtful about a scene, about the law where it is used, or about a run."""
 
 
 class NoSuchFile(FileNotFoundError, ValueError):

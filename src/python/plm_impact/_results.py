@@ -1,21 +1,26 @@
 """Tables and outcomes: what the functions of the module return."""
 
+import base64
+import importlib
 import json
 import math
+from html import escape
 
 from . import _core
 
 
 class Table:
     """A table of named columns. `table["restitution"]` is a read-only NumPy array in the shape of the table; `to_dict` returns
-    all columns, `to_pandas` a `pandas.DataFrame`. The table itself is Arrow data, which polars, pyarrow, DuckDB and
-    `pandas.DataFrame.from_arrow` read without a copy. A table can be pickled. In the order of the rows the last index of the
-    shape varies fastest.
+    all columns, `to_pandas` and `to_polars` a DataFrame, `to_xarray` a Dataset whose dimensions are the keys that vary. The
+    table itself is Arrow data, which polars, pyarrow, DuckDB and `pandas.DataFrame.from_arrow` read without a copy. A table
+    can be pickled. In the order of the rows the last index of the shape varies fastest.
     """
 
-    def __init__(self, shape, columns):
+    def __init__(self, shape, columns, keys=None):
         self.shape = shape
         self._columns = columns
+        # the shape of each key before it was broadcast
+        self._shapes = keys or {}
 
     def __len__(self):
         return math.prod(self.shape)
@@ -53,20 +58,38 @@ class Table:
 
     def to_pandas(self):
         """The table as a `pandas.DataFrame`, with a row for each case."""
-        try:
-            import pandas
-        except ImportError as error:
-            raise ImportError("to_pandas needs pandas") from error
-        return pandas.DataFrame({name: column.numpy() for name, column in self._columns.items()})
+        columns = {name: column.numpy() for name, column in self._columns.items()}
+        return package("pandas", "to_pandas").DataFrame(columns)
+
+    def to_polars(self):
+        """The table as a `polars.DataFrame`, with a row for each case, without a copy of its numbers."""
+        return package("polars", "to_polars").DataFrame(self)
 
     def to_arrow(self):
         """The table as a `pyarrow.Table`, without a copy of its numbers."""
-        try:
-            import pyarrow
-        except ImportError as error:
-            ways = "polars.DataFrame and duckdb take the table itself, and to_pandas gives a DataFrame"
-            raise ImportError(f"to_arrow needs pyarrow; {ways}") from error
-        return pyarrow.table(self)
+        return package("pyarrow", "to_arrow").table(self)
+
+    def to_xarray(self):
+        """The table as an `xarray.Dataset` in its shape. The keys are coordinates; one that varies along an axis alone names
+        the dimension.
+        """
+        axes = range(len(self.shape))
+        along = {
+            name: [axis for axis, length in zip(axes[len(axes) - len(shape) :], shape) if length != 1]
+            for name, shape in self._shapes.items()
+        }
+        names = ["case"] if len(axes) == 1 else [f"dim_{axis}" for axis in axes]
+        for name, varying in reversed(along.items()):
+            if len(varying) == 1:
+                names[varying[0]] = name
+        coordinates, results = {}, {}
+        for name, column in self.to_dict().items():
+            if name in along and len(self):
+                place = tuple(slice(None) if axis in along[name] else 0 for axis in axes)
+                coordinates[name] = [names[axis] for axis in along[name]], column[place]
+            else:
+                results[name] = names, column
+        return package("xarray", "to_xarray").Dataset(results, coordinates)
 
     def __arrow_c_stream__(self, requested_schema=None):
         # the Arrow standard allows a producer to ignore the requested types
@@ -80,6 +103,16 @@ class Table:
     def __repr__(self):
         shape = "" if len(self.shape) == 1 else f" in the shape {list(self.shape)}"
         return f"<plm_impact.Table: {len(self)} rows{shape} of {', '.join(self)}>"
+
+    def _repr_html_(self):
+        columns, count = [column.numpy() for column in self._columns.values()], len(self)
+        ends = range(count) if count <= 2 * ENDS else [*range(ENDS), *range(count - ENDS, count)]
+        rows = [[row, *(field(column[row]) for column in columns)] for row in ends]
+        if len(rows) < count:
+            rows.insert(ENDS, ["\u2026"] * (1 + len(columns)))
+        head = line("th", ["", *self])
+        body = "".join(line("td", row) for row in rows)
+        return f"<table><thead>{head}</thead><tbody>{body}</tbody></table><p>{count} rows, shape {self.shape}</p>"
 
 
 class Outcome:
@@ -121,5 +154,37 @@ class Outcome:
     def __repr__(self):
         return f"<plm_impact.Outcome>\n{self._text.rstrip()}"
 
-    def _repr_png_(self):
-        return next(iter(self.pictures.values()), None)
+    def _repr_html_(self):
+        return html_of(repr(self), next(iter(self.pictures.values()), None))
+
+
+# rows of a table that a notebook shows at its begin, and at its end
+ENDS = 5
+
+
+def field(value):
+    """A value of a table as a notebook shows it; empty where there is none."""
+    if isinstance(value, str):
+        return value
+    return "" if math.isnan(value) else f"{value:.6g}"
+
+
+def line(tag, cells):
+    """A line of a table in HTML."""
+    return "<tr>" + "".join(f"<{tag}>{escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
+
+
+def html_of(text, picture):
+    """A text with its columns, and a picture (PNG) below it, for notebooks."""
+    shown = f"<pre>{escape(text)}</pre>"
+    if picture is None:
+        return shown
+    return f'{shown}<img style="max-width: 100%" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
+
+
+def package(name, method):
+    """A package that only this method needs."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        raise ImportError(f"{method} needs {name}: pip install {name}; to_dict gives NumPy arrays without it") from error

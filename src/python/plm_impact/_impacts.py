@@ -1,0 +1,64 @@
+"""Tables of impacts: which keys are meant, and how their values are broadcast."""
+
+from . import _core
+from ._results import Table
+
+
+def impacts(contact, /, **keys):
+    """A table of impacts of a contact. Every other argument is a numeric key with its values: numbers in SI units (an angle in
+    rad), arrays of numbers, or a text with a unit; arrays are broadcast against each other. The key is named by the last part
+    of its path (`speed`), by all parts (`half_space_yield_strength`), or by the path itself (`**{"impact.speed": v}`):
+
+        table = impacts(contact, speed=np.linspace(0.5, 5, 100), yield_strength=[[2e8], [3e8]])
+        table["restitution"].shape                                                  # (2, 100)
+
+    The columns are those of table.csv. First the keys, with their units (`impact_speed_m_per_s`), then `restitution`,
+    `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `recovered_fraction`; if the half-space yields,
+    `residual_indentation_m`, `dent_radius_m`, `plastic_fraction`; if it has a density, `wave_loss_fraction` and
+    `restitution_with_waves`; on a plate, `plate_loss_fraction` and others; and `status`, which is "ok" or says why a row has
+    no numbers (they are NaN then, and a ModelWarning says how many). scenarios/results.md says what each column is.
+    """
+    if not keys:
+        raise ValueError("no key is given; write one such as speed=[1.0, 2.0]")
+    given = {}
+    for name, value in keys.items():
+        place, path = found_before.get((name, contact._law)) or meant(name, contact._law)
+        if place in given:
+            raise ValueError(f"{path}: is given twice, as {given[place][0]} and as {name}; keep one of the two")
+        given[place] = name, path, _core.checked(contact, path, value)
+    # in the order of the registry, so that results do not depend on the order of the arguments
+    paths, values = zip(*(given[place][1:] for place in sorted(given)))
+    shapes = [getattr(value, "shape", ()) for value in values]
+    shape = shapes[0]
+    if any(other != shape for other in shapes):
+        import numpy
+
+        values = numpy.broadcast_arrays(*values)
+        shape = values[0].shape
+    columns = _core.rows(contact, list(zip(paths, values)))
+    return Table(shape, columns, dict(zip(columns, shapes)))
+
+
+# by name and law
+found_before: "dict[tuple[str, str], tuple[int, str]]" = {}
+
+
+def meant(name, law):
+    """The key that the name of an argument means under a law: its place in the registry, and its path."""
+    paths = _core.numeric_keys()
+    found = [path for path in paths if name in (path, path.replace(".", "_"))]
+    if not found:
+        last = [path for path in paths if path.endswith(f".{name}")]
+        # neither keys of other laws nor the strength of the sphere, which changes no table
+        laws = [path for path in last if path.startswith("law.") and not path.startswith(f"law.{law}.")]
+        found = [path for path in last if path not in [*laws, "sphere.yield_strength"]] or last
+    if len(found) > 1:
+        names = " or ".join(path.replace(".", "_") for path in found)
+        raise ValueError(f"{name}: may be {names}; write one of them")
+    if not found:
+        if name.endswith(("law", "method", "material")):
+            ways = "make a Contact for each, or plm_impact.run a scenario with a sweep of them"
+            raise TypeError(f"{name}: words are not broadcast; {ways}")
+        # such a name is refused with its values
+        return len(paths), name
+    return found_before.setdefault((name, law), (paths.index(found[0]), found[0]))
