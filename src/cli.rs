@@ -31,11 +31,15 @@ use terminal::ErrorFormat;
 #[derive(Debug, Parser)]
 #[command(
     version,
+    arg_required_else_help = true,
     after_help = "Examples:\n  plm-impact init\n  plm-impact run impact.toml --set impact.speed=\"1 m/s\""
 )]
 struct Cli {
     #[command(subcommand)]
-    command: Command,
+    command: Option<Command>,
+    /// Print the licence of the program, and those of the fonts and crates that it is linked with
+    #[arg(long)]
+    licenses: bool,
     /// How errors and warnings are written to standard error: json is an object a line, with file, line, column, key, value
     #[arg(long, global = true, value_enum, value_name = "FORMAT", default_value = "text")]
     error_format: ErrorFormat,
@@ -67,10 +71,13 @@ enum Command {
 
 /// Does what the command line says.
 pub fn run() -> Result<(), Error> {
-    let Cli { command, error_format } = parse()?;
+    let Cli { command, licenses, error_format } = parse()?;
     error_format.begin();
     signalled::as_told();
-    match command {
+    if licenses {
+        return terminal::print(concat!(include_str!("../LICENSE"), "\n", include_str!("licenses.txt")));
+    }
+    match command.ok_or_else(|| Error::input("no command is given; `plm-impact --help` lists them"))? {
         Command::Init(arguments) => init::init(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => run::check(&arguments),

@@ -17,7 +17,7 @@ cargo rustc --quiet --lib --crate-type cdylib --no-default-features --features w
 mkdir -p "$out"
 "$bindgen" --target web --no-typescript --remove-name-section --remove-producers-section --out-dir "$out" \
     "$build/$target/${profile/#dev/debug}/plm_impact.wasm"
-cp src/web/page/* "$out"
+cp src/web/page/* src/licenses.txt "$out"
 # the documents, with the pictures and files that they show, and the source: a page without the network has them too
 for document in README.md src/README.md scenarios/*.md plots/*/*.md; do
     from=$(dirname "$document")

@@ -16,6 +16,7 @@ mod indentation_cli;
 mod init;
 mod keys;
 mod laws;
+mod licences;
 mod material_keys;
 mod materials;
 mod oblique;

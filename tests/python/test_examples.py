@@ -3,6 +3,7 @@
 import inspect
 import subprocess
 import sys
+from importlib import metadata
 from pathlib import Path
 
 import plm_impact as plm
@@ -29,6 +30,11 @@ def test_the_python_of_the_front_page_runs_with_numpy_alone_and_warns_of_nothing
     others = ["pandas", "polars", "pyarrow", "xarray", "duckdb", "matplotlib"]
     alone = f"import sys; sys.modules.update(dict.fromkeys({others}))\n"
     run("-W", "error", "-c", alone + block.split("```")[0], cwd=ROOT)
+
+
+def test_the_wheel_has_the_licences_of_what_is_linked_in() -> None:
+    licences = metadata.distribution("plm-impact").read_text("licenses/src/licenses.txt")
+    assert licences == (ROOT / "src" / "licenses.txt").read_text()
 
 
 def test_a_table_divided_over_dask_is_the_undivided_one() -> None:

@@ -229,10 +229,10 @@ test("a link has the keys without the comments of the first scenarios, which a r
   await page.until(`${LINKED} === ${JSON.stringify(own)}`);
 });
 
-test("guide, citation and source are beside the page, and every link of theirs leads somewhere", async () => {
+test("guide, citation, source and licences are beside the page, and every link of theirs leads somewhere", async () => {
   await open();
   const links = await page.value('[...document.querySelectorAll("nav a")].map((one) => one.getAttribute("href"))');
-  assert.equal(links.length, 5);
+  assert.equal(links.length, 6);
   const seen = new Set();
   const follow = async (address) => {
     const [path, anchor] = address.split("#");

@@ -16,6 +16,13 @@ const run = (name, text, data) => JSON.parse(program.run(name, text, data));
 
 const scenarios = readdirSync(SCENARIOS).filter((name) => name.endsWith(".toml"));
 
+test("the page has the licences that the command prints", () => {
+  const { stdout } = call("--licenses");
+  const licences = readFileSync(join(PAGE, "licenses.txt"), "utf8");
+  assert.ok(licences.length > 10_000 && stdout.endsWith(licences));
+  assert.match(readFileSync(join(PAGE, "index.html"), "utf8"), /href="licenses.txt"/);
+});
+
 test("there are scenarios", () => assert.ok(scenarios.length > 30, `${scenarios.length}`));
 
 for (const name of scenarios) {
