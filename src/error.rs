@@ -22,12 +22,17 @@ pub enum ErrorKind {
     Stopped(u8),
 }
 
+/// The most mistakes that are told besides the first; programs are told all.
+const MOST_TOLD: usize = 19;
+
 /// Why a command failed.
 #[derive(Debug, Error)]
-#[error("{text}")]
+#[error("{}", self.told())]
 pub struct Error {
     pub kind: ErrorKind,
     text: String,
+    /// The texts of other mistakes that were found with it.
+    also: Vec<String>,
     pub details: Box<Details>,
     /// What the file system said, where that is the reason.
     pub reason: Option<io::Error>,
@@ -60,11 +65,14 @@ pub struct Details {
     /// The key that has to be given too, with dots.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub needs: Option<String>,
+    /// The other mistakes that were found with this one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<Details>,
 }
 
 impl Error {
     pub fn new(kind: ErrorKind, text: impl Into<String>) -> Self {
-        Self { kind, text: text.into(), details: Box::default(), reason: None }
+        Self { kind, text: text.into(), also: Vec::new(), details: Box::default(), reason: None }
     }
 
     /// An option, an argument or a scenario is wrong.
@@ -103,10 +111,25 @@ impl Error {
         self.reason.as_ref().is_some_and(|reason| reason.kind() == io::ErrorKind::NotFound)
     }
 
-    /// The same error, and another that was found with it.
-    #[must_use]
-    pub fn and(self, other: &Self) -> Self {
-        Self { text: format!("{}\n{other}", self.text), ..self }
+    /// One error that tells all these mistakes; `None` of none.
+    pub fn all(mistakes: Vec<Self>) -> Option<Self> {
+        mistakes.into_iter().reduce(|mut all, other| {
+            all.also.push(other.text);
+            all.also.extend(other.also);
+            all.details.others.push(*other.details);
+            all
+        })
+    }
+
+    /// Its text, and those of the other mistakes; of very many it says how many there are.
+    fn told(&self) -> String {
+        let others = self.also.iter().take(MOST_TOLD).map(|text| format!("\n{text}"));
+        let told = others.fold(self.text.clone(), |all, other| all + &other);
+        match self.also.len().saturating_sub(MOST_TOLD) {
+            0 => told,
+            1 => told + "\nand 1 more mistake",
+            more => format!("{told}\nand {more} more mistakes"),
+        }
     }
 
     /// The same error, with the file that it is about.

@@ -45,10 +45,11 @@ use crate::error::Error;
 use crate::impact::Warning;
 use crate::plan::axis::Setting;
 use crate::scene::at::at;
+use crate::scene::key::Part;
 use crate::scene::read::{Reader, items};
 use crate::scene::taken::Taken;
 use crate::scene::written::add_places;
-use crate::scene::{EITHER, Input, KEYS, Scene, Use, without_effect};
+use crate::scene::{EITHER, Input, KEYS, STEPS, Scene, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 pub use kind::{Kind, template};
 use varied::Varied;
@@ -138,14 +139,16 @@ impl Scenario {
             input.read(tables, "", &mut reader);
             varied = Varied::read(tables, &mut reader);
         }
-        if let Some(refusal) = document.refused(reader.refused) {
-            return Err(refusal);
-        }
+        let has_unknown = reader.has_unknown;
+        let mut mistakes = document.refused(reader.refused);
         let mut places = BTreeMap::new();
         add_places("", &root, &mut places);
         drop(root);
         document.places = places;
-        let taken = varied.take_materials(&input, &document)?;
+        let taken = varied.take_materials(&input, &document).unwrap_or_else(|mistake| {
+            mistakes.push(mistake);
+            Vec::new()
+        });
         for taken in &taken {
             input.take(taken);
         }
@@ -156,9 +159,16 @@ impl Scenario {
             files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
         }
         let scenario = Self { document, input, varied, taken, files, directory };
-        scenario.check_beside()?;
-        scenario.need(&NEEDED[..3])?;
-        Ok(scenario)
+        mistakes.extend(scenario.beside());
+        // a misspelt key is not told as a missing one too
+        if !has_unknown {
+            let kind = scenario.kind().unwrap_or(Kind::Indentation);
+            let is_of_impacts = !matches!(kind, Kind::Indentation | Kind::Calibrate);
+            // what is used besides the sphere is asked for when it is used, unless the scenario has to change anyway
+            let needed = if is_of_impacts && !mistakes.is_empty() { NEEDED.len() - 1 } else { 3 };
+            mistakes.extend(scenario.missing(&NEEDED[..needed]));
+        }
+        Error::all(mistakes).map_or(Ok(scenario), Err)
     }
 
     /// Whether the scenario, or a material that it names, gives a key, or the scenario has a table.
@@ -172,22 +182,30 @@ impl Scenario {
         self.varied.paths().contains(&path)
     }
 
-    /// Refuses a scenario in which one of these keys is missing. A key in place of it counts, and a key that varies
-    /// over the cases of a table.
+    /// Refuses a scenario in which one of these keys is missing.
     fn need(&self, keys: &[&'static str]) -> Result<(), Error> {
+        Error::all(self.missing(keys)).map_or(Ok(()), Err)
+    }
+
+    /// The refusals of those of these keys that are missing. A key in place of one counts, and a key that varies over the
+    /// cases of a table. Of a table that is missing its keys are not told.
+    fn missing(&self, keys: &[&'static str]) -> Vec<Error> {
         let group = |key: &&'static str| {
             EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
         };
-        let Some(group) = keys.iter().map(group).find(|group| !group.iter().any(|path| self.gives(path))) else {
-            return Ok(());
-        };
-        let (table, _) = group[0].split_once('.').unwrap_or_default();
-        // a body needs more keys than the one that varies, and so its table
-        let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
-        if !self.has(table) && !self.varied.paths().iter().any(|path| table == "impact" && in_table(path)) {
-            return Err(self.document.missing("", table));
+        let (mut missing, mut tables) = (Vec::new(), Vec::new());
+        for group in keys.iter().map(group).filter(|group| !group.iter().any(|path| self.gives(path))) {
+            let (table, _) = group[0].split_once('.').unwrap_or_default();
+            // a body needs more keys than the one that varies, and so its table
+            let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
+            if self.has(table) || self.varied.paths().iter().any(|path| table == "impact" && in_table(path)) {
+                missing.push(self.document.missing_one_of(table, &group, ""));
+            } else if !tables.contains(&table) {
+                tables.push(table);
+                missing.push(self.document.missing("", table));
+            }
         }
-        Err(self.document.missing_one_of(table, &group, ""))
+        missing
     }
 
     /// The scene of an impact: defaults filled in, files read.
@@ -269,8 +287,8 @@ impl Scenario {
     fn without_effect(&self, inputs: &[Input], of: Use) -> Vec<Warning> {
         let needed = if of == Use::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
         let is_needed = |path: &str| needed.iter().any(|key| *key == path || EITHER.contains(&[*key, path]));
-        let numbers =
-            KEYS.iter().map(|key| key.path).filter(|path| self.document.has(path) && !path.starts_with("law."));
+        let keys = KEYS.iter().filter(|key| key.part != Part::Law).map(|key| key.path).chain([STEPS]);
+        let numbers = keys.filter(|path| self.document.has(path));
         let given = numbers.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
         given.filter_map(|path| Some(Warning::unused(path, without_effect(path, inputs, of)?))).collect()
     }

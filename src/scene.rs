@@ -22,7 +22,7 @@ use crate::impact::{Approach, Contact, Forces, ImpactError, Incidence, Solver, W
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Sphere};
 use at::at;
-pub use effect::{Use, without_effect};
+pub use effect::{STEPS, Use, without_effect};
 pub use input::Input;
 pub use keys::{EITHER, KEYS, Key};
 pub use list::EVERY_KEY;

@@ -9,7 +9,6 @@ use super::data::{Data, Value};
 use crate::impact::ImpactError;
 use crate::indentation::{IndentationError, Indenter, StaticContact, Target};
 use crate::math::functions::{ln, ln_1p};
-use crate::plan::axis::keeps_contact;
 use crate::plan::free::Free;
 use crate::progress::Counter;
 use crate::scene::{Input, Scene};
@@ -103,7 +102,7 @@ impl<'a> Problem<'a> {
 
     fn of_rows(mut self, rows: impl Iterator<Item = usize>) -> Self {
         let contacts: Vec<usize> =
-            (0..self.data.keys.len()).filter(|at| !keeps_contact(self.data.keys[*at].path)).collect();
+            (0..self.data.keys.len()).filter(|at| self.data.keys[*at].part.changes_contact()).collect();
         let most = if self.data.is_curve() { usize::MAX } else { CHUNK };
         let mut places: HashMap<Vec<u64>, usize> = HashMap::new();
         (self.pieces, self.counted) = (Vec::new(), Vec::new());

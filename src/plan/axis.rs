@@ -4,8 +4,9 @@ use crate::impact::Method;
 use crate::law::LawChoice;
 use crate::math::functions::{log10, pow};
 use crate::scene::at::at;
+use crate::scene::key::Part;
 use crate::scene::taken::Taken;
-use crate::scene::{Input, Key};
+use crate::scene::{EVERY_KEY, Input, Key};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
 const TABULATED: u64 = 1 << 19;
@@ -101,6 +102,8 @@ impl Word {
 pub struct Axis {
     /// What it changes.
     pub setting: Setting,
+    /// What its key is part of.
+    part: Part,
     /// Whether pictures show it on a logarithmic scale.
     pub is_logarithmic: bool,
 }
@@ -109,12 +112,15 @@ impl Axis {
     /// An axis of a numeric key.
     pub fn of_number(key: &'static Key, values: Values) -> Self {
         let is_logarithmic = matches!(values, Values::Spaced { decades: Some(_), .. });
-        Self { setting: Setting::Number { key, values: values.tabulated() }, is_logarithmic }
+        Self { setting: Setting::Number { key, values: values.tabulated() }, part: key.part, is_logarithmic }
     }
 
     /// An axis of words.
     pub fn of_words(path: &'static str, words: Vec<Word>) -> Self {
-        Self { setting: Setting::Words { path, words }, is_logarithmic: false }
+        // the axis of laws is no key, but a table
+        let key = EVERY_KEY.iter().find(|key| key.path == path);
+        let part = key.map_or(Part::Law, |key| key.part);
+        Self { setting: Setting::Words { path, words }, part, is_logarithmic: false }
     }
 
     /// The key, as in the file.
@@ -154,7 +160,7 @@ impl Axis {
 
     /// Whether the contact (bodies and law) stays the same along it.
     pub fn keeps_contact(&self) -> bool {
-        keeps_contact(self.path())
+        !self.part.changes_contact()
     }
 
     /// Puts value `i` into an input. A law or a material brings numbers of its own: for several axes there is
@@ -181,9 +187,4 @@ impl Axis {
             Setting::Words { .. } => i as f64,
         }
     }
-}
-
-/// Whether bodies and law stay the same when this key changes.
-pub fn keeps_contact(path: &str) -> bool {
-    path.starts_with("impact.") || path.starts_with("friction.") || path.starts_with("solver.") || path == "sphere.spin"
 }

@@ -18,9 +18,6 @@ pub struct Source {
     pub files: BTreeMap<String, String>,
 }
 
-/// The keys that name files.
-const NAMING: [&str; 3] = ["law.plm.coefficients", "half_space.flow_stress.table", "calibrate.data"];
-
 impl Source {
     /// SHA-256 of these texts, in hexadecimal.
     pub fn sha256(&self) -> String {
@@ -31,10 +28,10 @@ impl Source {
             hasher.update([0]);
             hasher.update(given);
         }
-        for (zeros, key) in (2..).zip(NAMING) {
-            if let Some(text) = self.files.get(key) {
-                hasher.update(vec![0; zeros]);
-                hasher.update(text);
+        for (key, text) in &self.files {
+            for part in ["\0", key, text] {
+                hasher.update([0]);
+                hasher.update(part);
             }
         }
         hex(&hasher.finalize())

@@ -5,7 +5,6 @@ use pyo3::prelude::*;
 use super::work;
 use crate::impact::{Contact, Method};
 use crate::plan::Plan;
-use crate::plan::axis::keeps_contact;
 use crate::scene::Key;
 use crate::sweep::arrow;
 use crate::sweep::column::{Column, columns};
@@ -38,7 +37,7 @@ pub fn listed(
     rows: usize,
     named: &Named,
 ) -> PyResult<Vec<Vec<f64>>> {
-    let is_known = keys.iter().all(|(key, _)| keeps_contact(key.path));
+    let is_known = !keys.iter().any(|(key, _)| key.part.changes_contact());
     let evaluator = Evaluator::of_contact(plan, is_known.then_some(contact));
     // a step of the fixed-step method may be as short as one likes
     let is_slow = plan.scene.solver.method == Method::Verlet;

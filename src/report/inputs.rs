@@ -99,8 +99,9 @@ fn complete(scene: &Scene) -> Input {
     input.choose(at!("half_space.material"), None);
     input.set(at!("sphere.spin"), scene.incidence.map(|incidence| incidence.spin));
     input.set(at!("half_space.yield_strength"), scene.half_space.yield_strength);
-    let theory = scene.forces.plate.map_or_else(PlateTheory::default, |plate| plate.theory);
-    input.choose(at!("half_space.plate"), PlateTheory::ALL.iter().position(|known| *known == theory));
+    let theory = scene.forces.plate.map(|plate| plate.theory);
+    let place = theory.and_then(|theory| PlateTheory::ALL.iter().position(|known| *known == theory));
+    input.choose(at!("half_space.plate"), place);
     if let Some(curve) = input.value(at!("half_space.flow_stress.table")).cloned() {
         input.put_value(at!("half_space.flow_stress.points"), Some(curve));
         input.put_value(at!("half_space.flow_stress.table"), None);

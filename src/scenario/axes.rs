@@ -14,8 +14,9 @@ use crate::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
 use crate::scene::read::{Fault, Reader, count, items, list, named, number, word};
 use crate::scene::taken::{Body, Taken};
 use crate::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
-use crate::scene::written::{Name, Node};
+use crate::scene::written::{Name, Node, described};
 use crate::scene::{KEYS, Key};
+use crate::strength::hardness;
 use crate::units::nearest::did_you_mean;
 
 /// The keys that are axes of words.
@@ -72,6 +73,7 @@ fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
         return words(body.material(), node, "[\"steel-s235\", \"aluminium-6061-t6\"]", material);
     }
     let key = known(name, true)?;
+    refuse_word(key, node)?;
     Ok(Axis::of_number(key, axis_values(key.quantity, node)?))
 }
 
@@ -166,6 +168,19 @@ fn free(name: &Name, node: &Node) -> Result<Free, Fault> {
     Ok(Free { key, from, to, is_logarithmic })
 }
 
+/// Refuses the word that stands in place of a number: it is no number between others.
+fn refuse_word(key: &Key, node: &Node) -> Result<(), Fault> {
+    let (Some(word), DeValue::Array(items)) = (key.word, node.get_ref()) else { return Ok(()) };
+    let Some(item) = items.iter().find(|item| item.get_ref().as_str().is_some_and(|text| text.trim() == word)) else {
+        return Ok(());
+    };
+    let path = key.path;
+    let message = format!(
+        "\"{word}\" is no number, and an axis has numbers alone: make a table of its own with --set {path}={word}"
+    );
+    Err(Fault::at(item, message))
+}
+
 /// The values of a table that has these keys alone; `form` says how such a table is written.
 fn parts<'n, 't, const N: usize>(
     node: &'n Node<'t>,
@@ -208,7 +223,18 @@ fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
         return if items.is_empty() {
             Err(Fault::at(value, AT_LEAST_ONE))
         } else {
-            items.iter().map(|item| number(quantity, None, item)).collect::<Result<_, _>>().map(Values::List)
+            let values = items.iter().map(|item| number(quantity, None, item)).collect::<Result<Vec<f64>, _>>()?;
+            let mut seen = HashSet::new();
+            match values.iter().zip(items).find(|(value, _)| !seen.insert(value.to_bits())) {
+                None => Ok(Values::List(values)),
+                Some((_, item)) => {
+                    let what = described(item);
+                    Err(Fault::at(
+                        item,
+                        format!("{what} is there twice, which would be the same rows twice; leave one out"),
+                    ))
+                }
+            }
         };
     }
     let example = quantity.example;
@@ -265,10 +291,22 @@ fn moments(quantity: &Quantity, value: &Node) -> Result<(f64, f64), Fault> {
     let [Some(mean), Some(sd)] = parts(value, ["mean", "sd"], &form)? else {
         return Err(Fault::at(value, "mean and sd, the standard deviation, are both needed"));
     };
-    Ok((number(quantity, None, mean)?, number(&spread(quantity), None, sd)?))
+    Ok((number(quantity, None, mean)?, deviation(quantity, sd)?))
 }
 
-/// A standard deviation of this quantity.
+/// A standard deviation. On a curved scale of hardness a difference is no difference of pressures.
+fn deviation(quantity: &Quantity, node: &Node) -> Result<f64, Fault> {
+    let scale = node.get_ref().as_str().and_then(hardness::written).map(|(_, scale)| scale);
+    if let Some(scale) = scale.filter(|scale| quantity.is_hardness && *scale != hardness::Scale::Vickers) {
+        let name = scale.name();
+        let message = format!(
+            "a standard deviation in {name} says nothing, as that scale is curved: write it in HV, such as \"20 HV\", or as a pressure"
+        );
+        return Err(Fault::at(node, message));
+    }
+    number(&spread(quantity), None, node)
+}
+
 fn spread(quantity: &Quantity) -> Quantity {
     Quantity {
         name: "a standard deviation (sd)",

@@ -107,25 +107,25 @@ const RULES: &[Rule] = &[
 ];
 
 impl Scenario {
-    /// Refuses tables of two kinds, keys that cannot stand beside each other, keys that need another, and tables without any
-    /// key.
-    pub(super) fn check_beside(&self) -> Result<(), Error> {
-        self.kind()?;
+    /// The refusals of tables of two kinds, of keys that cannot stand beside each other, of keys that need another, and of
+    /// tables without any key.
+    pub(super) fn beside(&self) -> Vec<Error> {
+        let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
         for [one, other] in EITHER {
             if self.has(one) && self.has(other) {
-                return Err(self.document.one_key(one, other));
+                refused.push(self.document.one_key(one, other));
             }
         }
         for table in ["friction", "gravity", "damping"] {
             let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
             if self.document.has(table) && !keys.iter().any(|path| self.document.has(path)) {
-                return Err(self.document.missing_one_of(table, &keys, "; or leave the table out"));
+                refused.push(self.document.missing_one_of(table, &keys, "; or leave the table out"));
             }
         }
         // what a calibration varies is checked with the data
         let swept = if self.has("calibrate") { Vec::new() } else { self.varied.paths() };
         if let Some((path, problem)) = self.contradicted(&swept) {
-            return Err(self.refuse_varied(path, problem));
+            refused.push(self.refuse_varied(path, problem));
         }
         let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.gives(path));
         for Rule { keys, beside, unless, why } in RULES {
@@ -133,15 +133,19 @@ impl Scenario {
             if let Some(other) = if beside.is_empty() { Some("") } else { given(beside) } {
                 // beside another key there are other ways out
                 let needed = unless.first().copied().filter(|_| beside.is_empty());
-                return Err(self.refuse_varied(key, why.replace("{}", other)).needing(needed));
+                refused.push(self.refuse_varied(key, why.replace("{}", other)).needing(needed));
             }
         }
-        Ok(())
+        refused
     }
 
     /// Whether a key or a table is given, or a key of it varies.
     pub(super) fn gives(&self, path: &str) -> bool {
-        self.has(path) || self.varied.paths().iter().any(|varied| is_at_or_below(varied, path))
+        // a value that is refused is given too
+        let is_axis = |table: &&str| self.document.has(&format!("{table}.{path}"));
+        self.has(path)
+            || self.varied.paths().iter().any(|varied| is_at_or_below(varied, path))
+            || ["sweep", "monte_carlo", "calibrate.free"].iter().any(is_axis)
     }
 
     /// A refusal of a key where it stands, or where it varies.

@@ -50,9 +50,6 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Err
     })
 }
 
-/// The most refusals that are told at once.
-const MOST_REFUSALS: usize = 10;
-
 /// Longer keys and messages quote a value that nobody wrote by hand; the middle of it is left out.
 const LONGEST_KEY: usize = 200;
 const LONGEST_MESSAGE: usize = 1800;
@@ -161,12 +158,11 @@ impl Document {
         self.overrides.iter().map(|given| given.toml.trim_start())
     }
 
-    /// The refusal of the keys that were refused while they were read, in the order of the file.
-    pub(super) fn refused(&self, mut refused: Vec<(String, Fault)>) -> Option<Error> {
+    /// The refusals of the keys that were refused while they were read, in the order of the file.
+    pub(super) fn refused(&self, mut refused: Vec<(String, Fault)>) -> Vec<Error> {
         refused.sort_by_key(|(_, fault)| fault.span.start);
-        let refusals = refused.into_iter().take(MOST_REFUSALS);
-        let refusals = refusals.map(|(key, Fault { span, message })| self.refusal(Some(span), &key, &message));
-        refusals.reduce(|all, other| all.and(&other))
+        let refusal = |(key, Fault { span, message }): (String, Fault)| self.refusal(Some(span), &key, &message);
+        refused.into_iter().map(refusal).collect()
     }
 
     /// A refusal of the value at `key`, pointing at it.

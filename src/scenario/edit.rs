@@ -67,7 +67,7 @@ fn remove(table: &mut dyn TableLike, path: &str) {
 }
 
 /// Sets the value of a key. Comments beside the old value and above it stay.
-pub fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
+pub fn set(document: &mut DocumentMut, path: &str, new: Item) {
     let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
     let mut table: &mut dyn TableLike = document.as_table_mut();
     for part in tables.split('.').filter(|part| !part.is_empty()) {
@@ -75,6 +75,11 @@ pub fn set(document: &mut DocumentMut, path: &str, mut new: Item) {
         let Some(inner) = inner.as_table_like_mut() else { return };
         table = inner;
     }
+    replace(table, name, new);
+}
+
+/// Puts a value in the place of another, whose comments stay.
+fn replace(table: &mut dyn TableLike, name: &str, mut new: Item) {
     let decor = table.get(name).and_then(Item::as_value).map(|old| old.decor().clone());
     if let (Some(decor), Some(value)) = (decor, new.as_value_mut()) {
         *value.decor_mut() = decor;
@@ -97,7 +102,7 @@ pub fn merge(into: &mut dyn TableLike, from: &dyn TableLike) {
     for (name, item) in from.iter().filter(|(name, item)| *name != "law" || item.is_table_like()) {
         match (into.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
             (Some(old), Some(new)) => merge(old, new),
-            _ => drop(into.insert(name, item.clone())),
+            _ => replace(into, name, item.clone()),
         }
     }
 }
@@ -140,6 +145,14 @@ mod tests {
         assert_eq!(change("impact.speed", ""), TEXT.replace("speed = 3\n", ""));
         assert_eq!(edited(&change("gravity.acceleration", "9.81"), "gravity.acceleration", "").unwrap(), TEXT);
         assert_eq!(change("damping.viscous", ""), TEXT);
+    }
+
+    #[test]
+    fn a_change_of_the_command_line_leaves_comments_where_they_are() {
+        let mut document: DocumentMut = TEXT.parse().unwrap();
+        let change: DocumentMut = "sphere.radius=\"6 mm\"".parse().unwrap();
+        merge(document.as_table_mut(), change.as_table());
+        assert_eq!(document.to_string(), TEXT.replace("5 mm", "6 mm"));
     }
 
     #[test]

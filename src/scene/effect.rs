@@ -3,7 +3,7 @@
 use super::at::at;
 use super::keys::Key;
 use super::{Input, Scene};
-use crate::impact::Method;
+use crate::impact::{Method, Solver};
 use crate::law::LawChoice;
 use crate::material::Pair;
 
@@ -17,6 +17,9 @@ pub enum Use {
     /// A slow indentation.
     Indentation,
 }
+
+/// A key with a whole number.
+pub const STEPS: &str = "solver.steps_per_contact";
 
 /// Why nothing that is computed of these inputs depends on a key; `None` if something does. Only numeric keys and keys of laws
 /// are looked at, a law by its table too.
@@ -32,6 +35,10 @@ fn changed(path: &str, input: &Input) -> Option<Input> {
     let mut other = input.clone();
     match Key::find(path) {
         Some(key) => key.set(&mut other, Some(key.other_value(input)?)),
+        None if path == STEPS => {
+            let steps = input.solver().steps_per_contact;
+            other.set_count(at!("solver.steps_per_contact"), u64::from(steps) + 1);
+        }
         // these tables name what holds without them: an elastic contact is under the law of Hertz, and PLM is the law of a
         // scenario that names none
         None if matches!(path, "law.hertz" | "law.plm") && is_of_law(path, input) => return None,
@@ -50,6 +57,10 @@ fn is_of_law(path: &str, input: &Input) -> bool {
     parts.next() == Some("law") && parts.next().is_none_or(|law| law == input.law.about().name)
 }
 
+fn is_verlet(input: &Input) -> bool {
+    input.solver().method == Method::Verlet
+}
+
 /// Why a key has no effect on these inputs.
 fn why(path: &str, inputs: &[Input]) -> &'static str {
     match path {
@@ -62,6 +73,8 @@ fn why(path: &str, inputs: &[Input]) -> &'static str {
         "half_space.thickness" => "a large plate gives way only to what moves; leave the key out",
         "half_space.edge_distance" => "it only warns of single impacts; leave the key out",
         "sphere.density" | "sphere.mass" => "nothing moves here; leave the key out",
+        "solver.tolerance" if inputs.iter().any(is_verlet) => "verlet takes steps of one length; leave the key out",
+        "solver.steps_per_contact" => "only the method verlet takes so many steps; leave the key out",
         path if path.starts_with("solver.") => "the closed form takes no steps; give solver.method too",
         path if inputs.iter().any(|input| is_of_law(path, input)) => {
             "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out"
@@ -104,7 +117,11 @@ impl Scene {
             sliding,
         ));
         let waves = self.half_space.density.filter(|_| is_moving && forces.damping.is_none());
-        let steps = (of == Use::Impact || of == Use::Rows && self.is_stepped()).then_some(&self.solver);
+        let steps = (of == Use::Impact || of == Use::Rows && self.is_stepped()).then(|| {
+            let Solver { method, tolerance, steps_per_contact } = self.solver;
+            let is_verlet = method == Method::Verlet;
+            (method, (!is_verlet).then_some(tolerance), is_verlet.then_some(steps_per_contact))
+        });
         let doubts = self.sphere.yield_strength.filter(|_| matches!(of, Use::Impact | Use::Indentation));
         format!("{pair:?} {law:?} {motion:?} {waves:?} {steps:?} {doubts:?}")
     }

@@ -34,6 +34,18 @@ pub enum Part {
     Kind,
 }
 
+impl Part {
+    /// Whether bodies, law or forces, and so the contact, change with such a key.
+    pub fn changes_contact(self) -> bool {
+        !matches!(self, Self::Approach | Self::Solver | Self::Output)
+    }
+
+    /// Whether the law with its flow curve changes with such a key.
+    pub fn changes_law(self) -> bool {
+        matches!(self, Self::Law | Self::Flow)
+    }
+}
+
 /// How a value is written.
 #[derive(Debug, Clone, Copy)]
 pub enum Form {

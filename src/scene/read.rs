@@ -40,13 +40,15 @@ pub struct Reader<'f> {
     pub path: String,
     /// Keys whose value or name is refused.
     pub refused: Vec<(String, Fault)>,
+    /// Whether a name is unknown.
+    pub has_unknown: bool,
     files: Files<'f>,
 }
 
 impl<'f> Reader<'f> {
     /// A reader at the top of a scenario.
     pub fn new(files: Files<'f>) -> Self {
-        Self { path: String::new(), refused: Vec::new(), files }
+        Self { path: String::new(), refused: Vec::new(), has_unknown: false, files }
     }
 
     /// Reads what stands below this name; a refusal is kept.
@@ -72,6 +74,7 @@ impl<'f> Reader<'f> {
             _ => ("key", "keys here"),
         };
         let written = name.get_ref();
+        self.has_unknown = true;
         let message = if let Some(instead) = instead(&below(&self.path, written)) {
             format!("there is no {thing} `{written}` any more: {instead}")
         } else if known.is_empty() {
@@ -105,6 +108,9 @@ pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f6
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and below 2^64
 pub fn count(quantity: &Quantity, node: &Node) -> Result<u64, Fault> {
     const TOO_MANY: f64 = 18_446_744_073_709_551_616.0;
+    if let DeValue::String(_) = node.get_ref() {
+        return Err(Fault::unexpected(node, &format!("a whole number such as {}", quantity.example)));
+    }
     let value = number(quantity, None, node)?;
     // beyond 2^53 only the digits tell it
     let whole =

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::impact::{Contact, Essentials, ImpactError};
 use crate::integrate::IntegrationError;
 use crate::law::LawChoice;
-use crate::plan::axis::{Axis, keeps_contact};
+use crate::plan::axis::Axis;
 use crate::plan::random::{Draws, Variable};
 use crate::plan::{Cases, Plan, places};
 use crate::scene::at::at;
@@ -125,7 +125,7 @@ impl<'a> Evaluator<'a> {
                 }
             }
             Cases::MonteCarlo { variables, .. } => {
-                if variables.iter().any(|variable| !keeps_contact(variable.key.path)) {
+                if variables.iter().any(|variable| variable.key.part.changes_contact()) {
                     combinations = u64::MAX;
                 }
             }
@@ -235,7 +235,7 @@ impl<'a> Evaluator<'a> {
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut input = self.plan.scene.input.clone();
         let mut law = input.hardening_law();
-        let keeps_law = variables.iter().all(|variable| keeps_law(variable.key));
+        let changes_law = variables.iter().any(|variable| variable.key.part.changes_law());
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
@@ -245,7 +245,7 @@ impl<'a> Evaluator<'a> {
             if let Some((_, known)) = self.contacts.first() {
                 self.row(&input, known, rows);
             } else {
-                if !keeps_law {
+                if changes_law {
                     law = input.hardening_law();
                 }
                 self.row(&input, &Known::of(&input, &law), rows);
@@ -257,7 +257,7 @@ impl<'a> Evaluator<'a> {
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
     /// values only a yield strength that follows from the keys is appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
-        let of_contact: Vec<_> = keys.iter().filter(|(key, _)| !keeps_contact(key.path)).collect();
+        let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
         let mut input = self.plan.scene.input.clone();
         let mut own: Option<Known> = None;
         for case in cases {
@@ -274,9 +274,4 @@ impl<'a> Evaluator<'a> {
             self.row(&input, known, rows);
         }
     }
-}
-
-/// Whether the law with its flow curve stays the same when this key changes.
-fn keeps_law(key: &Key) -> bool {
-    !key.path.starts_with("law.") && !key.path.starts_with("half_space.flow_stress.")
 }

@@ -182,14 +182,14 @@ fn a_case_without_a_result_is_a_row_with_a_status() {
 #[test]
 fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
     // gravity is so large that the sphere leaves a dent
-    let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\", 0]\n";
+    let tables = "[gravity]\nacceleration = 1e7\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\"]\n";
     let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
     let desk = Desk::ran(&text);
     let whole = desk.read("out/table.csv");
     assert!(whole.lines().nth(1).unwrap().starts_with("0,0.0,,,"), "{whole}");
     for key in ["restitution", "recovered_fraction", "plastic_fraction"] {
         let fields = column(&whole, key);
-        assert!(fields[0].is_empty() && !fields[1].is_empty() && fields[2].is_empty(), "{key}: {fields:?}");
+        assert!(fields[0].is_empty() && !fields[1].is_empty(), "{key}: {fields:?}");
     }
     assert!(column(&whole, "status").iter().all(|status| status == "ok"));
     let residual = column(&whole, "residual_indentation_m");

@@ -61,6 +61,13 @@ fn every_kind_lists_fall_forces_and_solver() {
 }
 
 #[test]
+fn only_a_plate_says_how_a_plate_gives_way() {
+    assert!(inputs(STEEL).get("half_space_plate").is_none());
+    let plate = STEEL.replace("[half_space]\n", "[half_space]\ndensity = 7850\nthickness = \"20 mm\"\n");
+    holds(&inputs(&plate), &json!({ "half_space_plate": "zener" }));
+}
+
+#[test]
 fn a_table_of_laws_lists_the_parameters_of_each_and_of_no_other() {
     let scene = format!("{STEEL}[law.thornton]\nyield_pressure = 7e8\n[sweep]\nlaw = [\"thornton\", \"stronge\"]\n");
     let got = inputs(&scene);
