@@ -97,9 +97,17 @@ impl Watch {
             Err(Error::failed("the work ended without a result"))
         });
         done.map_err(|error| match (error.kind, u8::try_from(signals.code.load(Ordering::Relaxed))) {
-            (ErrorKind::Stopped(_), Ok(code @ 1..)) => Error::new(ErrorKind::Stopped(code), error.to_string()),
+            (ErrorKind::Stopped(_), Ok(code @ 1..)) => {
+                // work that is abandoned at once may see the signal first, and is told in the same words
+                let what = if self.patience.is_zero() { self.interrupted() } else { error.to_string() };
+                Error::new(ErrorKind::Stopped(code), what)
+            }
             _ => error,
         })
+    }
+
+    fn interrupted(&self) -> String {
+        format!("interrupted; {}", self.leaves)
     }
 
     /// The result of the work; `None` where it ended without one.
@@ -109,8 +117,7 @@ impl Watch {
         let soon = std::env::var(BAR_AFTER).ok().and_then(|time| time.parse().ok()).unwrap_or(SOON);
         let done = loop {
             if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
-                let what = format!("interrupted; {}", self.leaves);
-                break Some(Err(Error::new(ErrorKind::Stopped(0), what)));
+                break Some(Err(Error::new(ErrorKind::Stopped(0), self.interrupted())));
             }
             let received = receiver.recv_timeout(LOOK);
             let (done, total) = progress.read();
