@@ -39,13 +39,15 @@ fn the_header_is_that_of_the_source() {
     assert!(text == stored, "src/capi/plm_impact.h is not the header of src/capi.rs; this is:\n{text}");
 }
 
-/// The library that this test is linked with, as cargo says it.
-fn linked(target: &Path) -> String {
+/// The library that this test is linked with, as cargo says it. `built` is the folder of what is built, `debug` or `release`.
+fn linked(built: &Path) -> String {
+    let release = built.ends_with("release").then_some("--release");
     let cargo = Command::new(env!("CARGO"))
         .current_dir(root())
         .args(["test", "--quiet", "--no-run", "--test", "capi", "--message-format", "json"])
+        .args(release)
         .arg("--target-dir")
-        .arg(target)
+        .arg(built.parent().unwrap())
         .output()
         .unwrap();
     assert!(cargo.status.success(), "{}", String::from_utf8_lossy(&cargo.stderr));
@@ -57,14 +59,16 @@ fn linked(target: &Path) -> String {
 
 /// Makes a static library of it and returns its path. The tests of the plug-in for LAMMPS take it too.
 fn library() -> PathBuf {
-    let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).parent().unwrap().to_owned();
-    let (source, library) = (target.join("tmp/staticlib.rs"), target.join("debug/libplm_impact.a"));
+    let test = std::env::current_exe().unwrap();
+    let built = test.parent().and_then(Path::parent).unwrap();
+    let (source, library) =
+        (Path::new(env!("CARGO_TARGET_TMPDIR")).join("staticlib.rs"), built.join("libplm_impact.a"));
     fs::write(&source, "pub use plm_impact::capi::*;").unwrap();
     let built = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
         .args(["--edition", "2024", "--crate-type", "staticlib", "--extern"])
-        .arg(format!("plm_impact={}", linked(&target)))
+        .arg(format!("plm_impact={}", linked(built)))
         .arg("-L")
-        .arg(format!("dependency={}", target.join("debug/deps").display()))
+        .arg(format!("dependency={}", built.join("deps").display()))
         .args([Path::new("-o"), &library, &source])
         .output()
         .unwrap();
