@@ -10,6 +10,7 @@ use crate::plot::sweep::pictures;
 use crate::plot::{Pictures, Series, Style};
 use crate::run::{impact, table};
 use crate::scenario::Scenario;
+use crate::scene::at::at;
 use crate::sweep::count::Tally;
 use crate::units::four_digits;
 
@@ -21,7 +22,7 @@ const DECADES: f64 = 2.0;
 /// The picture in this format, and its points as CSV; `None` for a sphere that is released at first touch.
 pub fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> {
     let (scene, _, impact) = impact::compute(scenario, None)?;
-    let (key, at) = match scene.input.impact.drop_height {
+    let (key, at) = match scene.input.number(at!("impact.drop_height")) {
         Some(height) => ("impact.drop_height", height),
         None => ("impact.speed", scene.speed),
     };
