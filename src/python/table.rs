@@ -107,10 +107,10 @@ pub fn table<'py>(columns: &Bound<'py, PyDict>, rows: usize) -> PyResult<Bound<'
 }
 
 /// These columns, by name.
-fn columns<'py>(
-    py: Python<'py>,
+fn columns(
+    py: Python<'_>,
     columns: impl IntoIterator<Item = (String, ArrayRef)>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Bound<'_, PyDict>> {
     let named = PyDict::new(py);
     for (name, array) in columns {
         named.set_item(name, Column(array))?;
@@ -119,12 +119,12 @@ fn columns<'py>(
 }
 
 /// Columns of numbers, which are `given`, and the named columns with these values.
-pub fn of_values<'py>(
-    py: Python<'py>,
+pub fn of_values(
+    py: Python<'_>,
     given: impl IntoIterator<Item = (String, Vec<f64>)>,
     named: Named,
     values: Vec<Vec<f64>>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<Bound<'_, PyDict>> {
     let array = |((name, column), values): ((String, crate::sweep::column::Column), Vec<f64>)| match column.words() {
         None => Ok((name, arrow::numbers(values))),
         Some(words) => Ok((name, arrow::words(&values, &Arc::new(words.into())).map_err(failed)?)),

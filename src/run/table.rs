@@ -54,7 +54,9 @@ pub fn rows<P: Send>(
     };
     in_order(0..plan.count().div_ceil(step), make, |(piece, counts)| {
         take(piece);
-        counts.into_iter().for_each(|count| tally.push(count));
+        for count in counts {
+            tally.push(count);
+        }
         Ok(())
     })?;
     Ok(tally)
