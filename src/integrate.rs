@@ -80,11 +80,11 @@ pub enum IntegrationError {
 /// those of the leg.
 pub struct Segment {
     pub end: f64,
-    at: Box<dyn Fn(f64) -> State>,
+    at: Box<dyn Fn(f64) -> State + Send + Sync>,
 }
 
 impl Segment {
-    pub(crate) fn new(end: f64, at: impl Fn(f64) -> State + 'static) -> Self {
+    pub(crate) fn new(end: f64, at: impl Fn(f64) -> State + Send + Sync + 'static) -> Self {
         Self { end, at: Box::new(at) }
     }
 

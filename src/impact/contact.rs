@@ -1,10 +1,7 @@
 //! Everything about an impact that does not depend on its speed: bodies, law, scales, gravity and damping.
 
-use std::sync::OnceLock;
-
 use super::error::ImpactError;
 use super::forces::Forces;
-use super::oblique::curve::Curve;
 use super::plate::{PlateError, Under};
 use super::scales::Scales;
 use super::waves::Waves;
@@ -47,8 +44,6 @@ pub struct Contact {
     moment_of_inertia: Option<f64>,
     /// The materials of the bodies, if they have names.
     pub(super) named: Named,
-    /// Oblique impacts that stay elastic.
-    curve: OnceLock<Curve>,
 }
 
 impl Contact {
@@ -82,24 +77,18 @@ impl Contact {
             waves,
             moment_of_inertia: None,
             named: Named::default(),
-            curve: OnceLock::new(),
         })
     }
 
     /// The same contact, where the body has this moment of inertia about the sphere's centre \[kg m²\].
     #[must_use]
     pub fn with_moment_of_inertia(self, moment: f64) -> Self {
-        Self { moment_of_inertia: Some(moment), curve: OnceLock::new(), ..self }
+        Self { moment_of_inertia: Some(moment), ..self }
     }
 
     /// The moment of inertia \[kg m²\], if it is not that of a solid sphere.
     pub fn moment_of_inertia(&self) -> Option<f64> {
         self.moment_of_inertia
-    }
-
-    /// The curve of oblique impacts that stay elastic.
-    pub(super) fn curve(&self) -> &Curve {
-        self.curve.get_or_init(|| Curve::new(self.chi()))
     }
 
     /// The same contact with gravity and damping, or on a plate.

@@ -16,8 +16,9 @@
 //!
 //! Gross sliding has a closed form; everything else is [`mindlin`]'s contact.
 
-pub mod curve;
 pub mod mindlin;
+pub mod motion;
+mod profile;
 
 use std::borrow::Cow;
 
@@ -27,8 +28,9 @@ use super::error::ImpactError;
 use super::outcome::Outcome;
 use crate::law::Rule;
 use crate::material::{Material, OutOfFloatRange};
-use crate::math::functions::{atan2, pow, sin_cos};
-use mindlin::Motion;
+use crate::math::functions::{atan2, sin_cos};
+use mindlin::Run;
+use motion::Motion;
 
 /// How a sphere comes in, beside its speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -88,8 +90,7 @@ pub struct Rebound {
     pub is_sliding: bool,
     /// ψ_1; infinite without friction.
     pub psi: f64,
-    /// |r(N) − r(N/2)|/3 with r = s_1/s_0 and N springs: the error of the run. That of the curve for a row that is read from
-    /// it, and 0 for gross sliding.
+    /// The error of s_1/s_0 as the run estimates it; 0 for gross sliding.
     pub error: f64,
 }
 
@@ -173,9 +174,9 @@ pub(super) struct Inclined<'a> {
     chi: f64,
 }
 
-/// How far the swings of the contact point may be shifted by the length of the steps \[rad\]: at this shift the error of
-/// s_1/s_0 is a few thousandths.
-const LARGEST_SHIFT: f64 = 0.01;
+/// The largest angle \[rad\] that the swings of a contact point may go through; a solid sphere has about 7. The cost of a run
+/// goes with the square of this angle.
+const LARGEST_SWINGS: f64 = 100.0;
 
 /// How the slip speed changes.
 #[derive(Debug)]
@@ -184,13 +185,18 @@ pub(super) struct Slip {
     ratio: f64,
     is_sliding: bool,
     error: f64,
-    /// The normal motion, with σ and T/μ at its points, where they were followed.
-    course: Option<(Cow<'static, Motion>, Vec<[f64; 2]>)>,
+    /// The run, where it was followed.
+    run: Option<Run>,
 }
+
+/// Tolerance of a step in a table: s_1/s_0 is then within 1e-5.
+const OF_ROWS: f64 = 1e-7;
+/// Tolerance of a step in a run by itself: s_1/s_0 is then within 1e-7.
+const OF_RUNS: f64 = 1e-9;
 
 impl Slip {
     fn new(ratio: f64) -> Self {
-        Self { ratio, is_sliding: false, error: 0.0, course: None }
+        Self { ratio, is_sliding: false, error: 0.0, run: None }
     }
 }
 
@@ -245,35 +251,30 @@ impl<'a> Inclined<'a> {
         }
         // the normal motion of all elastic impacts is the same
         let is_elastic = self.case.law.rule == Rule::Elastic && self.case.forces.is_none();
-        if !is_followed && is_elastic && self.contact.moment_of_inertia().is_none() {
-            let ratio = self.contact.curve().ratio(self.psi.abs())?;
-            return Ok(Slip { error: curve::ERROR, ..Slip::new(ratio) });
-        }
+        let motion;
         let motion = if is_elastic {
-            Cow::Borrowed(Motion::elastic()?)
+            Motion::elastic()?
         } else {
-            Cow::Owned(Motion::new(self.case.law, self.case.q, &self.case.forces)?)
+            motion = Motion::new(Cow::Borrowed(self.case.law), self.case.q, &self.case.forces)?;
+            &motion
         };
-        self.resolves(&motion)?;
-        let sigma = self.psi * self.case.q;
-        let mut points = Vec::new();
-        let ratio = motion.run(sigma, self.chi, 1, |slip, force| {
-            if is_followed {
-                points.push([slip, force]);
-            }
-        });
-        let error = (ratio - motion.run(sigma, self.chi, 2, |_, _| ())).abs() / 3.0;
-        Ok(Slip { error, course: is_followed.then_some((motion, points)), ..Slip::new(ratio) })
+        self.resolves(motion)?;
+        let sigma = self.psi.abs() * self.case.q;
+        let tolerance = if is_followed { OF_RUNS } else { OF_ROWS };
+        let run = motion.run(sigma, self.chi, tolerance, is_followed)?;
+        let (ratio, error) = (run.ratio, run.error);
+        Ok(Slip { error, run: is_followed.then_some(run), ..Slip::new(ratio) })
     }
 
-    /// Checks that the steps of the run are short beside the swings of the contact point.
+    /// Checks that the contact point does not swing too often for a run.
     fn resolves(&self, motion: &Motion) -> Result<(), ImpactError> {
-        let (shift, mass, radius) = (motion.shift(self.chi), self.contact.mass(), self.contact.sphere().radius);
-        if shift <= LARGEST_SHIFT {
+        let (swings, mass, radius) = (motion.swings(self.chi), self.contact.mass(), self.contact.sphere().radius);
+        if swings <= LARGEST_SWINGS {
             return Ok(());
         }
-        // the shift goes with (j − 1 + 1)^1.5, and j − 1 with 1/I
-        let j = self.contact.slip_factor() * pow(LARGEST_SHIFT / shift, 2.0 / 3.0);
+        // the angle goes with √j, and j − 1 with 1/I
+        let share = LARGEST_SWINGS / swings;
+        let j = self.contact.slip_factor() * share * share;
         let of_sphere = mass * radius * radius;
         Err(ImpactError::SmallInertia { least: of_sphere / (j - 1.0), solid: 0.4 * of_sphere })
     }
@@ -339,31 +340,19 @@ impl<'a> Inclined<'a> {
     pub(super) fn rubbing(&self, slip: &Slip, time: f64, speed: f64, force: f64) -> Rubbing {
         let (mu, scales) = (self.incidence.friction, &self.case.scales);
         let direction = self.slip.signum();
-        let (slip_speed, friction_force) = match &slip.course {
+        let (slip_speed, friction_force) = match &slip.run {
             // s_0 = 0: nothing moves
             None if self.slip == 0.0 => (0.0, 0.0),
             None => {
                 let slowed = self.contact.slip_factor() * mu * (self.speeds[0] - speed);
                 (self.slip - direction * slowed, -direction * mu * force)
             }
-            Some((motion, points)) => {
-                let [sigma, of_force] = between(motion, points, time / scales.time(), 2.5 * self.chi);
-                (sigma / points[0][0] * self.slip, mu * scales.force * of_force)
+            Some(run) => {
+                let [share, of_force] = run.at(time / scales.time());
+                (share * self.slip, direction * mu * scales.force * of_force)
             }
         };
         let [slip_speed, tangential_speed, spin] = self.at(slip_speed);
         Rubbing { slip_speed, friction_force, tangential_speed, spin }
     }
-}
-
-/// σ and T/μ at a time, from those at the points of the motion: T straight between two points, σ a cubic with its rates at
-/// both.
-fn between(motion: &Motion, points: &[[f64; 2]], time: f64, rate: f64) -> [f64; 2] {
-    let k = motion.place(time).min(points.len().saturating_sub(2));
-    let [[a, from], [b, to]] = [points[k], points[k + 1]];
-    let [start, end] = [motion.time(k), motion.time(k + 1)];
-    let (step, z) = (end - start, ((time - start) / (end - start)).clamp(0.0, 1.0));
-    let (turn, rest) = (z * z * (3.0 - 2.0 * z), 1.0 - z);
-    let bend = z * rest * step * rate * (from * rest - to * z);
-    [a + (b - a) * turn + bend, from + (to - from) * z]
 }

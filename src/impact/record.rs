@@ -1,6 +1,8 @@
 //! The trace of an impact: the continuous solution of every leg and every event while it is integrated, and the points that
 //! are made of them.
 
+use std::borrow::Cow;
+
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, Segment, State};
 use crate::law::{Law, Peak, Unloading};
@@ -103,6 +105,11 @@ impl Recorder {
         }
     }
 
+    /// What was recorded of a motion on this law, as a motion that can be asked for any time.
+    pub(super) fn track(self, law: Cow<'_, Law>, unloading: Unloading, drag: Drag) -> Track<'_> {
+        Track { law, unloading, drag, legs: self.legs.unwrap_or_default() }
+    }
+
     /// The points of the motion at these rising times, and its events, in order of time.
     pub(super) fn points(
         self,
@@ -113,13 +120,7 @@ impl Recorder {
     ) -> Vec<Point> {
         let (mut points, mut times, mut begun) = (Vec::new(), times.peekable(), 0.0);
         for Recorded { piece, track, mut events } in self.legs.into_iter().flatten() {
-            let point = |at: &State, event: Option<Event>| {
-                let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
-                let piece = &law.loading.pieces()[index];
-                // distances count from the zero of a power law, else from the start of the piece
-                let distance = at.distance - piece.shape.lead();
-                Point::loading(law.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
-            };
+            let point = |at: &State, event: Option<Event>| point_of(law, unloading, drag, piece, at, event);
             if let Some(state) = piece.and_then(|index| yielding(law, index, begun, &track)) {
                 let place = events.partition_point(|(_, at)| at.time <= state.time);
                 events.insert(place, (Event::Yield, state));
@@ -137,6 +138,53 @@ impl Recorder {
             points.extend(events.map(|(event, at)| point(&at, Some(event))));
         }
         points
+    }
+}
+
+/// A point of a motion on a piece of the loading curve, or on the unloading branch.
+fn point_of(
+    law: &Law,
+    unloading: &Unloading,
+    drag: Drag,
+    piece: Option<usize>,
+    at: &State,
+    event: Option<Event>,
+) -> Point {
+    let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
+    let piece = &law.loading.pieces()[index];
+    // distances count from the zero of a power law, else from the start of the piece
+    let distance = at.distance - piece.shape.lead();
+    Point::loading(law.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
+}
+
+/// A recorded motion, which gives its point at any time.
+#[derive(Debug)]
+pub struct Track<'a> {
+    law: Cow<'a, Law>,
+    unloading: Unloading,
+    drag: Drag,
+    legs: Vec<Recorded>,
+}
+
+impl Track<'_> {
+    /// The unloading branch of the motion.
+    pub(super) fn unloading(&self) -> &Unloading {
+        &self.unloading
+    }
+
+    /// The times at which its legs end, in order.
+    pub(super) fn ends(&self) -> impl Iterator<Item = f64> {
+        self.legs.iter().filter_map(|leg| leg.track.last()).map(|segment| segment.end)
+    }
+
+    /// The point at a time between first touch and the end of the motion; at the nearest of them otherwise.
+    pub(super) fn at(&self, time: f64) -> Point {
+        let ends_before = |leg: &Recorded| leg.track.last().is_none_or(|segment| segment.end < time);
+        let leg = self.legs.partition_point(ends_before).min(self.legs.len() - 1);
+        let Recorded { piece, track, .. } = &self.legs[leg];
+        let segment = track.partition_point(|segment| segment.end < time).min(track.len() - 1);
+        let time = time.min(track[segment].end);
+        point_of(&self.law, &self.unloading, self.drag, *piece, &track[segment].at(time), None)
     }
 }
 

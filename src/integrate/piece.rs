@@ -44,7 +44,7 @@ pub(super) trait Field: Copy {
 }
 
 /// The variables of a piece without drag, needed where a leg begins and ends.
-pub(super) trait Variables: Field + 'static {
+pub(super) trait Variables: Field + Send + Sync + 'static {
     /// Whether g is a polynomial, or as smooth as one, also at y = 0.
     const IS_POLYNOMIAL: bool;
     /// Whether a pull may be stronger than the force.

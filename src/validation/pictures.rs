@@ -13,7 +13,7 @@ use super::measured::restitution as of_device;
 use super::oblique::{FRICTION, alumina_on_glass, rebound};
 use super::quasi_static::restitution;
 use crate::error::Error;
-use crate::impact::oblique::mindlin::Motion;
+use crate::impact::oblique::motion::Motion;
 use crate::impact::{ImpactError, TraceRow};
 use crate::law::PlmCoefficients;
 use crate::math::functions::{exp, ln, sin_cos};

@@ -1,12 +1,22 @@
 //! Oblique impacts: every row of `tests/reference/oblique.csv`, the curve of Maw, Barber and Fawcett, limits, and what must
 //! hold for any scene.
 
+use std::borrow::Cow;
+
 use crate::common::prelude::*;
 use approx::assert_abs_diff_eq;
-use plm_impact::impact::oblique::curve::Curve;
-use plm_impact::impact::oblique::mindlin::Motion;
+use plm_impact::impact::oblique::motion::Motion;
 
 use crate::common::reference::rows;
+
+/// The tolerance of a step in a run by itself, and in a table.
+const OF_RUNS: f64 = 1e-9;
+const OF_ROWS: f64 = 1e-7;
+
+/// s_1/s_0 of an elastic impact.
+fn elastic_ratio(psi: f64, chi: f64, tolerance: f64) -> f64 {
+    Motion::elastic().unwrap().ratio(psi, chi, tolerance).unwrap()
+}
 
 /// The alumina sphere on glass of Kharaz, Gorham and Salman (2001).
 fn alumina_on_glass() -> Contact {
@@ -40,12 +50,12 @@ fn twelve_impacts_are_those_of_the_reference() {
         let (contact, approach) = (scene.contact().unwrap(), scene.approach_at(scene.speed));
         let (impact, rebound) = impact(&contact, approach, Some(20));
         let (name, want) = (row.name(), number("contact_point_ratio_s1_over_s0"));
-        assert_abs_diff_eq!(-rebound.contact_point_restitution, want, epsilon = 1e-5);
-        assert!(rebound.error < 1e-5, "{name}");
+        assert_abs_diff_eq!(-rebound.contact_point_restitution, want, epsilon = 2e-6);
+        assert!(rebound.error < 1e-6, "{name}");
         assert_relative_eq!(rebound.psi, number("psi_1"), max_relative = 1e-12);
         assert_relative_eq!(impact.restitution, number("restitution"), max_relative = 1e-9);
-        assert_relative_eq!(rebound.tangential_speed, number("rebound_tangential_speed_m_s"), max_relative = 2e-5);
-        assert_relative_eq!(rebound.spin, number("rebound_spin_rad_s"), max_relative = 4e-5);
+        assert_relative_eq!(rebound.tangential_speed, number("rebound_tangential_speed_m_s"), max_relative = 4e-6);
+        assert_relative_eq!(rebound.spin, number("rebound_spin_rad_s"), max_relative = 8e-6);
         // the regime of the spring is that of the Mindlin contact where both slide all the time
         assert_eq!(rebound.is_sliding, row.text("spring_regime") == "gross", "{name}");
         // the tangential spring of DEM codes, which the picture of the validation shows
@@ -55,9 +65,8 @@ fn twelve_impacts_are_those_of_the_reference() {
             let got = Motion::elastic().unwrap().run_on_one_spring(rebound.psi, contact.chi());
             assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }
-        // a table interpolates for elastic impacts
         let of_table = contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap();
-        assert_abs_diff_eq!(-of_table.contact_point_restitution, want, epsilon = 3e-5);
+        assert_abs_diff_eq!(-of_table.contact_point_restitution, want, epsilon = 1e-5);
     }
 }
 
@@ -88,37 +97,37 @@ fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
 
 #[test]
 fn the_curve_of_maw_barber_and_fawcett() {
-    let motion = Motion::elastic().unwrap();
     let rows = rows(include_str!("../reference/maw.csv"));
-    assert_eq!(rows.len(), 16);
+    assert_eq!(rows.len(), 14);
     for row in rows {
-        // chi = 7 (1 - nu)/(2 (2 - nu)) for nu = 0.3
         let psi = row.number("psi_1");
-        let got = psi * motion.run(psi, 4.9 / 3.4, 1, |_, _| ());
-        assert_abs_diff_eq!(got, row.number("psi_2"), epsilon = 2e-6);
+        for (chi, name) in [(1.441_176_5, "chi_1.4411765"), (1.503_501_256, "chi_1.503501256")] {
+            let want = row.number(name);
+            assert_abs_diff_eq!(elastic_ratio(psi, chi, OF_RUNS), want, epsilon = 1e-7);
+            assert_abs_diff_eq!(elastic_ratio(psi, chi, OF_ROWS), want, epsilon = 1e-5);
+        }
     }
 }
 
 #[test]
 fn without_slip_the_sphere_swings_on_a_spring() {
-    // psi_2/psi_1 for psi_1 -> 0, by the differential equation in high precision; the outermost of 1000 springs costs 4e-5
+    // psi_2/psi_1 for psi_1 -> 0, by the differential equation in high precision
     for (chi, want) in [(1.441_176_5, 0.231_669_691_05), (1.503_501_256, 0.282_596_443_74)] {
-        let got = Motion::elastic().unwrap().run(1e-9, chi, 1, |_, _| ());
-        assert_abs_diff_eq!(got, want, epsilon = 5e-5);
+        assert_abs_diff_eq!(elastic_ratio(1e-9, chi, OF_RUNS), want, epsilon = 1e-7);
     }
     // the same from the other end: a coefficient of friction of 1e6
     let (_, rebound) = impact(&alumina_on_glass(), approach(3.9, 30.0, 1e6, 0.0), None);
-    assert_abs_diff_eq!(-rebound.contact_point_restitution, 0.282_596_443_74, epsilon = 5e-5);
+    assert_abs_diff_eq!(-rebound.contact_point_restitution, 0.282_596_443_74, epsilon = 1e-6);
 }
 
 #[test]
 fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
     // elastic: psi_2 = psi_1 - 4 chi from psi_1 = 4 chi - 1 on
     let chi = 1.3;
-    let run = |psi: f64| psi * Motion::elastic().unwrap().run(psi, chi, 1, |_, _| ());
+    let run = |psi: f64| psi * elastic_ratio(psi, chi, OF_RUNS);
     for above in [1e-3, 0.1, 3.0] {
         let psi = 4.0 * chi - 1.0 + above;
-        assert_abs_diff_eq!(run(psi), psi - 4.0 * chi, epsilon = 1e-6);
+        assert_abs_diff_eq!(run(psi), psi - 4.0 * chi, epsilon = 1e-7);
     }
     assert!(run(4.0 * chi - 1.2) - (-1.2) > 1e-3);
     // plastic: the run agrees with the formula where the contact says that it slides, and not 2 % below
@@ -126,10 +135,10 @@ fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
         let contact = steel(&LawChoice::Plm(Plm { exponent, ..Plm::default() }));
         let (chi, speed) = (contact.chi(), 1.0);
         let (_, law, q) = contact.scaled(speed).unwrap();
-        let motion = Motion::new(law, q, &ScaledForces::NONE).unwrap();
+        let motion = Motion::new(Cow::Borrowed(law), q, &ScaledForces::NONE).unwrap();
         let e = contact.restitution(speed).unwrap();
         let formula = |psi: f64| psi - 2.0 * chi * (1.0 + e);
-        let run = |psi: f64| psi * motion.run(psi * q, chi, 1, |_, _| ());
+        let run = |psi: f64| psi * motion.ratio(psi * q, chi, OF_RUNS).unwrap();
         // straight down with a spin that gives this psi_1 at mu = 0.1
         let spin = |psi: f64| -psi * 0.1 * speed / (4.0 * contact.shear_ratio() * 5e-3);
         let slides = |psi: f64| {
@@ -143,21 +152,6 @@ fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
         assert!(slides(sure * 1.0001) && !slides(sure * 0.9999));
         assert_abs_diff_eq!(run(begins * 1.001), formula(begins * 1.001), epsilon = 1e-5);
         assert!((run(end * 0.8) - formula(end * 0.8)).abs() > 1e-4, "{exponent:?}");
-    }
-}
-
-#[test]
-fn the_curve_of_a_table_is_that_of_the_runs() {
-    // from nearly incompressible to nearly no lateral strain, and the mixed pair of Kharaz et al.
-    for chi in [1.2, 1.503_501_256, 2.2] {
-        let (curve, motion) = (Curve::new(chi), Motion::elastic().unwrap());
-        for k in 0..16 {
-            // dense at the kink, thin elsewhere
-            let psi = if k % 2 == 0 { 0.95 + 0.0075 * f64::from(k) } else { (4.0 * chi - 1.0) * f64::from(k) / 16.0 };
-            let (got, want) = (curve.ratio(psi).unwrap(), motion.run(psi, chi, 1, |_, _| ()));
-            assert_abs_diff_eq!(got, want, epsilon = 4e-5);
-        }
-        assert_abs_diff_eq!(curve.ratio(4e-3).unwrap(), motion.run(4e-3, chi, 1, |_, _| ()), epsilon = 5e-5);
     }
 }
 
@@ -204,7 +198,7 @@ fn every_law_has_its_friction() {
             let approach = approach(1.0, degrees, 0.2, 0.0);
             let (impact, rebound) = impact(&contact, approach, Some(50));
             assert!(rebound.loss_fraction >= 0.0 && rebound.impulse_ratio <= 0.2 * (1.0 + 1e-5), "{name} {rebound:?}");
-            assert!(rebound.error < 2e-3, "{name} at {degrees}: {rebound:?}");
+            assert!(rebound.error < 1e-5, "{name} at {degrees}: {rebound:?}");
             // friction is at most mu F on every row; it is a straight line between the steps of the run
             for row in &impact.trace {
                 let rubbing = row.rubbing.unwrap();
@@ -227,7 +221,7 @@ fn friction_goes_with_a_plate() {
         let (impact, rebound) = impact(&plate, approach, Some(40));
         let friction = impact.oblique.unwrap();
         assert!((friction.recovered + friction.loss - friction.kinetic_in).abs() <= 1e-12 * friction.kinetic_in);
-        assert!(friction.momentum_drift < 1e-13 && rebound.error < 1e-4, "{friction:?}");
+        assert!(friction.momentum_drift < 1e-13 && rebound.error < 1e-6, "{friction:?}");
         let [normal, tangential] = approach.components();
         let alone = plate.impact(normal, &Solver::default(), None).unwrap();
         assert_relative_eq!(impact.restitution, alone.restitution, max_relative = 1e-9);
@@ -267,36 +261,36 @@ proptest! {
         let (impact, rebound) = impact(&contact, approach, Some(30));
         let friction = impact.oblique.unwrap();
         let Incidence { friction: mu, .. } = approach.incidence.unwrap();
+        prop_assume!(rebound.psi != 0.0);
         prop_assert!(rebound.psi_after().abs() <= rebound.psi.abs() * (1.0 + 1e-12), "{:?}", rebound);
         prop_assert!(friction.loss >= -1e-12 * friction.kinetic_in && rebound.loss_fraction <= 1.0);
         prop_assert!((friction.recovered + friction.loss - friction.kinetic_in).abs() <= 1e-12 * friction.kinetic_in);
         prop_assert!(friction.momentum_drift < 1e-13, "{:?}", friction);
         prop_assert!(rebound.impulse_ratio.abs() <= mu * (1.0 + 1e-5), "{:?} {}", rebound, mu);
-        // N springs: 1e-5; the polygons of a hardened law are as smooth as the straight pieces of the PLM
-        prop_assert!(rebound.error < 1e-4, "{:?}", rebound);
+        prop_assert!(rebound.error < 1e-6, "{:?}", rebound);
         // the trace begins and ends as the results say
         let ends = [0, impact.trace.len() - 1].map(|row| impact.trace[row].rubbing.unwrap());
         let size = approach.speed + rebound.tangential_speed.abs();
         prop_assert!((ends[0].tangential_speed - approach.components()[1]).abs() <= 1e-12 * size);
         prop_assert!((ends[1].tangential_speed - rebound.tangential_speed).abs() <= 1e-9 * size);
         prop_assert!((ends[1].spin - rebound.spin).abs() * contact.sphere().radius <= 1e-8 * size);
-        // a row of a table is the impact, but for the interpolation of elastic ones
+        // a row of a table is the impact by a run with a looser tolerance
         let row = contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap();
         let off = (row.contact_point_restitution - rebound.contact_point_restitution).abs();
-        prop_assert!(off <= if impact.has_dent() { 1e-9 } else { 6e-5 } || off.is_nan(), "off by {:e} at {:?}", off, rebound);
+        prop_assert!(off <= 1e-5, "off by {:e} at {:?}", off, rebound);
     }
 }
 
-/// A solid sphere has (2/5) m R². With less the contact point swings faster, in proportion to √(1 + m R²/I), and the steps of
-/// friction do not follow any more: the error is told, then warned of, then there is no answer. Friction never makes energy.
+/// A solid sphere has (2/5) m R². With less the contact point swings faster, in proportion to √(1 + m R²/I): the steps become
+/// shorter, and beyond a hundred times as many there is no answer. Friction never makes energy.
 #[test]
-fn a_small_moment_of_inertia_is_computed_as_far_as_its_steps_reach() {
+fn a_small_moment_of_inertia_takes_more_steps_up_to_a_limit() {
     for law in [LawChoice::from_name("hertz").unwrap(), LawChoice::default()] {
         let contact = steel(&law);
         let solid = 0.4 * contact.mass() * 25e-6;
-        let (mut computed, mut warned, mut refused) = (0, 0, None);
-        for decades in 0..40 {
-            let moment = solid * 10_f64.powf(-0.25 * f64::from(decades));
+        let (mut computed, mut refused) = (0, None);
+        for halves in 0..12 {
+            let moment = solid * 10_f64.powf(-0.5 * f64::from(halves));
             let contact = contact.clone().with_moment_of_inertia(moment);
             for friction in [0.3, 1e6] {
                 let approach = approach(1.0, 20.0, friction, 0.0);
@@ -311,16 +305,14 @@ fn a_small_moment_of_inertia_is_computed_as_far_as_its_steps_reach() {
                     Err(error) => panic!("{error}"),
                 };
                 let (rebound, of_row) = (impact.rebound.unwrap(), row.unwrap().rebound.unwrap());
-                assert_eq!(of_row, rebound, "{moment:e}");
+                let ratios = [of_row, rebound].map(|rebound| rebound.contact_point_restitution);
+                assert_abs_diff_eq!(ratios[0], ratios[1], epsilon = 1e-5);
                 assert!(rebound.contact_point_restitution.abs() <= 1.0 && rebound.loss_fraction >= 0.0, "{rebound:?}");
-                assert!(rebound.error < 0.02, "{moment:e}, {friction}: {rebound:?}");
-                let is_warned = impact.warnings.iter().any(|warning| warning.kind == WarningKind::RoughFriction);
-                assert_eq!(is_warned, rebound.error > 1e-3);
+                assert!(rebound.error < 1e-4, "{moment:e}, {friction}: {rebound:?}");
                 computed += 1;
-                warned += usize::from(is_warned);
             }
         }
-        assert!(computed > 15 && warned > 0, "{computed} {warned}");
+        assert!(computed > 8, "{computed}");
         // from the least moment on, which the message names, there is an answer
         let least = refused.unwrap();
         let with = |moment| contact.clone().with_moment_of_inertia(moment);

@@ -8,192 +8,240 @@
 //! stop      φ(ξ) = (3/2) (f/α) (1 − ξ²/α²)                  (∫ φ dξ = f)
 //! spring    ζ' = (3/2) σ, clipped to |ζ| ≤ φ;  0 outside of the contact, from the time on at which the rim passes ξ
 //! sphere    σ' = (5/2) χ T,   T = −∫₀^α ζ dξ
-//! radius    α = f/ε on the way in,   α ∝ df/dx on the way out
 //! ```
 //!
 //! So an impact depends on σ_0 and χ alone. For Hertz this is the theory of Mindlin and Deresiewicz (Jäger 1993; Popov and Heß,
 //! *Method of Dimensionality Reduction*, 2015), and what Maw, Barber and Fawcett (1976), Wear 38, 101-114, solve. With
 //! plasticity it is an extension: pressure of Hertz's shape with the force and the radius of the law. It creates no energy.
 //!
-//! Velocity Verlet, order 2: with as many springs as steps a leg, N = 1000, the error of s_1/s_0 is below 1e-5.
+//! The stretch of the springs is exact in space ([`super::profile`]). In time, with the shift M' = (3/2) σ of a spring that
+//! sticks, M'' = (15/4) χ T is integrated by Nyström's method of order 4 in two stages, whose second stage is the first of the
+//! next step. A step is compared with two half ones. Where springs at a stop cease to slip, T has a kink: a step ends there.
 
-use std::sync::LazyLock;
-
-use crate::impact::course;
-use crate::impact::forces::ScaledForces;
-use crate::impact::record::{Point, Recorder};
+use super::motion::Motion;
+use super::profile::{Profile, Rim};
 use crate::impact::scales::ACCELERATION;
 use crate::integrate::IntegrationError;
-use crate::integrate::rk8::Rk8;
-use crate::law::Law;
 
-/// N: springs, and steps of each leg of the impact.
-pub const SPRINGS: usize = 1000;
+/// The change of σ.
+#[derive(Debug)]
+pub(super) struct Run {
+    /// σ_1/σ_0.
+    pub(super) ratio: f64,
+    /// Its error: the sum of those of the steps.
+    pub(super) error: f64,
+    /// The steps, in order of time; empty unless they were asked for.
+    pub(super) steps: Vec<Step>,
+}
 
-/// The normal motion at equal times on the way in, and on the way out.
+/// A step of a run, for its trace.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step {
+    start: f64,
+    length: f64,
+    /// σ/σ_0 at the start.
+    slip: f64,
+    /// T at start, middle and end.
+    friction: [f64; 3],
+    /// (5/2) χ/σ_0: what T changes of σ/σ_0.
+    rate: f64,
+}
+
+impl Step {
+    /// σ/σ_0 and T at a time of the step: T is a parabola, and σ its integral.
+    fn at(&self, time: f64) -> [f64; 2] {
+        let z = ((time - self.start) / self.length).clamp(0.0, 1.0);
+        let [a, b, c] = self.friction;
+        let (slope, curve) = (-3.0 * a + 4.0 * b - c, 2.0 * (a - 2.0 * b + c));
+        let impulse = z * (a + z * (0.5 * slope + z * curve / 3.0));
+        [self.slip + self.rate * self.length * impulse, a + z * (slope + z * curve)]
+    }
+}
+
+impl Run {
+    /// σ/σ_0 and T at a time.
+    pub(super) fn at(&self, time: f64) -> [f64; 2] {
+        let step = self.steps.partition_point(|step| step.start <= time).saturating_sub(1);
+        self.steps.get(step).map_or([self.ratio, 0.0], |step| step.at(time))
+    }
+}
+
+/// The state of a run.
 #[derive(Debug, Clone)]
-pub struct Motion {
-    /// Time between two points on the way in, and on the way out.
-    step: [f64; 2],
-    /// α; the peak is in the middle.
-    radius: Vec<f64>,
-    /// f/α.
-    pressure: Vec<f64>,
+struct State {
+    profile: Profile,
+    rim: Rim,
+    /// M.
+    shift: f64,
+    /// M'.
+    speed: f64,
+    /// M''.
+    acceleration: f64,
+    /// M''' at the end of the last step.
+    jerk: f64,
 }
 
-impl Motion {
-    /// The motion at q = v/V.
-    pub fn new(law: &Law, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
-        let mut recorder = Recorder::on();
-        let outcome = course::integrate(law, q, forces, &mut Rk8::new(1e-10), &mut recorder)?;
-        let radius = |point: &Point| {
-            if point.is_unloading {
-                outcome.unloading.grip_of(point.state.elastic_approach)
-            } else {
-                point.state.force / point.state.elastic_approach
-            }
+impl State {
+    /// One step over the middle to the end. M'' = `rate` T.
+    fn step(&mut self, middle: Rim, end: Rim, rate: f64) -> [f64; 3] {
+        let length = end.time - self.rim.time;
+        let (half, first) = (0.5 * length, self.acceleration);
+        // η is a parabola over the step
+        let of_square = 4.0 * (end.square - 2.0 * middle.square + self.rim.square) / (length * length);
+        let bend = |from: f64, to: f64, speed: f64, acceleration: f64| {
+            let growth = (to - from) / half;
+            let curved = -0.5 * (acceleration - speed * of_square / growth) / (growth * growth);
+            if growth > 0.0 { curved } else { 0.0 }
         };
-        #[allow(clippy::cast_precision_loss)]
-        let step =
-            [outcome.loading_time, outcome.contact_time - outcome.loading_time].map(|time| time / SPRINGS as f64);
-        let mut motion = Self { step, radius: vec![0.0], pressure: vec![0.0] };
-        let times = (1..2 * SPRINGS).map(|k| Self::time_of(step, k));
-        let points = recorder.points(law, &outcome.unloading, forces.drag, times);
-        for point in points.iter().filter(|point| point.event.is_none()) {
-            motion.push(radius(point), point.state.force);
-        }
-        motion.radius.resize(2 * SPRINGS + 1, 0.0);
-        motion.pressure.resize(2 * SPRINGS + 1, 0.0);
-        Ok(motion)
+        let way = half * (self.speed + half * (0.5 * first + half * self.jerk / 6.0));
+        let bent = bend(self.rim.square, middle.square, self.speed + 0.5 * half * first, first);
+        let second = rate * self.profile.advance(&middle, way, bent);
+        let whole = length * (self.speed + length * (first + 2.0 * second) / 6.0);
+        let bent = bend(middle.square, end.square, self.speed + 1.5 * half * second, second);
+        let third = rate * self.profile.advance(&end, whole - way, bent);
+        self.shift += whole;
+        self.speed += length * (first + 4.0 * second + third) / 6.0;
+        self.acceleration = third;
+        self.jerk = (first - 4.0 * second + 3.0 * third) / length;
+        self.rim = end;
+        [first / rate, second / rate, third / rate]
     }
 
-    /// That of an elastic impact, which is one for all of them in units of its own peak and speed.
-    pub fn elastic() -> Result<&'static Self, IntegrationError> {
-        static ELASTIC: LazyLock<Result<Motion, IntegrationError>> =
-            LazyLock::new(|| Motion::new(&Law::hertz(), 1.0, &ScaledForces::NONE));
-        ELASTIC.as_ref().map_err(Clone::clone)
-    }
-
-    fn push(&mut self, radius: f64, force: f64) {
-        let is_touching = radius > 0.0;
-        self.radius.push(if is_touching { radius } else { 0.0 });
-        self.pressure.push(if is_touching { force / radius } else { 0.0 });
-    }
-
-    /// The time of point `k`.
-    pub fn time(&self, k: usize) -> f64 {
-        Self::time_of(self.step, k)
-    }
-
-    #[allow(clippy::cast_precision_loss)] // counts up to 2 N
-    fn time_of(step: [f64; 2], k: usize) -> f64 {
-        let [inward, outward] = [k.min(SPRINGS), k.saturating_sub(SPRINGS)].map(|k| k as f64);
-        step[0] * inward + step[1] * outward
-    }
-
-    /// The last point at or before a time.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)] // below 2 N
-    pub fn place(&self, time: f64) -> usize {
-        let inward = self.time(SPRINGS);
-        let [leg, since] =
-            if time < inward { [0.0, time / self.step[0]] } else { [SPRINGS as f64, (time - inward) / self.step[1]] };
-        ((leg + since) as usize).min(2 * SPRINGS)
-    }
-
-    /// How far the steps shift the phase of the swings of a contact that sticks \[rad\]: Σ (ω Δτ)³/24 with ω² = (15/4) χ α.
-    /// From a step of ω Δτ = 2 on they grow without end.
-    pub fn shift(&self, chi: f64) -> f64 {
-        let at = |k: usize| {
-            let step = self.step[usize::from(k > SPRINGS)];
-            let square = 3.0 * ACCELERATION * chi * self.radius[k] * step * step;
-            square * square.sqrt() / 24.0
-        };
-        (1..2 * SPRINGS).map(at).sum()
-    }
-
-    /// σ_1/σ_0 with every `stride`-th point and spring. `record` gets σ and T at each point.
-    #[allow(clippy::cast_precision_loss)] // counts up to 2 N
-    pub fn run(&self, sigma: f64, chi: f64, stride: usize, mut record: impl FnMut(f64, f64)) -> f64 {
-        let springs = SPRINGS / stride;
-        let width = self.radius.iter().copied().fold(0.0, f64::max) / springs as f64;
-        let squares: Vec<f64> = (0..springs).map(|i| (i as f64 + 0.5) * width).map(|at| at * at).collect();
-        // springs within a radius: those whose place i + ½ is below it
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let within = |radius: f64| ((radius / width + 0.5) as usize).min(springs);
-        let rate = 2.0 * ACCELERATION * chi;
-        let mut stretches = vec![0.0; springs];
-        let (mut at, mut force) = (sigma, 0.0);
-        record(at, force);
-        for k in (0..2 * SPRINGS).step_by(stride) {
-            let dt = self.step[k / SPRINGS] * (stride as f64);
-            let half = at + 0.5 * dt * rate * force;
-            let [before, after] = [self.radius[k], self.radius[k + stride]];
-            let [inside, until] = [within(before.min(after)), within(after)];
-            let [old, new] = [before * before, after * after];
-            let stop = 1.5 * self.pressure[k + stride];
-            let fall = if new > 0.0 { stop / new } else { 0.0 };
-            let moved = 1.5 * half * dt;
-            let mut sum = stretched(&mut stretches[..inside], &squares[..inside], moved, stop, fall);
-            // the rim passes these on the way; α² is almost straight in time
-            for (stretch, square) in stretches[inside..until].iter_mut().zip(&squares[inside..until]) {
-                let share = ((new - square) / (new - old)).clamp(0.0, 1.0);
-                *stretch = clipped(moved * share, stop - fall * square);
-                sum += *stretch;
-            }
-            stretches[until..].fill(0.0);
-            force = -width * sum;
-            at = half + 0.5 * dt * rate * force;
-            record(at, force);
-        }
-        at / sigma
+    fn clone_from_state(&mut self, from: &Self) {
+        self.profile.clone_from(&from.profile);
+        let Self { rim, shift, speed, acceleration, jerk, .. } = from;
+        (self.rim, self.shift, self.speed) = (*rim, *shift, *speed);
+        (self.acceleration, self.jerk) = (*acceleration, *jerk);
     }
 }
 
-impl Motion {
+/// The share of a step, from its start, at which springs at a stop cease to slip: their stop moves away from them from then
+/// on. First come those in the middle of the contact or those at its rim; the others follow in between. The rates are those of
+/// parabolas through three points.
+fn ceases_to_slip(rims: [&Rim; 3], speeds: [f64; 3]) -> Option<f64> {
+    let length = rims[2].time - rims[0].time;
+    let rates = |[a, b, c]: [f64; 3]| [-3.0 * a + 4.0 * b - c, c - a, a - 4.0 * b + 3.0 * c].map(|d| d / length);
+    let of_middle = rates(rims.map(|rim| rim.stop));
+    let of_square = rates(rims.map(|rim| rim.square));
+    let of_rim: [f64; 3] = std::array::from_fn(|i| {
+        let Rim { stop, square, .. } = *rims[i];
+        if square > 0.0 { stop * of_square[i] / square } else { of_middle[i] }
+    });
+    let mut first = None;
+    for of_stop in [of_middle, of_rim] {
+        for side in [1.0, -1.0] {
+            let opens: [f64; 3] = std::array::from_fn(|i| of_stop[i] - side * speeds[i]);
+            let passed = (0..2).find(|&i| opens[i] < 0.0 && opens[i + 1] > 0.0);
+            if let Some(i) = passed {
+                let share = 0.5 * (if i == 1 { 1.0 } else { 0.0 } + opens[i] / (opens[i] - opens[i + 1]));
+                first = Some(first.map_or(share, |before: f64| before.min(share)));
+            }
+        }
+    }
+    first
+}
+
+impl Motion<'_> {
+    /// The angle \[rad\] that a contact that sticks would swing through at its largest stiffness: ω² = (15/4) χ α.
+    pub(super) fn swings(&self, chi: f64) -> f64 {
+        let largest = self.rim(self.durations[0]).square.sqrt();
+        (3.0 * ACCELERATION * chi * largest).sqrt() * self.durations[1]
+    }
+
+    /// σ_1/σ_0, with a local error of `tolerance` a step.
+    pub fn ratio(&self, sigma: f64, chi: f64, tolerance: f64) -> Result<f64, IntegrationError> {
+        self.run(sigma, chi, tolerance, false).map(|run| run.ratio)
+    }
+
+    /// The change of σ, with a local error of `tolerance` a step.
+    pub(super) fn run(&self, sigma: f64, chi: f64, tolerance: f64, has_steps: bool) -> Result<Run, IntegrationError> {
+        /// The longest step, as a share of half the contact time.
+        const LONGEST: f64 = 0.05;
+        /// Steps after which a run gives up.
+        const MOST: u64 = 50_000;
+        let rate = 1.5 * 2.0 * ACCELERATION * chi;
+        let start = 1.5 * sigma;
+        let rim = self.rim(0.0);
+        let mut state = State { profile: Profile::new(), rim, shift: 0.0, speed: start, acceleration: 0.0, jerk: 0.0 };
+        let (mut whole, mut halves) = (state.clone(), state.clone());
+        let (mut steps, mut sum) = (Vec::new(), 0.0);
+        let duration = 0.5 * self.durations[1];
+        let longest = LONGEST * duration;
+        let mut length = 0.25 * longest;
+        let mut count = 0;
+        for &end in &self.ends {
+            while state.rim.time < end {
+                count += 1;
+                if count > MOST {
+                    return Err(IntegrationError::TooManySteps { steps: MOST });
+                }
+                let left = end - state.rim.time;
+                length = length.min(longest);
+                let is_last = length >= left * (1.0 - 1e-9);
+                length = if is_last { left } else { length.min(0.5 * left.max(length)) };
+                let at = state.rim.time;
+                let to = if is_last { end } else { at + length };
+                let rims = [at + 0.25 * length, at + 0.5 * length, at + 0.75 * length, to].map(|time| self.rim(time));
+                whole.clone_from_state(&state);
+                halves.clone_from_state(&state);
+                whole.step(rims[1], rims[3], rate);
+                let first = halves.step(rims[0], rims[1], rate);
+                let middle = halves.speed;
+                let second = halves.step(rims[2], rims[3], rate);
+                let speeds = [state.speed, middle, halves.speed];
+                // so near to the end of a step the kink costs less than the tolerance
+                let near = 0.3 * tolerance.sqrt() * duration;
+                let share = ceases_to_slip([&state.rim, &rims[1], &rims[3]], speeds);
+                if let Some(share) = share.filter(|share| (share * length).min((1.0 - share) * length) > near) {
+                    length *= share;
+                    continue;
+                }
+                let off = |part: fn(&State) -> f64| (part(&whole) - part(&halves)).abs();
+                let error = off(|s| s.speed) + off(|s| s.shift) / duration + 0.5 * duration * off(|s| s.acceleration);
+                let error = error / start.abs();
+                if error <= tolerance || length < 1e-7 * duration {
+                    if has_steps {
+                        let half = |time: f64, speed: f64, friction| {
+                            let slip = speed / start;
+                            Step { start: time, length: 0.5 * length, slip, friction, rate: rate / start }
+                        };
+                        steps.push(half(at, state.speed, first));
+                        steps.push(half(rims[1].time, middle, second));
+                    }
+                    sum += error;
+                    std::mem::swap(&mut state, &mut halves);
+                }
+                length *= (0.9 * (tolerance / error).sqrt().sqrt()).clamp(0.2, 3.0);
+            }
+        }
+        Ok(Run { ratio: state.speed / start, error: sum, steps })
+    }
+
     /// σ_1/σ_0 with one spring in place of all, as the contact of a DEM code carries it (`mindlin_rescale/force` of LAMMPS;
-    /// Thornton, Cummins and Cleary 2013): on the way out the force is scaled with the radius first.
+    /// Thornton, Cummins and Cleary 2013): on the way out the force is scaled with the radius first. Velocity Verlet in 1000
+    /// steps a leg.
     ///
     /// ```text
     /// T' = −(3/2) α σ,   |T| ≤ f
     /// ```
     pub fn run_on_one_spring(&self, sigma: f64, chi: f64) -> f64 {
+        const STEPS: u32 = 1000;
         let rate = 2.0 * ACCELERATION * chi;
-        let (mut at, mut force) = (sigma, 0.0);
-        for k in 0..2 * SPRINGS {
-            let (dt, [before, after]) = (self.step[k / SPRINGS], [self.radius[k], self.radius[k + 1]]);
-            let half = at + 0.5 * dt * rate * force;
-            let kept = if after < before { force * after / before } else { force };
-            let radius = 0.5 * (before + after);
-            force = clipped(kept - 1.5 * radius * half * dt, self.pressure[k + 1] * after);
-            at = half + 0.5 * dt * rate * force;
+        let (mut at, mut force, mut before, mut begun) = (sigma, 0.0, 0.0, 0.0);
+        for end in self.durations {
+            let dt = (end - begun) / f64::from(STEPS);
+            for k in 1..=STEPS {
+                let Rim { square, stop, .. } = self.rim(if k == STEPS { end } else { begun + dt * f64::from(k) });
+                let after = square.sqrt();
+                let half = at + 0.5 * dt * rate * force;
+                let kept: f64 = if after < before { force * after / before } else { force };
+                let limit = stop / 1.5 * after;
+                force = (kept - 0.75 * (before + after) * half * dt).clamp(-limit, limit);
+                at = half + 0.5 * dt * rate * force;
+                before = after;
+            }
+            begun = end;
         }
         at / sigma
     }
-}
-
-/// Moves springs that stay in contact, and gives the sum of their stretches. The stop of a spring is `stop − fall ξ²`.
-fn stretched(stretches: &mut [f64], squares: &[f64], moved: f64, stop: f64, fall: f64) -> f64 {
-    const LANES: usize = 8;
-    let mut sums = [0.0; LANES];
-    let (stretches, last) = stretches.as_chunks_mut::<LANES>();
-    let (squares, last_squares) = squares.as_chunks::<LANES>();
-    for (stretches, squares) in stretches.iter_mut().zip(squares) {
-        for ((stretch, square), sum) in stretches.iter_mut().zip(squares).zip(&mut sums) {
-            *stretch = clipped(*stretch + moved, stop - fall * square);
-            *sum += *stretch;
-        }
-    }
-    let mut sum: f64 = sums.iter().sum();
-    for (stretch, square) in last.iter_mut().zip(last_squares) {
-        *stretch = clipped(*stretch + moved, stop - fall * square);
-        sum += *stretch;
-    }
-    sum
-}
-
-/// A number within ± `limit`; without the care for NaN of `clamp`, so that the loop runs in vectors.
-#[inline(always)]
-fn clipped(value: f64, limit: f64) -> f64 {
-    let below = if value < limit { value } else { limit };
-    if below > -limit { below } else { -limit }
 }

@@ -115,8 +115,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "psi_1" [Incidence: |row| rebound(row, |after| after.psi)];
         /// The same of the slip speed after the impact.
         "psi_2" [Incidence: |row| rebound(row, Rebound::psi_after)];
-        /// Error of -s_1/s_0: a third of the change from half as many springs; 5e-5 for a row of a table that is read from a
-        /// curve, and 0 for gross sliding.
+        /// Error of -s_1/s_0: the sum of what halving each step of friction changes; 0 for gross sliding.
         "friction_error" in Error [Incidence: |row| rebound(row, |after| after.error)];
         /// Time from first touch to separation; `null` for a captured sphere.
         "contact_time_s" in Time as "contact time"

@@ -1,0 +1,62 @@
+//! The normal motion as friction sees it: the radius of the contact and the stops of its springs at any time.
+
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+use super::profile::Rim;
+use crate::impact::course;
+use crate::impact::forces::ScaledForces;
+use crate::impact::record::{Recorder, Track};
+use crate::integrate::IntegrationError;
+use crate::integrate::rk8::Rk8;
+use crate::law::Law;
+
+/// The normal motion of an impact.
+#[derive(Debug)]
+pub struct Motion<'a> {
+    track: Track<'a>,
+    /// The times of the joints of the law, of the peak and of the end; each stretch between two of them is smooth.
+    pub(super) ends: Vec<f64>,
+    /// Time of compression, and from first touch to the end.
+    pub(super) durations: [f64; 2],
+}
+
+impl<'a> Motion<'a> {
+    /// The motion at q = v/V.
+    pub fn new(law: impl Into<Cow<'a, Law>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
+        let law = law.into();
+        let mut recorder = Recorder::on();
+        let outcome = course::integrate(&law, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
+        let track = recorder.track(law, outcome.unloading, forces.drag);
+        let durations = [outcome.loading_time, outcome.contact_time];
+        Ok(Self { ends: track.ends().collect(), durations, track })
+    }
+
+    /// The motion of an elastic impact. It is one for all of them in units of its own peak and speed.
+    pub fn elastic() -> Result<&'static Motion<'static>, IntegrationError> {
+        static ELASTIC: LazyLock<Result<Motion, IntegrationError>> =
+            LazyLock::new(|| Motion::new(Cow::Owned(Law::hertz()), 1.0, &ScaledForces::NONE));
+        ELASTIC.as_ref().map_err(Clone::clone)
+    }
+
+    /// Rim and stops at a time. The friction is limited by the whole contact force, damping included.
+    ///
+    /// ```text
+    /// α = f/ε on the way in,   α ∝ df/dx on the way out
+    /// ```
+    pub(super) fn rim(&self, time: f64) -> Rim {
+        let none = Rim { time, square: 0.0, stop: 0.0 };
+        if time <= 0.0 {
+            return none;
+        }
+        let point = self.track.at(time);
+        let (force, approach) = (point.state.force, point.state.elastic_approach);
+        let radius =
+            if point.is_unloading { self.track.unloading().grip_of(approach.max(0.0)) } else { force / approach };
+        if radius > 0.0 {
+            Rim { square: radius * radius, stop: 1.5 * point.total_force / radius, ..none }
+        } else {
+            none
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! The stretch of the springs of an MDR contact, as a polyline over η = ξ².
+//!
+//! Springs stand at 0 < ξ < α. Their stops are straight lines in η, and a spring that enters at the rim takes with it the
+//! stretch of the time since then, which is a smooth curve in η. So the stretch is a list of pieces, straight ones along the
+//! stops and curved ones where springs entered, and nothing is sampled in space:
+//!
+//! ```text
+//! stop      |ζ| ≤ P (1 − η/α²),   P = (3/2) f/α
+//! stuck     every ζ grows by the same shift
+//! friction  T = −∫₀^α ζ dξ
+//! ```
+
+/// The normal motion at one time, as far as friction needs it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rim {
+    /// τ.
+    pub(super) time: f64,
+    /// α²: the place of the rim in η.
+    pub(super) square: f64,
+    /// P: the stop of the spring in the middle.
+    pub(super) stop: f64,
+}
+
+/// The end of a piece of the stretch. The piece leads there from the knot before:
+/// `ζ = straight line + bend (η − η_before)(η − η_here)`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Knot {
+    square: f64,
+    /// ξ.
+    radius: f64,
+    /// ζ.
+    stretch: f64,
+    /// Half of d²ζ/dη² on the piece.
+    bend: f64,
+}
+
+impl Knot {
+    fn new(square: f64, stretch: f64, bend: f64) -> Self {
+        Self { square, radius: square.max(0.0).sqrt(), stretch, bend }
+    }
+}
+
+/// ζ over η, from the middle to the rim.
+#[derive(Debug, PartialEq)]
+pub(super) struct Profile {
+    knots: Vec<Knot>,
+    /// Room for the next list of knots.
+    spare: Vec<Knot>,
+}
+
+impl Clone for Profile {
+    fn clone(&self) -> Self {
+        Self { knots: self.knots.clone(), spare: Vec::new() }
+    }
+
+    /// Copies the knots into the room that is there.
+    fn clone_from(&mut self, from: &Self) {
+        self.knots.clone_from(&from.knots);
+    }
+}
+
+impl Profile {
+    /// A contact of one point, before first touch.
+    pub(super) fn new() -> Self {
+        Self { knots: vec![Knot::default()], spare: Vec::new() }
+    }
+
+    /// Shifts all springs, lets springs enter or leave up to the new rim, clips them at their stops, and gives the friction T.
+    /// The stretch of the springs that enter is curved by `bend`.
+    pub(super) fn advance(&mut self, to: &Rim, shift: f64, bend: f64) -> f64 {
+        for knot in &mut self.knots {
+            knot.stretch += shift;
+        }
+        let rim = to.square;
+        if self.knots.last().is_some_and(|last| last.square < rim) {
+            self.knots.push(Knot::new(rim, 0.0, bend));
+        } else {
+            self.cut(rim);
+        }
+        if rim <= 0.0 {
+            return 0.0;
+        }
+        let fall = to.stop / rim;
+        let is_beyond = |knot: &Knot| knot.stretch.abs() > to.stop - fall * knot.square;
+        if self.knots.iter().any(is_beyond) {
+            for side in [1.0, -1.0] {
+                self.clip(to.stop, fall, side);
+            }
+        }
+        -self.integral()
+    }
+
+    /// Takes away what lies outside of the rim.
+    fn cut(&mut self, rim: f64) {
+        while self.knots.len() > 1 && self.knots[self.knots.len() - 2].square >= rim {
+            self.knots.pop();
+        }
+        if let [.., before, last] = self.knots.as_mut_slice() {
+            let (from, to) = (rim - before.square, rim - last.square);
+            let slope = (last.stretch - before.stretch) / (last.square - before.square);
+            *last = Knot::new(rim, before.stretch + (slope + last.bend * to) * from, last.bend);
+        }
+    }
+
+    /// Holds ζ (or −ζ) below `stop − fall η`. Pieces that lie on the stop become one.
+    fn clip(&mut self, stop: f64, fall: f64, side: f64) {
+        /// A knot nearer to the stop than this share of it, behind one beyond the stop, lies on the stop but for rounding.
+        const ROUNDING: f64 = 1e-13;
+        let gap = |knot: &Knot| stop - fall * knot.square - side * knot.stretch;
+        let on_stop = |square: f64| Knot::new(square, side * (stop - fall * square), 0.0);
+        self.spare.clear();
+        // the knot before and its gap
+        let mut last: Option<(Knot, f64)> = None;
+        for (i, &knot) in self.knots.iter().enumerate() {
+            let here = gap(&knot);
+            let was_beyond = last.is_some_and(|(_, gap)| gap < 0.0);
+            let is_beyond = here < 0.0 || was_beyond && here < ROUNDING * stop;
+            if let Some((before, there)) = last.filter(|_| was_beyond != is_beyond) {
+                let square = crossing(&before, &knot, [there, here], -side);
+                if before.square < square && square < knot.square {
+                    let bend = if was_beyond { 0.0 } else { knot.bend };
+                    self.spare.push(Knot { bend, ..on_stop(square) });
+                }
+            }
+            if !is_beyond {
+                self.spare.push(knot);
+            } else if !was_beyond || self.knots.get(i + 1).is_none_or(|next| gap(next) >= 0.0) {
+                // a knot between two others beyond the stop is no end of a piece
+                self.spare.push(on_stop(knot.square));
+            }
+            last = Some((knot, if is_beyond { here.min(-f64::MIN_POSITIVE) } else { here }));
+        }
+        std::mem::swap(&mut self.knots, &mut self.spare);
+    }
+
+    /// ∫ ζ dξ.
+    fn integral(&self) -> f64 {
+        let mut sum = 0.0;
+        for pair in self.knots.windows(2) {
+            let [from, to] = [&pair[0], &pair[1]];
+            let (a, b, ab) = (from.square, to.square, from.radius * to.radius);
+            let way = to.radius - from.radius;
+            // the mean of η over the piece, and with it the weight of its end
+            let mean = (a + ab + b) / 3.0;
+            let weight = if b > a { (mean - a) / (b - a) } else { 0.5 };
+            sum += way * (from.stretch + (to.stretch - from.stretch) * weight);
+            if to.bend != 0.0 {
+                let mean_of_squares = (b * (b + ab + a) + a * (ab + a)) / 5.0;
+                sum += way * to.bend * (mean_of_squares - (a + b) * mean + a * b);
+            }
+        }
+        sum
+    }
+}
+
+/// Where the gap of the piece that ends at `to` vanishes, in η. It has one sign at either end; `sign` is that of ζ in the gap.
+fn crossing(from: &Knot, to: &Knot, [there, here]: [f64; 2], sign: f64) -> f64 {
+    let width = to.square - from.square;
+    let straight = there / (there - here);
+    let bend = sign * to.bend * width * width;
+    let mut z = straight;
+    if bend != 0.0 {
+        for _ in 0..2 {
+            let gap = there + (here - there) * z + bend * z * (z - 1.0);
+            z -= gap / (here - there + bend * (2.0 * z - 1.0));
+        }
+    }
+    from.square + width * if z > 0.0 && z < 1.0 { z } else { straight }
+}
