@@ -11,7 +11,7 @@ mod new_file;
 
 use std::fs::{self, File};
 use std::io::{self, Read as _, Write as _};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde_json::Value;
@@ -51,21 +51,31 @@ pub fn foreign(path: &Path) -> Error {
 /// The origin of results.
 #[derive(Debug, Clone, Copy)]
 pub enum Origin<'a> {
-    /// A scenario: its file, its hash, and the names of all results that scenarios have, without their endings.
-    File(&'a Path, &'a str, &'static [&'static str]),
+    /// A scenario: its file, and its hash.
+    File(&'a Path, &'a str),
     /// A command that needs none.
     Command(&'static str),
 }
 
-/// What is in a directory before a run.
-#[derive(Debug, Clone, PartialEq, Eq)]
-enum Before {
-    /// No summary.
-    Nothing,
-    /// Results of the same scenario.
+/// The results that are in a directory before a run, as their summary tells of them.
+#[derive(Debug)]
+struct Before {
+    /// Their scenario.
+    name: String,
+    /// The files beside the summary.
+    files: Vec<String>,
+    is: Whose,
+}
+
+/// Which scenario the results are of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Whose {
+    /// The same text with the same overrides.
     Same,
-    /// Results of the same file with another text or other overrides.
-    Older(String),
+    /// The same file with another text or other overrides.
+    Edited,
+    /// Another file, which is replaced by force.
+    Other,
 }
 
 /// A directory that was found writable. Unless something is written, those of its parents that had to be made are removed.
@@ -74,9 +84,7 @@ pub struct OutputDirectory {
     path: PathBuf,
     /// Made for this run, the deepest first.
     made: Vec<PathBuf>,
-    before: Before,
-    /// Names of results that do not stay beside newer ones.
-    results: &'static [&'static str],
+    before: Option<Before>,
     /// Set once the older results are removed.
     is_cleared: AtomicBool,
     is_forced: bool,
@@ -93,14 +101,8 @@ impl OutputDirectory {
         let refuse = unwritable(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
         let made: Vec<PathBuf> = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
-        let mut directory = Self {
-            path: path.to_owned(),
-            made,
-            before: Before::Nothing,
-            results: if let Origin::File(_, _, results) = origin { results } else { &[] },
-            is_cleared: AtomicBool::new(false),
-            is_forced,
-        };
+        let mut directory =
+            Self { path: path.to_owned(), made, before: None, is_cleared: AtomicBool::new(false), is_forced };
         fs::create_dir_all(path).map_err(&refuse)?;
         directory.made.iter().try_for_each(|made| sync_folder(folder(made))).map_err(&refuse)?;
         drop(NewFile::create(&path.join("trial")).map_err(&refuse)?);
@@ -109,26 +111,29 @@ impl OutputDirectory {
     }
 
     /// What the summary says of the results that are there.
-    fn find(&self, origin: Origin) -> Result<Before, Error> {
+    fn find(&self, origin: Origin) -> Result<Option<Before>, Error> {
         let path = self.path.join(SUMMARY);
         refuse_special(&path).map_err(unwritable(&path))?;
         let text = match fs::read(&path) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Before::Nothing),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
             text => text.map_err(unwritable(&path))?,
         };
         let summary: Value = serde_json::from_slice(&text).unwrap_or_default();
         let of = |key: &str| summary["provenance"][key].as_str();
         let (Some(hash), Some(other)) = (of("scenario_sha256"), of("scenario_file")) else {
-            return if self.is_forced { Ok(Before::Nothing) } else { Err(foreign(&path)) };
+            return if self.is_forced { Ok(None) } else { Err(foreign(&path)) };
         };
+        let before = |is| Ok(Some(Before { name: other.to_owned(), files: listed(&summary), is }));
         let own = match origin {
-            Origin::File(_, own, _) if own == hash => return Ok(Before::Same),
-            Origin::File(file, ..) if is_same_file(file, other) => return Ok(Before::Older(other.to_owned())),
-            Origin::File(file, ..) => file.display().to_string(),
+            Origin::File(_, own) if own == hash => return before(Whose::Same),
+            Origin::File(file, _) if self.seen(file).is_some_and(|seen| Some(&*seen) == of(SEEN)) => {
+                return before(Whose::Edited);
+            }
+            Origin::File(file, _) => file.display().to_string(),
             Origin::Command(name) => name.to_owned(),
         };
         if self.is_forced {
-            return Ok(Before::Older(other.to_owned()));
+            return before(Whose::Other);
         }
         let reason = format!(
             "holds results of {other}, and these are of {own}; name another --out, or replace them with --force"
@@ -146,9 +151,23 @@ impl OutputDirectory {
         self.is_forced
     }
 
-    /// The scenario of older results, which will be replaced.
-    pub fn replaces(&self) -> Option<&str> {
-        if let Before::Older(name) = &self.before { Some(name) } else { None }
+    /// The way to a file from here, which is the same wherever both are moved together; `None` where there is no such file.
+    pub fn seen(&self, file: &Path) -> Option<String> {
+        let (folder, file) = (self.path.canonicalize().ok()?, file.canonicalize().ok()?);
+        let shared = folder.components().zip(file.components()).take_while(|(one, other)| one == other).count();
+        let up = folder.components().skip(shared).map(|_| "..".into());
+        let down = file.components().skip(shared).map(|part| part.as_os_str().to_string_lossy());
+        Some(up.chain(down).collect::<Vec<_>>().join("/"))
+    }
+
+    /// The older results that give way to the new ones, in words.
+    pub fn replaces(&self) -> Option<String> {
+        let Before { name, is, .. } = self.before.as_ref()?;
+        match is {
+            Whose::Same => None,
+            Whose::Edited => Some(format!("the results of {name} as it was, or with other --set")),
+            Whose::Other => Some(format!("the results of {name}")),
+        }
     }
 
     /// Whether a file of this name may be written. Where no summary says that the results there are of the same scenario, a file
@@ -159,7 +178,7 @@ impl OutputDirectory {
     pub fn may_replace(&self, name: &str, new: &[u8]) -> Result<(), Error> {
         let place = self.path.join(name);
         refuse_special(&place).map_err(unwritable(&place))?;
-        if self.is_forced || self.before != Before::Nothing || !place.exists() {
+        if self.is_forced || self.before.is_some() || !place.exists() {
             return Ok(());
         }
         let line = new.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
@@ -187,29 +206,50 @@ impl OutputDirectory {
             });
             new.push((file.name == SUMMARY, written.map_err(unwritable(&place))?));
         }
-        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+        let summary = files.iter().find(|file| file.name == SUMMARY);
+        let summary: Value = serde_json::from_slice(summary.map_or(&[][..], |file| &file.bytes)).unwrap_or_default();
+        let listed = listed(&summary);
+        let names: Vec<&str> = files.iter().map(|file| &file.name).chain(&listed).map(String::as_str).collect();
         self.remove_older(&names)?;
+        // results of the same scenario that this run does not make, such as pictures in another format
+        self.remove_listed(&names)?;
         new.sort_by_key(|(is_summary, _)| *is_summary);
         new.into_iter().try_for_each(|(_, file)| file.put()).map_err(unwritable(&self.path))
     }
 
-    /// Removes results of the same file with another text: first their summary, so that it never stands beside newer files,
+    /// Removes the results of another text or other overrides: first their summary, so that it never stands beside newer files,
     /// then all but those of these names. Does nothing when it is called again.
     pub fn remove_older(&self, kept: &[&str]) -> Result<(), Error> {
         if self.replaces().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
             return Ok(());
         }
-        let endings = ["csv", "parquet", "png", "svg", "toml"];
-        let results = self.results.iter().flat_map(|name| endings.map(|ending| format!("{name}.{ending}")));
-        let results = results.filter(|name| !kept.contains(&name.as_str()));
-        for name in std::iter::once(SUMMARY.to_owned()).chain(results) {
-            let place = self.path.join(name);
-            if place.symlink_metadata().is_ok_and(|data| data.is_file()) {
-                remove(&place).map_err(unwritable(&place))?;
-            }
+        self.remove_file(SUMMARY)?;
+        self.remove_listed(kept)
+    }
+
+    /// Removes the files that the summary before this run lists, apart from those of these names.
+    fn remove_listed(&self, kept: &[&str]) -> Result<(), Error> {
+        let listed = self.before.iter().flat_map(|before| &before.files);
+        listed.filter(|name| !kept.contains(&name.as_str())).try_for_each(|name| self.remove_file(name))
+    }
+
+    /// Removes a file of this name; what is no ordinary file stays.
+    fn remove_file(&self, name: &str) -> Result<(), Error> {
+        let place = self.path.join(name);
+        if place.symlink_metadata().is_ok_and(|data| data.is_file()) {
+            remove(&place).map_err(unwritable(&place))?;
         }
         Ok(())
     }
+}
+
+/// The key of a summary with the way to its scenario.
+const SEEN: &str = "scenario_from_here";
+
+/// The files that a summary lists. A name with a folder in it is none of this program.
+fn listed(summary: &Value) -> Vec<String> {
+    let names = summary["provenance"]["files"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    names.filter(|name| Path::new(name).file_name().is_some_and(|own| own == *name)).map(str::to_owned).collect()
 }
 
 impl Drop for OutputDirectory {
@@ -217,12 +257,4 @@ impl Drop for OutputDirectory {
         // only empty ones go
         self.made.iter().for_each(|directory| drop(fs::remove_dir(directory)));
     }
-}
-
-/// Whether a scenario file is the one that a summary names, perhaps as seen from another folder.
-fn is_same_file(file: &Path, named: &str) -> bool {
-    let named = Path::new(named);
-    let is_plain = |part: &Component| !matches!(part, Component::CurDir | Component::ParentDir);
-    let tail: PathBuf = named.components().filter(is_plain).collect();
-    file == named || file.canonicalize().is_ok_and(|file| file.ends_with(tail))
 }

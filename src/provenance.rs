@@ -35,10 +35,15 @@ pub struct Provenance {
     pub version: &'static str,
     /// The scenario as the command line names it.
     pub scenario_file: String,
+    /// The way to that file from the folder of the results, by which a later run knows its own; `None` without file or folder.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scenario_from_here: Option<String>,
     /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.
     pub scenario_sha256: String,
     /// The command line.
     pub command: String,
+    /// The files beside the summary.
+    pub files: Vec<String>,
     /// How the motion was computed; `None` where there is none, or where it varies.
     #[serde(flatten)]
     pub method: Option<MethodOf>,

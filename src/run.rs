@@ -13,22 +13,6 @@ use crate::scenario::{Kind, Scenario};
 use crate::scene::Scene;
 pub use outcome::{Order, Outcome, no_result, texts};
 
-/// The names of all results, without their endings. Those of an older scenario do not stay beside newer ones.
-pub const RESULTS: &[&str] = &[
-    "table",
-    "trace",
-    "impacts",
-    "residuals",
-    "posterior",
-    "calibrated",
-    "force_indentation",
-    "history",
-    "height",
-    "restitution",
-    "restitution_map",
-    "restitution_histogram",
-];
-
 /// How scenarios of one kind are checked and run.
 #[derive(Debug, Clone, Copy)]
 pub enum Way {

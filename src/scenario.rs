@@ -68,6 +68,8 @@ pub struct Scenario {
     files: BTreeMap<String, (PathBuf, String)>,
     /// The folder of the files that it names.
     directory: PathBuf,
+    /// The way to its file from the folder of its results, where there is one.
+    pub from_results: Option<String>,
 }
 
 /// The keys that an impact needs. Another key may stand in place of one of them (see [`EITHER`]). The speed is the last.
@@ -158,7 +160,7 @@ impl Scenario {
             let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
             files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
         }
-        let scenario = Self { document, input, varied, taken, files, directory };
+        let scenario = Self { document, input, varied, taken, files, directory, from_results: None };
         mistakes.extend(scenario.beside());
         // a misspelt key is not told as a missing one too
         if !has_unknown {

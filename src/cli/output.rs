@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, SUMMARY};
 use plm_impact::plot::Pictures;
-use plm_impact::run::{Order, Outcome, RESULTS, heed};
+use plm_impact::run::{Order, Outcome, heed};
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::parts::make_way;
 
@@ -50,11 +50,11 @@ impl Output {
     pub fn once(
         &self,
         file: &Path,
-        scenario: Scenario,
+        mut scenario: Scenario,
         run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
     ) -> Result<(), Error> {
         let signals = Signals::listen()?;
-        let directory = self.prepare(file, &scenario)?;
+        let directory = self.prepare(file, &mut scenario)?;
         make_way(&directory)?;
         let pictures = self.pictures.format;
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(&signals, move |progress| {
@@ -67,6 +67,7 @@ impl Output {
         let out = directory.path().to_owned();
         directory.write(&files)?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+        say_replaced(&directory);
         self.report(&text, &files, format_args!("wrote {} to {}", names.join(", "), out.display()))?;
         contradiction
             .map_or(Ok(()), |reason| Err(Error::in_file(ErrorKind::Mismatch, scenario.document.name(), reason)))
@@ -90,18 +91,19 @@ impl Output {
         self.out.clone().unwrap_or_else(default)
     }
 
-    /// The same, ready to be written to.
-    pub fn prepare(&self, file: &Path, scenario: &Scenario) -> Result<OutputDirectory, Error> {
+    /// The same, ready to be written to; the results will say how the file is found from there.
+    pub fn prepare(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
         let hash = scenario.sha256();
-        let origin = Origin::File(file, &hash, RESULTS);
-        let directory = OutputDirectory::prepare(&self.directory(file), origin, self.force)?;
-        if let Some(older) = directory.replaces() {
-            let path = directory.path().display();
-            super::terminal::note(format_args!(
-                "{path}: replaces the results of {older} as it was, or with other --set"
-            ));
-        }
+        let directory = OutputDirectory::prepare(&self.directory(file), Origin::File(file, &hash), self.force)?;
+        scenario.from_results = directory.seen(file);
         Ok(directory)
+    }
+}
+
+/// Notes that older results are gone, once the new ones are there.
+pub fn say_replaced(directory: &OutputDirectory) {
+    if let Some(older) = directory.replaces() {
+        super::terminal::note(format_args!("{}: replaced {older}", directory.path().display()));
     }
 }
 

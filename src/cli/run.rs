@@ -22,13 +22,13 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
-    let scenario = arguments.scenario.load()?;
+    let mut scenario = arguments.scenario.load()?;
     match way(scenario.kind()?) {
         Way::Once { what, run, .. } => {
             arguments.sweep.refuse_for(what)?;
             arguments.output.once(arguments.scenario.name(), scenario, run)
         }
-        Way::Table => super::sweep::run(&arguments.sweep, &arguments.output, arguments.scenario.name(), &scenario),
+        Way::Table => super::sweep::run(&arguments.sweep, &arguments.output, arguments.scenario.name(), &mut scenario),
     }
 }
 

@@ -13,7 +13,7 @@ use plm_impact::sweep::count::Tally;
 use plm_impact::sweep::parts::Layout;
 use plm_impact::sweep::{Format, Job, Shard};
 
-use super::output::{Output, one_of, warn};
+use super::output::{Output, one_of, say_replaced, warn};
 use super::watched::{Signals, Watch};
 
 /// Options of sweeps.
@@ -75,7 +75,7 @@ const PATIENCE: Duration = Duration::from_millis(700);
 const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
 
 /// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
-pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario) -> Result<(), Error> {
+pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
     let plan = table::plan(scenario)?;
     let warnings = table::warnings(&plan);
     warn(&warnings);
@@ -88,7 +88,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     }
     let signals = Signals::listen()?;
     let directory = output.prepare(file, scenario)?;
-    let (source, provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
+    let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
     let Options { format, threads, .. } = *options;
     let mut layout = Layout::of(&plan);
     if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse().ok()) {
@@ -118,10 +118,14 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &Scenario)
     if shard.is_none() {
         let leaves = "the table is written, its summary is not; give the same command again";
         let tally = written.tally.clone();
+        // the parts of a table are no file
+        let table = written.table.file_name().filter(|_| written.table.is_file());
+        provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
         files = Watch { leaves, ..Watch::without_files(output.quiet) }
-            .watch(&signals, move |_| table::files(&plan, &tally, &warnings, &provenance, pictures))?;
+            .watch(&signals, move |_| table::files(&plan, &tally, &warnings, provenance, pictures))?;
         directory.write(&files)?;
     }
+    say_replaced(&directory);
     let found = match written.found {
         0 => String::new(),
         rows => format!("{rows} of these rows were there\n"),

@@ -102,7 +102,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
             let made = interruptible(py, |progress| {
                 let take = |piece| append(&mut columns, piece);
                 let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
-                table::outcome(scenario, &plan, &tally, &order(&command, progress))
+                table::outcome(scenario, &plan, &tally, &order(&command, progress), None)
             });
             let made = made?.map_err(exception)?;
             let failed = failures(columns.last().map_or(&[], Vec::as_slice));

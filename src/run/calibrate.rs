@@ -7,7 +7,6 @@ use toml_edit::{DocumentMut, Item, value};
 use super::outcome::{self, Order, Outcome, file, texts};
 use crate::calibrate::{Calibration, Found, Measurements};
 use crate::error::Error;
-use crate::output::SUMMARY;
 use crate::plot::calibrate::pictures;
 use crate::progress::Counter;
 use crate::provenance::PROGRAM;
@@ -30,14 +29,12 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let measured = Measurements::of(scenario)?;
     let found = measured.calibrate(order.progress)?;
     let provenance = outcome::provenance(scenario, &measured.wanted.scene.law, true, order.command);
-    let mut files = vec![
-        file(SUMMARY, report::summary(&measured, &found, &provenance)?),
-        file("residuals.csv", report::residuals(&found)?),
-    ];
+    let mut files = vec![file("residuals.csv", report::residuals(&found)?)];
     if !found.keys.is_empty() {
         files.push(file("calibrated.toml", calibrated(scenario, &measured, &found)));
     }
     files.extend(order.pictures.files(|| Ok(pictures(&found)))?);
+    let files = outcome::with_summary(files, provenance, |of| report::summary(&measured, &found, of))?;
     Ok(Outcome {
         warnings: warnings(&measured, &found),
         text: report::table(&found),

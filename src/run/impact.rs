@@ -1,9 +1,8 @@
 //! One impact.
 
-use super::outcome::{self, Order, Outcome, file, no_result, texts};
+use super::outcome::{self, Order, Outcome, file, no_result, texts, with_summary};
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
-use crate::output::SUMMARY;
 use crate::plot;
 use crate::provenance::{MethodOf, Provenance};
 use crate::report::inputs::Inputs;
@@ -52,12 +51,10 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let (scene, contact, impact) = compute(scenario, Some(scenario.as_given().samples))?;
     let provenance = provenance(scenario, &scene, impact.method, order.command);
-    let mut files = vec![
-        file(SUMMARY, summary(&contact, &impact, &Inputs::of(&scene), &provenance)?),
-        file("trace.csv", trace(&impact)?),
-    ];
+    let mut files = vec![file("trace.csv", trace(&impact)?)];
     files.extend(order.pictures.files(|| {
         Ok(vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)])
     })?);
+    let files = with_summary(files, provenance, |of| summary(&contact, &impact, &Inputs::of(&scene), of))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&contact, &impact), files))
 }

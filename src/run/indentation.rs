@@ -2,11 +2,10 @@
 
 use std::fmt::Display;
 
-use super::outcome::{self, Order, Outcome, file, texts};
+use super::outcome::{self, Order, Outcome, file, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::impact::{of_half_space, of_sphere};
 use crate::indentation::{IndentationError, Indenter, StaticContact, Tested};
-use crate::output::SUMMARY;
 use crate::plot;
 use crate::report::indentation as report;
 use crate::scenario::Scenario;
@@ -49,11 +48,9 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let inputs = report::inputs(scenario, &scene);
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);
-    let mut files = vec![
-        file(SUMMARY, report::summary(&tested, &warnings, &inputs, &provenance)?),
-        file("trace.csv", report::trace(&tested)?),
-    ];
+    let mut files = vec![file("trace.csv", report::trace(&tested)?)];
     files.extend(order.pictures.files(|| Ok(vec![("force_indentation", plot::indentation(&tested))]))?);
+    let files = with_summary(files, provenance, |of| report::summary(&tested, &warnings, &inputs, of))?;
     Ok(Outcome::done(warnings, report::table(&tested), files))
 }
 

@@ -4,7 +4,7 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::{ImpactError, Warning};
 use crate::integrate::IntegrationError;
 use crate::law::{LawChoice, OutsideLaw};
-use crate::output::OutputFile;
+use crate::output::{OutputFile, SUMMARY};
 use crate::plot::Pictures;
 use crate::progress::Counter;
 use crate::provenance::{LawOf, Provenance};
@@ -51,6 +51,19 @@ pub fn texts(warnings: &[Warning]) -> Vec<String> {
 
 pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
     OutputFile { name: name.to_owned(), bytes: bytes.into() }
+}
+
+/// All files: the summary, which lists the others, and these.
+pub(super) fn with_summary(
+    files: Vec<OutputFile>,
+    provenance: Provenance,
+    summary: impl FnOnce(&Provenance) -> Result<String, Error>,
+) -> Result<Vec<OutputFile>, Error> {
+    let names = files.iter().map(|file| file.name.clone());
+    let provenance = Provenance { files: provenance.files.iter().cloned().chain(names).collect(), ..provenance };
+    let mut all = vec![file(SUMMARY, summary(&provenance)?)];
+    all.extend(files);
+    Ok(all)
 }
 
 /// The provenance of results of a scenario under one law. The law of elastic bodies is that of Hertz.

@@ -1,10 +1,9 @@
 //! Impacts one after the other.
 
 use super::impact::{can_be_traced, prepare, provenance};
-use super::outcome::{Order, Outcome, file, no_result, texts};
+use super::outcome::{Order, Outcome, file, no_result, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Method};
-use crate::output::SUMMARY;
 use crate::plot;
 use crate::progress::Counter;
 use crate::repeat::{Repeat, Sequence};
@@ -58,7 +57,6 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let provenance = provenance(scenario, &scene, sequence.method, order.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
-        file(SUMMARY, summary::of_series(&series, &Inputs::of(&scene), &provenance)?),
         file("impacts.csv", report::impacts(&sequence)?),
         file("trace.csv", report::trace(&sequence, scene.samples)?),
     ];
@@ -68,6 +66,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         drawn.extend(plot::repeat::height(&repeat, &sequence).map(|height| ("height", height)));
         Ok(drawn)
     })?);
+    let files = with_summary(files, provenance, |of| summary::of_series(&series, &Inputs::of(&scene), of))?;
     let text = report::table(&series);
     Ok(Outcome::done(warnings, text, files))
 }

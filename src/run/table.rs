@@ -1,9 +1,9 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Order, Outcome, file, no_result, texts};
+use super::outcome::{Order, Outcome, no_result, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
-use crate::output::{OutputFile, SUMMARY};
+use crate::output::OutputFile;
 use crate::plan::Plan;
 use crate::plot::Pictures;
 use crate::plot::sweep::pictures;
@@ -65,10 +65,19 @@ pub fn rows<P: Send>(
 /// Rows that take longer than this \[µs\] are made a few at a time, so that a stop is heard soon.
 const SLOW: f64 = 100.0;
 
-/// The outcome of a whole table with this tally: all of its files but the table itself.
-pub fn outcome(scenario: &Scenario, plan: &Plan, tally: &Tally, order: &Order) -> Result<Outcome, Error> {
+/// The outcome of a whole table with this tally, and with the file of the table where it is one of the results.
+pub fn outcome(
+    scenario: &Scenario,
+    plan: &Plan,
+    tally: &Tally,
+    order: &Order,
+    table: Option<OutputFile>,
+) -> Result<Outcome, Error> {
     let warnings = warnings(plan);
-    let files = files(plan, tally, &warnings, &scenario.provenance(order.command), order.pictures)?;
+    let names = table.iter().map(|file| file.name.clone()).collect();
+    let provenance = Provenance { files: names, ..scenario.provenance(order.command) };
+    let mut files = files(plan, tally, &warnings, provenance, order.pictures)?;
+    files.extend(table);
     Ok(Outcome::done(warnings, lines(tally), files))
 }
 
@@ -82,15 +91,14 @@ pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
     [at_corners(plan, Some(contact)), texts(&plan.scene.warnings)].concat()
 }
 
-/// `summary.json`, which repeats the `warnings`, and the pictures of a whole table.
+/// `summary.json`, which repeats the `warnings`, and the pictures of a whole table. Its own file is in the provenance.
 pub fn files(
     plan: &Plan,
     tally: &Tally,
     warnings: &[String],
-    provenance: &Provenance,
+    provenance: Provenance,
     format: Pictures,
 ) -> Result<Vec<OutputFile>, Error> {
-    let mut files = vec![file(SUMMARY, summary(plan, tally, warnings, provenance)?)];
-    files.extend(format.files(|| Ok(pictures(plan, tally)))?);
-    Ok(files)
+    let pictures = format.files(|| Ok(pictures(plan, tally)))?;
+    with_summary(pictures, provenance, |of| summary(plan, tally, warnings, of))
 }

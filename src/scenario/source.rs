@@ -42,8 +42,10 @@ impl Scenario {
             format_version: FORMAT,
             version: VERSION,
             scenario_file: self.document.name().to_owned(),
+            scenario_from_here: self.from_results.clone(),
             scenario_sha256: self.sha256(),
             command: command.to_owned(),
+            files: Vec::new(),
             method: None,
             law: None,
         }

@@ -44,7 +44,6 @@ fn of_table(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
         return Err(scenario.document.refuse(key, message));
     }
     let (csv, tally) = rows_of(&plan)?;
-    let mut made = table::outcome(scenario, &plan, &tally, order)?;
-    made.files.push(OutputFile { name: "table.csv".to_owned(), bytes: csv });
-    Ok(made)
+    let table = OutputFile { name: "table.csv".to_owned(), bytes: csv };
+    table::outcome(scenario, &plan, &tally, order, Some(table))
 }

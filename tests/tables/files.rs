@@ -112,10 +112,10 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
     assert_eq!(desk.read("plots/s/summary.json"), first);
     // an edited scenario, overrides, and a copy of the scenario are allowed
     let message = desk.ends(&["run", "a/s.toml", "--set", "impact.speed=2"], 0).1;
-    assert!(message.contains("plots/s: replaces the results of a/s.toml as it was, or with other --set"), "{message}");
+    assert!(message.contains("plots/s: replaced the results of a/s.toml as it was, or with other --set"), "{message}");
     // the same again has nothing to say, also from another folder
     let arguments = ["run", "../a/s.toml", "--set", "impact.speed=2", "--out", "../plots/s"];
-    assert!(!text(&crate::common::command::call(&desk.path("b"), &arguments).stderr).contains("replaces"));
+    assert!(!text(&crate::common::command::call(&desk.path("b"), &arguments).stderr).contains("replaced"));
     fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
     desk.ends(&["run", "a/s.toml"], 0);
     fs::write(desk.path("b/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
@@ -126,6 +126,89 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
     fs::write(desk.path("a/s.toml"), sweep(2)).unwrap();
     desk.ends(&["run", "a/s.toml", "--force"], 0);
     assert_eq!(desk.files("plots/s"), ["restitution.png", "summary.json", "table.csv"]);
+}
+
+#[test]
+fn results_of_another_file_stay_whatever_its_path_looks_like() {
+    let desk = Desk::with("");
+    for (number, name) in (1..).zip(["case.toml", "a/case.toml", "b/case.toml"]) {
+        desk.put(name, STEEL.replace("3 m/s", &format!("{number} m/s")));
+    }
+    let run = |folder: &str, file: &str, out: &str| {
+        let output =
+            crate::common::command::call(&desk.path(folder), &["run", file, "--out", out, "--pictures", "none"]);
+        (output.status.code(), text(&output.stderr))
+    };
+    // a bare name is the end of every path to a file of that name
+    for (out, [one, other]) in [("x", ["case.toml", "b/case.toml"]), ("y", ["b/case.toml", "case.toml"])] {
+        assert_eq!(run("", one, out).0, Some(0));
+        let there = desk.read(&format!("{out}/summary.json"));
+        let (code, said) = run("", other, out);
+        assert!(
+            code == Some(2) && said.contains(&format!("holds results of {one}, and these are of {other}")),
+            "{said}"
+        );
+        assert_eq!(desk.read(&format!("{out}/summary.json")), there);
+    }
+    // the same words in two folders are two files, and one file may have two names
+    assert_eq!(run("a", "case.toml", "../z").0, Some(0));
+    assert_eq!(run("b", "case.toml", "../z").0, Some(2));
+    desk.put("a/case.toml", STEEL.replace("3 m/s", "4 m/s"));
+    let (code, said) = run("", "b/../a/./case.toml", "z");
+    assert!(code == Some(0) && said.contains("z: replaced the results of case.toml as it was"), "{said}");
+    // a summary names no path of this machine, and results and scenario know each other where both are moved together
+    assert_eq!(desk.json("z/summary.json")["provenance"]["scenario_from_here"], "../a/case.toml");
+    fs::create_dir(desk.path("moved")).unwrap();
+    ["a", "z"].map(|name| fs::rename(desk.path(name), desk.path("moved").join(name)).unwrap());
+    desk.put("moved/a/case.toml", STEEL.replace("3 m/s", "5 m/s"));
+    assert_eq!(run("moved/z", "../a/case.toml", ".").0, Some(0));
+    // a text from standard input is of no file
+    let piped = |speed: &str| {
+        let mut command = assert_cmd::Command::new(PROGRAM);
+        command.current_dir(desk.path("")).args(["run", "-", "--out", "w", "--pictures", "none"]);
+        command.write_stdin(STEEL.replace("3 m/s", speed)).output().unwrap().status.code()
+    };
+    assert_eq!([piped("1 m/s"), piped("1 m/s"), piped("2 m/s")], [Some(0), Some(0), Some(2)]);
+}
+
+#[test]
+fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
+    let desk = Desk::with(STEEL);
+    desk.put("other.toml", STEEL);
+    let calibrate = ["calibrate", "s.toml", "--restitution", "0.49", "--out", "o", "--pictures", "png"];
+    let listed = || {
+        let summary = desk.json("o/summary.json");
+        let names = summary["provenance"]["files"].as_array().unwrap().iter();
+        let mut names: Vec<String> = names.map(|name| name.as_str().unwrap().to_owned()).collect();
+        names.push("summary.json".to_owned());
+        names.sort();
+        names
+    };
+    desk.ends(&[&calibrate[..], &["--law", "all"]].concat(), 0);
+    assert!(desk.files("o").contains(&"laws.png".to_owned()) && desk.files("o") == listed());
+    // other options, another kind of scene by force, another format, another kind again
+    let sweep = "sweep={\"impact.speed\"=[1,2]}";
+    let repeat = "repeat={impacts=2,spot=\"same\"}";
+    let run = ["run", "other.toml", "--out", "o"];
+    for arguments in [
+        calibrate.to_vec(),
+        [&run[..], &["--force"]].concat(),
+        [&run[..], &["--pictures", "svg"]].concat(),
+        [&run[..], &["--set", sweep]].concat(),
+        [&run[..], &["--set", sweep, "--pictures", "none"]].concat(),
+        [&run[..], &["--set", repeat]].concat(),
+        run.to_vec(),
+    ] {
+        desk.ends(&arguments, 0);
+        assert_eq!(desk.files("o"), listed(), "{arguments:?}");
+    }
+    // files of others stay, also where a summary lists them by a way out of the folder
+    desk.put("mine.png", "mine");
+    desk.put("o/mine.txt", "mine");
+    let summary = desk.read("o/summary.json").replace("\"history.png\"", "\"../mine.png\", \"history.png\"");
+    desk.put("o/summary.json", summary);
+    desk.ends(&[&run[..], &["--set", sweep]].concat(), 0);
+    assert_eq!((desk.read("mine.png"), desk.read("o/mine.txt")), ("mine".to_owned(), "mine".to_owned()));
 }
 
 #[test]

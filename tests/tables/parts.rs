@@ -318,7 +318,7 @@ fn a_table_that_was_put_together_is_kept() {
     // an edited scenario takes the place of a finished table
     let mut edited = Command::new(PROGRAM);
     edited.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out", "--set", "sphere.radius=0.004"]);
-    assert!(ends(edited, 0).contains("out: replaces the results of s.toml as it was"));
+    assert!(ends(edited, 0).contains("out: replaced the results of s.toml as it was"));
     assert!(fs::read(desk.path("out/table.csv")).unwrap() != whole);
     assert!(!desk.path("out/_table.json").exists());
 }

@@ -13,10 +13,15 @@ fn other_measurements_in_the_same_file_are_other_results() {
         std::fs::write(desk.path("d.csv"), data).unwrap();
         let output = desk.call(&["calibrate", "s.toml", "--out", "o"]);
         assert!(desk.path("o/summary.json").exists(), "{}", text(&output.stderr));
-        text(&output.stderr).contains("o: replaces the results of s.toml")
+        text(&output.stderr).contains("o: replaced the results of s.toml")
     };
     let replaces = ["0.60", "0.60", "0.61"].map(calibrated);
     assert_eq!(replaces, [false, false, true]);
+    // what fails replaces nothing, and does not say so
+    let there = desk.read("o/summary.json");
+    std::fs::write(desk.path("d.csv"), "speed_m_per_s,restitution\n1,much\n").unwrap();
+    let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o"], 2);
+    assert!(!said.contains("replace") && desk.read("o/summary.json") == there, "{said}");
 }
 
 #[test]
