@@ -116,6 +116,11 @@ impl Sequence {
         self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
     }
 
+    /// When the sphere would rest \[s\]: the last separation and the remaining time.
+    pub fn rest_time(&self) -> Option<f64> {
+        Some(self.hits.iter().rev().find_map(Hit::separation_time)? + self.remaining_time?)
+    }
+
     /// Largest drift of the ledgers of the impacts.
     pub fn drift(&self) -> f64 {
         self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, max_or_nan)

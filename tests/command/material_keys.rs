@@ -181,3 +181,41 @@ fn a_calibration_looks_for_the_strength_that_the_material_would_give() {
     let wanted = Scenario::from_text("s.toml", &hardness, &[]).unwrap().wanted();
     assert!(wanted.is_ok(), "{wanted:?}");
 }
+
+/// The strength that a material gives, by every way to a result: an impact, a row of a table, a series, an export, and a
+/// comparison with measurements that has nothing to find. The keys written out are the reference.
+#[test]
+fn every_way_to_a_result_knows_the_hardness_of_a_material() {
+    let keys = |name: &str| {
+        let of = |property| find(name).unwrap().of(property).map(|known| known.taken.text.clone());
+        let line = |(key, property)| of(property).map_or_else(String::new, |text| format!("{key} = \"{text}\"\n"));
+        let all = [
+            ("density", Property::Density),
+            ("youngs_modulus", Property::YoungsModulus),
+            ("poissons_ratio", Property::PoissonsRatio),
+            ("hardness", Property::Hardness),
+            ("flow_stress.power.exponent", Property::HardeningExponent),
+        ];
+        all.map(line).concat()
+    };
+    for name in ["aluminium-6061-t6", "steel-304-annealed", "steel-s235"] {
+        let named = pair("steel-52100-hardened", name);
+        let written = named.replace(&format!("material = \"{name}\"\n"), &keys(name));
+        let impact = contact(&written, NONE).closed_form(3.0).unwrap();
+        let (e, with_waves) = (impact.restitution, impact.restitution_with_waves().unwrap());
+        assert!(e < 0.9, "{name} yields");
+        let first = |csv: &str, column: &str| numbers(csv, column)[0];
+
+        let desk = Desk::ran(&named);
+        assert!(off(desk.summary()["restitution"].as_f64().unwrap(), e) < 1e-9, "{name}");
+        let table = Desk::ran(named.clone() + "[sweep]\n\"sphere.radius\" = [5e-3, 6e-3]\n").read("out/table.csv");
+        assert!(off(first(&table, "restitution"), e) < 1e-9, "{name}");
+        let series = Desk::ran(named.clone() + "[repeat]\nspot = \"fresh\"\nimpacts = 2\n").read("out/impacts.csv");
+        assert!(off(first(&series, "restitution"), e) < 1e-9, "{name}");
+        let (lines, _) = desk.ends(&["export", "s.toml", "--to", "csv"], 0);
+        assert!(lines.contains(&format!(",{e:.9}\n")), "{name}: {lines}");
+        desk.put("d.csv", format!("speed_m_per_s,restitution\n3,{with_waves}\n"));
+        desk.ends(&["calibrate", "s.toml", "d.csv", "--set", "calibrate.free={}", "--out", "c", "--pictures", "none"], 0);
+        assert!(off(first(&desk.read("c/residuals.csv"), "predicted"), with_waves) < 1e-9, "{name}");
+    }
+}

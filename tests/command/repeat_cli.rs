@@ -53,6 +53,15 @@ fn a_bouncing_ball_says_where_and_when_it_ends() {
     let last = |name: &str| *numbers(&impacts, name).last().unwrap();
     let rest = 2.0 * last("rebound_speed_m_per_s") / 9.81 / (1.0 - last("restitution"));
     assert!((summary["remaining_time_s"].as_f64().unwrap() / rest - 1.0).abs() < 1e-14);
+    // the time to rest is the whole time, and the remaining part of it is named
+    let [whole, separation] = ["rest_time_s", "last_separation_time_s"].map(|name| summary[name].as_f64().unwrap());
+    assert!(off(whole, separation + rest) < 1e-14 && whole > separation);
+    let line = table.lines().find(|line| line.starts_with("time to rest")).unwrap();
+    let [_, _, _, of_all, "s", of_rest, "s", ..] = line.split_whitespace().collect::<Vec<_>>()[..] else {
+        panic!("{line}")
+    };
+    assert!(off(of_all.parse().unwrap(), whole) < 1e-3 && off(of_rest.parse().unwrap(), rest) < 1e-3, "{line}");
+    assert!(line.ends_with("of it after the last separation"), "{line}");
     // the trace goes from the release through every impact
     assert!(numbers(&trace, "time_s").is_sorted() && numbers(&trace, "height_m")[0] == 0.5);
     assert_eq!(column(&trace, "event").iter().filter(|event| *event == "touch").count(), 4);

@@ -159,7 +159,9 @@ fn results_of_another_file_stay_whatever_its_path_looks_like() {
     // a summary names no path of this machine, and results and scenario know each other where both are moved together
     assert_eq!(desk.json("z/summary.json")["provenance"]["scenario_from_here"], "../a/case.toml");
     fs::create_dir(desk.path("moved")).unwrap();
-    ["a", "z"].map(|name| fs::rename(desk.path(name), desk.path("moved").join(name)).unwrap());
+    for name in ["a", "z"] {
+        fs::rename(desk.path(name), desk.path("moved").join(name)).unwrap();
+    }
     desk.put("moved/a/case.toml", STEEL.replace("3 m/s", "5 m/s"));
     assert_eq!(run("moved/z", "../a/case.toml", ".").0, Some(0));
     // a text from standard input is of no file

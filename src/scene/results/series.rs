@@ -86,10 +86,14 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Time of the last separation; `null` where the first impact captures the sphere.
         "last_separation_time_s" in Time as "last separation" if BOUNCES:
             of.bouncing().map(|_| of.sequence.hits.iter().rev().find_map(Hit::separation_time));
-        /// Estimate of the time that bouncing would still last; `null` if it would never end, or if the sphere stays in
-        /// its dent.
-        "remaining_time_s" in Time as "time to rest" if BOUNCES: of.bouncing().map(|_| of.sequence.remaining_time);
-        /// How that time is estimated.
+        /// Estimate of the time at which the sphere would be at rest, counted as all times of the series: the last separation
+        /// and the remaining time; `null` as that is.
+        "rest_time_s" in Time as "time to rest" if BOUNCES: of.bouncing().map(|_| of.sequence.rest_time());
+        /// The part of it after the last separation: an estimate of how long bouncing would still last; `null` if it would
+        /// never end, or if the sphere stays in its dent.
+        "remaining_time_s" in Time as "{} of it after the last separation" if BOUNCES:
+            of.bouncing().map(|_| of.sequence.remaining_time);
+        /// How the remaining time is estimated.
         "remaining_time" if BOUNCES: of.bouncing().map(|_| REMAINING);
         /// Highest rebound over the original surface.
         "highest_rebound_m" in Length if BOUNCES: of.bouncing().map(|_| {
