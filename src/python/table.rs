@@ -107,10 +107,7 @@ pub fn table<'py>(columns: &Bound<'py, PyDict>, rows: usize) -> PyResult<Bound<'
 }
 
 /// These columns, by name.
-fn columns(
-    py: Python<'_>,
-    columns: impl IntoIterator<Item = (String, ArrayRef)>,
-) -> PyResult<Bound<'_, PyDict>> {
+fn columns(py: Python<'_>, columns: impl IntoIterator<Item = (String, ArrayRef)>) -> PyResult<Bound<'_, PyDict>> {
     let named = PyDict::new(py);
     for (name, array) in columns {
         named.set_item(name, Column(array))?;

@@ -215,7 +215,10 @@ fn every_way_to_a_result_knows_the_hardness_of_a_material() {
         let (lines, _) = desk.ends(&["export", "s.toml", "--to", "csv"], 0);
         assert!(lines.contains(&format!(",{e:.9}\n")), "{name}: {lines}");
         desk.put("d.csv", format!("speed_m_per_s,restitution\n3,{with_waves}\n"));
-        desk.ends(&["calibrate", "s.toml", "d.csv", "--set", "calibrate.free={}", "--out", "c", "--pictures", "none"], 0);
+        desk.ends(
+            &["calibrate", "s.toml", "d.csv", "--set", "calibrate.free={}", "--out", "c", "--pictures", "none"],
+            0,
+        );
         assert!(off(first(&desk.read("c/residuals.csv"), "predicted"), with_waves) < 1e-9, "{name}");
     }
 }
