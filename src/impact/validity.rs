@@ -222,18 +222,8 @@ pub(super) fn of_oblique(
             "the materials differ so much (Dundurs' beta = {mismatch:.2}) that pressure and friction act on each other, which is neglected: where the contact slips as little as here, psi_2 may be off by 0.1"
         )
     });
-    let error = impact.rebound.map_or(0.0, |rebound| rebound.error);
-    let is_rough = error > LARGEST_FRICTION_ERROR || error.is_nan();
-    let rough = Warning::when(is_rough, WarningKind::RoughFriction, error, || {
-        format!(
-            "friction_error = {error:.1e} is above {LARGEST_FRICTION_ERROR:.0e}: the contact point swings so fast that the steps of friction are too long for it, as where sphere.moment_of_inertia is small; take what friction does for an estimate"
-        )
-    });
-    [ploughing, coupled, rough].into_iter().flatten()
+    [ploughing, coupled].into_iter().flatten()
 }
-
-/// An error of s_1/s_0 above this one is warned of.
-const LARGEST_FRICTION_ERROR: f64 = 1e-3;
 
 /// Dundurs' β from which on finite elements show that it is neglected.
 const LARGEST_MISMATCH: f64 = 0.25;

@@ -48,8 +48,6 @@ pub enum WarningKind {
     EnergyGain,
     /// An oblique impact whose dent is so deep that the sphere ploughs.
     Ploughing,
-    /// Friction whose steps are too long.
-    RoughFriction,
     /// Bodies whose pressure and friction act on each other.
     Mismatch,
     /// A key or a table of the scenario that has no effect.

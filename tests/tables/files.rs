@@ -177,7 +177,8 @@ fn results_of_another_file_stay_whatever_its_path_looks_like() {
 fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
     let desk = Desk::with(STEEL);
     desk.put("other.toml", STEEL);
-    let calibrate = ["calibrate", "s.toml", "--restitution", "0.49", "--out", "o", "--pictures", "png"];
+    desk.put("d.csv", "speed_m_per_s,restitution\n1,0.6\n2,0.53\n3,0.49\n");
+    let calibrate = ["calibrate", "s.toml", "d.csv", "--out", "o", "--pictures", "png"];
     let listed = || {
         let summary = desk.json("o/summary.json");
         let names = summary["provenance"]["files"].as_array().unwrap().iter();
