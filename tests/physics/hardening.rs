@@ -246,7 +246,7 @@ fn the_table_of_strengths_says_how_far_off_e_is() {
     for strain in [None, Some(0.0), Some(0.002), Some(0.08)] {
         for exponent in [UnloadingExponent::PressureShape, UnloadingExponent::Paper] {
             let off = off_by(strain, exponent);
-            let mean = off.iter().sum::<f64>() / off.len() as f64;
+            let mean = off.iter().sum::<f64>() / f64::from(u32::try_from(off.len()).unwrap());
             println!(
                 "{strain:?} {exponent:?} rms {:.4} largest {:.4} mean {mean:.4} min {:.4} max {:.4}",
                 rms(&off),
