@@ -14,7 +14,7 @@
 //! *Method of Dimensionality Reduction*, 2015), and what Maw, Barber and Fawcett (1976), Wear 38, 101-114, solve. With
 //! plasticity it is an extension: pressure of Hertz's shape with the force and the radius of the law. It creates no energy.
 //!
-//! The stretch of the springs is exact in space ([`super::profile`]). In time, with the shift M' = (3/2) σ of a spring that
+//! The stretch of the springs is exact in space (`profile.rs`). In time, with the shift M' = (3/2) σ of a spring that
 //! sticks, M'' = (15/4) χ T is integrated by Nyström's method of order 4 in two stages, whose second stage is the first of the
 //! next step. A step is compared with two half ones. Where springs at a stop cease to slip, T has a kink: a step ends there.
 
