@@ -307,7 +307,8 @@ fn a_table_that_was_put_together_is_kept() {
     // as after a kill before the summary was written
     fs::remove_file(desk.path("out/summary.json")).unwrap();
     let mut again = Command::new(PROGRAM);
-    again.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out"]).env(ROWS_PER_PART, "500");
+    again.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out", "--pictures", "none"]);
+    again.env(ROWS_PER_PART, "500");
     assert!(ends(again, 0).contains("12000 of these rows were there"));
     assert_eq!((table(), summary(&desk, "out")), (made, of_first));
     // a table that lost its end is made anew
