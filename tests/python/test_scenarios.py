@@ -31,10 +31,14 @@ def same(column: np.ndarray, written: list[str]) -> None:
         assert column.tolist() == written
 
 
+# what depends on the folder of the results and on the pictures that were asked for
+OF_THE_RUN = {"command", "files", "scenario_from_here"}
+
+
 def without_command(summary: dict) -> dict:
-    """A summary without the command line that made it."""
+    """A summary without the command line that made it, and what follows from it."""
     inner = {name: without_command(value) if isinstance(value, dict) else value for name, value in summary.items()}
-    return {name: value for name, value in inner.items() if name != "command"}
+    return {name: value for name, value in inner.items() if name not in OF_THE_RUN}
 
 
 # the command draws the pictures of these, so that they are compared; drawing is what takes most of the time

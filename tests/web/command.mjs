@@ -33,5 +33,5 @@ export function runByCommand(name, ...words) {
 /** A scenario as text. */
 export const read = (name) => readFileSync(join(SCENARIOS, name), "utf8");
 
-/** A summary without the command line, which differs. */
-export const withoutCommand = (summary) => summary.replace(/\n *"command": .*/, "");
+/** A summary without the command line and the way from the results to the scenario, which differ. */
+export const withoutCommand = (summary) => summary.replace(/\n *"(command|scenario_from_here)": .*/g, "");
