@@ -112,7 +112,7 @@ def test_rows_without_a_result_are_not_numbers_and_warned_of() -> None:
 
 def test_a_call_has_at_most_one_warning_of_a_class_of_its_own() -> None:
     contact = steel(law=dict(stronge={}))
-    speeds = np.logspace(-4, 3, 50)
+    speeds = np.logspace(-4, 2, 50)
     sweep = {"impact.speed": speeds.tolist()}
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
     tables = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=dict(yield_strength=345e6, **bodies), law=dict(stronge={}))
@@ -125,7 +125,7 @@ def test_a_call_has_at_most_one_warning_of_a_class_of_its_own() -> None:
         assert Path(warning.filename).name == Path(__file__).name
         # the limits of the model, and the rows without a result
         first, *_, last = str(warning.message).splitlines()
-        assert "at impact.speed = 1 km/s" in first and "cases have no result" in last
+        assert "at impact.speed = 100 m/s" in first and "cases have no result" in last
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
@@ -252,7 +252,8 @@ def test_oblique_impacts_take_the_keys_and_have_the_results_of_the_command() -> 
     assert contact.restitution(3.0) == pytest.approx(steel().restitution(3 * np.cos(np.radians(20))), rel=1e-13)
     assert contact.restitution(3.0) == pytest.approx(impact.restitution, rel=1e-11)
     table = plm.impacts(contact, angle=np.radians([0, 20, 70]), coefficient=[[0.15], [0.3]], spin=0)
-    assert table["tangential_restitution"][0, 1] == pytest.approx(impact.tangential_restitution, rel=1e-9)
+    # a row computes friction to 1e-5, a single impact to 1e-7
+    assert table["tangential_restitution"][0, 1] == pytest.approx(impact.tangential_restitution, rel=1e-5)
     assert np.isnan(table["tangential_restitution"][:, 0]).all() and table["is_sliding"].tolist()[0] == [0, 0, 1]
     with pytest.raises(ValueError, match="needs friction"):
         steel(impact=dict(speed="3 m/s", angle="20 deg"))
