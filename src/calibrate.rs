@@ -10,7 +10,7 @@
 //!
 //! The intervals are those of the profile likelihood. An interval holds all values of a key for which the sum,
 //! minimised over the other key, is at most z² above its minimum. If the noise is estimated, Student's t² replaces z².
-//! Of two keys there are also the regions that hold both with these probabilities, from the same sum.
+//! With two keys the same sum also gives the regions that hold both of them with these probabilities.
 //!
 //! No interval is given if the keys can be changed together while the predictions change by less than the error of the
 //! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. Nor is there an

@@ -144,7 +144,7 @@ impl Error {
         Self { details: details.into(), ..self }
     }
 
-    /// The same error, with the key that has to be given too, if there is one.
+    /// Adds the key that has to be given too, if there is one.
     #[must_use]
     pub fn needing(mut self, key: Option<&str>) -> Self {
         self.details.needs = key.map(str::to_owned);

@@ -74,7 +74,7 @@ pub(crate) struct Raised {
     pub(crate) asked: f64,
     /// The one of the branch.
     pub(crate) used: f64,
-    /// What the first gives back over what was spent, less 1.
+    /// The energy that the exponent asked for would give back, over the energy that was spent, less 1.
     pub(crate) gain: f64,
 }
 

@@ -81,7 +81,7 @@ impl<'a> Problem<'a> {
         empty.of_rows(0..data.rows.len())
     }
 
-    /// The same problem, which gives no answer any more after `progress` is asked to stop.
+    /// Returns this problem, which gives no answer any more once `progress` is asked to stop.
     #[must_use]
     pub fn watched(self, progress: &'a Counter) -> Self {
         Self { progress: Some(progress), ..self }

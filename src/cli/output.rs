@@ -91,7 +91,7 @@ impl Output {
         self.out.clone().unwrap_or_else(default)
     }
 
-    /// The same, ready to be written to; the results will say how the file is found from there.
+    /// Prepares the output directory, and notes for the results how the scenario's file is found from there.
     pub fn prepare(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
         let hash = scenario.sha256();
         let directory = OutputDirectory::prepare(&self.directory(file), Origin::File(file, &hash), self.force)?;

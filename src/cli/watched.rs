@@ -76,7 +76,8 @@ impl Watch {
     /// Does the work on a thread of its own. A signal asks it to stop.
     ///
     /// # Errors
-    /// That of the work; [`Error`] with its exit code after a signal; and where the system gives no thread.
+    /// Returns the error of the work. After a signal the error has the exit code of that signal. It is an error too if the system
+    /// gives no thread.
     pub fn watch<T: Send + 'static>(
         &self,
         signals: &Signals,

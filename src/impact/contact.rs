@@ -13,9 +13,9 @@ use crate::math::functions::pow;
 /// The materials of the bodies, as far as they have names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Named {
-    /// That of the sphere.
+    /// The material of the sphere, if it has a name.
     pub sphere: Option<&'static Entry>,
-    /// That of the half-space.
+    /// The material of the half-space, if it has a name.
     pub half_space: Option<&'static Entry>,
     /// Whether the strength of the half-space is its hardness, without an exponent of hardening.
     pub is_by_hardness: bool,
@@ -101,7 +101,7 @@ impl Contact {
         Self { forces, under, ..self }
     }
 
-    /// The same contact of bodies of these materials, which results are judged by.
+    /// Returns this contact with the names of its materials, by which the results are judged.
     #[must_use]
     pub fn of_materials(self, named: Named) -> Self {
         Self { named, ..self }

@@ -43,7 +43,7 @@ pub enum ImpactError {
     SmallInertia {
         /// The least one \[kg m²\].
         least: f64,
-        /// That of a solid sphere \[kg m²\].
+        /// The moment of inertia of a solid sphere \[kg m²\].
         solid: f64,
     },
     /// There is no impact on such a plate.

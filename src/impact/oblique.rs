@@ -240,7 +240,7 @@ impl<'a> Inclined<'a> {
     /// run. One that is followed has an error, and friction on the way.
     ///
     /// # Errors
-    /// [`ImpactError::SmallInertia`] where the steps of the run are too long for the swings of the contact point.
+    /// [`ImpactError::SmallInertia`] where the contact point swings too often for a run.
     pub(super) fn slip(&self, is_followed: bool) -> Result<Slip, ImpactError> {
         if self.slip == 0.0 {
             return Ok(Slip::new(0.0));

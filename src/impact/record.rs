@@ -105,7 +105,7 @@ impl Recorder {
         }
     }
 
-    /// What was recorded of a motion on this law, as a motion that can be asked for any time.
+    /// Returns the recorded motion on this law, which gives its point at any time.
     pub(super) fn track(self, law: Cow<'_, Law>, unloading: Unloading, drag: Drag) -> Track<'_> {
         Track { law, unloading, drag, legs: self.legs.unwrap_or_default() }
     }

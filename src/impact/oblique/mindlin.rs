@@ -178,7 +178,7 @@ impl Motion<'_> {
                 let left = end - state.rim.time;
                 length = length.min(longest);
                 let is_last = length >= left * (1.0 - 1e-9);
-                length = if is_last { left } else { length.min(0.5 * left.max(length)) };
+                length = if is_last { left } else { length.min(0.5 * left) };
                 let at = state.rim.time;
                 let to = if is_last { end } else { at + length };
                 let rims = [at + 0.25 * length, at + 0.5 * length, at + 0.75 * length, to].map(|time| self.rim(time));
