@@ -1,8 +1,8 @@
 //! Finds keys of a scenario from measurements: the values for which the law gives what was measured, their uncertainty,
 //! and whether the law fits at all.
 //!
-//! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. A grid over the ranges finds every basin of −2 ln of the
-//! likelihood; the method of Levenberg and Marquardt finds the minimum of each basin. If the standard deviations of the
+//! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. The profile of −2 ln of the likelihood along the first
+//! key, minimised over the second, gives every basin and its minimum. If the standard deviations of the
 //! noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
 //! of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
 //! the noise in quadrature, and is independent from value to value. If the noise is not known, it is taken as the same
@@ -38,8 +38,8 @@ use crate::units::csv_text::refused;
 use crate::units::four_digits;
 use crate::units::human;
 use data::Data;
+use fit::{Assumed, in_order, shifts};
 pub use fit::{Fit, Noise};
-use fit::{in_order, shifts};
 use found::OUTLIER;
 pub use found::{Calibration, Found, OfLaw};
 use identify::{Identifiability, identify};
@@ -117,8 +117,8 @@ impl Measurements {
         self.sha256.is_some().then(|| self.data.rows[value.row].line)
     }
 
-    /// The standard deviation of every value, and whether only their ratios are known.
-    fn deviations(&self) -> Result<(Vec<f64>, bool), Error> {
+    /// What is given of the noise.
+    fn noise(&self) -> Result<Assumed, Error> {
         let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
         let given = |what: Measured| deviations.iter().find(|(name, _)| name == what.name()).map(|(_, sd)| *sd);
         let of = |value: &data::Value| value.deviation.or_else(|| given(value.what));
@@ -127,7 +127,7 @@ impl Measurements {
         let deviation = |(value, size): (&data::Value, f64)| {
             let name = value.what.name();
             if is_estimated && !is_given {
-                return Ok(size);
+                return Ok(0.0);
             }
             let own = of(value);
             if own.is_none() && *model_error == 0.0 {
@@ -145,10 +145,11 @@ impl Measurements {
                 );
                 return Err(self.refusal(self.line_of(value), message));
             }
-            Ok(whole)
+            Ok(own.unwrap_or(0.0))
         };
         let sizes = self.data.sizes();
-        Ok((self.data.values.iter().zip(sizes).map(deviation).collect::<Result<_, _>>()?, is_estimated))
+        let own = self.data.values.iter().zip(sizes).map(deviation).collect::<Result<_, _>>()?;
+        Ok(Assumed { own, share: if is_estimated && !is_given { 1.0 } else { *model_error }, is_estimated })
     }
 
     fn refusal(&self, line: Option<u64>, message: String) -> Error {
@@ -168,10 +169,11 @@ impl Measurements {
 
     /// The best keys under a law.
     fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Counter) -> Result<Result<Fit<'a>, NoAnswer>, Error> {
-        let (deviations, is_estimated) = self.deviations()?;
+        let noise = self.noise()?;
+        let deviations = noise.deviations(&self.data.sizes());
         let scene = Scene { law: law.clone(), ..self.wanted.scene.clone() };
         let problem = Problem::new(&scene, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
-        Ok(Fit::of(problem.watched(progress), is_estimated))
+        Ok(Fit::of(problem.watched(progress), &noise))
     }
 
     /// The fits of all laws that were asked for, the best first.
@@ -250,7 +252,7 @@ fn found(fit: &Fit, key: usize, is_told: bool) -> Found {
 /// Why the keys get no interval; `None` if they get one.
 fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<String> {
     let problem = &fit.problem;
-    if let Some([low, high]) = fit.grid.plateau(problem, fit.best()) {
+    if let Some([low, high]) = fit.plateau() {
         let free = problem.free[0];
         let [low, high] = [low, high].map(|share| free.say(free.at(share), 4));
         return Some(format!(

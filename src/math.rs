@@ -3,7 +3,6 @@
 
 pub(crate) mod chebyshev;
 pub mod functions;
-pub(crate) mod least_squares;
 pub mod power;
 pub mod quadrature;
 pub mod root;

@@ -2,8 +2,9 @@
 
 use nalgebra::DMatrix;
 
-use super::minimum::{Grid, Place, minima, minima_from};
+use super::minimum::{Place, Profile, Range, is_same};
 use super::problem::{NoAnswer, Problem, TAILS};
+use crate::math::functions::hypot;
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
 const NO_SCATTER: f64 = 1e-6;
@@ -28,6 +29,23 @@ pub enum Noise {
     NoScatter,
 }
 
+/// What is assumed of the noise before the fit: a standard deviation of each value, and a share of what the law gives, added
+/// in quadrature.
+#[derive(Debug, Clone)]
+pub struct Assumed {
+    pub own: Vec<f64>,
+    pub share: f64,
+    /// Whether only the ratios of the standard deviations are known.
+    pub is_estimated: bool,
+}
+
+impl Assumed {
+    /// The standard deviations, for these values of the law.
+    pub fn deviations(&self, law: &[f64]) -> Vec<f64> {
+        self.own.iter().zip(law).map(|(own, law)| hypot(*own, self.share * law)).collect()
+    }
+}
+
 /// The best values of the keys under one law.
 #[derive(Debug, Clone)]
 pub struct Fit<'a> {
@@ -35,8 +53,6 @@ pub struct Fit<'a> {
     pub problem: Problem<'a>,
     /// The minima of all basins, the lowest first.
     pub minima: Vec<Place>,
-    /// The grid on which the basins were found.
-    pub(super) grid: Grid,
     /// Covariance of the keys, as shares of their ranges; `None` if the measurements do not determine a key.
     pub covariance: Option<DMatrix<f64>>,
     /// What is known of the noise.
@@ -46,60 +62,63 @@ pub struct Fit<'a> {
 }
 
 impl<'a> Fit<'a> {
-    /// Finds the best values of the keys. With `is_estimated` only the ratios of the standard deviations in the problem
-    /// are known.
+    /// Finds the best values of the keys.
     ///
     /// # Errors
     /// [`NoAnswer`] if the law gives no result anywhere in the ranges.
-    pub fn of(mut problem: Problem<'a>, is_estimated: bool) -> Result<Self, NoAnswer> {
-        let (values, keys) = (problem.counted.len(), problem.free.len());
+    pub fn of(mut problem: Problem<'a>, assumed: &Assumed) -> Result<Self, NoAnswer> {
+        let (values, keys, is_estimated) = (problem.counted.len(), problem.free.len(), assumed.is_estimated);
         let is_robust = problem.is_robust && !(is_estimated && values <= keys);
         problem.is_robust = is_robust && !is_estimated;
-        let mut grid = Grid::of(&problem);
-        let mut found = minima(&problem, &grid);
+        let anywhere = vec![Range::WHOLE; keys];
+        let mut found = Profile::of(&problem).minima(&anywhere);
         let mut noise = match is_estimated {
             true if values <= keys => Noise::TooFew,
             true => Noise::estimated(&problem, 1.0),
             false => Noise::Given,
         };
-        // the noise is a share of what the law gives. As a share of the readings it would give low readings more weight,
-        // and the law would come out too low. With outliers its size comes from the median of the residuals. In both
-        // cases noise and keys are found in turn
-        let has_shares = matches!(noise, Noise::Estimated { share: Some(_), .. }) && !problem.data.is_curve();
-        let rounds = match (is_robust, has_shares) {
-            (true, _) => 8,
-            (false, true) => 3,
-            (false, false) => 1,
+        // a share of the noise is one of what the law gives. As a share of the readings it would give low readings more
+        // weight, and the law would come out too low. With outliers the size of the noise comes from the median of the
+        // residuals. In both cases noise and keys are found in turn
+        let has_shares = assumed.share > 0.0 && noise != Noise::TooFew && !problem.data.is_curve();
+        let rounds = match (is_estimated && is_robust, has_shares, is_estimated) {
+            (true, ..) => 8,
+            (_, true, _) => 3,
+            (.., is_scaled) => u32::from(is_scaled),
         };
         let (mut whole, sizes) = (1.0, problem.data.sizes());
         for round in 1..=rounds {
-            let (Noise::Estimated { .. }, Some(place)) = (noise, found.first()) else { break };
+            let (false, Some(place)) = (noise == Noise::TooFew, found.first()) else { break };
             if has_shares {
-                let shares = problem.predict(&place.shares)?.into_iter().zip(&sizes);
-                problem.deviations = shares.map(|(law, size)| whole * law.abs().max(LEAST * size)).collect();
+                let law = problem.predict(&place.shares)?.into_iter().zip(&sizes);
+                let law: Vec<f64> = law.map(|(law, size)| law.abs().max(LEAST * size)).collect();
+                problem.deviations = assumed.deviations(&law);
+                problem.deviations.iter_mut().for_each(|deviation| *deviation *= whole);
             }
-            let residuals = problem.residuals(&place.shares)?;
-            let scale = scatter(&residuals, keys, is_robust);
-            let shares = problem.counted.iter().map(|at| scale * problem.deviations[*at] / sizes[*at]);
-            if shares.fold(0.0, f64::max) < NO_SCATTER {
-                noise = Noise::NoScatter;
-                break;
-            }
-            whole *= scale;
-            noise = Noise::estimated(&problem, whole);
-            problem.deviations.iter_mut().for_each(|deviation| *deviation *= scale);
-            problem.is_robust = is_robust;
-            if is_robust {
-                grid = Grid::of(&problem);
-                found = minima(&problem, &grid);
-            } else if round < rounds {
-                let starts: Vec<Vec<f64>> = found.into_iter().map(|place| place.shares).collect();
-                found = minima_from(&problem, &starts);
-            } else {
-                for place in &mut found {
-                    place.sum = problem.sum(&place.shares);
+            if is_estimated {
+                let residuals = problem.residuals(&place.shares)?;
+                let scale = scatter(&residuals, keys, is_robust);
+                let shares = problem.counted.iter().map(|at| scale * problem.deviations[*at] / sizes[*at]);
+                if shares.fold(0.0, f64::max) < NO_SCATTER {
+                    noise = Noise::NoScatter;
+                    break;
                 }
+                whole *= scale;
+                noise = Noise::estimated(&problem, whole);
+                problem.deviations.iter_mut().for_each(|deviation| *deviation *= scale);
+                problem.is_robust = is_robust;
             }
+            found = if is_robust {
+                Profile::of(&problem).minima(&anywhere)
+            } else if round < rounds {
+                let profile = Profile::of(&problem);
+                let near = |place: &Place| place.shares.iter().map(|share| Range::about(*share)).collect::<Vec<_>>();
+                found.iter().filter_map(|place| profile.minima(&near(place)).into_iter().next()).collect()
+            } else {
+                let again = |Place { shares, .. }| Place { sum: problem.sum(&shares), shares };
+                found.into_iter().map(again).collect()
+            };
+            found.sort_by(|a, b| a.sum.total_cmp(&b.sum));
         }
         let Some(best) = found.first() else {
             return Err(problem.predict(&vec![0.5; keys]).err().unwrap_or(NoAnswer::Captured));
@@ -108,7 +127,17 @@ impl<'a> Fit<'a> {
         let parameters = (keys + usize::from(is_estimated)) as f64;
         let aic = problem.full(best.sum) + 2.0 * parameters;
         let covariance = problem.jacobian(&best.shares).ok().and_then(|matrix| covariance(&problem, &matrix));
-        Ok(Self { problem, minima: found, grid, covariance, noise, aic })
+        Ok(Self { problem, minima: found, covariance, noise, aic })
+    }
+
+    /// The range of shares around the best one of the only key in which the sum is the same; `None` if it is one point.
+    pub(super) fn plateau(&self) -> Option<[f64; 2]> {
+        let [best] = self.best().shares[..] else { return None };
+        let is_level = |share: &f64| is_same(self.problem.sum(&[*share]), self.best().sum);
+        let nodes = Range::WHOLE.nodes();
+        let above = nodes.iter().copied().filter(|node| *node > best).take_while(is_level).last();
+        let below = nodes.iter().rev().copied().filter(|node| *node < best).take_while(is_level).last();
+        (above.is_some() || below.is_some()).then(|| [below.unwrap_or(best), above.unwrap_or(best)])
     }
 
     /// The lowest minimum.

@@ -1,23 +1,28 @@
-//! The minimum of the sum: a grid over the ranges finds all basins, and Levenberg-Marquardt finds the minimum of each.
+//! The minimum of the sum over the keys that are not held, by recursion: over one key the sum is searched as it is, over two
+//! keys the sum is that of the profile, which is minimised over the other key.
+//!
+//! The sum has a kink wherever an impact passes a knot of the law, and a plateau where impacts stay elastic. So no derivatives
+//! are used.
 
-use levenberg_marquardt::LevenbergMarquardt;
-use nalgebra::DVector;
+use rayon::prelude::*;
 
 use super::problem::Problem;
-use crate::math::functions::{asin, sin};
-use crate::math::least_squares::least_squares;
+use crate::math::root::halved;
 
-/// This number of impacts is enough to find the basins.
+/// With this number of impacts the cells with basins are found.
 const ENOUGH: usize = 1000;
-/// Number of finer grids on which the edge of a plateau is searched, and cells along their sides.
+/// Cells along the range of a key.
+const CELLS: u32 = 64;
+/// Nodes by which a basin is divided again, and how often this is done beside a plateau, where it may be narrower than a cell.
+const FINER: u32 = 12;
 const ZOOMS: u32 = 4;
-const FINER: u32 = 32;
-/// With more values than this the kinks of single values are too small to matter.
-const MOST_KINKS: usize = 20_000;
 /// Largest number of basins whose minimum is computed.
 const MOST_BASINS: usize = 8;
 /// Two minima are in different basins if the sum between them rises by this multiple of its mean per value.
 const RISE: f64 = 1.0;
+/// How exactly a share of the first key is found, and one of a key inside of a profile.
+const EXACT: f64 = 1e-9;
+const INSIDE: f64 = 1e-7;
 
 /// A place in the ranges of the keys, and the sum there.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,207 +33,211 @@ pub struct Place {
     pub sum: f64,
 }
 
-/// The sums of the thinned data in the middles of cells, along the range of each key or along a part of it.
-#[derive(Debug, Clone)]
-pub struct Grid {
-    places: Vec<Place>,
-    /// Width of a cell, as a share of the range.
-    cell: f64,
+/// A part of the range of a key, as shares, and the cells in it. A key that is held has a range without width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    low: f64,
+    high: f64,
+    cells: u32,
 }
 
-impl Grid {
-    /// Computes the sums over the whole ranges.
-    pub fn of(problem: &Problem) -> Self {
-        let n_keys = problem.free.len();
-        Self::over(&problem.thinned(ENOUGH), &vec![0.0; n_keys], 1.0, if n_keys == 1 { 64 } else { 32 })
+impl Range {
+    pub const WHOLE: Self = Self { low: 0.0, high: 1.0, cells: CELLS };
+
+    pub fn held(share: f64) -> Self {
+        Self { low: share, high: share, cells: 0 }
     }
 
-    /// The grid over parts of the ranges, with their lower ends and their common width.
-    fn over(problem: &Problem, low: &[f64], width: f64, side: u32) -> Self {
-        let cell = width / f64::from(side);
-        let mut all = vec![Vec::new()];
-        for low in low {
-            let middles = (0..side).map(|i| low + (f64::from(i) + 0.5) * cell);
-            all = all.iter().flat_map(|shares| middles.clone().map(move |at| [&shares[..], &[at]].concat())).collect();
-        }
-        let place = |shares: Vec<f64>| Place { sum: problem.sum(&shares), shares };
-        Self { places: all.into_iter().map(place).collect(), cell }
+    /// Up to a cell on each side of a share.
+    pub fn about(share: f64) -> Self {
+        let cell = 1.0 / f64::from(CELLS);
+        Self { low: (share - cell).max(0.0), high: (share + cell).min(1.0), cells: 4 }
     }
 
-    /// The sums of the cells around a cell.
-    fn around(&self, middle: &Place) -> impl Iterator<Item = f64> {
-        let reach = 1.5 * self.cell;
-        let near = move |(a, b): (&f64, &f64)| (a - b).abs() < reach;
-        let others = self.places.iter().filter(|other| other.shares != middle.shares);
-        others.filter(move |other| other.shares.iter().zip(&middle.shares).all(near)).map(|other| other.sum)
-    }
-
-    /// The cells that are not higher than any neighbour, the lowest first. Cells inside of a plateau do not count.
-    fn lowest(&self) -> Vec<&Place> {
-        let is_lowest = |place: &&Place| {
-            let (own, mut has_higher) = (place.sum, false);
-            let mut around = self.around(place);
-            own.is_finite()
-                && around.all(|other| {
-                    has_higher |= !is_same(other, own);
-                    other >= own || is_same(other, own)
-                })
-                && has_higher
-        };
-        let mut lowest: Vec<&Place> = self.places.iter().filter(is_lowest).collect();
-        if lowest.is_empty() {
-            // one plateau is everywhere
-            lowest.extend(self.places.iter().find(|place| place.sum.is_finite()));
-        }
-        lowest.sort_by(|a, b| a.sum.total_cmp(&b.sum));
-        lowest
-    }
-
-    /// A place in every basin, the lowest first. Where impacts stay elastic, e is 1 and the sum has a plateau. The basin
-    /// beside it may be narrower than a cell, so the edge of the plateau is searched on finer grids.
-    fn basins(&self, problem: &Problem) -> Vec<Vec<f64>> {
-        let problem = problem.thinned(ENOUGH);
-        let start = |lowest: &Place| {
-            let (mut finer, mut place) = (self.clone(), lowest.clone());
-            for _ in 0..ZOOMS {
-                if !finer.around(&place).any(|other| is_same(other, place.sum)) {
-                    break;
-                }
-                let width = 4.0 * finer.cell;
-                let low = place.shares.iter().map(|share| (share - 0.5 * width).clamp(0.0, 1.0 - width));
-                finer = Self::over(&problem, &low.collect::<Vec<_>>(), width, FINER);
-                let Some(lowest) = finer.lowest().first().copied() else { break };
-                place = lowest.clone();
-            }
-            place.shares
-        };
-        self.lowest().into_iter().take(MOST_BASINS).map(start).collect()
-    }
-
-    /// The cell with the lowest sum among those that contain this share of the key `held`.
-    pub(super) fn best_beside(&self, held: usize, share: f64) -> Option<Vec<f64>> {
-        let near = |place: &&Place| (place.shares[held] - share).abs() <= 0.5 * self.cell + 1e-12;
-        let best = self.places.iter().filter(near).min_by(|a, b| a.sum.total_cmp(&b.sum));
-        best.map(|place| place.shares.clone())
-    }
-
-    /// The range of shares around `place` of the only key in which the sum is the same; `None` if it is one point.
-    pub(super) fn plateau(&self, problem: &Problem, place: &Place) -> Option<[f64; 2]> {
-        let [best] = place.shares[..] else { return None };
-        let is_level = |share: &f64| is_same(problem.sum(&[*share]), place.sum);
-        let cells: Vec<f64> = self.places.iter().map(|place| place.shares[0]).collect();
-        let level = |end: f64, cells: &mut dyn Iterator<Item = f64>| {
-            let last = cells.take_while(is_level).last();
-            last.map(|last| if (last - end).abs() < self.cell && is_level(&end) { end } else { last })
-        };
-        let above = level(1.0, &mut cells.iter().copied().filter(|cell| *cell > best));
-        let below = level(0.0, &mut cells.iter().rev().copied().filter(|cell| *cell < best));
-        (above.is_some() || below.is_some()).then(|| [below.unwrap_or(best), above.unwrap_or(best)])
+    /// Both ends, and the middles of the cells between them.
+    pub(super) fn nodes(self) -> Vec<f64> {
+        let width = (self.high - self.low) / f64::from(self.cells);
+        let middles = (0..self.cells).map(|i| self.low + (f64::from(i) + 0.5) * width);
+        [self.low].into_iter().chain(middles).chain([self.high]).collect()
     }
 }
 
 /// Whether two sums differ only by rounding.
-fn is_same(a: f64, b: f64) -> bool {
+pub fn is_same(a: f64, b: f64) -> bool {
     a == b || (a - b).abs() <= 1e-9 * a.abs().max(b.abs()) + 1e-24
 }
 
-/// The minima of all basins, the lowest first; empty if the law gives no result anywhere.
-pub fn minima(problem: &Problem, grid: &Grid) -> Vec<Place> {
-    minima_from(problem, &grid.basins(problem))
+/// The measurements, and every few of them, which tell where the basins are.
+#[derive(Debug, Clone)]
+pub struct Profile<'p, 'a> {
+    whole: &'p Problem<'a>,
+    thinned: Problem<'a>,
 }
 
-/// The minima of the basins in which these places lie, the lowest first.
-pub fn minima_from(problem: &Problem, starts: &[Vec<f64>]) -> Vec<Place> {
-    let lowest = |start: &Vec<f64>| match start[..] {
-        [] => Place { sum: problem.sum(start), shares: Vec::new() },
-        _ => past_kinks(problem, polished(problem, start, None)),
+impl<'p, 'a> Profile<'p, 'a> {
+    pub fn of(problem: &'p Problem<'a>) -> Self {
+        Self { whole: problem, thinned: problem.thinned(ENOUGH) }
+    }
+
+    /// The minima of all basins in these ranges, the lowest first; empty if the law gives no result anywhere.
+    pub fn minima(&self, ranges: &[Range]) -> Vec<Place> {
+        minima(self.whole, &self.thinned, ranges, EXACT)
+    }
+
+    /// The place with the lowest sum; the sum is infinite if the law gives no result anywhere.
+    pub fn lowest(&self, ranges: &[Range]) -> Place {
+        lowest(self.whole, &self.thinned, ranges)
+    }
+}
+
+fn lowest(whole: &Problem, thinned: &Problem, ranges: &[Range]) -> Place {
+    let nowhere = || Place { shares: ranges.iter().map(|range| range.low).collect(), sum: f64::INFINITY };
+    minima(whole, thinned, ranges, INSIDE).into_iter().next().unwrap_or_else(nowhere)
+}
+
+fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> Vec<Place> {
+    let Some(key) = ranges.iter().position(|range| range.cells > 0) else {
+        let shares: Vec<f64> = ranges.iter().map(|range| range.low).collect();
+        let place = Place { sum: whole.sum(&shares), shares };
+        return Some(place).filter(|place| place.sum.is_finite()).into_iter().collect();
     };
-    let mut places: Vec<Place> = starts.iter().map(lowest).collect();
-    places.retain(|place| place.sum.is_finite());
-    places.sort_by(|a, b| a.sum.total_cmp(&b.sum));
-    let mut found: Vec<Place> = Vec::new();
-    for place in places {
-        if found.iter().all(|other| is_apart(problem, other, &place)) {
-            found.push(place);
-        }
-    }
-    found
+    let with = |share: f64| {
+        let mut ranges = ranges.to_vec();
+        ranges[key] = Range::held(share);
+        ranges
+    };
+    let low = |share: f64| lowest(thinned, thinned, &with(share)).sum;
+    let fine = |share: f64| lowest(whole, thinned, &with(share));
+    Search { low: &low, fine: &fine, exact }.minima(ranges[key], whole.counted.len())
 }
 
-/// The sum has a kink wherever an impact passes a knot of the law. The method of Levenberg and Marquardt takes the sum for
-/// smooth, so it may stop at a kink from which the sum falls to one side. From there a search in steps along the
-/// principal axes goes on, first of one standard deviation, then of ever smaller ones.
-fn past_kinks(problem: &Problem, place: Place) -> Place {
-    let values = problem.counted.len();
-    let Ok(matrix) = problem.jacobian(&place.shares) else { return place };
-    if values > MOST_KINKS || !place.sum.is_finite() {
-        return place;
+/// A search over one key: the sum of the thinned measurements, and the place with the sum of all of them.
+struct Search<'f> {
+    low: &'f (dyn Fn(f64) -> f64 + Sync),
+    fine: &'f dyn Fn(f64) -> Place,
+    exact: f64,
+}
+
+/// Nodes that follow each other with the same sum.
+struct Run {
+    first: usize,
+    last: usize,
+    sum: f64,
+}
+
+/// The runs of these sums, and whether each is lower than its neighbours.
+fn runs(sums: &[f64]) -> Vec<(Run, bool)> {
+    let (mut runs, mut first): (Vec<Run>, usize) = (Vec::new(), 0);
+    for run in sums.chunk_by(|a, b| is_same(*a, *b)) {
+        runs.push(Run { first, last: first + run.len() - 1, sum: run[0] });
+        first += run.len();
     }
-    #[allow(clippy::cast_precision_loss)] // counts of measurements
-    let per_value = place.sum / values as f64;
-    let eigen = matrix.tr_mul(&matrix).symmetric_eigen();
-    let axes: Vec<DVector<f64>> = eigen
-        .eigenvectors
-        .column_iter()
-        .zip(eigen.eigenvalues.iter())
-        .map(|(axis, square)| axis * (per_value / square).sqrt().clamp(0.0, 0.1))
+    let sum = |at: Option<usize>| at.and_then(|at| runs.get(at)).map_or(f64::INFINITY, |run: &Run| run.sum);
+    let is_lowest: Vec<bool> = (0..runs.len())
+        .map(|i| runs[i].sum.is_finite() && runs[i].sum <= sum(i.checked_sub(1)).min(sum(Some(i + 1))))
         .collect();
-    let mut directions = axes.clone();
-    if let [a, b] = &axes[..] {
-        directions.extend([a + b, a - b]);
-    }
-    let (mut best, mut step) = (place.clone(), 1.0);
-    while step > 1e-5 {
-        let tried = directions.iter().flat_map(|direction| [step, -step].map(|step| direction * step)).map(|move_by| {
-            let shares: Vec<f64> =
-                best.shares.iter().zip(move_by.iter()).map(|(share, by)| (share + by).clamp(0.0, 1.0)).collect();
-            Place { sum: problem.sum(&shares), shares }
-        });
-        match tried.min_by(|a, b| a.sum.total_cmp(&b.sum)).filter(|tried| tried.sum < best.sum - 1e-9 * per_value) {
-            Some(lower) => best = lower,
-            None => step *= 0.5,
-        }
-    }
-    // a smooth minimum stays where it was found
-    if best.sum < place.sum - 1e-5 * per_value { best } else { place }
+    runs.into_iter().zip(is_lowest).collect()
 }
 
-/// Whether the sum rises between two places. If it does not, both are in one flat basin or on one plateau.
-fn is_apart(problem: &Problem, lower: &Place, upper: &Place) -> bool {
-    #[allow(clippy::cast_precision_loss)] // counts of measurements
-    let least = RISE * upper.sum / problem.counted.len() as f64 + f64::MIN_POSITIVE.sqrt();
-    (1..8).any(|i| {
-        let way = f64::from(i) / 8.0;
-        let between = lower.shares.iter().zip(&upper.shares).map(|(from, to)| from + way * (to - from));
-        problem.sum(&between.collect::<Vec<_>>()) > upper.sum + least
-    })
-}
+impl Search<'_> {
+    /// The minima in this range, the lowest first.
+    fn minima(&self, range: Range, values: usize) -> Vec<Place> {
+        let nodes = range.nodes();
+        let sums: Vec<f64> = nodes.par_iter().map(|share| (self.low)(*share)).collect();
+        let mut lowest: Vec<Run> = runs(&sums).into_iter().filter_map(|(run, is)| is.then_some(run)).collect();
+        lowest.sort_by(|a, b| a.sum.total_cmp(&b.sum));
+        let bottoms = lowest.iter().take(MOST_BASINS).map(|run| (run.first, self.beside(&nodes, run, ZOOMS)));
+        let mut found: Vec<(usize, Place)> = bottoms.filter(|(_, place)| place.sum.is_finite()).collect();
+        found.sort_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
+        let mut apart: Vec<(usize, Place)> = Vec::new();
+        for (at, place) in found {
+            #[allow(clippy::cast_precision_loss)] // counts of measurements
+            let least = place.sum + RISE * place.sum / values as f64 + f64::MIN_POSITIVE.sqrt();
+            let is_apart = |(other, _): &(usize, Place)| {
+                sums[(*other).min(at)..=(*other).max(at)].iter().copied().fold(0.0, f64::max) > least
+            };
+            if apart.iter().all(is_apart) {
+                apart.push((at, place));
+            }
+        }
+        apart.into_iter().map(|(_, place)| place).collect()
+    }
 
-/// The minimum of the basin that `start` lies in. A key `held` keeps its share.
-pub fn polished(problem: &Problem, start: &[f64], held: Option<usize>) -> Place {
-    let moving: Vec<usize> = (0..start.len()).filter(|at| Some(*at) != held).collect();
-    let first = Place { shares: start.to_vec(), sum: problem.sum(start) };
-    // a share is (1 + sin a)/2, so every angle a gives a value within the range
-    let angles = moving.iter().map(|at| asin(2.0 * start[*at].clamp(1e-9, 1.0 - 1e-9) - 1.0));
-    let shares_at = |angles: &DVector<f64>| {
-        let mut shares = start.to_vec();
-        moving.iter().zip(angles.iter()).for_each(|(at, angle)| shares[*at] = 0.5 + 0.5 * sin(*angle));
-        shares
-    };
-    let roots = |angles: &DVector<f64>| {
-        let residuals = problem.residuals(&shares_at(angles)).ok()?;
-        // the square of each is the part of the residual in the sum
-        Some(residuals.iter().map(|residual| problem.loss(*residual).sqrt().copysign(*residual)).collect())
-    };
-    let angles = DVector::from_iterator(moving.len(), angles);
-    let (angles, _) = least_squares(LevenbergMarquardt::new().with_patience(40), angles, roots);
-    let mut shares = shares_at(&angles);
-    // near an end of the range the share changes only with the square of the angle, so the end itself is never reached
-    for share in &mut shares {
-        if *share < 1e-9 || *share > 1.0 - 1e-9 {
-            *share = share.round();
+    /// The minimum of the basin about a node, or of the one beside a plateau.
+    fn beside(&self, nodes: &[f64], run: &Run, zooms: u32) -> Place {
+        let [before, after] = [run.first.saturating_sub(1), (run.last + 1).min(nodes.len() - 1)];
+        if run.first == run.last {
+            return self.inside(nodes[before], nodes[after], zooms.min(1));
+        }
+        let sides = [(nodes[before], nodes[run.first]), (nodes[run.last], nodes[after])];
+        let sides = sides.into_iter().filter(|(low, high)| low < high);
+        let lowest = sides.map(|(low, high)| self.inside(low, high, zooms)).min_by(|a, b| a.sum.total_cmp(&b.sum));
+        let on = (self.fine)(nodes[run.first]);
+        match lowest {
+            Some(lower) if lower.sum < on.sum && !is_same(lower.sum, on.sum) => lower,
+            // the end of the plateau where the sum rises
+            _ => {
+                let (outer, inner) = if before < run.first { (before, run.first) } else { (after, run.last) };
+                let is_above = |share| !is_same((self.fine)(share).sum, on.sum);
+                (self.fine)(halved(nodes[outer], nodes[inner], is_above).1)
+            }
         }
     }
-    let sum = problem.sum(&shares);
-    if sum <= first.sum { Place { shares, sum } } else { first }
+
+    /// The minimum between two places, of which the parts are looked at so many times.
+    fn inside(&self, low: f64, high: f64, zooms: u32) -> Place {
+        if zooms == 0 || high - low < self.exact {
+            return self.brent(low, high);
+        }
+        let nodes = Range { low, high, cells: FINER }.nodes();
+        let sums: Vec<f64> = nodes.iter().map(|share| (self.low)(*share)).collect();
+        let lowest = runs(&sums).into_iter().filter(|(_, is_lowest)| *is_lowest).map(|(run, _)| run);
+        match lowest.min_by(|a, b| a.sum.total_cmp(&b.sum)) {
+            Some(run) => self.beside(&nodes, &run, zooms - 1),
+            None => (self.fine)(low),
+        }
+    }
+
+    /// The method of Brent (1973): parabolas, and the golden section where they do not help.
+    fn brent(&self, mut low: f64, mut high: f64) -> Place {
+        const GOLDEN: f64 = 0.381_966_011_250_105_1;
+        let ends = [low, high];
+        let at = |share: f64| (share, (self.fine)(share));
+        let mut best = at(low + GOLDEN * (high - low));
+        let (mut second, mut third) = (best.clone(), best.clone());
+        let (mut step, mut before) = (0.0_f64, 0.0_f64);
+        for _ in 0..100 {
+            let (x, middle) = (best.0, 0.5 * (low + high));
+            if (x - middle).abs() + 0.5 * (high - low) <= 2.0 * self.exact {
+                break;
+            }
+            let r = (x - second.0) * (best.1.sum - third.1.sum);
+            let q = (x - third.0) * (best.1.sum - second.1.sum);
+            let p = (x - third.0) * q - (x - second.0) * r;
+            let parabolic = -p / (2.0 * (q - r));
+            let is_good = parabolic.abs() < 0.5 * before.abs() && x + parabolic > low && x + parabolic < high;
+            (before, step) = if is_good {
+                (step, parabolic)
+            } else {
+                let rest = if x < middle { high - x } else { low - x };
+                (rest, GOLDEN * rest)
+            };
+            let share = (x + if step.abs() < self.exact { self.exact.copysign(step) } else { step }).clamp(low, high);
+            let tried = at(share);
+            if tried.1.sum <= best.1.sum {
+                *(if share >= x { &mut low } else { &mut high }) = x;
+                (third, second, best) = (second, best, tried);
+            } else {
+                *(if share < x { &mut low } else { &mut high }) = share;
+                if tried.1.sum <= second.1.sum || second.0 == x {
+                    (third, second) = (second, tried);
+                } else if tried.1.sum <= third.1.sum || third.0 == x || third.0 == second.0 {
+                    third = tried;
+                }
+            }
+        }
+        // an end of the range has not been tried
+        let ends = ends.into_iter().filter(|end| (end - best.0).abs() <= 4.0 * self.exact).map(self.fine);
+        ends.chain([best.1.clone()]).min_by(|a, b| a.sum.total_cmp(&b.sum)).unwrap_or(best.1)
+    }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Cholesky, DMatrix};
 
 use super::fit::Fit;
-use super::minimum::{Place, polished};
+use super::minimum::{Place, Profile, Range};
 use super::statistics::{LEVELS, reach};
 use crate::math::functions::{exp_m1, ln_1p, sin_cos};
 use crate::math::root::bracketed;
@@ -18,31 +18,11 @@ impl Fit<'_> {
         self.covariance.as_ref().map_or(1.0, |covariance| covariance[(key, key)].sqrt()).min(1.0)
     }
 
-    /// The place with the lowest sum that has this share of this key.
-    fn lowest(&self, key: usize, share: f64) -> Place {
-        let best = &self.best().shares;
-        let mut start = best.clone();
-        if best.len() == 1 {
-            return Place { shares: vec![share], sum: self.problem.sum(&[share]) };
-        }
-        // there are two keys
-        let other = 1 - key;
-        if let Some(covariance) = &self.covariance {
-            let slope = covariance[(0, 1)] / covariance[(key, key)];
-            start[other] = (best[other] + slope * (share - best[key])).clamp(0.0, 1.0);
-        }
-        start[key] = share;
-        if let Some(mut from_grid) = self.grid.best_beside(key, share) {
-            from_grid[key] = share;
-            if self.problem.sum(&from_grid) < self.problem.sum(&start) {
-                start = from_grid;
-            }
-        }
-        polished(&self.problem, &start, Some(key))
-    }
-
+    /// How far the sum, minimised over the other keys, is above the least where this key has this share.
     fn excess(&self, key: usize, share: f64) -> f64 {
-        (self.lowest(key, share).sum - self.best().sum).max(0.0)
+        let mut ranges = vec![Range::WHOLE; self.problem.free.len()];
+        ranges[key] = Range::held(share);
+        (Profile::of(&self.problem).lowest(&ranges).sum - self.best().sum).max(0.0)
     }
 
     /// The intervals of the share of a key at both levels.
