@@ -18,11 +18,11 @@
 
 pub mod data;
 pub mod fit;
-mod found;
 pub mod identify;
 pub mod minimum;
 pub mod problem;
 pub mod profile;
+mod result;
 pub mod statistics;
 
 use crate::error::{Error, ErrorKind};
@@ -38,14 +38,14 @@ use crate::units::csv_text::refused;
 use crate::units::four_digits;
 use crate::units::human;
 use data::Data;
-use fit::{Assumed, in_order, shifts};
 pub use fit::{Fit, Noise};
-use found::OUTLIER;
-pub use found::{Calibration, Found, OfLaw};
+use fit::{NoiseModel, in_order, shifts};
 use identify::{Identifiability, identify};
 pub use problem::NoAnswer;
 use problem::Problem;
-use statistics::{chance, chance_of_runs};
+use result::OUTLIER;
+pub use result::{Calibration, KeyEstimate, LawFit, Verdict};
+use statistics::{p_of_chi_square, runs_test};
 
 /// Smallest standard deviation, as a share of the value: squares of residuals stay finite.
 const LEAST_DEVIATION: f64 = 1e-9;
@@ -92,7 +92,7 @@ impl Measurements {
         if values < keys {
             return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
         }
-        let is_idle = |name: &String| !Measured::find(name).is_some_and(|what| measured.contains(&what));
+        let is_idle = |name: &String| !Measured::find(name).is_some_and(|quantity| measured.contains(&quantity));
         if let Some((name, _)) = self.wanted.deviations.iter().find(|(name, _)| is_idle(name)) {
             return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));
         }
@@ -100,11 +100,11 @@ impl Measurements {
         let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
         match self.problem().beyond_elastic() {
             Some((value, limit)) if !self.wanted.free.iter().any(|free| is_open(free.key.path)) => {
-                let said = [value.value, limit].map(|value_of| human(value_of, value.what.quantity().dimension));
+                let said = [value.value, limit].map(|value_of| human(value_of, value.quantity.quantity().dimension));
                 let [found, limit] = said.map(|text| text.trim_end().to_owned());
                 let message = format!(
                     "the {} of {found} is more than a rebound without any loss gives, {limit}: check columns and units",
-                    value.what.name()
+                    value.quantity.name()
                 );
                 Err(self.refusal(self.line_of(value), message))
             }
@@ -117,39 +117,38 @@ impl Measurements {
         self.sha256.is_some().then(|| self.data.rows[value.row].line)
     }
 
-    /// What is given of the noise.
-    fn noise(&self) -> Result<Assumed, Error> {
+    /// The noise of every value, as far as it is given.
+    fn noise(&self) -> Result<NoiseModel, Error> {
         let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
-        let given = |what: Measured| deviations.iter().find(|(name, _)| name == what.name()).map(|(_, sd)| *sd);
-        let of = |value: &data::Value| value.deviation.or_else(|| given(value.what));
-        let is_given = self.data.values.iter().any(|value| of(value).is_some());
+        let of_quantity = |name: &str| deviations.iter().find(|given| given.0 == name).map(|given| given.1);
+        let given = |value: &data::Value| value.deviation.or_else(|| of_quantity(value.quantity.name()));
+        let values = &self.data.values;
+        let is_given = values.iter().any(|value| given(value).is_some());
         let is_estimated = *is_estimated || *model_error == 0.0 && !is_given && deviations.is_empty();
-        let deviation = |(value, size): (&data::Value, f64)| {
-            let name = value.what.name();
-            if is_estimated && !is_given {
-                return Ok(0.0);
-            }
-            let own = of(value);
-            if own.is_none() && *model_error == 0.0 {
-                let message = format!(
+        if is_estimated && !is_given {
+            return Ok(NoiseModel { instrument: vec![0.0; values.len()], share: 1.0, is_estimated });
+        }
+        let instrument = |(value, size): (&data::Value, f64)| {
+            let name = value.quantity.name();
+            let sd = given(value);
+            let whole = hypot(sd.unwrap_or(0.0), size * model_error);
+            let message = if sd.is_none() && *model_error == 0.0 {
+                format!(
                     "the {name} of this line has no standard deviation: give calibrate.noise.{name}, or a column for it, or noise = \"estimate\""
-                );
-                return Err(self.refusal(self.line_of(value), message));
-            }
-            let whole = hypot(own.unwrap_or(0.0), size * model_error);
-            if whole < LEAST_DEVIATION * size {
-                let message = format!(
+                )
+            } else if whole < LEAST_DEVIATION * size {
+                format!(
                     "the standard deviation of this {name} is {}, less than {} of the value: no instrument is so exact; give what the readings scatter by",
                     four_digits(whole),
                     four_digits(LEAST_DEVIATION)
-                );
-                return Err(self.refusal(self.line_of(value), message));
-            }
-            Ok(own.unwrap_or(0.0))
+                )
+            } else {
+                return Ok(sd.unwrap_or(0.0));
+            };
+            Err(self.refusal(self.line_of(value), message))
         };
-        let sizes = self.data.sizes();
-        let own = self.data.values.iter().zip(sizes).map(deviation).collect::<Result<_, _>>()?;
-        Ok(Assumed { own, share: if is_estimated && !is_given { 1.0 } else { *model_error }, is_estimated })
+        let instrument = values.iter().zip(self.data.sizes()).map(instrument).collect::<Result<_, _>>()?;
+        Ok(NoiseModel { instrument, share: *model_error, is_estimated })
     }
 
     fn refusal(&self, line: Option<u64>, message: String) -> Error {
@@ -177,7 +176,7 @@ impl Measurements {
     }
 
     /// The fits of all laws that were asked for, the best first.
-    fn ranked<'a>(&'a self, progress: &'a Counter) -> Result<Vec<OfLaw<'a>>, Error> {
+    fn ranked<'a>(&'a self, progress: &'a Counter) -> Result<Vec<LawFit<'a>>, Error> {
         let mut laws = Vec::new();
         for law in &self.wanted.laws {
             laws.push((law.name(), self.fit(law, progress)?));
@@ -209,7 +208,7 @@ impl Measurements {
             progress.step();
             found
         });
-        let keys: Vec<Found> = keys.collect();
+        let keys: Vec<KeyEstimate> = keys.collect();
         let has_sd = self.wanted.is_robust && !fit.has_no_noise();
         let outlies = |residual: &&f64| has_sd && residual.abs() > OUTLIER;
         let outliers = residuals.iter().filter(outlies).count();
@@ -217,8 +216,8 @@ impl Measurements {
         let inliers = residuals.iter().filter(|residual| !outlies(residual));
         let chi_square = inliers.map(|residual| residual * residual).sum();
         let calibration = Calibration {
-            p: if fit.noise == Noise::Given { chance(chi_square, freedom) } else { None },
-            runs: chance_of_runs(&in_order(problem, &residuals)),
+            p: if fit.noise == Noise::Given { p_of_chi_square(chi_square, freedom) } else { None },
+            runs: runs_test(&in_order(problem, &residuals)),
             shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &matrix, &residuals)),
             misfit: misfit(&self.data, &predicted),
             fit,
@@ -237,15 +236,15 @@ impl Measurements {
 }
 
 /// The result for one key. Without `is_told` the measurements do not determine the keys.
-fn found(fit: &Fit, key: usize, is_told: bool) -> Found {
+fn found(fit: &Fit, key: usize, is_determined: bool) -> KeyEstimate {
     let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
-    let covariance = fit.covariance.as_ref().filter(|_| is_told);
+    let covariance = fit.covariance.as_ref().filter(|_| is_determined);
     let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
-    Found {
+    KeyEstimate {
         free,
         estimate: free.at(share),
         sd: covariance.map(|covariance| free.slope(share) * covariance[(key, key)].sqrt()),
-        intervals: is_told.then(intervals),
+        intervals: is_determined.then(intervals),
     }
 }
 
@@ -267,15 +266,15 @@ fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<Strin
         Noise::NoScatter => {
             "the readings repeat without scatter, so that nothing is known of their noise: readings are rounded; give calibrate.noise, at least half of their last digit"
         }
-        _ => return identifiability.and_then(|told| told.refusal.clone()),
+        _ => return identifiability.and_then(|found| found.refusal.clone()),
     };
     Some(message.to_owned())
 }
 
 /// See [`Calibration::misfit`].
 fn misfit(data: &Data, predicted: &[f64]) -> f64 {
-    let of = |what: Measured| {
-        let values = data.values.iter().zip(predicted).filter(|(value, _)| value.what == what);
+    let of = |quantity: Measured| {
+        let values = data.values.iter().zip(predicted).filter(|(value, _)| value.quantity == quantity);
         let (off, size) = values.fold((0.0, 0.0), |(off, size), (value, predicted)| {
             (off + (value.value - predicted) * (value.value - predicted), size + value.value * value.value)
         });

@@ -27,7 +27,7 @@ pub struct Value {
     /// The row of the value.
     pub row: usize,
     /// What was measured.
-    pub what: Measured,
+    pub quantity: Measured,
     /// The value in SI units.
     pub value: f64,
     /// Standard deviation, SI, if the data give it.
@@ -79,7 +79,7 @@ impl Data {
     /// The data of one impact, from names and values of the measured quantities.
     pub fn of_numbers(name: &str, numbers: &[(String, f64)]) -> Self {
         let value = |(name, value): &(String, f64)| {
-            Some(Value { row: 0, what: Measured::find(name)?, value: *value, deviation: None })
+            Some(Value { row: 0, quantity: Measured::find(name)?, value: *value, deviation: None })
         };
         let values = numbers.iter().filter_map(value).collect();
         Self { name: name.to_owned(), keys: Vec::new(), rows: vec![Row::default()], values }
@@ -87,19 +87,22 @@ impl Data {
 
     /// Whether the rows are points of an indentation curve, not impacts.
     pub fn is_curve(&self) -> bool {
-        self.values.iter().any(|value| value.what == Measured::Force)
+        self.values.iter().any(|value| value.quantity == Measured::Force)
     }
 
     /// The quantities that were measured, in the order of [`Measured::ALL`].
     pub fn measured(&self) -> Vec<Measured> {
-        Measured::ALL.into_iter().filter(|what| self.values.iter().any(|value| value.what == *what)).collect()
+        Measured::ALL
+            .into_iter()
+            .filter(|quantity| self.values.iter().any(|value| value.quantity == *quantity))
+            .collect()
     }
 
     /// For every value the number that its relative errors refer to: the value itself, or for a curve its largest force,
     /// because a force may be zero.
     pub fn sizes(&self) -> Vec<f64> {
         let largest = self.values.iter().map(|value| value.value).fold(0.0, f64::max);
-        self.values.iter().map(|value| if value.what == Measured::Force { largest } else { value.value }).collect()
+        self.values.iter().map(|value| if value.quantity == Measured::Force { largest } else { value.value }).collect()
     }
 
     /// Reads measurements from a text. Messages use `name` for the file.
@@ -134,13 +137,14 @@ impl Data {
         }
         let has = |role: Role| columns.iter().flatten().any(|column| column.role == role);
         for column in columns.iter().flatten() {
-            if let Role::Deviation(what) = column.role
-                && !has(Role::Measured(what))
+            if let Role::Deviation(quantity) = column.role
+                && !has(Role::Measured(quantity))
             {
-                return Err(format!("the column `{}` has no column `{}` beside it", column.name, what.name()));
+                return Err(format!("the column `{}` has no column `{}` beside it", column.name, quantity.name()));
             }
         }
-        let is_impact = Measured::ALL.into_iter().any(|what| what != Measured::Force && has(Role::Measured(what)));
+        let is_impact =
+            Measured::ALL.into_iter().any(|quantity| quantity != Measured::Force && has(Role::Measured(quantity)));
         match (has(Role::Indentation), has(Role::Measured(Measured::Force))) {
             (true, true) | (false, false) if is_impact != has(Role::Indentation) => Ok(columns),
             (false, false) => Err(format!("no column is a measured quantity; {}", all())),
@@ -187,7 +191,7 @@ impl Data {
             _ => *quantity,
         };
         let role = match role {
-            Role::Measured(what) if is_deviation => Role::Deviation(what),
+            Role::Measured(quantity) if is_deviation => Role::Deviation(quantity),
             _ if is_deviation => return Err(format!("the column `{name}`: only measured quantities have an sd")),
             Role::Key(at) => {
                 self.keys.push(&KEYS[at]);
@@ -210,7 +214,7 @@ impl Data {
             if field.is_empty() {
                 match column.role {
                     Role::Deviation(_) => continue,
-                    Role::Measured(what) if what != Measured::Force => continue,
+                    Role::Measured(quantity) if quantity != Measured::Force => continue,
                     _ => return Err(refuse("is empty; give a value, or leave the line out".to_owned())),
                 }
             }
@@ -218,13 +222,13 @@ impl Data {
             match column.role {
                 Role::Key(_) => read.keys.push(value),
                 Role::Indentation => read.indentation = Some(value),
-                Role::Measured(what) => self.values.push(Value { row, what, value, deviation: None }),
-                Role::Deviation(what) => deviations.push((what, value)),
+                Role::Measured(quantity) => self.values.push(Value { row, quantity, value, deviation: None }),
+                Role::Deviation(quantity) => deviations.push((quantity, value)),
             }
         }
         // the column of a standard deviation may stand before that of its quantity
-        for (what, deviation) in deviations {
-            if let Some(value) = self.values[first..].iter_mut().find(|value| value.what == what) {
+        for (quantity, deviation) in deviations {
+            if let Some(value) = self.values[first..].iter_mut().find(|value| value.quantity == quantity) {
                 value.deviation = Some(deviation);
             }
         }

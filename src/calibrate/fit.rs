@@ -29,20 +29,20 @@ pub enum Noise {
     NoScatter,
 }
 
-/// What is assumed of the noise before the fit: a standard deviation of each value, and a share of what the law gives, added
+/// The noise before the fit: the standard deviation of the instrument for each value, and a share of what the law gives, added
 /// in quadrature.
 #[derive(Debug, Clone)]
-pub struct Assumed {
-    pub own: Vec<f64>,
+pub struct NoiseModel {
+    pub instrument: Vec<f64>,
     pub share: f64,
     /// Whether only the ratios of the standard deviations are known.
     pub is_estimated: bool,
 }
 
-impl Assumed {
+impl NoiseModel {
     /// The standard deviations, for these values of the law.
     pub fn deviations(&self, law: &[f64]) -> Vec<f64> {
-        self.own.iter().zip(law).map(|(own, law)| hypot(*own, self.share * law)).collect()
+        self.instrument.iter().zip(law).map(|(sd, law)| hypot(*sd, self.share * law)).collect()
     }
 }
 
@@ -66,8 +66,8 @@ impl<'a> Fit<'a> {
     ///
     /// # Errors
     /// [`NoAnswer`] if the law gives no result anywhere in the ranges.
-    pub fn of(mut problem: Problem<'a>, assumed: &Assumed) -> Result<Self, NoAnswer> {
-        let (values, keys, is_estimated) = (problem.counted.len(), problem.free.len(), assumed.is_estimated);
+    pub fn of(mut problem: Problem<'a>, noise_model: &NoiseModel) -> Result<Self, NoAnswer> {
+        let (values, keys, is_estimated) = (problem.counted.len(), problem.free.len(), noise_model.is_estimated);
         let is_robust = problem.is_robust && !(is_estimated && values <= keys);
         problem.is_robust = is_robust && !is_estimated;
         let anywhere = vec![Range::WHOLE; keys];
@@ -80,7 +80,7 @@ impl<'a> Fit<'a> {
         // a share of the noise is one of what the law gives. As a share of the readings it would give low readings more
         // weight, and the law would come out too low. With outliers the size of the noise comes from the median of the
         // residuals. In both cases noise and keys are found in turn
-        let has_shares = assumed.share > 0.0 && noise != Noise::TooFew && !problem.data.is_curve();
+        let has_shares = noise_model.share > 0.0 && noise != Noise::TooFew && !problem.data.is_curve();
         let rounds = match (is_estimated && is_robust, has_shares, is_estimated) {
             (true, ..) => 8,
             (_, true, _) => 3,
@@ -92,7 +92,7 @@ impl<'a> Fit<'a> {
             if has_shares {
                 let law = problem.predict(&place.shares)?.into_iter().zip(&sizes);
                 let law: Vec<f64> = law.map(|(law, size)| law.abs().max(LEAST * size)).collect();
-                problem.deviations = assumed.deviations(&law);
+                problem.deviations = noise_model.deviations(&law);
                 problem.deviations.iter_mut().for_each(|deviation| *deviation *= whole);
             }
             if is_estimated {
@@ -215,7 +215,7 @@ pub(super) fn in_order(problem: &Problem, residuals: &[f64]) -> Vec<f64> {
     let value = |i: &usize| &problem.data.values[problem.counted[*i]];
     order.sort_by(|a, b| {
         let (a, b) = (value(a), value(b));
-        a.what.cmp(&b.what).then(speeds[a.row].total_cmp(&speeds[b.row]))
+        a.quantity.cmp(&b.quantity).then(speeds[a.row].total_cmp(&speeds[b.row]))
     });
     order.into_iter().map(|i| residuals[i]).collect()
 }

@@ -70,10 +70,10 @@ pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
     let matrix = by_logarithms(problem, place)?;
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let root = (problem.counted.len() as f64).sqrt();
-    let sizes = Measured::ALL.map(|what| size(problem, what));
+    let sizes = Measured::ALL.map(|quantity| size(problem, quantity));
     let mut relative = matrix.clone();
     for (mut row, at) in relative.row_iter_mut().zip(&problem.counted) {
-        row *= problem.deviations[*at] / sizes[problem.data.values[*at].what as usize] / root;
+        row *= problem.deviations[*at] / sizes[problem.data.values[*at].quantity as usize] / root;
     }
     let relative = decomposed(&relative)?;
     let (least, direction) = relative.last()?;
@@ -90,8 +90,8 @@ pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
 }
 
 /// Root mean square of the values of a quantity.
-fn size(problem: &Problem, what: Measured) -> f64 {
-    let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.what == what);
+fn size(problem: &Problem, quantity: Measured) -> f64 {
+    let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.quantity == quantity);
     let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
     f64::sqrt(sum / count)
 }
@@ -99,7 +99,7 @@ fn size(problem: &Problem, what: Measured) -> f64 {
 fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f64) -> String {
     let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
     let off = percent(LAW);
-    let what = if let [name] = names[..] {
+    let statement = if let [name] = names[..] {
         format!(
             "twice the {name} changes what was measured by {} only, and the law itself is off by {off}",
             percent(change)
@@ -133,7 +133,7 @@ fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f
             helpful.join(", ")
         )
     };
-    what + &way_out
+    statement + &way_out
 }
 
 /// Quantities that were not measured but change along a direction, each with its relative change.
@@ -142,18 +142,19 @@ fn helpful(problem: &Problem, place: &Place, direction: &DVector<f64>) -> Vec<(&
         return Vec::new();
     }
     let measured = problem.data.measured();
-    let has_restitution = measured.iter().any(|what| what.is_of_restitution());
-    let is_new = |what: &Measured| !(measured.contains(what) || has_restitution && what.is_of_restitution());
-    let change = |what: Measured| {
+    let has_restitution = measured.iter().any(|quantity| quantity.is_of_restitution());
+    let is_new =
+        |quantity: &Measured| !(measured.contains(quantity) || has_restitution && quantity.is_of_restitution());
+    let change = |quantity: Measured| {
         let rows = 0..problem.data.rows.len();
-        let values = rows.map(|row| Value { row, what, value: 1.0, deviation: None }).collect();
+        let values = rows.map(|row| Value { row, quantity, value: 1.0, deviation: None }).collect();
         let data = Data { values, ..problem.data.clone() };
         let problem = problem.predicting(&data).thinned(ENOUGH);
         let predicted = problem.predict(&place.shares).ok()?;
         let moved = (by_logarithms(&problem, place)? * direction).norm();
         let size = problem.counted.iter().map(|at| predicted[*at] * predicted[*at]).sum::<f64>().sqrt();
-        Some((what.name(), doubling(direction) * moved / size)).filter(|(_, change)| *change > 2.0 * LAW)
+        Some((quantity.name(), doubling(direction) * moved / size)).filter(|(_, change)| *change > 2.0 * LAW)
     };
-    let of_impacts = Measured::ALL.into_iter().filter(|what| *what != Measured::Force);
+    let of_impacts = Measured::ALL.into_iter().filter(|quantity| *quantity != Measured::Force);
     of_impacts.filter(is_new).filter_map(change).collect()
 }

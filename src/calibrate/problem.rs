@@ -172,7 +172,7 @@ impl<'a> Problem<'a> {
         let mut input = self.input.clone();
         self.data.values.iter().find_map(|value| {
             self.with_row(&mut input, value.row);
-            let limit = value.what.of_rebound(1.0, &input.resolve())?;
+            let limit = value.quantity.of_rebound(1.0, &input.resolve())?;
             (value.value > limit * (1.0 + 1e-12)).then_some((value, limit))
         })
     }
@@ -195,7 +195,7 @@ impl<'a> Problem<'a> {
             (scene.speed, scene.solver) = (input.speed(), input.solver());
             let result = contact.essentials(scene.speed, &scene.solver)?;
             for value in &self.data.values[self.ranges[*row].clone()] {
-                let found = value.what.predict(&result, &scene).filter(|value| value.is_finite());
+                let found = value.quantity.predict(&result, &scene).filter(|value| value.is_finite());
                 predicted.push(found.ok_or(NoAnswer::Captured)?);
             }
         }

@@ -6,7 +6,7 @@ use nalgebra::{Cholesky, DMatrix};
 
 use super::fit::Fit;
 use super::minimum::{Place, Profile, Range};
-use super::statistics::{LEVELS, reach};
+use super::statistics::{LEVELS, half_width};
 use crate::math::functions::{exp_m1, ln_1p, sin_cos};
 use crate::math::root::bracketed;
 
@@ -27,7 +27,7 @@ impl Fit<'_> {
 
     /// The intervals of the share of a key at both levels.
     pub fn intervals(&self, key: usize) -> [Ends; 2] {
-        LEVELS.map(|level| self.ends(key, reach(level, self.freedom())))
+        LEVELS.map(|level| self.ends(key, half_width(level, self.freedom())))
     }
 
     /// The shares on both sides at which the sum has risen by the square of `reach`.

@@ -10,23 +10,25 @@ pub const LEVELS: [f64; 2] = [0.682_689_492_137_085_9, 0.95];
 
 /// Rounds to twelve digits. The crate takes its logarithms from the C library of the machine, and their last digit
 /// differs from machine to machine.
-fn settled(value: f64) -> f64 {
+fn to_twelve_digits(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 /// Half-width of an interval of this level, in standard deviations. `freedom` is the degrees of freedom of the
 /// estimated noise; `None` if the noise is known.
-pub fn reach(level: f64, freedom: Option<f64>) -> f64 {
+pub fn half_width(level: f64, freedom: Option<f64>) -> f64 {
     let below = 0.5 + 0.5 * level;
     let student = freedom.and_then(|freedom| StudentsT::new(0.0, 1.0, freedom).ok());
-    student
-        .map_or_else(|| crate::math::functions::normal_quantile(below), |student| settled(student.inverse_cdf(below)))
+    student.map_or_else(
+        || crate::math::functions::normal_quantile(below),
+        |student| to_twelve_digits(student.inverse_cdf(below)),
+    )
 }
 
 /// Probability of this chi-square or a larger one; `None` without a degree of freedom.
-pub fn chance(chi_square: f64, freedom: usize) -> Option<f64> {
+pub fn p_of_chi_square(chi_square: f64, freedom: usize) -> Option<f64> {
     #[allow(clippy::cast_precision_loss)] // counts of measurements
-    ChiSquared::new(freedom as f64).ok().map(|distribution| settled(distribution.sf(chi_square)))
+    ChiSquared::new(freedom as f64).ok().map(|distribution| to_twelve_digits(distribution.sf(chi_square)))
 }
 
 /// The test of runs of equal signs.
@@ -40,7 +42,7 @@ pub struct Runs {
 
 /// The test of runs in residuals of random order (Wald and Wolfowitz 1940, exact). `None` with fewer than two residuals
 /// that are not zero.
-pub fn chance_of_runs(residuals: &[f64]) -> Option<Runs> {
+pub fn runs_test(residuals: &[f64]) -> Option<Runs> {
     let signs: Vec<bool> =
         residuals.iter().filter(|residual| **residual != 0.0).map(|residual| *residual > 0.0).collect();
     let above = signs.iter().filter(|sign| **sign).count() as u64;
@@ -54,13 +56,13 @@ pub fn chance_of_runs(residuals: &[f64]) -> Option<Runs> {
     let runs = 1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
     let ways = |n: u64, k: u64| if k > n { f64::NEG_INFINITY } else { ln_binomial(n, k) };
     let all = ways(above + below, above);
-    let chance = |runs: u64| {
+    let p_of_chi_square = |runs: u64| {
         let half = runs / 2;
         let of = |a: u64, b: u64| exp(ways(above - 1, a) + ways(below - 1, b) - all);
         if runs.is_multiple_of(2) { 2.0 * of(half - 1, half - 1) } else { of(half, half - 1) + of(half - 1, half) }
     };
-    let p = settled((2..=runs).map(chance).sum::<f64>().min(1.0));
-    Some(Runs { p, least: settled(chance(2)) })
+    let p = to_twelve_digits((2..=runs).map(p_of_chi_square).sum::<f64>().min(1.0));
+    Some(Runs { p, least: to_twelve_digits(p_of_chi_square(2)) })
 }
 
 #[cfg(test)]
@@ -70,21 +72,21 @@ mod tests {
     #[test]
     fn distributions_are_those_of_scipy() {
         // scipy 1.17: stats.chi2.sf(12.3, 7), stats.t.ppf(0.975, 5), stats.norm.ppf(0.975)
-        approx::assert_relative_eq!(chance(12.3, 7).unwrap(), 0.091_114_886_000_313_1, max_relative = 1e-11);
-        approx::assert_relative_eq!(reach(0.95, Some(5.0)), 2.570_581_835_636_314_6, max_relative = 1e-9);
-        approx::assert_relative_eq!(reach(0.95, None), 1.959_963_984_540_054, max_relative = 1e-14);
-        assert_eq!(chance(1.0, 0), None);
+        approx::assert_relative_eq!(p_of_chi_square(12.3, 7).unwrap(), 0.091_114_886_000_313_1, max_relative = 1e-11);
+        approx::assert_relative_eq!(half_width(0.95, Some(5.0)), 2.570_581_835_636_314_6, max_relative = 1e-9);
+        approx::assert_relative_eq!(half_width(0.95, None), 1.959_963_984_540_054, max_relative = 1e-14);
+        assert_eq!(p_of_chi_square(1.0, 0), None);
     }
 
     #[test]
     fn runs_are_counted_as_all_orders_say() {
         // of the 20 orders of three + and three -, 2 have two runs, 4 have three runs and 8 have four runs
         let order = |signs: &str| signs.chars().map(|sign| if sign == '+' { 1.0 } else { -1.0 }).collect::<Vec<_>>();
-        approx::assert_relative_eq!(chance_of_runs(&order("+++---")).unwrap().p, 0.1, max_relative = 1e-11);
-        approx::assert_relative_eq!(chance_of_runs(&order("++---+")).unwrap().p, 0.3, max_relative = 1e-11);
-        approx::assert_relative_eq!(chance_of_runs(&order("+-++--")).unwrap().p, 0.7, max_relative = 1e-11);
-        approx::assert_relative_eq!(chance_of_runs(&order("+-++--")).unwrap().least, 0.1, max_relative = 1e-11);
-        assert_eq!(chance_of_runs(&order("+++")), Some(Runs { p: 0.25, least: 0.25 }));
-        assert_eq!(chance_of_runs(&order("+")), None);
+        approx::assert_relative_eq!(runs_test(&order("+++---")).unwrap().p, 0.1, max_relative = 1e-11);
+        approx::assert_relative_eq!(runs_test(&order("++---+")).unwrap().p, 0.3, max_relative = 1e-11);
+        approx::assert_relative_eq!(runs_test(&order("+-++--")).unwrap().p, 0.7, max_relative = 1e-11);
+        approx::assert_relative_eq!(runs_test(&order("+-++--")).unwrap().least, 0.1, max_relative = 1e-11);
+        assert_eq!(runs_test(&order("+++")), Some(Runs { p: 0.25, least: 0.25 }));
+        assert_eq!(runs_test(&order("+")), None);
     }
 }

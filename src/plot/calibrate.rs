@@ -6,8 +6,8 @@ use super::of_key::{axis_of, title_of};
 use super::style::Style;
 use super::{Axis, Chart, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
-use crate::calibrate::statistics::{LEVELS, reach};
-use crate::calibrate::{Calibration, Fit, Found, Noise};
+use crate::calibrate::statistics::{LEVELS, half_width};
+use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
 use crate::plan::free::Free;
 use crate::scene::Key;
 use crate::scene::measured::Measured;
@@ -25,22 +25,22 @@ const WIDE: f64 = 5.0;
 type Points = Vec<(f64, f64)>;
 
 /// The pictures with their names.
-pub fn pictures(of: &Calibration) -> Vec<(String, Chart)> {
+pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     let mut pictures = Vec::new();
-    let data = of.fit.problem.data;
-    let has_lines = of.residuals.len() > of.keys.len();
-    for what in data.measured().into_iter().filter(|_| has_lines) {
-        pictures.push((format!("fit_{}", what.name()), Measurement::of(of, what).fitted()));
+    let data = calibration.fit.problem.data;
+    let has_lines = calibration.residuals.len() > calibration.keys.len();
+    for quantity in data.measured().into_iter().filter(|_| has_lines) {
+        pictures.push((format!("fit_{}", quantity.name()), FittedQuantity::of(calibration, quantity).fitted()));
     }
     if has_lines {
-        pictures.push(("residuals".to_owned(), residuals(of)));
+        pictures.push(("residuals".to_owned(), residuals(calibration)));
     }
-    if let [first, second] = &of.keys[..] {
-        let map = posterior::map(of, [first, second]).filter(|_| !of.fit.has_no_noise());
+    if let [first, second] = &calibration.keys[..] {
+        let map = posterior::map(calibration, [first, second]).filter(|_| !calibration.fit.has_no_noise());
         pictures.extend(map.map(|chart| ("posterior".to_owned(), chart)));
     }
-    if !of.laws.is_empty() && has_lines {
-        pictures.push(("laws".to_owned(), Measurement::of(of, data.values[0].what).laws()));
+    if !calibration.laws.is_empty() && has_lines {
+        pictures.push(("laws".to_owned(), FittedQuantity::of(calibration, data.values[0].quantity).laws()));
     }
     pictures
 }
@@ -66,89 +66,90 @@ impl Over {
         }
     }
 
-    fn at(&self, of: &Calibration, value: usize) -> f64 {
-        let row = &of.fit.problem.data.rows[of.fit.problem.data.values[value].row];
+    fn at(&self, calibration: &Calibration, value: usize) -> f64 {
+        let row = &calibration.fit.problem.data.rows[calibration.fit.problem.data.values[value].row];
         match self {
             Self::Key(_) => row.keys[0],
             Self::Indentation => row.indentation.unwrap_or(0.0),
-            Self::Prediction => of.predicted[value],
+            Self::Prediction => calibration.predicted[value],
         }
     }
 
     /// The axis for these points of a quantity.
-    fn axis(&self, what: Measured, points: &[(f64, f64)]) -> Axis {
+    fn axis(&self, quantity: Measured, points: &[(f64, f64)]) -> Axis {
         match self {
             Self::Key(key) => axis_of(key, is_wide(points)),
             Self::Indentation => Axis::engineering("Indentation", "m"),
-            Self::Prediction => of_quantity(what, " predicted"),
+            Self::Prediction => of_quantity(quantity, " predicted"),
         }
     }
 }
 
 /// The axis of a measured quantity.
-fn of_quantity(what: Measured, how: &str) -> Axis {
-    Axis::engineering(&(title_of(what.name()) + how), what.quantity().dimension.si_unit())
+fn of_quantity(quantity: Measured, how: &str) -> Axis {
+    Axis::engineering(&(title_of(quantity.name()) + how), quantity.quantity().dimension.si_unit())
 }
 
 /// The places of the values of a quantity, at most [`MOST_POINTS`] of them.
-fn shown(of: &Calibration, what: Measured) -> Vec<usize> {
-    let values = &of.fit.problem.data.values;
-    let all: Vec<usize> = (0..values.len()).filter(|at| values[*at].what == what).collect();
+fn shown(calibration: &Calibration, quantity: Measured) -> Vec<usize> {
+    let values = &calibration.fit.problem.data.values;
+    let all: Vec<usize> = (0..values.len()).filter(|at| values[*at].quantity == quantity).collect();
     let step = all.len().div_ceil(MOST_POINTS).max(1);
     all.into_iter().step_by(step).collect()
 }
 
 /// The values of a quantity over the quantity on the horizontal axis.
-struct Measurement<'a> {
-    of: &'a Calibration<'a>,
-    what: Measured,
+struct FittedQuantity<'a> {
+    calibration: &'a Calibration<'a>,
+    quantity: Measured,
     over: Over,
     shown: Vec<usize>,
     points: Points,
     axes: [Axis; 2],
 }
 
-impl<'a> Measurement<'a> {
-    fn of(of: &'a Calibration, what: Measured) -> Self {
-        let data = of.fit.problem.data;
-        let (over, shown) = (Over::of(data), shown(of, what));
-        let points: Points = shown.iter().map(|value| (over.at(of, *value), data.values[*value].value)).collect();
-        let axes = [over.axis(what, &points), of_quantity(what, "")];
-        Self { of, what, over, shown, points, axes }
+impl<'a> FittedQuantity<'a> {
+    fn of(calibration: &'a Calibration, quantity: Measured) -> Self {
+        let data = calibration.fit.problem.data;
+        let (over, shown) = (Over::of(data), shown(calibration, quantity));
+        let points: Points =
+            shown.iter().map(|value| (over.at(calibration, *value), data.values[*value].value)).collect();
+        let axes = [over.axis(quantity, &points), of_quantity(quantity, "")];
+        Self { calibration, quantity, over, shown, points, axes }
     }
 
     fn fitted(self) -> Chart {
-        let Self { of, what, shown, points, .. } = &self;
-        let has_bars = shown.len() <= MOST_BARS && !of.fit.has_no_noise();
-        let bars = shown.iter().zip(points).map(|(value, (x, y))| (*x, *y, of.fit.problem.deviations[*value]));
+        let Self { calibration, quantity, shown, points, .. } = &self;
+        let has_bars = shown.len() <= MOST_BARS && !calibration.fit.has_no_noise();
+        let bars = shown.iter().zip(points).map(|(value, (x, y))| (*x, *y, calibration.fit.problem.deviations[*value]));
         let line = if let Over::Prediction = self.over {
             let (low, high) = extremes(points.iter().map(|point| point.0));
             vec![(low, low), (high, high)]
         } else {
-            self.line(&of.fit)
+            self.line(&calibration.fit)
         };
         let mut series: Vec<Series> =
             self.band().map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
-        series.push(Series::bare(of.fit.problem.scene.law.name(), line).styled(Style::LAW));
+        series.push(Series::bare(calibration.fit.problem.scene.law.name(), line).styled(Style::LAW));
         series.push(Series::bars(bars.filter(|_| has_bars)).styled(0));
-        let measured = match of.fit.noise {
+        let measured = match calibration.fit.noise {
             Noise::Given => "measured, with its sd",
             Noise::Estimated { .. } => "measured, with the estimated sd",
             Noise::TooFew | Noise::NoScatter => "measured",
         };
         series.push(Series::points(measured, points.clone()).styled(0));
-        let notes = of.keys.iter().flat_map(|Found { free, estimate, sd, .. }| {
+        let notes = calibration.keys.iter().flat_map(|KeyEstimate { free, estimate, sd, .. }| {
             let sd = sd.map_or_else(String::new, |sd| format!(", sd {}", free.say(sd, 2)));
             [title_of(free.key.path), free.say(*estimate, 4) + &sd]
         });
-        let title = format!("{} and the law with the best keys", title_of(what.name()));
+        let title = format!("{} and the law with the best keys", title_of(quantity.name()));
         Chart::new(title, self.axes.clone(), series).with_notes(notes)
     }
 
     /// The predictions of every law with its best keys, with the measurements.
     fn laws(self) -> Chart {
-        let fits = self.of.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
-        let named = |name: &str, fit: &Fit| format!("{name}  +{:.1}", fit.aic - self.of.least_aic());
+        let fits = self.calibration.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
+        let named = |name: &str, fit: &Fit| format!("{name}  +{:.1}", fit.aic - self.calibration.least_aic());
         let mut series: Vec<Series> = fits.map(|(name, fit)| Series::line(named(name, fit), self.line(fit))).collect();
         series.push(Series::points("measured", self.points).styled(Style::BLACK));
         Chart::new("Laws with their best keys, and how far their AIC is above the least", self.axes, series)
@@ -174,11 +175,11 @@ impl<'a> Measurement<'a> {
     fn band(&self) -> Option<Points> {
         let Over::Key(key) = self.over else { return None };
         let (data, at) = self.along(key);
-        let fit = &self.of.fit;
+        let fit = &self.calibration.fit;
         let (line, shares) = (fit.problem.predicting(&data), &fit.best().shares);
         let (covariance, matrix) = (fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
         let predicted = line.predict(shares).ok()?;
-        let reach = reach(LEVELS[1], fit.freedom());
+        let reach = half_width(LEVELS[1], fit.freedom());
         let half = |i: usize| reach * (matrix.row(i) * covariance).dot(&matrix.row(i)).max(0.0).sqrt();
         let edge = |side: f64| at.iter().zip(&predicted).enumerate().map(move |(i, (x, y))| (*x, y + side * half(i)));
         let upper: Points = edge(1.0).collect();
@@ -187,7 +188,8 @@ impl<'a> Measurement<'a> {
 
     /// The way of an indentation curve with places between its points, and the indentations there.
     fn between_points(&self) -> (Data, Vec<f64>) {
-        let points: Vec<f64> = self.of.fit.problem.data.rows.iter().filter_map(|row| row.indentation).collect();
+        let points: Vec<f64> =
+            self.calibration.fit.problem.data.rows.iter().filter_map(|row| row.indentation).collect();
         let steps = PLACES.div_ceil(u32::try_from(points.len()).unwrap_or(PLACES)).max(1);
         let way = |pair: &[f64]| {
             let (from, to) = (pair[0], pair[1]);
@@ -200,7 +202,7 @@ impl<'a> Measurement<'a> {
 
     /// Values to predict, one in every row.
     fn ones(&self, rows: usize) -> Vec<Value> {
-        (0..rows).map(|row| Value { row, what: self.what, value: 1.0, deviation: None }).collect()
+        (0..rows).map(|row| Value { row, quantity: self.quantity, value: 1.0, deviation: None }).collect()
     }
 
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
@@ -213,24 +215,26 @@ impl<'a> Measurement<'a> {
     }
 }
 
-fn residuals(of: &Calibration) -> Chart {
-    let data = of.fit.problem.data;
+fn residuals(calibration: &Calibration) -> Chart {
+    let data = calibration.fit.problem.data;
     let measured = data.measured();
     // predictions of several quantities have no common axis
     let over = Some(Over::of(data)).filter(|over| !matches!(over, Over::Prediction) || measured.len() == 1);
     #[allow(clippy::cast_precision_loss)] // counts of measurements
-    let at = |value: usize| over.as_ref().map_or(value as f64 + 1.0, |over| over.at(of, value));
-    let points = |what: Measured| shown(of, what).into_iter().map(|value| (at(value), of.residuals[value])).collect();
+    let at = |value: usize| over.as_ref().map_or(value as f64 + 1.0, |over| over.at(calibration, value));
+    let points = |quantity: Measured| {
+        shown(calibration, quantity).into_iter().map(|value| (at(value), calibration.residuals[value])).collect()
+    };
     let series: Vec<Series> =
-        measured.iter().map(|what| Series::points(title_of(what.name()), points(*what))).collect();
+        measured.iter().map(|quantity| Series::points(title_of(quantity.name()), points(*quantity))).collect();
     let all: Points = series.iter().flat_map(|one| one.points.clone()).collect();
     let x = over.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
-    let level = reach(LEVELS[1], None);
+    let level = half_width(LEVELS[1], None);
     let guides = [(0.0, "law"), (level, "± 1.96"), (-level, "± 1.96")];
-    let largest = of.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);
+    let largest = calibration.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);
     let y =
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
-    let notes = [("chi-square", of.p), ("runs of signs", of.runs.map(|runs| runs.p))];
+    let notes = [("chi-square", calibration.p), ("runs of signs", calibration.runs.map(|runs| runs.p))];
     let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
     let chart = Chart::new("Residuals", [x, y], series);
     chart.with_guides(guides.map(|(at, label)| Series::horizontal(at, label))).with_notes(notes)

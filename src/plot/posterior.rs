@@ -6,20 +6,20 @@ use super::of_key::axis_of;
 use super::series::Series;
 use super::style::{DASHED, Mark, PALETTE, SOLID, Style};
 use crate::calibrate::statistics::LEVELS;
-use crate::calibrate::{Calibration, Found};
+use crate::calibrate::{Calibration, KeyEstimate};
 
 /// The regions over both keys; `None` if they have none.
-pub fn map(of: &Calibration, [first, second]: [&Found; 2]) -> Option<Chart> {
+pub fn map(calibration: &Calibration, [first, second]: [&KeyEstimate; 2]) -> Option<Chart> {
     let mut series = Vec::new();
     for ((level, dash), name) in LEVELS.into_iter().zip([SOLID, DASHED]).zip(["region of 68 %", "region of 95 %"]) {
-        for (i, outline) in of.fit.region(level).into_iter().enumerate() {
+        for (i, outline) in calibration.fit.region(level).into_iter().enumerate() {
             let region: Vec<_> = outline.iter().map(|[x, y]| (first.free.at(*x), second.free.at(*y))).collect();
             series.push(Series::band("", region.clone()).styled(5));
             let name = if i == 0 { name } else { "" };
             series.push(Series::bare(name, region).styled(Style::of(1).dashed(dash)));
         }
     }
-    let axis = |found: &Found, (low, high): (f64, f64)| -> Axis {
+    let axis = |found: &KeyEstimate, (low, high): (f64, f64)| -> Axis {
         let is_logarithmic = found.free.is_logarithmic && high > 5.0 * low;
         axis_of(found.free.key, is_logarithmic)
     };
@@ -32,8 +32,8 @@ pub fn map(of: &Calibration, [first, second]: [&Found; 2]) -> Option<Chart> {
     let best = Style::marker(Mark::Cross, PALETTE[6]);
     series.push(Series::points("best", vec![(first.estimate, second.estimate)]).styled(best));
     let chart = Chart::new("What the measurements say of both keys", [x, y], series);
-    if of.refusal.is_some() {
+    if calibration.refusal.is_some() {
         return Some(chart.with_entries([Series::text("no interval: the data do not tell").and("the keys apart")]));
     }
-    Some(chart.with_notes(of.correlation().map(|correlation| format!("correlation {correlation:.2}"))))
+    Some(chart.with_notes(calibration.correlation().map(|correlation| format!("correlation {correlation:.2}"))))
 }

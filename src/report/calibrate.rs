@@ -8,7 +8,7 @@ use super::inputs::Inputs;
 use super::rows::written;
 use crate::calibrate::minimum::Place;
 use crate::calibrate::profile::Ends;
-use crate::calibrate::{Calibration, Found, Measurements, Noise, OfLaw};
+use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
 use crate::provenance::Provenance;
 use crate::scene::measured::Measured;
@@ -28,8 +28,8 @@ fn interval(ends: Ends) -> Value {
 }
 
 /// `yield_strength x youngs_modulus^-0.8`.
-fn combination(of: &Calibration, exponents: &[f64]) -> String {
-    let factors = of.keys.iter().zip(exponents).map(|(key, exponent)| match *exponent {
+fn combination(calibration: &Calibration, exponents: &[f64]) -> String {
+    let factors = calibration.keys.iter().zip(exponents).map(|(key, exponent)| match *exponent {
         1.0 => key.free.key.path.to_owned(),
         exponent => format!("{}^{exponent:.2}", key.free.key.path),
     });
@@ -37,8 +37,8 @@ fn combination(of: &Calibration, exponents: &[f64]) -> String {
 }
 
 /// What is known of the noise, in words, and the share of every value if it is estimated.
-fn noise(of: &Calibration) -> (&'static str, Option<f64>) {
-    match of.fit.noise {
+fn noise(calibration: &Calibration) -> (&'static str, Option<f64>) {
+    match calibration.fit.noise {
         Noise::Estimated { share, .. } => ("estimated from the residuals", share),
         Noise::TooFew | Noise::NoScatter => ("unknown", None),
         Noise::Given => ("given", None),
@@ -48,63 +48,63 @@ fn noise(of: &Calibration) -> (&'static str, Option<f64>) {
 /// A calibration and its request.
 pub struct Calibrated<'a> {
     measured: &'a Measurements,
-    of: &'a Calibration<'a>,
+    calibration: &'a Calibration<'a>,
 }
 
 /// The results of a calibration, in the order of `summary.json`.
 pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
     results! { |one: Calibrated<'a>|
         /// The result for each key, see below.
-        "keys": (0..one.of.keys.len()).map(|i| json!(fields(&key(), &OfKey { number: i, of: one.of }))).collect::<Vec<_>>();
+        "keys": (0..one.calibration.keys.len()).map(|i| json!(fields(&key(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
         /// Why there is no interval; `null` if there is one.
-        "refusal": one.of.refusal.clone();
+        "refusal": one.calibration.refusal.clone();
         /// Correlation of the two keys.
-        "correlation": one.of.correlation().filter(|_| one.of.refusal.is_none());
+        "correlation": one.calibration.correlation().filter(|_| one.calibration.refusal.is_none());
         /// Whether the law fits; `null` if these measurements cannot tell.
-        "fits": one.of.fits();
+        "fits": one.calibration.verdict().fits();
         /// Why the law does not fit.
-        "contradiction": one.of.contradiction();
+        "contradiction": one.calibration.verdict().contradiction();
         /// Why it cannot be judged whether the law fits, although it is off.
-        "undecided": one.of.undecided();
+        "undecided": one.calibration.verdict().undecided();
         /// Measured values.
-        "values": one.of.residuals.len();
+        "values": one.calibration.residuals.len();
         /// Values without outliers, less the keys.
-        "degrees_of_freedom": one.of.freedom;
+        "degrees_of_freedom": one.calibration.freedom;
         /// Sum of the squares of the residuals over their standard deviations, without outliers.
-        "chi_square": one.of.chi_square;
+        "chi_square": one.calibration.chi_square;
         /// The same over the degrees of freedom: about 1 for a law that fits.
-        "chi_square_per_degree_of_freedom": per_degree(one.of);
+        "chi_square_per_degree_of_freedom": per_degree(one.calibration);
         /// Root mean square of measured less predicted over that of the measured values, of the worst quantity.
-        "misfit": one.of.misfit;
+        "misfit": one.calibration.misfit;
         /// Probability of such a chi-square or a larger one, for a noise that is given.
-        "p": one.of.p;
+        "p": one.calibration.p;
         /// Probability of as few runs of equal signs in the residuals, in the order of the speeds.
-        "p_of_runs": one.of.runs.map(|runs| runs.p);
+        "p_of_runs": one.calibration.runs.map(|runs| runs.p);
         /// `given`, `estimated from the residuals`, or `unknown`.
-        "noise": noise(one.of).0;
+        "noise": noise(one.calibration).0;
         /// The estimated standard deviation as a share of every value.
-        "estimated_noise": noise(one.of).1;
+        "estimated_noise": noise(one.calibration).1;
         /// Error of the law that was assumed, as a share of every value.
         "model_error": one.measured.wanted.model_error;
         /// `normal`, or `student-t with 4 degrees of freedom`.
-        "likelihood": if one.of.fit.problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
+        "likelihood": if one.calibration.fit.problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
         /// Values that count as outliers.
-        "outliers": one.of.outliers;
+        "outliers": one.calibration.outliers;
         /// Akaike's information criterion; less is better.
-        "aic": one.of.fit.aic;
+        "aic": one.calibration.fit.aic;
         /// Every basin: the values of the keys, and the excess of its sum of squares over the least.
-        "minima": one.of.fit.minima.iter().map(|place| basin(one.of, place)).collect::<Vec<_>>();
+        "minima": one.calibration.fit.minima.iter().map(|place| basin(one.calibration, place)).collect::<Vec<_>>();
         /// Singular values of the relative changes of the predictions by those of the keys.
-        "identifiability.singular_values": one.of.identifiability.as_ref().map(|told| told.singular_values.clone());
+        "identifiability.singular_values": one.calibration.identifiability.as_ref().map(|found| found.singular_values.clone());
         /// Relative change of the predictions where one key is doubled and the others go along so that it is least.
-        "identifiability.change_along_the_weakest_direction": one.of.identifiability.as_ref().map(|told| told.change);
+        "identifiability.change_along_the_weakest_direction": one.calibration.identifiability.as_ref().map(|found| found.change);
         /// The product of powers of the keys that is known best.
         "identifiability.best_known_combination":
-            one.of.identifiability.as_ref().map(|told| combination(one.of, &told.exponents));
+            one.calibration.identifiability.as_ref().map(|identifiability| combination(one.calibration, &identifiability.exponents));
         /// Its relative standard deviation.
-        "identifiability.relative_sd_of_that": one.of.identifiability.as_ref().map(|told| told.deviation);
+        "identifiability.relative_sd_of_that": one.calibration.identifiability.as_ref().map(|found| found.deviation);
         /// Every law that was asked for, the best first: its AIC, how far that is above the least, its values of the keys.
-        "laws": one.of.laws.iter().map(|law| of_law(one.of, law)).collect::<Vec<_>>();
+        "laws": one.calibration.laws.iter().map(|law| of_law(one.calibration, law)).collect::<Vec<_>>();
         /// The file of measurements, and
         "data_file": one.measured.sha256.is_some().then(|| file_name(&one.measured.data.name));
         /// its hash; `null` if the measurements are in the scenario.
@@ -113,30 +113,34 @@ pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
 }
 
 /// One of the keys that were found.
-struct OfKey<'a> {
+struct KeyResult<'a> {
     number: usize,
-    of: &'a Calibration<'a>,
+    calibration: &'a Calibration<'a>,
 }
 
-impl OfKey<'_> {
-    fn found(&self) -> &Found {
-        &self.of.keys[self.number]
+impl KeyResult<'_> {
+    fn found(&self) -> &KeyEstimate {
+        &self.calibration.keys[self.number]
     }
 
     /// The value that shifts the key most.
     fn largest_shift(&self) -> Option<Value> {
-        let of = self.of;
-        let shifts = of.shifts.as_ref().filter(|_| of.refusal.is_none() && of.freedom > 0)?.column(self.number);
-        let value = &of.fit.problem.data.values[shifts.icamax()];
-        let slope = self.found().free.slope(of.fit.best().shares[self.number]);
-        let line = of.fit.problem.data.rows[value.row].line;
-        Some(json!({ "line": line, "quantity": value.what.name(), "without_it": slope * shifts[shifts.icamax()] }))
+        let calibration = self.calibration;
+        let shifts = calibration
+            .shifts
+            .as_ref()
+            .filter(|_| calibration.refusal.is_none() && calibration.freedom > 0)?
+            .column(self.number);
+        let value = &calibration.fit.problem.data.values[shifts.icamax()];
+        let slope = self.found().free.slope(calibration.fit.best().shares[self.number]);
+        let line = calibration.fit.problem.data.rows[value.row].line;
+        Some(json!({ "line": line, "quantity": value.quantity.name(), "without_it": slope * shifts[shifts.icamax()] }))
     }
 }
 
 /// The results of one key.
-fn key<'a>() -> Vec<Reported<OfKey<'a>>> {
-    results! { |one: OfKey<'a>|
+fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
+    results! { |one: KeyResult<'a>|
         /// Path of the key.
         "key": one.found().free.key.path;
         /// Its name as a column, with the unit of the values.
@@ -164,34 +168,34 @@ pub fn files() -> String {
 }
 
 #[allow(clippy::cast_precision_loss)] // counts of measurements
-fn per_degree(of: &Calibration) -> Option<f64> {
-    (of.freedom > 0).then_some(of.chi_square / of.freedom as f64)
+fn per_degree(calibration: &Calibration) -> Option<f64> {
+    (calibration.freedom > 0).then_some(calibration.chi_square / calibration.freedom as f64)
 }
 
-fn basin(of: &Calibration, place: &Place) -> Value {
-    json!({ "values": of.fit.problem.values(&place.shares), "excess": place.sum - of.fit.best().sum })
+fn basin(calibration: &Calibration, place: &Place) -> Value {
+    json!({ "values": calibration.fit.problem.values(&place.shares), "excess": place.sum - calibration.fit.best().sum })
 }
 
-fn of_law(of: &Calibration, (name, fit): &OfLaw) -> Value {
+fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
     match fit {
         Ok(fit) => {
-            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - of.least_aic(), "values": fit.values() })
+            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - calibration.least_aic(), "values": fit.values() })
         }
         Err(reason) => json!({ "law": name, "no_answer": reason.to_string() }),
     }
 }
 
 /// `summary.json`.
-pub fn summary(measured: &Measurements, of: &Calibration, provenance: &Provenance) -> Result<String, Error> {
+pub fn summary(measured: &Measurements, calibration: &Calibration, provenance: &Provenance) -> Result<String, Error> {
     let varies = |key: &str| {
-        of.keys.iter().any(|found| found.free.key.path == key)
+        calibration.keys.iter().any(|found| found.free.key.path == key)
             || measured.data.keys.iter().any(|column| column.path == key)
             || key == "output.samples"
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
-    let mut inputs = Inputs::of(&of.fit.problem.scene);
+    let mut inputs = Inputs::of(&calibration.fit.problem.scene);
     inputs.0.retain(|held| !varies(&held.path));
-    super::summary::of(fields(&results(), &Calibrated { measured, of }), &inputs, provenance)
+    super::summary::of(fields(&results(), &Calibrated { measured, calibration }), &inputs, provenance)
 }
 
 /// The name of a file without its folders, which differ from machine to machine.
@@ -200,54 +204,56 @@ fn file_name(path: &str) -> String {
 }
 
 /// `residuals.csv`: a line for every measured value.
-pub fn residuals(of: &Calibration) -> Result<Vec<u8>, Error> {
-    let data = of.fit.problem.data;
+pub fn residuals(calibration: &Calibration) -> Result<Vec<u8>, Error> {
+    let data = calibration.fit.problem.data;
     let mut writer = csv::Writer::from_writer(Vec::new());
     let keys = data.keys.iter().map(|key| key.column());
-    let shifted = of.keys.iter().map(|found| format!("shift_without_it_{}", found.free.key.column()));
+    let shifted = calibration.keys.iter().map(|found| format!("shift_without_it_{}", found.free.key.column()));
     let fixed = ["quantity", "measured", "sd", "predicted", "residual_over_sd"].map(str::to_owned);
     let indentation = data.is_curve().then(|| "indentation_m".to_owned());
     let header = ["line".to_owned()].into_iter().chain(keys).chain(indentation).chain(fixed).chain(shifted);
     writer.write_record(header)?;
     for (i, value) in data.values.iter().enumerate() {
         let row = &data.rows[value.row];
-        let slope = |key: usize| of.keys[key].free.slope(of.fit.best().shares[key]);
-        let shift =
-            |key: usize| of.shifts.as_ref().map_or_else(String::new, |all| (all[(i, key)] * slope(key)).to_string());
-        let numbers = [value.value, of.fit.problem.deviations[i], of.predicted[i], of.residuals[i]];
+        let slope = |key: usize| calibration.keys[key].free.slope(calibration.fit.best().shares[key]);
+        let shift = |key: usize| {
+            calibration.shifts.as_ref().map_or_else(String::new, |all| (all[(i, key)] * slope(key)).to_string())
+        };
+        let numbers =
+            [value.value, calibration.fit.problem.deviations[i], calibration.predicted[i], calibration.residuals[i]];
         let fields =
             [row.line.to_string()].into_iter().chain(row.keys.iter().chain(&row.indentation).map(f64::to_string));
-        let fields = fields.chain([value.what.name().to_owned()]).chain(numbers.map(|number| number.to_string()));
-        writer.write_record(fields.chain((0..of.keys.len()).map(shift)))?;
+        let fields = fields.chain([value.quantity.name().to_owned()]).chain(numbers.map(|number| number.to_string()));
+        writer.write_record(fields.chain((0..calibration.keys.len()).map(shift)))?;
     }
     written(writer)
 }
 
 /// A line for every law, the best first: its AIC, how far that is above the smallest AIC, and the values of the keys.
-fn ranked(of: &Calibration) -> Vec<Vec<String>> {
-    let row = |(law, fit): &OfLaw| match fit {
+fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
+    let row = |(law, fit): &LawFit| match fit {
         Ok(fit) => {
             // where the law does not know the keys, rounding alone is left of their information
             let is_known = fit.covariance.as_ref().is_some_and(|all| all.diagonal().iter().all(|square| *square < 1.0));
-            let say = |(value, found): (f64, &Found)| {
+            let say = |(value, found): (f64, &KeyEstimate)| {
                 if is_known { found.free.say(value, 4) } else { "not determined".to_owned() }
             };
-            let values = fit.values().into_iter().zip(&of.keys).map(say);
-            let numbers = [fit.aic, fit.aic - of.least_aic()].map(|number| format!("{number:.2}"));
+            let values = fit.values().into_iter().zip(&calibration.keys).map(say);
+            let numbers = [fit.aic, fit.aic - calibration.least_aic()].map(|number| format!("{number:.2}"));
             [law.clone()].into_iter().chain(numbers).chain(values).collect()
         }
         Err(reason) => vec![law.clone(), reason.to_string()],
     };
-    let names = of.keys.iter().map(|found| found.free.key.path.to_owned());
+    let names = calibration.keys.iter().map(|found| found.free.key.path.to_owned());
     let header = ["law", "AIC", "above the best"].map(str::to_owned).into_iter().chain(names).collect();
-    [header].into_iter().chain(of.laws.iter().map(row)).collect()
+    [header].into_iter().chain(calibration.laws.iter().map(row)).collect()
 }
 
 /// The table for the terminal.
-pub fn table(of: &Calibration) -> String {
+pub fn table(calibration: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
-    for found in &of.keys {
+    for found in &calibration.keys {
         let say = |value: f64| found.free.say(value, 4);
         let sd = found.sd.map_or_else(String::new, |sd| format!("   sd {}", found.free.say(sd, 2)));
         row(found.free.key.path, say(found.estimate) + &sd);
@@ -263,45 +269,51 @@ pub fn table(of: &Calibration) -> String {
             );
         }
     }
-    if let Some(told) = of.identifiability.as_ref().filter(|_| of.refusal.is_some() && of.keys.len() > 1) {
-        let known = combination(of, &told.exponents);
-        row("best known", format!("{known}, to {}", percent(told.deviation)));
+    if let Some(identifiability) =
+        calibration.identifiability.as_ref().filter(|_| calibration.refusal.is_some() && calibration.keys.len() > 1)
+    {
+        let known = combination(calibration, &identifiability.exponents);
+        row("best known", format!("{known}, to {}", percent(identifiability.deviation)));
     }
-    let measured = of.fit.problem.data.measured().into_iter().map(Measured::name).collect::<Vec<_>>();
+    let measured = calibration.fit.problem.data.measured().into_iter().map(Measured::name).collect::<Vec<_>>();
     row(
         "data",
         format!(
             "{} value{} of {}",
-            of.residuals.len(),
-            if of.residuals.len() == 1 { "" } else { "s" },
+            calibration.residuals.len(),
+            if calibration.residuals.len() == 1 { "" } else { "s" },
             measured.join(", ")
         ),
     );
-    let (noise, share) = noise(of);
+    let (noise, share) = noise(calibration);
     let share = share.map_or_else(String::new, |share| format!(", {} of a value", percent(share)));
     row("noise", format!("{noise}{share}"));
-    row("misfit", format!("{} rms", percent(of.misfit)));
-    if let Some(p) = of.p {
-        let outliers = if of.outliers > 0 { format!(", without {} outliers", of.outliers) } else { String::new() };
-        let chi_square = four_digits(of.chi_square);
+    row("misfit", format!("{} rms", percent(calibration.misfit)));
+    if let Some(p) = calibration.p {
+        let outliers = if calibration.outliers > 0 {
+            format!(", without {} outliers", calibration.outliers)
+        } else {
+            String::new()
+        };
+        let chi_square = four_digits(calibration.chi_square);
         row(
             "chi-square",
-            format!("{chi_square} on {} degrees of freedom{outliers}, p = {}", of.freedom, four_digits(p)),
+            format!("{chi_square} on {} degrees of freedom{outliers}, p = {}", calibration.freedom, four_digits(p)),
         );
     }
-    if let Some(runs) = of.runs {
+    if let Some(runs) = calibration.runs {
         row("runs of signs", format!("p = {}", four_digits(runs.p)));
     }
-    if of.fit.minima.len() > 1 && of.refusal.is_none() {
-        let second = &of.fit.minima[1];
-        let values = of.fit.problem.values(&second.shares);
-        let values = of.keys.iter().zip(values).map(|(found, value)| found.free.say(value, 4));
-        let excess = four_digits(second.sum - of.fit.best().sum);
+    if calibration.fit.minima.len() > 1 && calibration.refusal.is_none() {
+        let second = &calibration.fit.minima[1];
+        let values = calibration.fit.problem.values(&second.shares);
+        let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.say(value, 4));
+        let excess = four_digits(second.sum - calibration.fit.best().sum);
         row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
     }
     let mut text = aligned(&rows, |_| true);
-    if !of.laws.is_empty() {
-        let _ = write!(text, "\n{}", aligned(&ranked(of), |column| column == 0));
+    if !calibration.laws.is_empty() {
+        let _ = write!(text, "\n{}", aligned(&ranked(calibration), |column| column == 0));
     }
     text
 }

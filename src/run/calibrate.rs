@@ -5,7 +5,7 @@ use std::path::absolute;
 use toml_edit::{DocumentMut, Item, value};
 
 use super::outcome::{self, Order, Outcome, file, texts};
-use crate::calibrate::{Calibration, Found, Measurements};
+use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::error::Error;
 use crate::plot::calibrate::pictures;
 use crate::progress::Counter;
@@ -20,7 +20,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let progress = Counter::default();
     let found = measured.calibrate(&progress)?;
     Ok(Outcome {
-        contradiction: found.contradiction(),
+        contradiction: found.verdict().contradiction(),
         ..Outcome::checked(warnings(&measured, &found), report::table(&found))
     })
 }
@@ -39,17 +39,17 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         warnings: warnings(&measured, &found),
         text: report::table(&found),
         files,
-        contradiction: found.contradiction(),
+        contradiction: found.verdict().contradiction(),
     })
 }
 
 fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
-    let unbounded = |key: &Found| {
+    let unbounded = |key: &KeyEstimate| {
         key.intervals.is_some_and(|[_, wide]| wide.iter().any(Option::is_none)).then(|| {
             format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
         })
     };
-    let runs = found.runs.filter(|runs| runs.p < 0.01 && found.contradiction().is_none()).map(|runs| {
+    let runs = found.runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
         let p = crate::units::four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
@@ -57,7 +57,7 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
     let of_scene = texts(&measured.wanted.scene.warnings).into_iter();
     of_scene
         .chain(refusal)
-        .chain(found.undecided())
+        .chain(found.verdict().undecided())
         .chain(runs)
         .chain(found.keys.iter().filter_map(unbounded))
         .collect()
@@ -75,7 +75,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     }
     choose_law(&mut document, &measured.wanted.scene.law.name());
     document.remove("calibrate");
-    for Found { free, estimate, .. } in &found.keys {
+    for KeyEstimate { free, estimate, .. } in &found.keys {
         set(&mut document, free.key.path, quantity(*estimate, free.key.quantity.dimension));
     }
     for (key, path) in scenario.files().filter(|(key, _)| !key.starts_with("calibrate.")) {

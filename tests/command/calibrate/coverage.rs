@@ -2,7 +2,7 @@
 
 use crate::common::prelude::*;
 use plm_impact::calibrate::data::{Data, Row, Value};
-use plm_impact::calibrate::fit::Assumed;
+use plm_impact::calibrate::fit::NoiseModel;
 use plm_impact::calibrate::problem::Problem;
 use plm_impact::math::functions::normal_quantile;
 use plm_impact::plan::free::Free;
@@ -64,8 +64,8 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
     let exact = |(row, speed): (usize, &f64)| {
         let impact = contact.closed_form(*speed).unwrap();
         let value = |name: &&str| {
-            let what = Measured::find(name).unwrap();
-            Value { row, what, value: what.predict(&impact, &scene).unwrap(), deviation: None }
+            let quantity = Measured::find(name).unwrap();
+            Value { row, quantity, value: quantity.predict(&impact, &scene).unwrap(), deviation: None }
         };
         quantities.iter().map(value).collect::<Vec<_>>()
     };
@@ -79,9 +79,9 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
             values: noisy.map(|(value, noise)| Value { value: value.value * (1.0 + sd * noise), ..*value }).collect(),
         };
         let share = if is_estimated { 1.0 } else { sd };
-        let assumed = Assumed { own: vec![0.0; exact.len()], share, is_estimated };
-        let deviations = assumed.deviations(&data.sizes());
-        let fit = Fit::of(Problem::new(&scene, &free, &data, deviations, is_robust), &assumed).unwrap();
+        let noise_model = NoiseModel { instrument: vec![0.0; exact.len()], share, is_estimated };
+        let deviations = noise_model.deviations(&data.sizes());
+        let fit = Fit::of(Problem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
         let of_key = |key: usize| {
             fit.intervals(key).map(|[low, high]| {
                 let [low, high] =

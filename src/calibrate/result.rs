@@ -1,0 +1,183 @@
+//! The result of a calibration.
+
+use nalgebra::DMatrix;
+
+use super::fit::{Fit, Noise};
+use super::identify::{Identifiability, LAW};
+use super::problem::NoAnswer;
+use super::profile::Ends;
+use super::statistics::{Runs, p_of_chi_square};
+use crate::plan::free::Free;
+use crate::units::four_digits;
+use crate::units::rounded::percent;
+
+/// With `robust`, residuals of more than this many standard deviations are outliers.
+pub(super) const OUTLIER: f64 = 3.0;
+/// If more than this share of the values are outliers, the law is taken not to fit.
+const MOST_OUTLIERS: f64 = 0.2;
+/// The law is rejected if the measurements have a smaller probability than this.
+const REJECTED: f64 = 0.01;
+
+/// The fit of a law, by the name of the law.
+pub type LawFit<'a> = (String, Result<Fit<'a>, NoAnswer>);
+
+/// The result for one key.
+#[derive(Debug, Clone)]
+pub struct KeyEstimate {
+    /// The key and its range.
+    pub free: Free,
+    /// Its best value, SI.
+    pub estimate: f64,
+    /// Standard deviation, SI; `None` if the measurements do not determine the key.
+    pub sd: Option<f64>,
+    /// Intervals of the profile likelihood at both levels, SI; an end is `None` if it lies outside of the range of the
+    /// key.
+    pub intervals: Option<[Ends; 2]>,
+}
+
+/// The result of a calibration.
+#[derive(Debug)]
+pub struct Calibration<'a> {
+    /// The best keys under the law of the scenario.
+    pub fit: Fit<'a>,
+    /// The result for each key.
+    pub keys: Vec<KeyEstimate>,
+    /// The prediction for every value.
+    pub predicted: Vec<f64>,
+    /// Residual of every value: measured minus predicted, over the standard deviation.
+    pub residuals: Vec<f64>,
+    /// For every value (row), the change of every key (in shares) if this value were left out, to first order.
+    pub shifts: Option<DMatrix<f64>>,
+    /// Sum of the squares of the residuals, without outliers.
+    pub chi_square: f64,
+    /// Degrees of freedom of the residuals.
+    pub freedom: usize,
+    /// Number of values that are taken as outliers.
+    pub outliers: usize,
+    /// Root mean square of measured minus predicted over root mean square of measured. It is computed for each
+    /// quantity, and this is the largest.
+    pub misfit: f64,
+    /// Probability of this chi-square or a larger one; `None` if the noise is estimated.
+    pub p: Option<f64>,
+    /// The test of runs of equal signs in the residuals, in the order of the speeds.
+    pub runs: Option<Runs>,
+    /// How well the measurements determine the keys together.
+    pub identifiability: Option<Identifiability>,
+    /// Why there is no interval; `None` if there is one.
+    pub refusal: Option<String>,
+    /// The fit of every law that was asked for, the best first.
+    pub laws: Vec<LawFit<'a>>,
+}
+
+/// Whether a law fits its measurements.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// The law fits within the noise.
+    Fits,
+    /// The law does not fit, for this reason.
+    Contradicted(String),
+    /// The law is off, but these measurements cannot tell whether that is noise, for this reason.
+    Undecided(String),
+    /// The measurements leave nothing by which to judge.
+    NotJudged,
+}
+
+impl Verdict {
+    /// Whether the law fits; `None` if these measurements cannot tell.
+    pub fn fits(&self) -> Option<bool> {
+        match self {
+            Self::Fits => Some(true),
+            Self::Contradicted(_) => Some(false),
+            Self::Undecided(_) | Self::NotJudged => None,
+        }
+    }
+
+    /// Why the law does not fit; `None` if it may.
+    pub fn contradiction(self) -> Option<String> {
+        if let Self::Contradicted(reason) = self { Some(reason) } else { None }
+    }
+
+    /// Why it cannot be judged whether the law fits, although it is off; `None` if it can.
+    pub fn undecided(self) -> Option<String> {
+        if let Self::Undecided(reason) = self { Some(reason) } else { None }
+    }
+}
+
+impl Calibration<'_> {
+    /// Whether the law fits: by the outliers, then by chi-square if the noise is known, or by the signs of the residuals if it
+    /// is estimated.
+    pub fn verdict(&self) -> Verdict {
+        let values = self.residuals.len();
+        let law = self.fit.problem.scene.law.name();
+        #[allow(clippy::cast_precision_loss)] // counts of measurements
+        if self.outliers as f64 > MOST_OUTLIERS * values as f64 {
+            return Verdict::Contradicted(format!(
+                "the law {law} does not fit: {} of {values} values are more than {OUTLIER} standard deviations from it; outliers are fewer",
+                self.outliers
+            ));
+        }
+        match self.fit.noise {
+            Noise::TooFew => self.unreached(&law).map_or(Verdict::NotJudged, Verdict::Contradicted),
+            Noise::NoScatter => Verdict::NotJudged,
+            Noise::Given => {
+                // with as many values as keys the law can meet all of them, if their noise allows it
+                let freedom = self.freedom.max(1);
+                let p = p_of_chi_square(self.chi_square, freedom).unwrap_or(1.0);
+                if p < REJECTED {
+                    let chi_square = four_digits(self.chi_square);
+                    return rejected(&law, &format!("chi-square is {chi_square} on {freedom} degrees of freedom"), p);
+                }
+                if self.freedom > 0 { Verdict::Fits } else { Verdict::NotJudged }
+            }
+            Noise::Estimated { .. } => self.by_signs(&law),
+        }
+    }
+
+    /// Why as many keys as values do not meet the values; `None` if they do.
+    fn unreached(&self, law: &str) -> Option<String> {
+        let unreached = self.residuals.iter().map(|residual| residual.abs()).fold(0.0, f64::max);
+        let off = if unreached < 10.0 { percent(unreached) } else { four_digits(unreached) + " times the value" };
+        let keys = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
+        (unreached > 1e-6).then(|| {
+            format!(
+                "no value of {keys} in its range gives what was measured under the law {law}; the nearest is off by {off}"
+            )
+        })
+    }
+
+    /// The verdict of the test of runs, where the law is off by more than the usual error of laws.
+    fn by_signs(&self, law: &str) -> Verdict {
+        let off = percent(self.misfit);
+        match self.runs.filter(|_| self.misfit > LAW) {
+            Some(runs) if runs.p < REJECTED => {
+                let reason = format!("it is off by {off}, and the residuals keep their signs for too long");
+                rejected(law, &reason, runs.p)
+            }
+            Some(runs) if runs.least >= REJECTED => Verdict::Undecided(format!(
+                "whether the law fits cannot be judged: it is off by {off}, but with {} values any noise explains that (the test of runs cannot fall below p = {}); give calibrate.noise, or measure more",
+                self.residuals.len(),
+                four_digits(runs.least)
+            )),
+            _ if self.freedom > 0 => Verdict::Fits,
+            _ => Verdict::NotJudged,
+        }
+    }
+
+    /// Correlation of the two keys.
+    pub fn correlation(&self) -> Option<f64> {
+        let covariance = self.fit.covariance.as_ref().filter(|covariance| covariance.ncols() == 2)?;
+        Some(covariance[(0, 1)] / (covariance[(0, 0)] * covariance[(1, 1)]).sqrt())
+    }
+
+    /// The smallest AIC of all laws; NaN without one.
+    pub fn least_aic(&self) -> f64 {
+        self.laws.first().and_then(|(_, fit)| fit.as_ref().ok()).map_or(f64::NAN, |fit| fit.aic)
+    }
+}
+
+fn rejected(law: &str, reason: &str, p: f64) -> Verdict {
+    Verdict::Contradicted(format!(
+        "the law {law} does not fit these data within their noise: {reason}, p = {}; look at the residuals, and at other laws with --law all",
+        four_digits(p)
+    ))
+}
