@@ -16,7 +16,6 @@ mod contact_law;
 pub(crate) mod crossing;
 pub mod curve;
 mod memory;
-mod panel;
 pub mod piece;
 pub mod plm;
 pub mod published;

@@ -1,9 +1,9 @@
 //! Small mathematics that knows nothing of contacts: functions with the same bits on every machine, quadrature, roots,
-//! least squares, polynomials, powers, and smooth forces given by a formula.
+//! powers, and smooth forces as polynomials or in closed form.
 
-pub(crate) mod chebyshev;
+pub mod branch;
 pub mod functions;
+pub mod poly;
 pub mod power;
 pub mod quadrature;
 pub mod root;
-pub mod smooth;

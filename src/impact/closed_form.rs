@@ -3,7 +3,7 @@
 //! Without gravity (for that see `gravity`) and damping the motion is conservative on each branch,
 //! u² = q² − (5/2) w(x). So the peak is where the work is the kinetic energy, w(x_m) = (2/5) q², and
 //! e² = f_m ε_m/(n + 1) / w(x_m). The time on a straight piece is an arctangent, on a power piece an incomplete beta
-//! function, on any other a quadrature.
+//! function, on any other a rule of twenty nodes.
 
 mod gravity;
 
@@ -12,12 +12,11 @@ use super::outcome::{Fate, Outcome};
 use super::scales::ACCELERATION;
 use crate::integrate::IntegrationError;
 use crate::law::crossing::Reached;
-use crate::law::curve::Curve;
-use crate::law::piece::Shape;
+use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Unloading};
 use crate::math::functions::atan;
+use crate::math::poly::Poly;
 use crate::math::power::{arctangent, power_time};
-use crate::math::smooth::Smooth;
 
 /// The outcome of an impact at q = v/V by the balance of energy; `None` with damping or on a plate. Under gravity the times
 /// have this relative tolerance, else all is exact to rounding.
@@ -60,7 +59,7 @@ struct Balance {
 fn balance(law: &Law, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
     let last = law.turning_piece(kinetic);
-    let distance = law.loading.distance_at_work(last, kinetic);
+    let distance = law.loading.pieces()[last].distance_at_work(kinetic);
     let unloading = law.turned_at(last, distance, kinetic);
     // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
     let share = unloading.capacity() / kinetic;
@@ -73,16 +72,15 @@ fn balance(law: &Law, speed: f64) -> Balance {
 /// The whole outcome of an impact at q = v/V by the law alone, exact to rounding.
 pub fn solve(law: &Law, speed: f64) -> Outcome {
     let Balance { unloading, restitution, kinetic, last, distance } = balance(law, speed);
-    let curve = &law.loading;
-    let Reached { piece: first, mut start, work, time: mut loading_time } = curve.crossed(kinetic, speed);
+    let pieces = law.loading.pieces();
+    let Reached { piece: first, work, time: mut loading_time } = law.loading.crossed(kinetic, speed);
     let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
-    for index in first..last {
-        let next = &curve.pieces()[index + 1];
-        let exit = (2.0 * ACCELERATION * (kinetic - next.work)).sqrt();
-        loading_time += time_on(curve, index, [start, next.start - curve.pieces()[index].start], [entry, exit]);
-        (entry, start) = (exit, next.start);
+    for pair in pieces[first..=last].windows(2) {
+        let exit = (2.0 * ACCELERATION * (kinetic - pair[1].work)).sqrt();
+        loading_time += time_on(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
+        entry = exit;
     }
-    loading_time += time_on(curve, last, [start, distance], [entry, 0.0]);
+    loading_time += time_on(&pieces[last], distance, [entry, 0.0]);
     let peak = &unloading.peak;
     let unloading_time = unloading.quarter_period() * peak.elastic_approach / (restitution * speed);
     Outcome {
@@ -101,17 +99,13 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
 /// √c, so that ω = √c √s on a straight piece of slope s.
 const ROOT_ACCELERATION: f64 = 1.118_033_988_749_895;
 
-/// The distance of a turning point from a knot has lost digits if it is below half this share of the indentation.
-const NEAR_KNOT: f64 = 1e-6;
-
-/// Time on a piece, entered at x = `from`, to `distance` beyond its start, with the speeds there; 0 is the turning point.
+/// Time on a piece to a distance from its start, with the speeds at both; 0 is the turning point.
 ///
 /// To the turning point of a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance is not used there:
 /// just behind a knot it is a difference of nearly equal numbers and has few digits.
 #[inline(always)]
-fn time_on(curve: &Curve, index: usize, [from, distance]: [f64; 2], [entry, exit]: [f64; 2]) -> f64 {
-    let piece = &curve.pieces()[index];
-    match piece.shape {
+fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
+    match &piece.shape {
         Shape::Straight { slope, inverse_root } => {
             let omega = ROOT_ACCELERATION * slope * inverse_root;
             let by_root = inverse_root * (1.0 / ROOT_ACCELERATION);
@@ -121,12 +115,13 @@ fn time_on(curve: &Curve, index: usize, [from, distance]: [f64; 2], [entry, exit
             // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
             2.0 * arctangent(omega * distance / (entry + exit)) * by_root
         }
-        Shape::Power { exponent, lead: 0.0, .. } => power_time(exponent, distance, entry, exit),
+        Shape::Power { exponent, lead: 0.0, .. } => power_time(*exponent, distance, entry, exit),
         Shape::Power { exponent, lead, .. } => {
             let begun = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
-            late_time(exponent, [lead, distance], (entry * entry + begun).sqrt(), [entry, exit])
+            late_time(*exponent, [*lead, distance], (entry * entry + begun).sqrt(), [entry, exit])
         }
-        Shape::Smooth(smooth) => time_on_formula(curve, index, smooth, [from, distance], [entry, exit]),
+        Shape::Polynomial(poly) => time_on_polynomial(poly, distance, exit),
+        Shape::Branch(branch) => branch.time(distance, distance, exit, ACCELERATION),
     }
 }
 
@@ -136,24 +131,7 @@ fn late_time(exponent: f64, [lead, distance]: [f64; 2], whole: f64, [entry, exit
     power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
 }
 
-/// Time on a formula. It is a function of its own because `time_on` takes a tenth longer on the other pieces if it holds this
-/// code too.
-#[cold]
-fn time_on_formula(
-    curve: &Curve,
-    index: usize,
-    smooth: Smooth,
-    [from, distance]: [f64; 2],
-    [entry, exit]: [f64; 2],
-) -> f64 {
-    let piece = &curve.pieces()[index];
-    // just behind a knot the time is that on the tangent at the knot
-    let is_near = entry * entry < NEAR_KNOT * ACCELERATION * piece.force * piece.start;
-    if exit == 0.0 && from == piece.start && is_near {
-        let omega = (ACCELERATION * piece.slope_at(piece.start)).sqrt();
-        return atan(omega * entry / (ACCELERATION * piece.force)) / omega;
-    }
-    // on the panels of the piece, or on the piece where it has none, as on a spot that was loaded before
-    let on_panels = curve.time_on_panels(index, from, distance, exit, ACCELERATION);
-    on_panels.unwrap_or_else(|| smooth.time(piece.start, 0.0, distance, exit, ACCELERATION))
+#[cold] // the times on the other pieces are faster without this code among them
+fn time_on_polynomial(poly: &Poly, distance: f64, exit: f64) -> f64 {
+    poly.time(distance, distance, exit, ACCELERATION)
 }

@@ -70,7 +70,7 @@ pub fn integrate<I: Integrator>(
             continue;
         }
         piece += 1;
-        if recorder.is_on() {
+        if recorder.is_on() && !law.loading.pieces()[piece].is_joint {
             let is_yield = law.loading.pieces()[piece].start == law.elastic_until();
             recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, &at);
         }
@@ -156,14 +156,15 @@ fn near_rest(forces: &ScaledForces, point: &StaticPoint, distance: f64, at: &Sta
 /// The deceleration of the sphere on a piece of the loading curve.
 #[inline(always)]
 fn restoring(piece: &Piece) -> Restoring {
-    match piece.shape {
+    match &piece.shape {
         Shape::Power { stiffness, exponent, .. } => {
-            Restoring::Power { coefficient: ACCELERATION * stiffness, exponent }
+            Restoring::Power { coefficient: ACCELERATION * stiffness, exponent: *exponent }
         }
         Shape::Straight { slope, .. } => {
             Restoring::Straight { at_start: ACCELERATION * piece.force, slope: ACCELERATION * slope }
         }
-        Shape::Smooth(force) => Restoring::Smooth { force, start: piece.start, factor: ACCELERATION },
+        Shape::Polynomial(poly) => Restoring::Polynomial { force: **poly, factor: ACCELERATION },
+        Shape::Branch(branch) => Restoring::Branch { branch: *branch, factor: ACCELERATION },
     }
 }
 

@@ -81,14 +81,16 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
     for (i, piece) in pieces.iter().enumerate() {
         let next = pieces.get(i + 1);
         let (end, exit) = next.map_or((turn, 0.0), |next| (next.start, speed_at(next.work)));
-        integral += match piece.shape {
+        integral += match &piece.shape {
             Shape::Power { exponent, lead: 0.0, .. } if next.is_none() => {
                 let run = end - piece.start;
-                power_integral(&Peak { indentation: run, force: piece.force_at(end), elastic_approach: run }, exponent)
+                power_integral(&Peak { indentation: run, force: piece.force_at(end), elastic_approach: run }, *exponent)
             }
-            Shape::Straight { slope, .. } => straight_integral(slope, piece.force_at(end), piece.force, entry, exit),
+            Shape::Straight { slope, .. } => straight_integral(*slope, piece.force_at(end), piece.force, entry, exit),
             // no closed form here
-            Shape::Power { .. } | Shape::Smooth(_) => integral_by_quadrature(piece, end, speed_at),
+            Shape::Power { .. } | Shape::Polynomial(_) | Shape::Branch(_) => {
+                integral_by_quadrature(piece, end, speed_at)
+            }
         };
         entry = exit;
     }

@@ -17,7 +17,6 @@ use super::{Arrival, Drag, IntegrationError, Integrator, Landing, MOST_STEPS, Pa
 use crate::math::functions::pow;
 use crate::math::power::max_or_nan;
 use crate::math::root::bracketed;
-use crate::math::smooth::Variable;
 
 /// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
 const PART: f64 = 0.05;
@@ -205,10 +204,8 @@ impl Damped {
             Restoring::Power { coefficient, exponent: 1.5 } => {
                 self.run(DraggedHertz::<M>::along(coefficient, path), path, state, track)
             }
-            Restoring::Smooth { force, .. } if force.variable() == Variable::Indentation => {
-                self.run(AnyDragged::<1>(*path), path, state, track)
-            }
-            Restoring::Power { .. } | Restoring::Smooth { .. } => self.run(AnyDragged::<M>(*path), path, state, track),
+            Restoring::Polynomial { .. } => self.run(AnyDragged::<1>(*path), path, state, track),
+            Restoring::Power { .. } | Restoring::Branch { .. } => self.run(AnyDragged::<M>(*path), path, state, track),
         }
     }
 }

@@ -1,9 +1,11 @@
 //! One smooth piece, the way along it, and what acts there: the restoring force, drag in the contact and on the motion, a pull.
 
+use crate::math::branch::Branch;
+use crate::math::poly::Poly;
 use crate::math::power::max_or_nan;
-use crate::math::smooth::Variable;
 
 /// The deceleration g(d) along one piece, d measured from the start of the piece.
+#[allow(clippy::large_enum_variant)] // copied once a leg
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Restoring {
     /// g = k d^n.
@@ -20,12 +22,15 @@ pub enum Restoring {
         /// s > 0.
         slope: f64,
     },
-    /// g = c f.
-    Smooth {
-        /// f.
-        force: crate::math::smooth::Smooth,
-        /// Where the piece begins in the variable of f.
-        start: f64,
+    /// g = c f with a polynomial f.
+    Polynomial {
+        force: Poly,
+        /// c > 0.
+        factor: f64,
+    },
+    /// g = c f with an unloading branch f.
+    Branch {
+        branch: Branch,
         /// c > 0.
         factor: f64,
     },
@@ -38,7 +43,8 @@ impl Restoring {
         match *self {
             Self::Power { coefficient, exponent } => coefficient * crate::math::power::power(distance, exponent),
             Self::Straight { at_start, slope } => at_start + slope * distance,
-            Self::Smooth { force, start, factor } => factor * force.value(start, distance),
+            Self::Polynomial { ref force, factor } => factor * force.force(distance),
+            Self::Branch { ref branch, factor } => factor * branch.at(distance).0[0],
         }
     }
 
@@ -50,17 +56,8 @@ impl Restoring {
                 [force, n * force / distance, n * (n - 1.0) * force / distance / distance]
             }
             Self::Straight { slope, .. } => [self.at(distance), slope, 0.0],
-            Self::Smooth { force, start, factor } => {
-                let by_root = force.variable() == Variable::RootOfDistance;
-                let x = if by_root { distance.max(0.0).sqrt() } else { start + distance };
-                let jet = force.jet(x);
-                let [f, s, k] = [jet.value, jet.slope, jet.curvature].map(|part| factor * part);
-                match by_root {
-                    false => [f, s, k],
-                    true if x > 0.0 => [f, s / (2.0 * x), (k - s / x) / (4.0 * x * x)],
-                    true => [f, 0.5 * k, 0.0],
-                }
-            }
+            Self::Polynomial { ref force, factor } => force.jet(distance).map(|part| factor * part),
+            Self::Branch { ref branch, factor } => branch.at(distance).0.map(|part| factor * part),
         }
     }
 
@@ -72,7 +69,7 @@ impl Restoring {
                 (coefficient * exponent).sqrt() * crate::math::power::power(distance.abs(), 0.5 * (exponent - 1.0))
             }
             Self::Straight { slope, .. } => slope.sqrt(),
-            Self::Smooth { force, start, factor } => root_of(factor * force.slope(start, distance)),
+            Self::Polynomial { .. } | Self::Branch { .. } => root_of(self.derivatives(distance)[1]),
         }
     }
 }

@@ -20,8 +20,8 @@
 //! For n = 3/2 these are polynomials with m = 2, and with m = 4 where the drag goes with √g'(d), that is with d^¼. On a
 //! straight piece m = 1. The loss ∫ drag d' dt is integrated along.
 
+pub(super) mod formula;
 pub(super) mod power;
-pub(super) mod smooth;
 pub(super) mod straight;
 
 use super::Path;

@@ -27,15 +27,14 @@ use super::damped::Damped;
 use super::dense::segment;
 use super::landing::{Node, Target};
 use super::nystrom::{self, EVALUATIONS};
+use super::piece::formula::{Polynomial, Root};
 use super::piece::power::Power;
-use super::piece::smooth::Curve;
 use super::piece::straight::Straight;
 use super::piece::{Field, Variables};
 use super::{
     Arrival, Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Segment, State, Work,
 };
 use crate::math::functions::pow;
-use crate::math::smooth::Variable;
 
 #[derive(Debug, Clone)]
 pub struct Rk8 {
@@ -84,15 +83,9 @@ impl Rk8 {
             Restoring::Power { coefficient: k, exponent } => {
                 traverse!(Power::<false, PULLED>::new(k, exponent, path.pull))
             }
-            Restoring::Smooth { .. } if PULLED => None,
-            Restoring::Smooth { force, start, factor } => Some(match force.variable() {
-                Variable::Indentation => {
-                    self.traverse_field(Curve::<false> { force, start, c: factor }, path, state, track)
-                }
-                Variable::RootOfDistance => {
-                    self.traverse_field(Curve::<true> { force, start, c: 2.0 * factor }, path, state, track)
-                }
-            }),
+            Restoring::Polynomial { .. } | Restoring::Branch { .. } if PULLED => None,
+            Restoring::Polynomial { force, factor: c } => traverse!(Polynomial { force, c }),
+            Restoring::Branch { branch, factor } => traverse!(Root { branch, c: 2.0 * factor }),
         }
     }
 

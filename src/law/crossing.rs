@@ -10,14 +10,14 @@
 //! The c_k belong to the curve and are computed once. Up to w_i = E/10 fourteen terms are enough: the rest of the
 //! series is below 1e-16 of the time of loading. A hardening half-space has about 100 pieces; this series is the time on most of them.
 
-use super::panel::Panel;
 use super::piece::{Piece, Shape};
 use crate::math::quadrature::gauss;
 
 const TERMS: usize = 14;
 /// The largest w_i/E that the series is used for.
 const LARGEST_SHARE: f64 = 0.1;
-/// Of so many knots one has a series: series for all of them would take four times the room and save little.
+/// Of so many knots of a curve of straight pieces one has a series: series for all would take four times the room and save
+/// little.
 const EVERY: usize = 4;
 
 /// No series is made for a knot of more work: the powers of the work would leave double precision.
@@ -82,7 +82,7 @@ impl Crossing {
             .rev()
             .fold((0.0, 0.0), |(even, odd), pair| (even * square + pair[0], odd * square + pair[1]));
         let &Self { piece, start, work, .. } = self;
-        Reached { piece, start, work, time: start / speed * (even + share * odd) }
+        Reached { piece, work, time: start / speed * (even + share * odd) }
     }
 }
 
@@ -90,8 +90,6 @@ impl Crossing {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reached {
     pub piece: usize,
-    /// x.
-    pub start: f64,
     pub work: f64,
     /// The time since first touch.
     pub time: f64,
@@ -109,16 +107,17 @@ fn add<const N: usize>(moments: &mut [f64; TERMS], mut terms: [f64; N], works: &
     }
 }
 
-/// The series for the knots of a curve that begins with a power law from zero, and for the starts of its panels. Its straight
-/// pieces must end at most 10 % beyond their starts; there are no series behind a piece of another kind.
-pub(super) fn crossings(pieces: &[Piece], panels: &[Panel]) -> Vec<Crossing> {
-    let mut crossings = Vec::with_capacity(pieces.len() / EVERY + panels.len());
+/// The series for the knots of a curve that begins with a power law from zero. Its straight pieces must end at most 10 % beyond
+/// their starts; there are no series behind a piece of another kind.
+pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
+    let is_long = !pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)));
+    let mut crossings = Vec::with_capacity(pieces.len());
     // ∫ w^k dx from 0 to the start of a piece
     let mut moments = [0.0; TERMS];
     for (index, pair) in (1..).zip(pieces.windows(2)).take_while(|(_, pair)| pair[1].work < LARGEST_WORK) {
         let (piece, next) = (&pair[0], &pair[1]);
         let length = next.start - piece.start;
-        match piece.shape {
+        match &piece.shape {
             #[allow(clippy::cast_precision_loss)] // fourteen terms
             Shape::Power { exponent, lead: 0.0, .. } => {
                 let mut term = length;
@@ -134,21 +133,14 @@ pub(super) fn crossings(pieces: &[Piece], panels: &[Panel]) -> Vec<Crossing> {
                 });
                 add(&mut moments, WEIGHTS.map(|weight| weight * length), &works);
             }
-            Shape::Smooth(_) | Shape::Power { .. } => {
-                if !panels.iter().any(|panel| panel.piece + 1 == index) {
-                    break;
-                }
-                for panel in panels.iter().filter(|panel| panel.piece + 1 == index) {
-                    // that of its start, which is a knot of the curve or the end of another panel
-                    crossings.push(Crossing::new(index - 1, panel.start, panel.work, &moments));
-                    let (nodes, weights) = gauss();
-                    let works = nodes.map(|node| panel.work + panel.work_beyond(node * panel.length));
-                    add(&mut moments, weights.map(|weight| weight * panel.length), &works);
-                }
+            Shape::Polynomial(poly) => {
+                let (nodes, weights) = gauss();
+                let works = nodes.map(|node| piece.work + poly.work(node * length));
+                add(&mut moments, weights.map(|weight| weight * length), &works);
             }
+            Shape::Power { .. } | Shape::Branch(_) => break,
         }
-        let is_formula = panels.iter().any(|panel| panel.piece == index);
-        if !is_formula && (index % EVERY == 0 || !panels.is_empty()) {
+        if !is_long || index % EVERY == 0 {
             crossings.push(Crossing::new(index, next.start, next.work, &moments));
         }
     }

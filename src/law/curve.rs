@@ -3,11 +3,13 @@
 //! Everything here is dimensionless: indentation x = δ/L, force f = F/Φ, work w = W/(Φ L), where L and Φ are the yield
 //! indentation and force (or, for an elastic impact, the Hertz peak).
 
+use std::sync::Arc;
+
 use super::crossing::{self, Crossing, Reached};
-use super::panel::{self, Panel, panels};
 use super::piece::{Piece, Shape};
+use crate::math::functions::{ln, pow};
+use crate::math::poly::Poly;
 use crate::math::power::power;
-use crate::math::smooth::Smooth;
 
 /// An increasing and continuous loading curve from (0, 0) on; its last piece has no end.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,8 +17,6 @@ pub struct Curve {
     pub(super) pieces: Vec<Piece>,
     /// Knots with a series for the time to them; none but on a curve of many pieces.
     pub(super) crossings: Vec<Crossing>,
-    /// The pieces that are formulas, as polynomials.
-    panels: Vec<Panel>,
 }
 
 impl Curve {
@@ -31,7 +31,7 @@ impl Curve {
     }
 
     pub(super) fn of(pieces: Vec<Piece>) -> Self {
-        Self { pieces, crossings: Vec::new(), panels: Vec::new() }
+        Self { pieces, crossings: Vec::new() }
     }
 
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
@@ -53,69 +53,42 @@ impl Curve {
         self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
     }
 
-    /// The same curve, going on from `start` to `end` as a formula says that is singular at `pole`.
+    /// The same curve, going on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:
+    /// a piece for every octave of the distance from there. The formula is also asked 3 % of that distance outside of both.
     #[must_use]
-    pub fn then_smooth(self, start: f64, smooth: Smooth, end: f64, pole: f64) -> Self {
-        let mut curve = self.then(start, smooth.value(start, 0.0), Shape::Smooth(smooth));
-        if let Some(last) = curve.pieces.last() {
-            curve.panels.extend(panels(curve.pieces.len() - 1, last, end, pole));
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few octaves
+    pub fn then_formula(mut self, start: f64, end: f64, pole: f64, formula: impl Fn(f64) -> f64) -> Self {
+        let whole = (end - pole) / (start - pole);
+        let count = (ln(whole) / std::f64::consts::LN_2).ceil().clamp(1.0, 2048.0);
+        let ratio = pow(whole, 1.0 / count);
+        let mut from = start;
+        for number in 1..=count as usize {
+            let to = if number == count as usize { end } else { pole + (from - pole) * ratio };
+            let poly = Poly::fit(&formula, from, to, pole);
+            self = self.then(from, poly.force(0.0), Shape::Polynomial(Arc::new(poly)));
+            if let Some(piece) = self.pieces.last_mut() {
+                piece.is_joint = number > 1;
+            }
+            from = to;
         }
-        curve
+        self
     }
 
     /// The same curve with series for the time to its knots (see [`crossing::crossings`]).
     #[must_use]
     pub(super) fn with_crossings(mut self) -> Self {
-        self.crossings = crossing::crossings(&self.pieces, &self.panels);
+        self.crossings = crossing::crossings(&self.pieces);
         self
     }
 
-    #[must_use]
-    pub(super) fn with_crossings_of_panels(self) -> Self {
-        if self.panels.is_empty() { self } else { self.with_crossings() }
-    }
-
-    /// The panels of a piece; none but on a formula.
-    fn panels_of(&self, index: usize) -> &[Panel] {
-        let from = self.panels.partition_point(|panel| panel.piece < index);
-        let until = self.panels.partition_point(|panel| panel.piece <= index);
-        &self.panels[from..until]
-    }
-
-    /// The distance from the start of a piece at which the work reaches `work`, see [`Piece::distance_at_work`].
-    #[inline(always)]
-    pub(crate) fn distance_at_work(&self, index: usize, work: f64) -> f64 {
-        let piece = &self.pieces[index];
-        if self.panels.is_empty() {
-            return piece.distance_at_work(work);
-        }
-        let panels = self.panels_of(index);
-        let before = panels.partition_point(|panel| panel.work <= work);
-        let panel = before.checked_sub(1).map(|last| &panels[last]);
-        panel.map_or_else(
-            || piece.distance_at_work(work),
-            |panel| (panel.start - piece.start) + panel.distance_at_work(work - panel.work),
-        )
-    }
-
-    /// The time of a motion d'' = −c f on the panels of a piece, from x = `from` to a distance from the start of the piece,
-    /// where the speed is `exit`; `None` on one without panels.
-    pub(crate) fn time_on_panels(&self, index: usize, from: f64, distance: f64, exit: f64, c: f64) -> Option<f64> {
-        let panels = self.panels_of(index);
-        let start = panels.first()?.start;
-        let x = start + distance;
-        let last = panels.partition_point(|panel| panel.start <= x).saturating_sub(1);
-        let first = panels.partition_point(|panel| panel.start <= from).saturating_sub(1).min(last);
-        Some(panel::time(&panels[first..=last], from, distance - (panels[last].start - start), exit, c))
+    /// Whether pieces of it stand for a formula.
+    pub(super) fn has_formula(&self) -> bool {
+        self.pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)))
     }
 
     fn then(mut self, start: f64, force: f64, shape: Shape) -> Self {
-        let work = match self.pieces.last() {
-            None => 0.0,
-            Some(last) if self.panels.is_empty() => last.work_at(start),
-            Some(_) => self.work(start),
-        };
-        self.pieces.push(Piece { start, force, work, shape });
+        let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
+        self.pieces.push(Piece { start, force, work, is_joint: false, shape });
         self
     }
 
@@ -154,12 +127,7 @@ impl Curve {
 
     /// Work from first touch to x.
     pub fn work(&self, x: f64) -> f64 {
-        let index = self.index_at(x);
-        let panels: &[Panel] = if self.panels.is_empty() { &[] } else { self.panels_of(index) };
-        match panels.partition_point(|panel| panel.start <= x) {
-            0 => self.pieces[index].work_at(x),
-            before => panels[before - 1].work + panels[before - 1].work_beyond(x - panels[before - 1].start),
-        }
+        self.pieces[self.index_at(x)].work_at(x)
     }
 
     /// The last place that a sphere of this energy and speed reaches fast enough for its series. Without one, the start of
@@ -167,9 +135,7 @@ impl Curve {
     #[inline(always)]
     pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> Reached {
         let fast = self.crossings.partition_point(|knot| knot.is_good(kinetic));
-        let start = self.pieces[0].start;
-        fast.checked_sub(1).map_or(Reached { piece: 0, start, work: 0.0, time: 0.0 }, |last| {
-            self.crossings[last].reached(kinetic, speed)
-        })
+        fast.checked_sub(1)
+            .map_or(Reached { piece: 0, work: 0.0, time: 0.0 }, |last| self.crossings[last].reached(kinetic, speed))
     }
 }

@@ -45,8 +45,9 @@ impl Curve {
         let cut = &self.pieces[index];
         let shape = cut.shape.later(peak.indentation - cut.start);
         let spent = cut.work_at(peak.indentation);
-        let first = Piece { start: peak.indentation, force: peak.force, work: stored, shape };
-        let rest = self.pieces[index + 1..].iter().map(|piece| Piece { work: stored + (piece.work - spent), ..*piece });
+        let first = Piece { start: peak.indentation, force: peak.force, work: stored, is_joint: false, shape };
+        let rest =
+            self.pieces[index + 1..].iter().map(|piece| Piece { work: stored + (piece.work - spent), ..piece.clone() });
         Self::of([branch.branch(), first].into_iter().chain(rest).collect())
     }
 }

@@ -1,13 +1,16 @@
-//! One smooth piece of a loading curve: power (Hertz) and straight, with force and work in closed form, and any other smooth
-//! force by its formula.
+//! One smooth piece of a loading curve: a power law (Hertz), a straight line, a polynomial that stands for any other formula,
+//! or an unloading branch that is no power.
 
+use std::sync::Arc;
+
+use crate::math::branch::Branch;
 use crate::math::functions::{exp_m1, ln_1p, pow};
+use crate::math::poly::Poly;
 use crate::math::power::{power, power_turn, work_share};
 use crate::math::root::fallen_from;
-use crate::math::smooth::Smooth;
 
 /// How the force goes on from the start of a piece.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
     /// f = k (d + l)^n with d = x − x_i from the start of the piece; Hertz is n = 3/2.
     Power {
@@ -26,8 +29,10 @@ pub enum Shape {
         /// 1/√s, for the times on the piece.
         inverse_root: f64,
     },
-    /// Anything else that is smooth and increases.
-    Smooth(Smooth),
+    /// Anything else that is smooth and increases, on a stretch.
+    Polynomial(Arc<Poly>),
+    /// An unloading branch, from its zero on.
+    Branch(Branch),
 }
 
 impl Shape {
@@ -36,27 +41,27 @@ impl Shape {
         Self::Power { stiffness, exponent, lead: 0.0 }
     }
 
-    /// The same force on a piece that starts so much later.
+    /// The same force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
     #[must_use]
-    pub(super) fn later(self, by: f64) -> Self {
+    pub(super) fn later(&self, by: f64) -> Self {
         match self {
-            Self::Power { stiffness, exponent, lead } => Self::Power { stiffness, exponent, lead: lead + by },
-            same @ (Self::Straight { .. } | Self::Smooth(_)) => same,
+            Self::Power { stiffness, exponent, lead } => {
+                Self::Power { stiffness: *stiffness, exponent: *exponent, lead: lead + by }
+            }
+            Self::Polynomial(poly) => Self::Polynomial(Arc::new(poly.later(by))),
+            same @ (Self::Straight { .. } | Self::Branch(_)) => same.clone(),
         }
     }
 
     /// l: how far the zero of a power law lies before the start of its piece.
     #[inline]
     pub fn lead(&self) -> f64 {
-        match *self {
-            Self::Power { lead, .. } => lead,
-            Self::Straight { .. } | Self::Smooth(_) => 0.0,
-        }
+        if let Self::Power { lead, .. } = self { *lead } else { 0.0 }
     }
 }
 
 /// One smooth piece; it holds from `start` to the start of the next one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Piece {
     /// x_i where the piece begins.
     pub start: f64,
@@ -64,6 +69,8 @@ pub struct Piece {
     pub force: f64,
     /// w(x_i), the work from first touch to here.
     pub work: f64,
+    /// Whether the formula of the piece before goes on here: no knot of the law.
+    pub is_joint: bool,
     pub shape: Shape,
 }
 
@@ -71,10 +78,11 @@ impl Piece {
     #[inline(always)]
     pub fn force_at(&self, x: f64) -> f64 {
         let d = x - self.start;
-        match self.shape {
-            Shape::Power { stiffness, exponent, lead } => stiffness * power(d + lead, exponent),
+        match &self.shape {
+            Shape::Power { stiffness, exponent, lead } => stiffness * power(d + lead, *exponent),
             Shape::Straight { slope, .. } => self.force + slope * d,
-            Shape::Smooth(smooth) => smooth.value(self.start, d),
+            Shape::Polynomial(poly) => poly.force(d),
+            Shape::Branch(branch) => branch.at(d).0[0],
         }
     }
 
@@ -85,10 +93,11 @@ impl Piece {
 
     /// The same at a distance from the start of the piece.
     pub(crate) fn slope_beyond(&self, distance: f64) -> f64 {
-        match self.shape {
+        match &self.shape {
             Shape::Power { stiffness, exponent, lead } => stiffness * exponent * power(distance + lead, exponent - 1.0),
-            Shape::Straight { slope, .. } => slope,
-            Shape::Smooth(smooth) => smooth.slope(self.start, distance),
+            Shape::Straight { slope, .. } => *slope,
+            Shape::Polynomial(poly) => poly.jet(distance)[1],
+            Shape::Branch(branch) => branch.at(distance).0[1],
         }
     }
 
@@ -96,23 +105,25 @@ impl Piece {
     #[inline]
     pub fn work_at(&self, x: f64) -> f64 {
         let d = x - self.start;
-        match self.shape {
+        match &self.shape {
             Shape::Power { stiffness, exponent, lead } => {
-                let from_zero = |d: f64| stiffness * power(d, exponent) * d * work_share(exponent);
-                let before = if lead == 0.0 { 0.0 } else { from_zero(lead) };
+                let from_zero = |d: f64| stiffness * power(d, *exponent) * d * work_share(*exponent);
+                let before = if *lead == 0.0 { 0.0 } else { from_zero(*lead) };
                 self.work + (from_zero(d + lead) - before)
             }
             Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
-            Shape::Smooth(smooth) => self.work + smooth.work(self.start, 0.0, d),
+            Shape::Polynomial(poly) => self.work + poly.work(d),
+            Shape::Branch(branch) => self.work + branch.at(d).1,
         }
     }
 
     /// The x at which the force is `force` (≥ the force at the start): the inverse of [`Piece::force_at`].
     pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
-        let distance = match self.shape {
+        let distance = match &self.shape {
             Shape::Power { stiffness, exponent, lead } => pow(force / stiffness, 1.0 / exponent) - lead,
             Shape::Straight { slope, .. } => (force - self.force) / slope,
-            Shape::Smooth(smooth) => smooth.distance_at_force(self.start, force),
+            Shape::Polynomial(poly) => poly.distance_at_force(force),
+            Shape::Branch(branch) => branch.distance_at_force(force),
         };
         self.start + distance
     }
@@ -133,16 +144,17 @@ impl Piece {
     /// a constant force `pull` ≥ 0.
     #[inline(always)]
     pub(crate) fn way_to_turn(&self, rest: f64, pull: f64) -> f64 {
-        match self.shape {
-            Shape::Power { stiffness, exponent, lead: 0.0 } => power_turn(stiffness, exponent, rest, pull),
+        match &self.shape {
+            Shape::Power { stiffness, exponent, lead: 0.0 } => power_turn(*stiffness, *exponent, rest, pull),
             // the root of ½ s d² + (f_i − w) d = rest, in the form that does not cancel
             Shape::Straight { slope, .. } => {
                 let net = self.force - pull;
                 let root = (net * net + 2.0 * slope * rest).sqrt();
                 if net > 0.0 || pull == 0.0 { 2.0 * rest / (net + root) } else { (root - net) / slope }
             }
-            Shape::Smooth(smooth) => smooth.distance_at_work(self.start, rest, pull),
-            Shape::Power { stiffness, exponent, lead } => late_turn(stiffness, exponent, lead, rest, pull),
+            Shape::Polynomial(poly) => poly.turn(rest, pull),
+            Shape::Branch(branch) => branch.turn(rest, pull),
+            Shape::Power { stiffness, exponent, lead } => late_turn(*stiffness, *exponent, *lead, rest, pull),
         }
     }
 }

@@ -129,7 +129,8 @@ impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
     pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
         let limits = Limits::of(elastic_until, WIDEST_PARABOLOID);
-        Self { curve: curve.with_crossings_of_panels(), limits, radius: Arc::new(radius) }
+        let curve = if curve.has_formula() { curve.with_crossings() } else { curve };
+        Self { curve, limits, radius: Arc::new(radius) }
     }
 }
 

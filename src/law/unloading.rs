@@ -4,10 +4,9 @@
 use std::f64::consts::PI;
 
 use super::piece::{Piece, Shape};
-use crate::math::functions::{pow, powi};
+use crate::math::branch::{Branch, Form};
+use crate::math::functions::pow;
 use crate::math::power::{power, quarter_period, work_share};
-use crate::math::quadrature::gauss;
-use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The largest state that a contact has seen: the whole memory of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,54 +41,6 @@ pub enum UnloadingShape {
     UniformPressure,
     /// f = f_m (x^1.5 − x_r^1.5)/(x_m^1.5 − x_r^1.5): the Hertz curve, moved down (Yigit and Christoforou 1994).
     ShiftedHertz,
-}
-
-/// (2 f_m/π)(θ − sin θ cos θ) with 1 − cos θ = d/ε, a function of √d: sin(θ/2) = √(d/2ε). Parameters f_m, ε.
-static UNIFORM_PRESSURE: Formula = Formula::of_root(uniform_pressure::<f64>, uniform_pressure::<Jet>, None);
-
-fn uniform_pressure<N: Number>([force, elastic_approach, _]: &Parameters, root: N) -> N {
-    let theta = (root * (0.5 / elastic_approach).sqrt()).asin() * 2.0;
-    (theta + theta.sin() * theta.cos() * -1.0) * (2.0 / PI * force)
-}
-
-/// k (x^1.5 − x_r^1.5) as a function of y = √(x − x_r), in which it stays smooth for the shallowest dent; parameters k, x_r.
-static SHIFTED_HERTZ: Formula = Formula::of_root(shifted::<f64>, shifted::<Jet>, Some(shifted_work));
-
-fn shifted<N: Number>([k, residual, _]: &Parameters, y: N) -> N {
-    // a³ − b³ = (a² − b²) (a² + a b + b²)/(a + b) with a = √x and b = √x_r
-    let recovered = y * y;
-    let (square, b) = (recovered + *residual, residual.sqrt());
-    let a = square.powf(0.5);
-    recovered * (square + a * b + *residual) / (a + b) * *k
-}
-
-/// ∫ k (x^1.5 − x_r^1.5) dx = k (a − b)² (0.4 a³ + 0.8 a² b + 1.2 a b² + 0.6 b³), where nothing cancels but a − b = y²/(a + b).
-fn shifted_work([k, residual, _]: &Parameters, y: f64) -> f64 {
-    let (square, b) = (y * y, residual.sqrt());
-    let a = (square + residual).sqrt();
-    let above = square / (a + b);
-    k * above * above * (a * a * (0.4 * a + 0.8 * b) + b * b * (1.2 * a + 0.6 * b))
-}
-
-/// ∫ dx/√(1 − w/w_m)/ε_m over the moved Hertz curve.
-///
-/// With x = x_m (β + η)², β² = x_r/x_m, the work goes with η² (3β³ + 4β²η + 2βη² + 2η³/5), and with η = η_m (1 − σ²) the root
-/// loses its singularity, as w_m − w has the factor η_m − η.
-fn shifted_quarter_period(peak: &Peak) -> f64 {
-    let approach = peak.elastic_approach / peak.indentation;
-    let beta = (1.0 - approach).max(0.0).sqrt();
-    let most = approach / (1.0 + beta);
-    // of s² to s⁵ with s = η/η_m
-    let [a, b, c, d] = [3.0 * powi(beta, 3), 4.0 * beta * beta * most, 2.0 * beta * most * most, 0.4 * powi(most, 3)];
-    let whole = a + b + c + d;
-    let (nodes, weights) = gauss();
-    let sum = nodes.iter().zip(weights).fold(0.0, |sum, (node, weight)| {
-        let s = 1.0 - node * node;
-        // (whole − a s² − b s³ − c s⁴ − d s⁵)/(1 − s)
-        let rest = whole + s * (whole + s * ((whole - a) + s * ((c + d) + s * d)));
-        sum + weight * (beta + most * s) / rest.sqrt()
-    });
-    4.0 * most * whole.sqrt() * sum / approach
 }
 
 /// Which exponent n the unloading branch has.
@@ -130,7 +81,7 @@ pub struct Unloading {
     /// law that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
     /// The curve of the branch from x_r on; `None` for a power law.
-    pub(super) curve: Option<Smooth>,
+    pub(super) curve: Option<Branch>,
 }
 
 /// The exponent of a branch that gives back no more than was spent: the one that was `asked` for, or, where that branch
@@ -167,14 +118,16 @@ impl Unloading {
             // not moved at all: Hertz itself
             UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => Self::power(peak, 1.5),
             UnloadingShape::UniformPressure => {
-                let curve = Smooth::new(&UNIFORM_PRESSURE, [peak.force, peak.elastic_approach, 0.0]);
+                let form = Form::UniformPressure { force: peak.force };
+                let curve = Branch { form, length: peak.elastic_approach };
                 // the power law that gives back as much
                 Self { peak, exponent: 0.75 * PI - 1.0, curve: Some(curve) }
             }
             UnloadingShape::ShiftedHertz => {
                 let residual = peak.residual().max(0.0);
                 let stiffness = peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5));
-                Self::along(peak, Smooth::new(&SHIFTED_HERTZ, [stiffness, residual, 0.0]))
+                let form = Form::ShiftedHertz { stiffness, lead: residual };
+                Self::along(peak, Branch { form, length: peak.elastic_approach })
             }
         }
     }
@@ -186,8 +139,8 @@ impl Unloading {
     }
 
     /// A branch along this curve, with the exponent f_m ε_m over its energy, less 1.
-    fn along(peak: Peak, curve: Smooth) -> Self {
-        let energy = curve.work(peak.residual().max(0.0), 0.0, peak.elastic_approach);
+    fn along(peak: Peak, curve: Branch) -> Self {
+        let (_, energy) = curve.at(peak.elastic_approach);
         Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
     }
 
@@ -204,19 +157,15 @@ impl Unloading {
     }
 
     #[cold]
-    fn quarter_period_of(&self, curve: &Smooth) -> f64 {
+    fn quarter_period_of(&self, curve: &Branch) -> f64 {
         /// ∫₀¹ dd/√(1 − w(d)/w(1)), from integration with 60 digits.
         const UNIFORM: f64 = 1.493_167_350_244_138_5;
         let approach = self.peak.elastic_approach;
-        if curve.is(&SHIFTED_HERTZ) {
-            return shifted_quarter_period(&self.peak);
-        }
         // from the whole peak, and not from a lower point of its branch
-        if curve.is(&UNIFORM_PRESSURE) && curve.parameters()[1] == approach {
+        if matches!(curve.form, Form::UniformPressure { .. }) && curve.length == approach {
             return UNIFORM;
         }
-        let exit = (2.0 * self.capacity()).sqrt();
-        curve.time(self.peak.residual(), 0.0, approach, exit, 1.0) * exit / approach
+        curve.time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
     }
 
     /// The same branch from a lower point of it, where a reload turned.
@@ -241,7 +190,7 @@ impl Unloading {
         match self.curve {
             _ if recovered <= 0.0 => 0.0,
             None => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
-            Some(ref curve) => curve.value(self.peak.residual(), recovered),
+            Some(ref curve) => curve.at(recovered).0[0],
         }
     }
 
@@ -257,7 +206,7 @@ impl Unloading {
             _ if recovered <= 0.0 => 0.0,
             _ if recovered == self.peak.elastic_approach => self.capacity(),
             None => self.force_of(recovered) * recovered * work_share(self.exponent),
-            Some(ref curve) => curve.work(self.peak.residual(), 0.0, recovered),
+            Some(ref curve) => curve.at(recovered).1,
         }
     }
 
@@ -273,7 +222,7 @@ impl Unloading {
         let Peak { force, elastic_approach, .. } = self.peak;
         match self.curve {
             None => self.exponent * force / elastic_approach * power(recovered / elastic_approach, self.exponent - 1.0),
-            Some(curve) => curve.slope(self.peak.residual(), recovered),
+            Some(curve) => curve.at(recovered).0[1],
         }
     }
 
@@ -289,7 +238,7 @@ impl Unloading {
         match self.curve {
             None => self.peak.elastic_approach * pow((force / self.peak.force).min(1.0), 1.0 / self.exponent),
             Some(_) if force >= self.peak.force => self.peak.elastic_approach,
-            Some(curve) => curve.distance_at_force(self.peak.residual(), force),
+            Some(curve) => curve.distance_at_force(force),
         }
     }
 
@@ -301,7 +250,7 @@ impl Unloading {
 
     /// The branch as a piece that begins at x_r without force: what reloading runs along.
     pub fn branch(&self) -> Piece {
-        let shape = self.curve.map_or_else(|| Shape::power(self.stiffness(), self.exponent), Shape::Smooth);
-        Piece { start: self.peak.residual(), force: 0.0, work: 0.0, shape }
+        let shape = self.curve.map_or_else(|| Shape::power(self.stiffness(), self.exponent), Shape::Branch);
+        Piece { start: self.peak.residual(), force: 0.0, work: 0.0, is_joint: false, shape }
     }
 }

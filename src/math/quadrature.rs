@@ -1,4 +1,4 @@
-//! Integrals: the double exponential rule where an end may be singular, and Gauss's rule on panels for smooth functions.
+//! Integrals: the double exponential rule where an end may be singular, and the nodes of Gauss's rule for smooth functions.
 //!
 //! The double exponential rule is that of Takahasi and Mori (1974), Publ. RIMS 9, 721-741: with
 //! x = a + (b − a)/(1 + exp(−π sinh t)) the trapezoidal rule in t converges exponentially, also where the integrand has an
@@ -79,7 +79,7 @@ pub fn over(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     integrate(to - from, |below, above| f(if below < above { from + below } else { to - above }))
 }
 
-const PANEL: usize = 20;
+pub(super) const PANEL: usize = 20;
 
 /// Gauss's rule on (0, 1): nodes and weights.
 static RULE: LazyLock<[[f64; PANEL]; 2]> = LazyLock::new(|| {
@@ -113,26 +113,6 @@ fn legendre(t: f64) -> [f64; 2] {
 /// Nodes and weights of Gauss's rule on (0, 1).
 pub(crate) fn gauss() -> (&'static [f64; PANEL], &'static [f64; PANEL]) {
     (&RULE[0], &RULE[1])
-}
-
-/// ∫ f on one panel.
-pub(super) fn panel(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (width, (nodes, weights)) = (to - from, gauss());
-    width * nodes.iter().zip(weights).map(|(node, weight)| weight * f(from + width * node)).sum::<f64>()
-}
-
-/// ∫ f from `from` to `to` (either may be the larger), both > 0, for an f that is smooth except at x = 0. The panels grow as
-/// powers of 4, so that with 20 nodes the singularity at 0 adds an error of only about 3⁻⁴⁰.
-pub(super) fn over_decades(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (low, high) = (from.min(to), from.max(to));
-    let mut total = 0.0;
-    let mut end = high;
-    while end > low && end.is_finite() {
-        let begin = if 0.25 * end > 1.5 * low { 0.25 * end } else { low };
-        total += panel(begin, end, &f);
-        end = begin;
-    }
-    if to >= from { total } else { -total }
 }
 
 #[cfg(test)]

@@ -5,8 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, crossing, hertzian};
-use crate::math::functions::{exp, pow};
-use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
+use crate::math::functions::{cos, exp, pow};
 use crate::units::names::named;
 
 /// The law of Jackson and Green.
@@ -60,41 +59,6 @@ const STATED_RADIUS: f64 = 0.412;
 /// σ_Y/E* beyond which nothing of the fit is left.
 const LARGEST_STRAIN: f64 = 0.05;
 
-/// Parameters s = δ_y/δ_Y, σ_Y/E*, C.
-static EXPONENTIAL: Formula = Formula::new(exponential::<f64>, exponential::<Jet>);
-static COSINE: Formula = Formula::new(cosine::<f64>, cosine::<Jet>);
-
-/// B.
-fn growth(strain: f64) -> f64 {
-    0.14 * exp(23.0 * strain)
-}
-
-/// a/R at x: a_y/R = π C σ_Y/(2E*).
-fn radius_ratio<N: Number>([_, strain, factor]: &Parameters, x: N) -> N {
-    let b = growth(*strain);
-    x.powf(0.5 * (1.0 + b)) * (FRAC_PI_2 * factor * strain * pow(TRANSITION, -0.5 * b))
-}
-
-fn force<N: Number>([s, _, factor]: &Parameters, x: N, hardness: N) -> N {
-    let elastic = (x.powf(5.0 / 12.0) * -0.25).exp() * x.powf(1.5);
-    let plastic = hardness * (-(x.powf(5.0 / 9.0) * -0.04).exp() + 1.0) * x * (4.0 / factor);
-    (elastic + plastic) * (s * s.sqrt())
-}
-
-fn exponential<N: Number>(parameters: &Parameters, x: N) -> N {
-    let x = x * (1.0 / parameters[0]);
-    let ratio = radius_ratio(parameters, x);
-    let hardness = (-(ratio.powf(-0.7) * -0.82).exp() + 1.0) * 2.84;
-    force(parameters, x, hardness)
-}
-
-fn cosine<N: Number>(parameters: &Parameters, x: N) -> N {
-    let x = x * (1.0 / parameters[0]);
-    let ratio = radius_ratio(parameters, x);
-    let hardness = ((ratio * PI).cos() + -1.0) * 0.92 + 2.84;
-    force(parameters, x, hardness)
-}
-
 /// δ_r/δ_m at x_m ≥ 1.
 fn residual(x: f64) -> f64 {
     1.02 * (1.0 - pow((x + 5.9) / 6.9, -0.54))
@@ -104,23 +68,31 @@ impl ContactLaw for JacksonGreen {
     fn rules(&self, bodies: &Bodies) -> Rules {
         let factor = self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.poissons_ratio));
         let (s, strain) = (bodies.yield_at(factor), bodies.yield_strain());
-        let formula = match self.hardness {
-            Hardness::Exponential => &EXPONENTIAL,
-            Hardness::Cosine => &COSINE,
+        // a/R = π C σ_Y/(2E*) x^½ (x/1.9)^(B/2), in units of the law
+        let b = 0.14 * exp(23.0 * strain);
+        let unit = FRAC_PI_2 * factor * strain * pow(TRANSITION, -0.5 * b);
+        let is_cosine = self.hardness == Hardness::Cosine;
+        let fit = move |x: f64| {
+            let x = x / s;
+            let ratio = unit * pow(x, 0.5 * (1.0 + b));
+            let hardness = if is_cosine {
+                2.84 - 0.92 * (1.0 - cos(PI * ratio))
+            } else {
+                2.84 * (1.0 - exp(-0.82 * pow(ratio, -0.7)))
+            };
+            let elastic = exp(-0.25 * pow(x, 5.0 / 12.0)) * x * x.sqrt();
+            let plastic = 4.0 / factor * hardness * (1.0 - exp(-0.04 * pow(x, 5.0 / 9.0))) * x;
+            (elastic + plastic) * (s * s.sqrt())
         };
-        let smooth = Smooth::new(formula, [s, strain, factor]);
-        let b = growth(strain);
-        // x (of the law's own unit) where a/R has this value
-        let reaches =
-            |ratio: f64| pow(ratio / (FRAC_PI_2 * factor * strain) * pow(TRANSITION, 0.5 * b), 2.0 / (1.0 + b));
-        let end = reaches(1.0);
-        let excess = |x: f64| smooth.value(0.0, s * x) - pow(s * x, 1.5);
+        // a = R
+        let end = pow(1.0 / unit, 2.0 / (1.0 + b));
+        let excess = |x: f64| fit(s * x) - pow(s * x, 1.5);
         // from the printed limit, or from first yield if the fit has fallen below Hertz before that limit
         let starts = crossing(excess, TRANSITION, end).or_else(|| crossing(excess, 1.0, TRANSITION));
         let starts = starts.filter(|starts| strain <= LARGEST_STRAIN && end > 2.0 * starts);
         let curve = starts.map_or_else(Curve::hertz, |starts| {
             // beyond a = R, where the law is refused, only so that the impact ends somewhere
-            Curve::hertz().then_smooth(starts * s, smooth, end * s, 0.0).then_tangent(end * s)
+            Curve::hertz().then_formula(starts * s, end * s, 0.0, fit).then_tangent(end * s)
         });
         let from = pow(TRANSITION, -b);
         let mut loading = Loading::new(curve, s, move |x, _| {

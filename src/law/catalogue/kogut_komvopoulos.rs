@@ -5,7 +5,6 @@ use crate::law::curve::Curve;
 use crate::law::plm::Plm;
 use crate::law::published::{Loading, Rules, crossing};
 use crate::math::functions::{ln, pow};
-use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The loading of Kogut and Komvopoulos, with the unloading of Xie et al. (2024).
 ///
@@ -37,62 +36,41 @@ pub struct KogutKomvopoulos;
 const ELASTIC: f64 = 1.78;
 const PLASTIC: f64 = 21.0;
 
-/// Parameters δ_Y/R, E*/σ_Y, and the force unit σ_Y π R δ_Y/F_Y.
-static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>);
-static FULLY: Formula = Formula::new(fully::<f64>, fully::<Jet>);
-
-/// r'²/(R δ_Y) = 2x − x² δ_Y/R.
-fn cut<N: Number>([depth, ..]: &Parameters, x: N) -> N {
-    x * (x * -depth + 2.0)
-}
-
-/// s.
-fn strain<N: Number>(parameters: &Parameters, x: N) -> N {
-    let [depth, stiffness, _] = parameters;
-    x * cut(parameters, x).powf(-0.5) * (stiffness * depth.sqrt())
-}
-
-fn mixed<N: Number>(parameters: &Parameters, x: N) -> N {
-    let logarithm = strain(parameters, x).ln();
-    let pressure = logarithm * 0.70 + 0.66;
-    pressure * cut(parameters, x) / (logarithm * -0.394 + 2.193) * parameters[2]
-}
-
-fn fully<N: Number>(parameters: &Parameters, x: N) -> N {
-    cut(parameters, x) * (2.9 * parameters[2])
-}
-
 impl ContactLaw for KogutKomvopoulos {
     fn rules(&self, bodies: &Bodies) -> Rules {
         let (ratio, stiffness) = (bodies.yield_radius_ratio(), 1.0 / bodies.yield_strain());
         let depth = ratio * ratio;
-        // F_Y = (2/3) π C σ_Y R δ_Y
-        let parameters = [depth, stiffness, 1.5 / bodies.yield_point.factor];
+        // σ_Y π R δ_Y/F_Y, as F_Y = (2/3) π C σ_Y R δ_Y
+        let unit = 1.5 / bodies.yield_point.factor;
+        // r'²/(R δ_Y) and s
+        let cut = move |x: f64| x * (2.0 - depth * x);
+        let strain = move |x: f64| stiffness * ratio * x / cut(x).sqrt();
+        let mixed = move |x: f64| {
+            let logarithm = ln(strain(x));
+            (0.70 * logarithm + 0.66) * cut(x) / (2.193 - 0.394 * logarithm) * unit
+        };
+        let fully = move |x: f64| 2.9 * unit * cut(x);
         // x where s has this value: s² = (E*/σ_Y)² (δ_Y/R) x/(2 − x δ_Y/R)
         let reaches = |s: f64| {
             let per = s * s / (stiffness * stiffness * depth);
             2.0 * per / (1.0 + depth * per)
         };
         let (yields, plastic, end) = (reaches(ELASTIC), reaches(PLASTIC), 0.5 / depth);
-        let (mixed, fully) = (Smooth::new(&MIXED, parameters), Smooth::new(&FULLY, parameters));
         // the fit begins above Hertz, and the fully plastic force above the fit
-        let first = crossing(|x| mixed.value(0.0, x) - pow(x, 1.5), yields, 2.0 * yields);
-        let second = crossing(|x| fully.value(0.0, x) - mixed.value(0.0, x), plastic, 2.0 * plastic);
+        let first = crossing(|x| mixed(x) - pow(x, 1.5), yields, 2.0 * yields);
+        let second = crossing(|x| fully(x) - mixed(x), plastic, 2.0 * plastic);
         let starts = first.zip(second);
         let mut curve = Curve::hertz();
-        if let Some((first, second)) = starts {
-            for (from, smooth, until) in [(first, mixed, second.min(end)), (second, fully, end)] {
-                if from < end {
-                    curve = curve.then_smooth(from, smooth, until, 0.0);
-                }
+        if let Some((first, second)) = starts.filter(|(first, _)| *first < end) {
+            curve = curve.then_formula(first, second.min(end), 0.0, mixed);
+            if second < end {
+                curve = curve.then_formula(second, end, 0.0, fully);
             }
-            if first < end {
-                curve = curve.then_tangent(end);
-            }
+            curve = curve.then_tangent(end);
         }
         let mut loading = Loading::new(curve, yields, move |x, _| {
-            let square = cut(&parameters, x.min(end));
-            let ratio = if x <= plastic { 2.193 - 0.394 * ln(strain(&parameters, x)) } else { 1.0 };
+            let square = cut(x.min(end));
+            let ratio = if x <= plastic { 2.193 - 0.394 * ln(strain(x)) } else { 1.0 };
             (square / ratio).sqrt()
         });
         loading.limits.holds_until = if starts.is_some() { end } else { yields };

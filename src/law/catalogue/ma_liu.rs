@@ -5,7 +5,6 @@ use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{cbrt, ln, powi};
-use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Ma and Liu, written from memory.
 ///
@@ -40,27 +39,20 @@ impl Default for MaLiu {
     }
 }
 
-/// x (c_1 + c_2 ln x) + c_3.
-static MIXED: Formula = Formula::new(mixed::<f64>, mixed::<Jet>);
-
-fn mixed<N: Number>([c1, c2, c3]: &Parameters, x: N) -> N {
-    x * (x.ln() * *c2 + *c1) + *c3
-}
-
 impl ContactLaw for MaLiu {
     fn rules(&self, bodies: &Bodies) -> Rules {
         let slope = bodies.slope_of_pressure(2.0, self.hardness_ratio);
         let end = self.transition_ratio;
         let c2 = (slope - 1.5) / ln(end);
         let c1 = 1.5 - c2;
-        let mixed = Smooth::new(&MIXED, [c1, c2, 1.0 - c1]);
-        let plastic = mixed.value(0.0, end);
+        let mixed = move |x: f64| x * (c2 * ln(x) + c1) + (1.0 - c1);
+        let plastic = mixed(end);
         // ε = (f²/(R_e/R))^(1/3)
         let elastic_approach = move |force: f64| {
             let at = force.min(plastic);
             thornton::elastic_approach(at) * powi(cbrt(force / at), 2)
         };
-        let curve = Curve::hertz().then_smooth(1.0, mixed, end, 0.0).then_straight(end, slope);
+        let curve = Curve::hertz().then_formula(1.0, end, 0.0, mixed).then_straight(end, slope);
         // the radius of the Hertz contact at the start of unloading
         let loading = Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force));
         Rules::of(loading, hertzian(move |peak| elastic_approach(peak.force)))

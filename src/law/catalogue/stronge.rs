@@ -4,7 +4,6 @@ use crate::law::contact_law::{Bodies, ContactLaw};
 use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{ln, pow};
-use crate::math::smooth::{Formula, Jet, Number, Parameters, Smooth};
 
 /// The law of Stronge.
 ///
@@ -44,23 +43,19 @@ impl Default for Stronge {
 /// x of full plasticity.
 const FULLY_PLASTIC: f64 = 84.0;
 
-/// s^1.5 (2x/s − 1)(1 + ln(2x/s − 1)/(3ϑ)), parameters s = δ_y/δ_Y and 3ϑ.
-static MIDDLE: Formula = Formula::new(middle::<f64>, middle::<Jet>);
-
-fn middle<N: Number>([s, three_theta, _]: &Parameters, x: N) -> N {
-    let area = x * (2.0 / s) + -1.0;
-    area * (area.ln() * (1.0 / three_theta) + 1.0) * (s * s.sqrt())
-}
-
 impl ContactLaw for Stronge {
     fn rules(&self, bodies: &Bodies) -> Rules {
         let theta = self.yield_pressure_ratio;
         let s = bodies.yield_at(1.5 * theta);
-        let pressure = 1.0 + ln(2.0 * FULLY_PLASTIC - 1.0) / (3.0 * theta);
+        let (unit, end) = (s * s.sqrt(), FULLY_PLASTIC * s);
+        let pressure = |area: f64| 1.0 + ln(area) / (3.0 * theta);
+        let middle = |x: f64| {
+            let area = 2.0 * x / s - 1.0;
+            unit * area * pressure(area)
+        };
         let curve = Curve::hertz()
-            .then_smooth(s, Smooth::new(&MIDDLE, [s, 3.0 * theta, 0.0]), FULLY_PLASTIC * s, 0.5 * s)
-            .then_straight(FULLY_PLASTIC * s, 2.0 * s.sqrt() * pressure);
-        let unit = s * s.sqrt();
+            .then_formula(s, end, 0.5 * s, middle)
+            .then_straight(end, 2.0 * s.sqrt() * pressure(2.0 * FULLY_PLASTIC - 1.0));
         let factor = s * pow(self.unloading_factor, 0.25);
         let recovery = hertzian(move |peak| factor * (peak.force / unit).sqrt());
         Rules::of(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()), recovery)

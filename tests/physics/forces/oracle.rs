@@ -84,7 +84,7 @@ pub fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Outcome {
     } else {
         last
     };
-    let piece = pieces[last];
+    let piece = pieces[last].clone();
     let spent = |d: f64| work_between(&piece, 0.0, d) - weight * d + missing(&piece);
     let mut far = 1.0;
     while spent(far) < 0.0 {
@@ -186,12 +186,12 @@ fn time_between(
 
 /// Work on a piece between the distances `distance` and `distance + by` from its start, without cancellation.
 fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
-    match piece.shape {
+    match &piece.shape {
         Shape::Straight { slope, .. } => by * (piece.force + slope * (distance + 0.5 * by)),
         Shape::Power { stiffness, exponent, lead } => {
             let (p, end) = (exponent + 1.0, lead + distance + by);
             stiffness * end.powf(p) / p * -(p * (-by / end).ln_1p()).exp_m1()
         }
-        Shape::Smooth(_) => panic!("no formulas here"),
+        Shape::Polynomial(_) | Shape::Branch(_) => panic!("no formulas here"),
     }
 }
