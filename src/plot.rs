@@ -9,9 +9,11 @@
 
 pub mod axis;
 pub mod calibrate;
+pub mod caption;
 mod chart;
 mod force_indentation;
 mod frame;
+mod friction;
 mod heatmap;
 mod histogram;
 mod history;
@@ -33,6 +35,7 @@ use crate::error::{Error, ErrorKind};
 pub use axis::{Axis, Scale};
 pub use chart::{Chart, Panel};
 pub use force_indentation::force_indentation;
+pub use friction::friction;
 pub use heatmap::heatmap;
 pub use histogram::histogram;
 pub use history::history;

@@ -34,7 +34,7 @@ pub struct Axis {
     /// The unit, such as "m/s"; empty for a plain number.
     pub unit: String,
     pub scale: Scale,
-    /// Whether values are shown with a fitting SI prefix (only on linear axes whose unit has no prefix).
+    /// Whether values are shown with a fitting SI prefix (only on axes whose unit has no prefix).
     pub is_engineering: bool,
     /// Lower and upper end, in the unit of the values; `None` to fit them to the data.
     pub range: Option<(f64, f64)>,
@@ -53,7 +53,13 @@ impl Axis {
     }
 
     pub fn log(title: &str, unit: &str) -> Self {
-        Self { scale: Scale::Log, ..Self::linear(title, unit) }
+        Self::linear(title, unit).logarithmic()
+    }
+
+    /// The same axis with a logarithmic scale.
+    #[must_use]
+    pub fn logarithmic(self) -> Self {
+        Self { scale: Scale::Log, ..self }
     }
 
     /// The same axis from `low` to `high`.
@@ -72,10 +78,12 @@ impl Axis {
             let (low, high) = extremes(values.into_iter().filter(drawable));
             padded(low, high, is_log)
         });
-        let prefix = if self.is_engineering {
-            Prefix::of(low.abs().max(high.abs()))
-        } else {
-            Prefix { factor: 1.0, symbol: String::new() }
+        let prefix = match self.scale {
+            _ if !self.is_engineering => Prefix::of(1.0),
+            Scale::Linear => Prefix::of(low.abs().max(high.abs())),
+            // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
+            Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::of(1.0),
+            Scale::Log => Prefix::of(low.sqrt() * high.sqrt()),
         };
         let unit = format!("{}{}", prefix.symbol, self.unit);
         let title = match unit.trim() {
@@ -153,22 +161,39 @@ impl FittedAxis {
         (self.scale.of(value) - low) / (high - low)
     }
 
-    /// Ticks from low to high, with about `wanted` labels.
+    /// Ticks from low to high, with about `wanted` labels, and at least four.
     pub(super) fn ticks(&self, wanted: f64) -> Vec<Tick> {
+        let wanted = wanted.max(FEWEST);
+        let is_short = self.scale == Scale::Linear || self.high / self.low < 3.0;
+        let of_log =
+            DIGITS.into_iter().filter(|_| !is_short).map(|digits| log_ticks(self.low, self.high, wanted, digits));
+        let of_linear = [1.0, 1.5, 2.0, 3.0].into_iter().map(|more| linear_ticks(self.low, self.high, more * wanted));
+        let mut ticks = Vec::new();
+        for values in of_log.chain(of_linear) {
+            ticks = self.inside(values);
+            #[allow(clippy::cast_precision_loss)] // a handful
+            if ticks.iter().filter(|tick| tick.label.is_some()).count() as f64 >= FEWEST {
+                break;
+            }
+        }
+        ticks
+    }
+
+    /// The ticks that lie on the axis.
+    fn inside(&self, values: Vec<(f64, Option<String>)>) -> Vec<Tick> {
         let tick = |(value, label): (f64, Option<String>)| {
             let at = self.share(value);
             // a tick at the end of the axis must not be lost by rounding
             (-1e-9..=1.0 + 1e-9).contains(&at).then(|| Tick { at: at.clamp(0.0, 1.0), label })
         };
-        let values = match self.scale {
-            Scale::Linear => linear_ticks(self.low, self.high, wanted),
-            // the range is too short for ticks at powers of ten
-            Scale::Log if self.high / self.low < 3.0 => linear_ticks(self.low, self.high, wanted),
-            Scale::Log => log_ticks(self.low, self.high, wanted),
-        };
         values.into_iter().filter_map(tick).collect()
     }
 }
+
+/// Smallest number of labels of an axis.
+const FEWEST: f64 = 4.0;
+/// Digits that have a label on a logarithmic axis, from long axes to short ones.
+const DIGITS: [&[i32]; 3] = [&[1], &[1, 3], &[1, 2, 5]];
 
 #[allow(clippy::cast_possible_truncation)] // exponents and counts of ticks
 fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
@@ -196,14 +221,10 @@ fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> 
 }
 
 #[allow(clippy::cast_possible_truncation)] // exponents
-fn log_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
+fn log_ticks(low: f64, high: f64, wanted: f64, labelled: &[i32]) -> Vec<(f64, Option<String>)> {
     let (first, last) = (log10(low).floor() as i32, log10(high).ceil() as i32);
     let decades = log10(high) - log10(low);
     let every = (decades / wanted).ceil().max(1.0) as i32;
-    let labelled: &[i32] = match decades {
-        d if d < 2.0 => &[1, 2, 5],
-        _ => &[1],
-    };
     let is_plain = low > 5e-4 && high < 5e4;
     let label = |digit: i32, exponent: i32| match digit {
         _ if is_plain => crate::units::four_digits(f64::from(digit) * ten_to(exponent)),

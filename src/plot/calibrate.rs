@@ -130,7 +130,7 @@ impl<'a> FittedQuantity<'a> {
         };
         let mut series: Vec<Series> =
             self.band().map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
-        series.push(Series::bare(calibration.fit.problem.scene.law.name(), line).styled(Style::LAW));
+        series.push(Series::line(calibration.fit.problem.scene.law.name(), line).styled(Style::LAW));
         series.push(Series::bars(bars.filter(|_| has_bars)).styled(0));
         let measured = match calibration.fit.noise {
             Noise::Given => "measured, with its sd",

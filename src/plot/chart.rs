@@ -5,7 +5,7 @@ use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
 use super::axis::Axis;
-use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP};
+use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP, draw_titles};
 use super::key::{Key, MARGIN};
 use super::pen::{self, Pen, Point};
 use super::series::{Look, Series};
@@ -18,9 +18,15 @@ const GAP: f64 = 28.0;
 const BAR: f64 = 44.0;
 const BAR_MARGIN: f64 = 30.0;
 const BAR_ROOM: f64 = 250.0;
-/// Width of a narrow picture, its height without the key, and the room at the right of its axes \[px\].
+/// Width of a narrow picture and its height without the key \[px\].
 const NARROW: (f64, f64) = (800.0, 830.0);
-const NARROW_MARGIN: f64 = 40.0;
+/// Room at the right of axes without a key there \[px\].
+const RIGHT: f64 = 40.0;
+/// Largest share of the width that a key at the right of the axes takes.
+const KEY_SHARE: f64 = 0.2;
+/// Share of the width that a box at the side takes, and its distance from the first box \[px\].
+const SIDE: f64 = 0.3;
+const SIDE_GAP: f64 = 44.0;
 /// Number of steps of the colour bar.
 const STEPS: u32 = 256;
 
@@ -28,10 +34,14 @@ const STEPS: u32 = 256;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     pub title: String,
+    /// The bodies and the law, below the title; empty to leave it out.
+    pub caption: String,
     /// Common horizontal axis.
     pub x: Axis,
     /// The boxes, from the top down.
     pub panels: Vec<Panel>,
+    /// A box at the right of the first one, with the vertical axis of that box.
+    pub side: Option<Side>,
     /// Entries at the end of the key.
     pub(super) entries: Vec<Series>,
     /// The axis of the colours of a map, with their scale.
@@ -66,6 +76,13 @@ pub struct Panel {
     pub(super) cells: Vec<Cell>,
 }
 
+/// A box at the side, for series that would be too narrow on the horizontal axis of the others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Side {
+    pub x: Axis,
+    pub series: Vec<Series>,
+}
+
 /// A coloured rectangle between two corners.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
@@ -92,7 +109,20 @@ impl Chart {
 
     /// A picture of several boxes one above the other.
     pub fn stacked(title: impl Into<String>, x: Axis, panels: Vec<Panel>) -> Self {
-        Self { title: title.into(), x, panels, entries: Vec::new(), colors: None }
+        let (title, caption) = (title.into(), String::new());
+        Self { title, caption, x, panels, side: None, entries: Vec::new(), colors: None }
+    }
+
+    /// The same picture with a line below the title that names bodies and law.
+    #[must_use]
+    pub fn with_caption(self, caption: impl Into<String>) -> Self {
+        Self { caption: caption.into(), ..self }
+    }
+
+    /// The same picture with these series in a box at the right of the first one.
+    #[must_use]
+    pub fn with_side(self, x: Axis, series: Vec<Series>) -> Self {
+        Self { side: Some(Side { x, series }), ..self }
     }
 
     /// The same picture with these guides in every box.
@@ -121,7 +151,7 @@ impl Chart {
     #[must_use]
     pub fn with_branches(self, names: &[&str]) -> Self {
         let entry = |(which, name): (usize, &&str)| {
-            Series::bare(*name, Vec::new()).styled(Style::line(GREY, 3.0).branch(which))
+            Series::line(*name, Vec::new()).styled(Style::line(GREY, 3.0).branch(which))
         };
         self.with_entries(names.iter().enumerate().map(entry))
     }
@@ -153,10 +183,44 @@ impl Chart {
     }
 
     fn layout(&self, is_narrow: bool) -> Layout {
+        let (width, height) = if is_narrow { NARROW } else { (f64::from(SIZE.0), f64::from(SIZE.1)) };
+        let all = Bounds { left: LEFT, top: TOP, right: width - RIGHT, bottom: height - BOTTOM };
+        let mut frames = self.frames(all);
+        let entries = self.key(&frames);
+        let inside = match &self.panels[..] {
+            [one] if !is_narrow && self.colors.is_none() => {
+                let shown: Vec<&Series> = one.series.iter().chain(&one.guides).collect();
+                Key::inside(&entries, &frames[0], &shown)
+            }
+            _ => None,
+        };
+        let (key, key_at) = match inside {
+            Some(found) => found,
+            None if is_narrow => {
+                let key = Key::of(&entries, (width - 2.0 * MARGIN, f64::from(SIZE.1)));
+                (key, (MARGIN, height))
+            }
+            None if self.colors.is_some() => {
+                let right = width - BAR_ROOM;
+                frames = self.frames(Bounds { right, ..all });
+                (Key::of(&entries, (BAR_ROOM, all.bottom - all.top)), (right + MARGIN, TOP))
+            }
+            None => {
+                let key = Key::of(&entries, (KEY_SHARE * width - 2.0 * MARGIN, height - TOP - MARGIN));
+                let right = if entries.is_empty() { all.right } else { width - key.width() - 2.0 * MARGIN };
+                frames = self.frames(Bounds { right, ..all });
+                (key, (right + MARGIN, TOP))
+            }
+        };
+        let more = if is_narrow { key.height() } else { 0.0 };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some thousand pixels
+        let sheet = (width as u32, (height + more).ceil() as u32);
+        Layout { sheet, all, frames, key, key_at }
+    }
+
+    /// The boxes in this room; a box at the side is the last.
+    fn frames(&self, all: Bounds) -> Vec<Frame> {
         let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
-        let width = if is_narrow { NARROW.0 } else { f64::from(SIZE.0) };
-        let bottom = if is_narrow { NARROW.1 } else { f64::from(SIZE.1) } - BOTTOM;
-        let all = Bounds { left: LEFT, top: TOP, right: width, bottom };
         #[allow(clippy::cast_precision_loss)] // a handful
         let room = all.bottom - all.top - GAP * (self.panels.len() - 1) as f64;
         let shares: f64 = self.panels.iter().map(|panel| panel.share).sum();
@@ -168,77 +232,38 @@ impl Chart {
             let y = panel.y.fitted(panel.points().map(|(_, y)| y));
             frames.push(Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
         }
-        let key = Key::of(&self.key(&frames));
-        let beside = match self.colors {
-            Some(_) => BAR_ROOM,
-            None if is_narrow => NARROW_MARGIN,
-            None => key.width(),
-        };
-        let right = width - beside;
-        for frame in &mut frames {
-            frame.bounds.right = right;
+        if let Some(side) = &self.side {
+            let first = &mut frames[0];
+            let left = all.right - SIDE * (all.right - all.left);
+            first.bounds.right = left - SIDE_GAP;
+            let x = side.x.fitted(side.series.iter().flat_map(|one| &one.points).map(|(x, _)| *x));
+            let (bounds, y) = (Bounds { left, right: all.right, ..first.bounds }, first.y.clone());
+            frames.push(Frame { bounds, x, y });
         }
-        if !is_narrow {
-            return Layout { sheet: SIZE, all, frames, key, key_at: (right + MARGIN, TOP) };
-        }
-        let height = NARROW.1 + key.height();
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some thousand pixels
-        let sheet = (NARROW.0 as u32, height.ceil() as u32);
-        Layout { sheet, all, frames, key, key_at: (MARGIN, NARROW.1) }
+        frames
     }
 
     fn paint<B: DrawingBackend>(&self, layout: &Layout, pen: &mut Pen<B>) -> Result<(), PlotError> {
         let mut number = 0;
         for (i, (panel, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
             frame.draw_x(pen, i + 1 == self.panels.len())?;
-            frame.draw_y(pen)?;
-            self.fill(panel, frame, number, pen)?;
+            frame.draw_y(pen, true)?;
+            for cell in &panel.cells {
+                let inside = |value| frame.bounds.nearest(frame.place(value));
+                pen.rectangle(inside(cell.from), inside(cell.to), cell.color)?;
+            }
+            fill(&panel.series, &panel.guides, frame, number, pen)?;
             number += panel.series.len();
-            if i == 0 {
-                frame.draw_title(pen, &self.title)?;
-                layout.key.draw(pen, layout.key_at)?;
-            }
         }
+        if let (Some(side), Some(frame)) = (&self.side, layout.frames.last()) {
+            frame.draw_x(pen, true)?;
+            frame.draw_y(pen, false)?;
+            fill(&side.series, &[], frame, number, pen)?;
+        }
+        let right = layout.frames.last().map_or(layout.all.right, |frame| frame.bounds.right);
+        draw_titles(pen, Bounds { right, ..layout.all }, [&self.title, &self.caption])?;
+        layout.key.draw(pen, layout.key_at)?;
         self.draw_colors(pen, layout.all)
-    }
-
-    /// Draws the content of a box, and its outline. `first` is the number of its first series.
-    fn fill<B: DrawingBackend>(
-        &self,
-        panel: &Panel,
-        frame: &Frame,
-        first: usize,
-        pen: &mut Pen<B>,
-    ) -> Result<(), PlotError> {
-        let Bounds { left, top, right, bottom } = frame.bounds;
-        let inside = |value| {
-            let (x, y) = frame.place(value);
-            (x.clamp(left, right), y.clamp(top, bottom))
-        };
-        for cell in &panel.cells {
-            pen.rectangle(inside(cell.from), inside(cell.to), cell.color)?;
-        }
-        let series = || panel.series.iter().enumerate().map(|(i, one)| (one, one.style(first + i), first + i));
-        for (band, style, _) in series().filter(|(one, ..)| one.look == Look::Band) {
-            let corners: Vec<_> = band.points.iter().map(|point| frame.place(*point)).collect();
-            pen.polygon(&corners, style.pale())?;
-        }
-        for guide in &panel.guides {
-            frame.curve(pen, &guide.drawn(frame), guide.style(0))?;
-        }
-        frame.draw_outline(pen)?;
-        let count: usize = self.panels.iter().map(|panel| panel.series.len()).sum();
-        for (one, style, number) in series().filter(|(one, ..)| one.look != Look::Band) {
-            if one.look != Look::Points {
-                frame.curve(pen, &one.points, style)?;
-            }
-            #[allow(clippy::cast_precision_loss)] // a handful of series
-            let (marked, radius) = one.marks(frame, style, (number + 1) as f64 / (count + 1) as f64);
-            for point in marked {
-                frame.mark(pen, point, Style { radius, ..style })?;
-            }
-        }
-        Ok(())
     }
 
     /// What the key shows. Guides with the same texts have one entry, in grey if their colours differ.
@@ -246,7 +271,8 @@ impl Chart {
         fn styled((number, one): (usize, &Series)) -> (&Series, Style) {
             (one, one.style(number))
         }
-        let series = self.panels.iter().flat_map(|panel| &panel.series).enumerate();
+        let of_side = self.side.iter().flat_map(|side| &side.series);
+        let series = self.panels.iter().flat_map(|panel| &panel.series).chain(of_side).enumerate();
         let mut named: Vec<(&Series, Style)> = series.map(styled).collect();
         let panels = self.panels.iter().zip(frames);
         let seen = panels.flat_map(|(panel, frame)| panel.guides.iter().filter(|guide| guide.is_visible(frame)));
@@ -267,10 +293,10 @@ impl Chart {
     /// The colour bar of a map.
     fn draw_colors<B: DrawingBackend>(&self, pen: &mut Pen<B>, all: Bounds) -> Result<(), PlotError> {
         let Some((axis, shade)) = &self.colors else { return Ok(()) };
-        let right = all.right - BAR_MARGIN;
+        let right = all.right + RIGHT - BAR_MARGIN;
         let bounds = Bounds { left: right - BAR, right, ..all };
         let bar = Frame { bounds, x: Axis::linear("", "").fitted([]), y: axis.fitted([]) };
-        bar.draw_y(pen)?;
+        bar.draw_y(pen, true)?;
         let height = (bounds.bottom - bounds.top) / f64::from(STEPS);
         for step in 0..STEPS {
             let below = bounds.bottom - f64::from(step) * height;
@@ -279,4 +305,33 @@ impl Chart {
         }
         bar.draw_outline(pen)
     }
+}
+
+/// Draws series and guides of a box, and its outline. `first` is the number of its first series.
+fn fill<B: DrawingBackend>(
+    series: &[Series],
+    guides: &[Series],
+    frame: &Frame,
+    first: usize,
+    pen: &mut Pen<B>,
+) -> Result<(), PlotError> {
+    let series = || series.iter().enumerate().map(|(i, one)| (one, one.style(first + i)));
+    for (band, style) in series().filter(|(one, _)| one.look == Look::Band) {
+        let corners: Vec<_> = band.points.iter().map(|point| frame.place(*point)).collect();
+        pen.polygon(&corners, style.pale())?;
+    }
+    for guide in guides {
+        frame.curve(pen, &guide.drawn(frame), guide.style(0))?;
+    }
+    frame.draw_outline(pen)?;
+    for (one, style) in series().filter(|(one, _)| one.look != Look::Band) {
+        if one.look != Look::Points {
+            frame.curve(pen, &one.points, style)?;
+        }
+        let (marked, radius) = one.marks(frame, style);
+        for point in marked {
+            frame.mark(pen, *point, Style { radius, ..style })?;
+        }
+    }
+    Ok(())
 }

@@ -8,6 +8,7 @@ use super::loops;
 use super::series::Series;
 use super::style::{DOTTED, GREY, INK, Mark, Style};
 use crate::impact::{Event, Impact, TraceRow};
+use crate::math::functions::atan2;
 use crate::units::four_digits;
 use crate::units::rounded::quantity;
 
@@ -24,29 +25,26 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let trace = &impact.trace;
     let peak = (impact.peak_indentation, impact.force_at_peak_indentation);
     let ink = |mark| Style::marker(mark, INK);
-    let to_peak = Style::line(GREY, 2.0).dashed(DOTTED);
-    let mut series = vec![Series::bare("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
-    for (i, (name, width)) in loops::INDENTATIONS.into_iter().enumerate() {
+    let to_peak = Style::line(GREY, 1.5);
+    let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
+    let one_loop = |i: usize| {
+        let (name, width) = loops::INDENTATIONS[i];
         let first = Series::line(name, Vec::new());
-        let drawn = loops::of_impact(impact, first, loops::style(i, width), |row| indentations(row)[i]);
-        series.extend(drawn.ok_or_else(|| {
+        loops::of_impact(impact, first, loops::style(i, width), |row| indentations(row)[i]).ok_or_else(|| {
             PlotError::Data("force against indentation needs a trace: run the impact with samples".into())
-        })?);
-    }
+        })
+    };
+    let (drawn, of_sphere) = loops::arranged([one_loop(0)?, one_loop(1)?, one_loop(2)?]);
+    series.extend(drawn);
     if is_damped(impact) {
         let of_law = trace.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
         // the other curves include the damping
-        let name = Series::bare("force of the law", of_law.collect()).and("without damping, against δ");
-        series.push(name.styled(Style::line(INK, 2.0).dashed(DOTTED)));
+        let name = Series::line("force of the law", of_law.collect()).and("without damping, against δ");
+        series.push(name.styled(Style::line(INK, 2.5).dashed(DOTTED)));
     }
     let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));
-    let knot = Style { radius: 4.0, ..ink(Mark::Circle) };
-    for (event, name, style) in
-        [(Event::Yield, "First yield", ink(Mark::Diamond)), (Event::Knot, "Knot of the law", knot)]
-    {
-        let points: Vec<_> = at(event).collect();
-        series.extend((!points.is_empty()).then(|| Series::points(name, points).styled(style)));
-    }
+    let points: Vec<_> = at(Event::Yield).collect();
+    series.extend((!points.is_empty()).then(|| Series::points("First yield", points).styled(ink(Mark::Diamond))));
     let length = |name: &str, value| format!("{name} = {}", quantity(value, "m"));
     let turning = Series::points(peak_name(impact), vec![peak]).styled(ink(Mark::Square));
     series.push(turning.and(force_at_peak(impact)).and(length("δₘ", impact.peak_indentation)));
@@ -58,7 +56,8 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
     let y = Axis::engineering("Force", "N").between(0.0, 1.08 * impact.peak_force);
     let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
-    Ok(Chart::new(title(impact), [x, y], series).with_branches(branches))
+    let chart = Chart::new(title(impact), [x, y], series).with_branches(branches);
+    Ok(loops::with_sphere(chart, of_sphere))
 }
 
 pub(super) fn is_damped(impact: &Impact) -> bool {
@@ -76,10 +75,16 @@ pub(super) fn force_at_peak(impact: &Impact) -> String {
     if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
 }
 
-/// The title of the pictures of one impact.
+/// The title of the pictures of one impact: whole speed, angle and normal restitution.
 pub(super) fn title(impact: &Impact) -> String {
-    if impact.captured().is_some() {
-        return format!("Impact at {}: captured", quantity(impact.speed, "m/s"));
-    }
-    format!("Impact at {}: restitution e = {}", quantity(impact.speed, "m/s"), four_digits(impact.restitution))
+    let first = impact.trace.first();
+    let friction = first.and_then(|row| Some((row.speed, row.rubbing?.tangential_speed)));
+    let angle = friction.map_or_else(String::new, |(normal, along)| {
+        format!(" and {}°", four_digits(atan2(along, normal).to_degrees()))
+    });
+    let end = match impact.captured() {
+        Some(_) => "captured".to_owned(),
+        None => format!("restitution e = {}", four_digits(impact.restitution)),
+    };
+    format!("Impact at {}{angle}: {end}", quantity(impact.speed, "m/s"))
 }

@@ -5,12 +5,12 @@ use plotters::prelude::DrawingBackend;
 use super::PlotError;
 use super::axis::FittedAxis;
 use super::pen::{Anchor, Pen, Point};
-use super::style::{AXIS_SIZE, GRID, INK, LABEL_SIZE, Mark, PAPER, Style, TITLE_SIZE};
+use super::style::{AXIS_SIZE, GREY, GRID, INK, LABEL_SIZE, Mark, PAPER, Style, TITLE_SIZE};
 use super::text::text_width;
 
 /// Margins around the boxes for labels and titles \[px\].
 pub const LEFT: f64 = 165.0;
-pub const TOP: f64 = 90.0;
+pub const TOP: f64 = 122.0;
 pub const BOTTOM: f64 = 125.0;
 
 /// Distance between labels of the horizontal and of the vertical axis \[px\].
@@ -20,10 +20,9 @@ const LABELS: (f64, f64) = (18.0, 32.0);
 const X_TITLE: f64 = 82.0;
 /// Distance of the title of the vertical axis from its labels, and its least distance from the edge \[px\].
 const Y_TITLE: (f64, f64) = (34.0, 24.0);
-/// Height of the middle of the title above the box \[px\].
-const TITLE: f64 = 42.0;
-/// Smallest number of labels that a vertical axis aims at, even in a low box.
-const FEWEST: f64 = 4.0;
+/// Heights of the middle of the title and of the caption above the box \[px\].
+const TITLE: f64 = 80.0;
+const CAPTION: f64 = 32.0;
 
 fn tick_length(is_major: bool) -> f64 {
     if is_major { 10.0 } else { 5.0 }
@@ -70,20 +69,23 @@ impl Frame {
         Ok(())
     }
 
-    /// Draws the vertical axis.
-    pub fn draw_y<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), PlotError> {
+    /// Draws the vertical axis. It has no labels if a box at its left has the same axis.
+    pub fn draw_y<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), PlotError> {
         let Bounds { left, top, right, bottom } = self.bounds;
         let mut widest: f64 = 0.0;
-        for tick in self.y.ticks(((bottom - top) / LABEL_DISTANCE.1).max(FEWEST)) {
+        for tick in self.y.ticks((bottom - top) / LABEL_DISTANCE.1) {
             let y = bottom - tick.at * (bottom - top);
             if tick.label.is_some() {
                 pen.polyline(&[(left, y), (right, y)], Style::line(GRID, 1.5))?;
             }
             pen.polyline(&[(left - tick_length(tick.label.is_some()), y), (left, y)], Style::line(INK, 2.0))?;
-            if let Some(label) = tick.label {
+            if let Some(label) = tick.label.filter(|_| has_labels) {
                 widest = widest.max(text_width(&label, LABEL_SIZE));
                 pen.text(&label, (left - LABELS.0, y), LABEL_SIZE, INK, Anchor::End)?;
             }
+        }
+        if !has_labels {
+            return Ok(());
         }
         let title_at = (left - LABELS.0 - widest - Y_TITLE.0).max(Y_TITLE.1);
         pen.text(&self.y.title, (title_at, 0.5 * (top + bottom)), AXIS_SIZE, INK, Anchor::Upward)
@@ -96,12 +98,6 @@ impl Frame {
         pen.polyline(&corners, Style::line(INK, 2.0))
     }
 
-    /// Draws the title above the box; a long title is drawn smaller.
-    pub fn draw_title<B: DrawingBackend>(&self, pen: &mut Pen<B>, title: &str) -> Result<(), PlotError> {
-        let at = (0.5 * (self.bounds.left + self.bounds.right), self.bounds.top - TITLE);
-        pen.text(title, at, TITLE_SIZE, INK, Anchor::Middle)
-    }
-
     /// Draws a curve through values. Parts outside the box are cut off, and values that are not finite interrupt it.
     pub fn curve<B: DrawingBackend>(
         &self,
@@ -111,7 +107,7 @@ impl Frame {
     ) -> Result<(), PlotError> {
         let mut piece: Vec<Point> = Vec::new();
         for pair in values.windows(2) {
-            let clipped = self.clipped(self.place(pair[0]), self.place(pair[1]));
+            let clipped = self.bounds.clipped(self.place(pair[0]), self.place(pair[1]));
             if piece.last().copied() != clipped.map(|(from, _)| from) {
                 pen.polyline(&std::mem::take(&mut piece), style)?;
                 piece.extend(clipped.map(|(from, _)| from));
@@ -134,16 +130,36 @@ impl Frame {
         }
         pen.mark(at, style)
     }
+}
 
-    /// The part of a straight line inside the box (Liang and Barsky 1984); none if an end is not finite.
-    fn clipped(&self, from: Point, to: Point) -> Option<(Point, Point)> {
-        let Bounds { left, top, right, bottom } = self.bounds;
+/// Draws the title above the boxes, and below it in grey the caption, which names bodies and law. Long texts are drawn
+/// smaller.
+pub fn draw_titles<B: DrawingBackend>(pen: &mut Pen<B>, all: Bounds, titles: [&str; 2]) -> Result<(), PlotError> {
+    let middle = 0.5 * (all.left + all.right);
+    let [title, caption] = titles;
+    if caption.is_empty() {
+        let between = 0.5 * (TITLE + CAPTION);
+        return pen.text(title, (middle, all.top - between), TITLE_SIZE, INK, Anchor::Middle);
+    }
+    pen.text(title, (middle, all.top - TITLE), TITLE_SIZE, INK, Anchor::Middle)?;
+    pen.text(caption, (middle, all.top - CAPTION), LABEL_SIZE, GREY, Anchor::Middle)
+}
+
+impl Bounds {
+    /// The place inside that is nearest to this one.
+    pub fn nearest(&self, (x, y): Point) -> Point {
+        (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
+    }
+
+    /// The part of a straight line inside (Liang and Barsky 1984); none if an end is not finite.
+    pub fn clipped(&self, from: Point, to: Point) -> Option<(Point, Point)> {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         if !dx.is_finite() || !dy.is_finite() {
             return None;
         }
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-        for (along, room) in [(-dx, from.0 - left), (dx, right - from.0), (-dy, from.1 - top), (dy, bottom - from.1)] {
+        let rooms = [from.0 - self.left, self.right - from.0, from.1 - self.top, self.bottom - from.1];
+        for (along, room) in [-dx, dx, -dy, dy].into_iter().zip(rooms) {
             if along == 0.0 {
                 if room < -0.5 {
                     return None;

@@ -9,7 +9,7 @@ use super::style::GRID;
 
 /// A map of values on a grid. Along each axis the places rise or fall. A `value` (of column, row) that is not finite is
 /// drawn in grey. The cells fill the box, so the ranges of `x` and `y` are ignored; the range of `color` is that of the
-/// colours.
+/// colours, and if there is none, that of the values.
 pub fn heatmap(
     title: &str,
     [x, y]: [Axis; 2],
@@ -28,6 +28,8 @@ pub fn heatmap(
         let (low, high) = extremes(edges);
         axis.between(low, high)
     };
+    let (low, high) = extremes(cells.iter().map(|cell| cell.2).filter(|value| value.is_finite()));
+    let color = if color.range.is_none() { color.between(low, high) } else { color };
     let colors = color.fitted(cells.iter().map(|cell| cell.2));
     let cells = cells.into_iter().map(|(from, to, value)| Cell { from, to, color: shade(colors.at(value)) });
     let mut chart = Chart::new(title, [full(x, x_edges), full(y, y_edges)], Vec::new());

@@ -20,7 +20,7 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
     }
     let points = |of: fn(&TraceRow) -> f64| impact.trace.iter().map(|row| (row.time, of(row))).collect();
     let thin = |number| loops::style(number, 3.5);
-    let mut force = Series::bare("Force F", points(|row| row.force)).styled(thin(3));
+    let mut force = Series::line("Force F", points(|row| row.force)).styled(thin(3));
     if !is_damped(impact) {
         force = force.and(force_at_peak(impact));
     }
@@ -33,7 +33,7 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
         })
         .collect();
     drawn[0].texts.push(format!("δₘ = {}", quantity(impact.peak_indentation, "m")));
-    let speed = Series::bare("Speed δ′", points(|row| row.speed)).styled(thin(4));
+    let speed = Series::line("Speed δ′", points(|row| row.speed)).styled(thin(4));
     let speed = speed.and(format!("impact at {}", quantity(impact.speed, "m/s")));
     let (slowest, fastest) = extremes(impact.trace.iter().map(|row| row.speed));
     let y = |title, unit, low: f64, high: f64| Axis::engineering(title, unit).between(1.1 * low, 1.1 * high);
@@ -63,5 +63,7 @@ fn times(impact: &Impact) -> Vec<Series> {
     if impact.has_dent() {
         end = end.and(format!("dent δᵣ = {}", quantity(impact.residual_indentation, "m")));
     }
-    vec![peak.styled(line.dashed(DASHED)), end]
+    // a sphere that comes to rest at its deepest point has one line there
+    let is_apart = impact.duration() - impact.loading_time > 1e-3 * impact.duration();
+    [peak.styled(line.dashed(DASHED))].into_iter().filter(|_| is_apart).chain([end]).collect()
 }

@@ -13,15 +13,18 @@ use crate::units::rounded::quantity;
 type Quantity = fn(&TraceRow) -> f64;
 
 pub fn indentation(tested: &[Tested]) -> Chart {
+    let mut of_sphere = Vec::new();
     let series = match tested {
         [one] => {
             let of: [Quantity; 3] =
                 [|row| row.indentation, |row| row.sphere_indentation, |row| row.half_space_indentation];
-            let named = loops::INDENTATIONS.into_iter().zip(of).enumerate();
-            let drawn = named.flat_map(|(i, ((name, width), of))| {
-                one_loop(name, &one.indentation.trace, of, loops::style(i, width))
-            });
-            drawn.collect::<Vec<_>>()
+            let drawn = |i: usize| {
+                let (name, width) = loops::INDENTATIONS[i];
+                one_loop(name, &one.indentation.trace, of[i], loops::style(i, width))
+            };
+            let (drawn, aside) = loops::arranged([0, 1, 2].map(drawn));
+            of_sphere = aside;
+            drawn
         }
         several => {
             let of = several.iter().enumerate();
@@ -52,7 +55,8 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
     let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest);
     let chart = Chart::new(title(tested), [x, y], series);
-    chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_entries(entries)
+    let chart = chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_entries(entries);
+    loops::with_sphere(chart, of_sphere)
 }
 
 /// The loop of the trace of one half-space, against one kind of indentation.

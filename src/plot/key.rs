@@ -1,27 +1,29 @@
-//! The key of a picture: a column to the right of the axes or below them, so that it never covers data.
+//! The key of a picture: inside the axes where it covers no data, else in a column to the right of them or below them.
 
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
-use super::frame::TOP;
+use super::PlotError;
+use super::frame::{Bounds, Frame};
 use super::pen::{Anchor, Pen, Point};
-use super::series::Series;
-use super::style::{GREY, INK, LABEL_SIZE, Style};
+use super::series::{Look, Series};
+use super::style::{GREY, INK, LABEL_SIZE, PAPER, Style};
 use super::text::{text_width, wrapped};
-use super::{PlotError, SIZE};
 
 /// Width of the sample of a line or marker \[px\].
-const SAMPLE: f64 = 70.0;
+const SAMPLE: f64 = 56.0;
 /// Distance from the sample to the text \[px\].
-const GAP: f64 = 16.0;
+const GAP: f64 = 12.0;
 const LINE_HEIGHT: f64 = 38.0;
-const ENTRY_GAP: f64 = 16.0;
+const ENTRY_GAP: f64 = 12.0;
 /// Distance of the key from the axes and from the edge of the picture \[px\].
-pub const MARGIN: f64 = 28.0;
-/// Largest height of the key \[px\].
-const ROOM: f64 = SIZE.1 as f64 - TOP - MARGIN;
+pub const MARGIN: f64 = 24.0;
 /// Smallest text size over the usual size: smaller text cannot be read.
 const SMALLEST: f64 = 0.4;
+/// Text is drawn smaller, down to this size, before a word is divided.
+const SMALLEST_FOR_WORDS: f64 = 0.7;
+/// Places that are tried along each side of the axes.
+const PLACES: u32 = 12;
 
 /// A sample of a line or marker, and lines of text with their colours.
 struct Entry {
@@ -30,14 +32,14 @@ struct Entry {
 }
 
 impl Entry {
-    /// The entry of a series in this style. The first text is black and the others are grey. Long texts are wrapped, so
-    /// that the key takes at most half of the picture.
-    fn of(series: &Series, style: Style, scale: f64) -> Self {
+    /// The entry of a series in this style. The first text is black and the others are grey. Texts that are longer than
+    /// `room` are wrapped.
+    fn of(series: &Series, style: Style, scale: f64, room: f64) -> Self {
         let mut entry = Self { sample: series.sample(style), lines: Vec::new() };
-        let room = 0.5 * f64::from(SIZE.0) - 2.0 * MARGIN - entry.indent();
+        let room = room - entry.indent();
         for (i, text) in series.texts.iter().enumerate() {
             let color = if i == 0 { INK } else { GREY };
-            entry.lines.extend(wrapped(text, scale * LABEL_SIZE, room).into_iter().map(|line| (line, color)));
+            entry.lines.extend(wrapped(&joined(text), scale * LABEL_SIZE, room).into_iter().map(|line| (line, color)));
         }
         entry
     }
@@ -59,19 +61,22 @@ pub struct Key {
 }
 
 impl Key {
-    /// The key of these series. A key that is too high is drawn smaller. If it is still too high, the last entries are
-    /// replaced by their number.
-    pub fn of(series: &[(&Series, Style)]) -> Self {
+    /// The key of these series, at most so wide and so high \[px\]. It is drawn smaller where that is needed. If it is still
+    /// too high, the last entries are replaced by their number.
+    pub fn of(series: &[(&Series, Style)], (room, height): (f64, f64)) -> Self {
+        let texts = series.iter().flat_map(|(one, _)| &one.texts).map(|text| joined(text));
+        let longest = |text: String| text.split(' ').map(|word| text_width(word, LABEL_SIZE)).fold(0.0, f64::max);
+        let longest = texts.map(longest).fold(0.0, f64::max);
         let mut scale = 1.0;
         loop {
-            let entries = series.iter().map(|(series, style)| Entry::of(series, *style, scale));
-            let mut key = Self { scale, entries: entries.collect() };
-            if key.height() <= ROOM {
+            let mut key = Self::scaled(series, scale, room);
+            let is_whole = scale * longest <= room - SAMPLE - GAP || scale <= SMALLEST_FOR_WORDS;
+            if key.height() <= height && is_whole {
                 return key;
             }
             if scale <= SMALLEST {
                 let mut more = Entry { sample: [None; 2], lines: vec![(String::new(), GREY)] };
-                while key.height() + scale * more.height() > ROOM {
+                while key.height() + scale * more.height() > height {
                     key.entries.pop();
                 }
                 more.lines[0].0 = format!("and {} more", series.len() - key.entries.len());
@@ -82,24 +87,62 @@ impl Key {
         }
     }
 
+    fn scaled(series: &[(&Series, Style)], scale: f64, room: f64) -> Self {
+        Self { scale, entries: series.iter().map(|(one, style)| Entry::of(one, *style, scale, room)).collect() }
+    }
+
+    /// The key and a place in the box at which it covers neither curves nor guides; none if there is none.
+    pub fn inside(series: &[(&Series, Style)], frame: &Frame, shown: &[&Series]) -> Option<(Self, Point)> {
+        let lines: Vec<Vec<Point>> =
+            shown.iter().map(|one| one.drawn(frame).iter().map(|at| frame.place(*at)).collect()).collect();
+        let is_covered = |box_: &Bounds| {
+            let areas = shown.iter().zip(&lines).filter(|(one, _)| one.look == Look::Band);
+            lines.iter().any(|line| line.windows(2).any(|pair| box_.clipped(pair[0], pair[1]).is_some()))
+                || lines.iter().flatten().any(|at| box_.clipped(*at, *at).is_some())
+                || areas.into_iter().any(|(_, line)| is_in_area((box_.left, box_.top), line))
+        };
+        let Bounds { left, top, right, bottom } = frame.bounds;
+        for scale in [1.0, 0.9, 0.8] {
+            let key = Self::scaled(series, scale, 0.45 * (right - left));
+            let room = (right - left - key.width() - 2.0 * MARGIN, bottom - top - key.height() - 2.0 * MARGIN);
+            if room.0 < 0.0 || room.1 < 0.0 {
+                continue;
+            }
+            // from the upper left corner, in rows
+            for (row, column) in (0..=PLACES).flat_map(|row| (0..=PLACES).map(move |column| (row, column))) {
+                let share = |i: u32| f64::from(i) / f64::from(PLACES);
+                let at = (left + MARGIN + share(column) * room.0, top + MARGIN + share(row) * room.1);
+                let (half, margin) = (0.5 * MARGIN, 1.5 * MARGIN);
+                let taken = Bounds {
+                    left: at.0 - half,
+                    top: at.1 - half,
+                    right: at.0 - half + key.width() + margin,
+                    bottom: at.1 - half + key.height() + margin,
+                };
+                if !is_covered(&taken) {
+                    return Some((key, at));
+                }
+            }
+        }
+        None
+    }
+
     /// The height that the key takes \[px\].
     pub fn height(&self) -> f64 {
         self.scale * self.entries.iter().map(Entry::height).sum::<f64>()
     }
 
-    /// The width that the key takes \[px\].
+    /// The width that the key takes \[px\]; 0 if it is empty.
     pub fn width(&self) -> f64 {
-        let mut widest = -MARGIN;
-        for entry in &self.entries {
-            for (line, _) in &entry.lines {
-                widest = f64::max(widest, entry.indent() + text_width(line, self.scale * LABEL_SIZE));
-            }
-        }
-        widest + 2.0 * MARGIN
+        let lines = self.entries.iter().flat_map(|entry| entry.lines.iter().map(move |(line, _)| (entry, line)));
+        lines.map(|(entry, line)| entry.indent() + text_width(line, self.scale * LABEL_SIZE)).fold(0.0, f64::max)
     }
 
-    /// Draws the key with this upper left corner.
+    /// Draws the key with this upper left corner, on white.
     pub fn draw<B: DrawingBackend>(&self, pen: &mut Pen<B>, (left, top): Point) -> Result<(), PlotError> {
+        if !self.entries.is_empty() {
+            pen.rectangle((left - 4.0, top - 4.0), (left + self.width() + 4.0, top + self.height()), PAPER)?;
+        }
         let mut y = top + 0.5 * self.scale * LINE_HEIGHT;
         for entry in &self.entries {
             let [line, mark] = entry.sample;
@@ -117,4 +160,22 @@ impl Key {
         }
         Ok(())
     }
+}
+
+/// The text with spaces that do not break a line between a number and its unit, and around an equals sign.
+fn joined(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let is_tight = |at: usize| {
+        let (before, after) = (at.checked_sub(1).and_then(|at| letters.get(at)), letters.get(at + 1));
+        before.is_some_and(|c| c.is_ascii_digit() || *c == '=') || after == Some(&'=')
+    };
+    let joined = letters.iter().enumerate().map(|(at, c)| if *c == ' ' && is_tight(at) { '\u{a0}' } else { *c });
+    joined.collect()
+}
+
+/// Whether a place lies inside a closed line: a ray from it to the right crosses the line an odd number of times.
+fn is_in_area((x, y): Point, line: &[Point]) -> bool {
+    let ends = line.iter().zip(line.iter().cycle().skip(1));
+    let crosses = |(a, b): &(&Point, &Point)| (a.1 > y) != (b.1 > y) && x < a.0 + (y - a.1) / (b.1 - a.1) * (b.0 - a.0);
+    ends.filter(crosses).count() % 2 == 1
 }

@@ -1,5 +1,7 @@
 //! Loops of force against indentation: solid where the contact loads, dashed where it unloads.
 
+use super::axis::Axis;
+use super::chart::Chart;
 use super::series::Series;
 use super::style::Style;
 use crate::impact::{Event, Impact, TraceRow};
@@ -10,15 +12,25 @@ type Points = Vec<(f64, f64)>;
 /// half-space lies on that of the approach; with equal elastic bodies it lies on that of the sphere.
 pub const INDENTATIONS: [(&str, f64); 3] = [("Approach δ", 7.0), ("Sphere δₛ", 5.0), ("Half-space δₕ", 3.0)];
 
+/// The points without those between two others without force.
+fn without_idle(points: Points) -> Points {
+    let is_idle = |i: usize| points.get(i).is_none_or(|at| at.1 == 0.0);
+    let kept = (0..points.len()).filter(|i| !(is_idle(*i) && is_idle(i + 1) && (*i == 0 || is_idle(i - 1))));
+    let kept: Points = kept.map(|i| points[i]).collect();
+    if kept.is_empty() { points } else { kept }
+}
+
 /// The series of a loop. `first` has its name and look; `branches` are its parts in the order of time, each with whether
 /// the contact loads.
 pub fn series(first: Series, style: Style, branches: impl IntoIterator<Item = (bool, Points)>) -> Vec<Series> {
     let mut first = Some(first.styled(style));
     let series = branches.into_iter().map(|(is_loading, points)| {
         let drawn = style.branch(usize::from(!is_loading));
+        // a sphere that has left the surface moves without force
+        let points = without_idle(points);
         match first.take() {
             Some(first) => Series { points, ..first },
-            None => Series::bare("", points).styled(drawn),
+            None => Series::line("", points).styled(drawn),
         }
     });
     series.collect()
@@ -37,6 +49,36 @@ pub fn of_impact(
     let turn = turn.or_else(|| impact.captured().and_then(|_| trace.len().checked_sub(1)))?;
     let points = |rows: &[TraceRow]| rows.iter().map(|row| (indentation(row), row.force)).collect();
     Some(series(first, style, [(true, points(&trace[..=turn])), (false, points(&trace[turn..]))]))
+}
+
+/// A sphere with less than this share of the largest indentation has a box of its own: its loop would be too narrow.
+const NARROW: f64 = 0.35;
+
+/// The loops of [`INDENTATIONS`] that share the box of the approach, and those of a box for the sphere alone.
+pub fn arranged([approach, sphere, half_space]: [Vec<Series>; 3]) -> (Vec<Series>, Vec<Series>) {
+    let share = largest(&sphere) / largest(&approach);
+    if share == 0.0 {
+        // the half-space of a rigid sphere has the whole approach
+        (approach, Vec::new())
+    } else if share < NARROW {
+        ([approach, half_space].concat(), sphere)
+    } else {
+        ([approach, sphere, half_space].concat(), Vec::new())
+    }
+}
+
+/// The picture with these loops of the sphere in a box of their own, if there are any.
+pub fn with_sphere(chart: Chart, sphere: Vec<Series>) -> Chart {
+    if sphere.is_empty() {
+        return chart;
+    }
+    let x = Axis::engineering("of the sphere", "m").between(0.0, 1.15 * largest(&sphere));
+    chart.with_side(x, sphere)
+}
+
+/// The largest indentation of a loop.
+fn largest(of: &[Series]) -> f64 {
+    of.iter().flat_map(|one| &one.points).map(|at| at.0).fold(0.0, f64::max)
 }
 
 /// The style of the loop with this number. Loops may lie on each other, so each is narrower than the one before.

@@ -17,5 +17,6 @@ pub fn title_of(path: &str) -> String {
 
 pub(super) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
     let (title, unit) = (title_of(key.path), key.quantity.dimension.si_unit());
-    if is_logarithmic { Axis::log(&title, unit) } else { Axis::engineering(&title, unit) }
+    let axis = Axis::engineering(&title, unit);
+    if is_logarithmic { axis.logarithmic() } else { axis }
 }

@@ -36,9 +36,16 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
         }));
     }
     curve.extend(last.time.map(|time| (time, 0.0)));
-    let path = Series::bare("Lowest point of the sphere", curve);
-    let mut panels = vec![Panel { share: 2.0, ..Panel::new(Axis::engineering("Height", "m"), vec![path]) }];
-    if sequence.deepest_dent() > 0.0 {
+    let path = Series::line("Lowest point of the sphere", curve);
+    let highest = path.points.iter().map(|at| at.1).fold(0.0, f64::max);
+    let y = Axis::engineering("Height", "m").between(0.0, 1.06 * highest);
+    let mut panels = vec![Panel { share: 2.0, ..Panel::new(y, vec![path]) }];
+    let shallowest = sequence.hits.iter().map(|hit| hit.residual_indentation).fold(f64::INFINITY, f64::min);
+    // a dent that only the first impact makes is a number, not a curve
+    let is_constant = sequence.deepest_dent() <= 1.001 * shallowest;
+    if sequence.deepest_dent() > 0.0 && is_constant {
+        panels[0].series[0].texts.push(format!("dent δᵣ = {} from the first impact on", quantity(shallowest, "m")));
+    } else if sequence.deepest_dent() > 0.0 {
         let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation))).collect();
         let dents = match repeat.place {
             Place::Same => Series::marked_line("Dent δᵣ of the one spot", dents),
@@ -96,6 +103,8 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
 
 /// Largest number of loops with a colour and an entry in the key. The other loops are grey.
 const NAMED: usize = 7;
+/// Loops are drawn on logarithmic axes if the largest force is more than this multiple of the smallest.
+const WIDE: f64 = 20.0;
 /// Largest number of loops that are drawn. More loops would only cover each other.
 const DRAWN: usize = 300;
 
@@ -114,9 +123,14 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
         of(a) == of(b)
     };
     let groups: Vec<&[Impact]> = traced.chunk_by(same).collect();
-    let named = spread(groups.len(), NAMED);
+    let mut named = spread(groups.len(), NAMED);
+    let largest = (0..groups.len()).max_by(|a, b| groups[*a][0].peak_force.total_cmp(&groups[*b][0].peak_force));
+    if let Some(largest) = largest.filter(|largest| !named.contains(largest)) {
+        named.push(largest);
+        named.sort_unstable();
+    }
     let one_loop = |impact, name: String, style| {
-        loops::of_impact(impact, Series::bare(name, Vec::new()), style, |row| row.indentation).unwrap_or_default()
+        loops::of_impact(impact, Series::line(name, Vec::new()), style, |row| row.indentation).unwrap_or_default()
     };
     let grey = Style::line(GREY, 1.5);
     let mut series: Vec<Series> =
@@ -134,9 +148,19 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     }
     let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
     let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
-    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
-    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest);
-    Ok(Chart::new(title(repeat, sequence), [x, y], series).with_branches(&["loading", "unloading"]))
+    let [x, y] = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
+    let least =
+        |value: fn(&Impact) -> f64| traced.iter().map(value).filter(|least| *least > 0.0).fold(f64::MAX, f64::min);
+    let (shallowest, weakest) = (least(|impact| impact.peak_indentation), least(|impact| impact.peak_force));
+    let axes = if strongest > WIDE * weakest {
+        [
+            x.logarithmic().between(0.1 * shallowest, 1.2 * deepest),
+            y.logarithmic().between(0.05 * weakest, 1.5 * strongest),
+        ]
+    } else {
+        [x.between(0.0, 1.06 * deepest), y.between(0.0, 1.08 * strongest)]
+    };
+    Ok(Chart::new(title(repeat, sequence), axes, series).with_branches(&["loading", "unloading"]))
 }
 
 #[allow(clippy::cast_precision_loss)] // a handful

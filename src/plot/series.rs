@@ -4,10 +4,6 @@ use std::borrow::Cow;
 
 use super::frame::Frame;
 use super::style::{Dash, GREY, MARK, Mark, Style};
-use crate::math::functions::{hypot, pow};
-
-/// Number of markers along a curve without markers on its points.
-const SPARSE_MARKS: u32 = 6;
 
 /// Named points on two axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,14 +21,12 @@ pub struct Series {
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Look {
-    /// A line with a few markers along it.
+    /// A line without markers: a law.
     Line,
     /// A line with a marker on every point, for a few computed points.
     MarkedLine,
     /// Markers only, for measured points.
     Points,
-    /// A line without markers, for example on points of the same colour.
-    Bare,
     /// The area inside a closed line, in a pale colour.
     Band,
     /// Not drawn: texts in the key.
@@ -41,8 +35,6 @@ pub enum Look {
     Vertical(f64),
     /// A guide at this value of the vertical axis.
     Horizontal(f64),
-    /// A guide along y = y_0 (x/x_0)^slope through (x_0, y_0), which is straight if both axes are logarithmic.
-    Power((f64, f64), f64),
 }
 
 impl Series {
@@ -55,10 +47,6 @@ impl Series {
         Self::new(name, points, Look::Line)
     }
 
-    pub fn bare(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, points, Look::Bare)
-    }
-
     pub fn band(name: impl Into<String>, outline: Vec<(f64, f64)>) -> Self {
         Self::new(name, outline, Look::Band)
     }
@@ -66,7 +54,7 @@ impl Series {
     /// Error bars at (x, y), of a standard deviation on each side.
     pub fn bars(values: impl Iterator<Item = (f64, f64, f64)>) -> Self {
         // a point of NaN separates the bars
-        Self::bare("", values.flat_map(|(x, y, sd)| [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]).collect())
+        Self::line("", values.flat_map(|(x, y, sd)| [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]).collect())
     }
 
     /// Texts in the key.
@@ -98,11 +86,6 @@ impl Series {
         Self::guide(Look::Horizontal(at), label, &[22.0, 8.0])
     }
 
-    /// A guide along the curve y = y_0 (x/x_0)^slope through (x_0, y_0).
-    pub fn power(through: (f64, f64), slope: f64, label: impl Into<String>) -> Self {
-        Self::guide(Look::Power(through, slope), label, &[12.0, 6.0, 2.0, 6.0])
-    }
-
     /// The same series in this style; a number is a place in the cycle of styles.
     #[must_use]
     pub fn styled(self, style: impl Into<Style>) -> Self {
@@ -131,44 +114,25 @@ impl Series {
     /// The line and the marker that stand for it in the key.
     pub(super) fn sample(&self, style: Style) -> [Option<Style>; 2] {
         match self.look {
-            Look::Line | Look::MarkedLine => [Some(style); 2],
+            Look::MarkedLine => [Some(style); 2],
             Look::Points => [None, Some(style)],
             Look::Band => [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })],
             Look::Text => [None; 2],
-            Look::Bare | Look::Vertical(_) | Look::Horizontal(_) | Look::Power(..) => [Some(style), None],
+            Look::Line | Look::Vertical(_) | Look::Horizontal(_) => [Some(style), None],
         }
     }
 
     /// The points with a marker, and its radius. Points that are close together have smaller markers or none.
-    pub(super) fn marks(&self, frame: &Frame, style: Style, shift: f64) -> (Vec<(f64, f64)>, f64) {
+    pub(super) fn marks(&self, frame: &Frame, style: Style) -> (&[(f64, f64)], f64) {
         #[allow(clippy::cast_precision_loss)] // counts of points
         let room = (frame.bounds.right - frame.bounds.left) / self.points.len().max(1) as f64;
         match self.look {
-            Look::Line => (self.sparse_marks(frame, shift), style.radius),
-            Look::MarkedLine if room <= 4.0 => (Vec::new(), 0.0),
-            Look::MarkedLine if room <= 3.0 * style.radius => (self.points.clone(), 3.0),
-            Look::Points if room <= 4.0 => (self.points.clone(), 4.0),
-            Look::MarkedLine | Look::Points => (self.points.clone(), style.radius),
-            _ => (Vec::new(), 0.0),
+            Look::MarkedLine if room <= 4.0 => (&[], 0.0),
+            Look::MarkedLine if room <= 3.0 * style.radius => (&self.points, 3.0),
+            Look::Points if room <= 4.0 => (&self.points, 4.0),
+            Look::MarkedLine | Look::Points => (&self.points, style.radius),
+            _ => (&[], 0.0),
         }
-    }
-
-    /// Points at equal distances along the curve. They are shifted from series to series, so that markers do not hide
-    /// each other where curves coincide.
-    fn sparse_marks(&self, frame: &Frame, shift: f64) -> Vec<(f64, f64)> {
-        let mut length = 0.0;
-        let lengths: Vec<f64> = std::iter::once(0.0)
-            .chain(self.points.windows(2).map(|pair| {
-                let (from, to) = (frame.place(pair[0]), frame.place(pair[1]));
-                let step = hypot(to.0 - from.0, to.1 - from.1);
-                length += if step.is_finite() { step } else { 0.0 };
-                length
-            }))
-            .collect();
-        (0..SPARSE_MARKS)
-            .map(|k| length * (f64::from(k) + shift) / f64::from(SPARSE_MARKS))
-            .filter_map(|at| self.points.get(lengths.partition_point(|length| *length < at)).copied())
-            .collect()
     }
 
     /// The points of the line. That of a guide crosses the box.
@@ -177,10 +141,6 @@ impl Series {
         match self.look {
             Look::Vertical(at) => vec![(at, y(0.0)), (at, y(1.0))].into(),
             Look::Horizontal(at) => vec![(x(0.0), at), (x(1.0), at)].into(),
-            Look::Power(through, slope) => {
-                let at = (0..=100).map(|i| x(f64::from(i) / 100.0));
-                at.map(|x| (x, through.1 * pow(x / through.0, slope))).collect::<Vec<_>>().into()
-            }
             _ => (&self.points).into(),
         }
     }

@@ -107,7 +107,8 @@ impl Style {
         Self { color, mark, ..Self::BLACK }
     }
 
-    pub(super) fn wide(self, width: f64) -> Self {
+    #[must_use]
+    pub fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }
 

@@ -1,6 +1,7 @@
 //! Pictures of a sweep: e against the first axis, a map of e over two long axes, or a histogram of e of random cases.
 
 use super::axis::extremes;
+use super::caption::caption;
 use super::of_key;
 use super::style::Style;
 use crate::impact::{Essentials, Rebound};
@@ -12,7 +13,8 @@ use crate::reference::quasi_static;
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Tally, count};
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
-use crate::units::{Dimension, capital};
+use crate::units::rounded::quantity;
+use crate::units::{Dimension, capital, four_digits};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
@@ -34,6 +36,15 @@ pub const PICTURES: [&str; 4] = ["restitution", "restitution_map", "restitution_
 
 /// The pictures of a plan with their names.
 pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(&'static str, Chart)> {
+    let varied = plan.paths();
+    let mut pictures = charts(plan, tally);
+    for (_, chart) in &mut pictures {
+        chart.caption = caption(&plan.scene, &varied);
+    }
+    pictures
+}
+
+fn charts(plan: &Plan, tally: &Tally) -> Vec<(&'static str, Chart)> {
     let Cases::Grid(axes) = &plan.cases else {
         return bars(tally).map(|drawn| (PICTURES[2], drawn)).into_iter().collect();
     };
@@ -87,15 +98,17 @@ fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
             at.iter().filter_map(|place| Some((*place, row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
         let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
         let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
-        let name = axes.get(1).map_or_else(String::new, |second| format!("{} {}", words(second), second.label(*curve)));
+        let name =
+            axes.get(1).map_or_else(String::new, |second| format!("{} {}", words(second), label(second, *curve)));
         angles.push(curve_of(name, points(|after| after.angle.to_degrees())).styled(number));
         spins.push(curve_of("", points(|after| after.spin)).styled(number));
     }
     let panels = [
-        Panel::new(plot::Axis::linear("Rebound angle", "deg"), angles),
+        Panel::new(plot::Axis::linear("Rebound angle", "°"), angles),
         Panel::new(plot::Axis::linear("Spin afterwards", "rad/s"), spins),
     ];
-    Chart::stacked("Oblique rebound", plot_axis(&axes[0]), panels.into()).with_notes(notes(axes))
+    let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", words(second)));
+    Chart::stacked(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into()).with_notes(notes(axes))
 }
 
 /// The name of an axis in words, such as "half-space yield strength".
@@ -105,16 +118,26 @@ fn words(axis: &Axis) -> String {
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
     let (title, (unit, _)) = (capital(&words(axis)), unit(axis));
-    if axis.is_logarithmic { plot::Axis::log(&title, unit) } else { plot::Axis::engineering(&title, unit) }
+    let shown = plot::Axis::engineering(&title, unit);
+    if axis.is_logarithmic { shown.logarithmic() } else { shown }
 }
 
 /// The unit of an axis in pictures, and a value of the axis in it.
 fn unit(axis: &Axis) -> (&'static str, fn(f64) -> f64) {
     match &axis.setting {
         Setting::Number { key, .. } if key.quantity.is_hardness => ("HV", vickers),
-        Setting::Number { key, .. } if key.quantity.dimension == Dimension::Angle => ("deg", f64::to_degrees),
+        Setting::Number { key, .. } if key.quantity.dimension == Dimension::Angle => ("°", f64::to_degrees),
         Setting::Number { key, .. } => (key.quantity.dimension.si_unit(), |value| value),
         Setting::Words { .. } => ("", |place| place),
+    }
+}
+
+/// A value of an axis with at most four digits, as the key has it.
+fn label(axis: &Axis, place: u64) -> String {
+    match unit(axis) {
+        _ if !axis.words().is_empty() => axis.label(place),
+        (unit @ ("°" | ""), _) => format!("{}{unit}", four_digits(shown(axis, place))),
+        (unit, _) => quantity(shown(axis, place), unit),
     }
 }
 
@@ -141,11 +164,14 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
     for (number, curve) in of.iter().enumerate() {
         let points: Vec<(f64, f64)> =
             at.iter().map(|place| (shown(first, *place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
-        let name = axes.get(1).map_or_else(|| "e".to_owned(), |second| second.label(*curve));
+        let name = axes.get(1).map_or_else(String::new, |second| label(second, *curve));
         if first.path() == "impact.speed" && !(is_by_law && number > 0) {
             yielding.extend(yield_speed(plan, axes, *curve).map(|at| (number, at)));
         }
-        series.push(curve_of(name, points));
+        let drawn = curve_of(name, points);
+        // the law of this program is the widest line among laws
+        let is_first = is_by_law && number == 0;
+        series.push(if is_first { drawn.styled(Style::of(number).wide(7.0)) } else { drawn });
     }
     // one guide in grey where all curves yield at the same speed
     let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);
@@ -153,21 +179,14 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
         let guide = Series::vertical(*at, "yield speed");
         if is_same { guide } else { guide.colored(*number) }
     };
-    let mut guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
+    let guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
     if first.path() == "impact.speed" && is_by_law {
         series.extend(finite_elements(plan, &series));
     }
-    if first.path() == "impact.speed" && first.is_logarithmic && plan.is_plastic() {
-        // through the fastest point of the first curve, where the contact is nearest to fully plastic
-        let fastest =
-            series[0].points.iter().copied().filter(|(_, e)| e.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
-        guides.extend(fastest.map(|through| Series::power(through, -0.25, "slope −1/4")));
-    }
-    let e = if first.is_logarithmic { plot::Axis::log } else { plot::Axis::linear };
-    let e = ranged(e("Restitution e", ""), &series);
+    let e = ranged(plot::Axis::linear("Restitution e", ""), &series);
     let title = match axes.get(1) {
-        Some(second) => format!("Restitution, curves by {}", words(second)),
-        None => "Restitution".to_owned(),
+        Some(second) => format!("Restitution by {}", words(second)),
+        None => format!("Restitution against {}", words(first)),
     };
     Chart::new(title, [plot_axis(first), e], series).with_guides(guides).with_notes(notes(axes))
 }
@@ -192,13 +211,12 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
 fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
     let values = series.iter().flat_map(|series| &series.points).map(|(_, e)| *e);
     let (low, high) = extremes(values.filter(|e| e.is_finite()));
-    let is_log = axis.scale == plot::Scale::Log;
-    if low < high { axis.between(if is_log { 0.9 * low } else { 0.0 }, 1.05 * high.max(1.0)) } else { axis }
+    if low < high { axis.between(0.0, 1.05 * high.max(1.0)) } else { axis }
 }
 
 /// Notes on the axes after the second one, which stay at their first value.
 fn notes(axes: &[Axis]) -> Vec<String> {
-    axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), axis.label(0))).collect()
+    axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
 }
 
 /// The yield speed v_Y at a place of the second axis.
@@ -217,7 +235,7 @@ fn map(plan: &Plan, axes: &[Axis]) -> Chart {
     let on = |axis: &Axis, places: &[u64]| -> Vec<f64> { places.iter().map(|place| shown(axis, *place)).collect() };
     let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
     let value = |column: usize, row: usize| restitution(&evaluator, axes, &[columns[column], rows[row]]);
-    let color = plot::Axis::linear("e", "").between(0.0, 1.0);
+    let color = plot::Axis::linear("Restitution e", "");
     heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], value, color)
 }
 

@@ -53,7 +53,11 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let provenance = provenance(scenario, &scene, impact.method, order.command);
     let mut files = vec![file("trace.csv", trace(&impact)?)];
     files.extend(order.pictures.files(|| {
-        Ok(vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)])
+        let mut drawn =
+            vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)];
+        drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
+        let caption = plot::caption::caption(&scene, &[]);
+        Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
     })?);
     let files = with_summary(files, provenance, |of| summary(&contact, &impact, &Inputs::of(&scene), of))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&contact, &impact), files))

@@ -7,6 +7,7 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::{of_half_space, of_sphere};
 use crate::indentation::{IndentationError, Indenter, StaticContact, Tested};
 use crate::plot;
+use crate::plot::caption::of_indentation;
 use crate::report::indentation as report;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
@@ -49,7 +50,10 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);
     let mut files = vec![file("trace.csv", report::trace(&tested)?)];
-    files.extend(order.pictures.files(|| Ok(vec![("force_indentation", plot::indentation(&tested))]))?);
+    files.extend(order.pictures.files(|| {
+        let drawn = plot::indentation(&tested).with_caption(of_indentation(&scene));
+        Ok(vec![("force_indentation", drawn)])
+    })?);
     let files = with_summary(files, provenance, |of| report::summary(&tested, &warnings, &inputs, of))?;
     Ok(Outcome::done(warnings, report::table(&tested), files))
 }

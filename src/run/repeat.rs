@@ -64,7 +64,8 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         let loops = ("force_indentation", plot::repeat::loops(&repeat, &sequence)?);
         let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence))];
         drawn.extend(plot::repeat::height(&repeat, &sequence).map(|height| ("height", height)));
-        Ok(drawn)
+        let caption = plot::caption::caption(&scene, &["impact.speed"]);
+        Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
     })?);
     let files = with_summary(files, provenance, |of| summary::of_series(&series, &Inputs::of(&scene), of))?;
     let text = report::table(&series);

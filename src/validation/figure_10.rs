@@ -8,6 +8,7 @@ use crate::law::{Bodies, LawChoice, Unloading};
 use crate::material::{HalfSpace, Material, Pair};
 use crate::plot::{Axis, Chart, Series, Style};
 use crate::units::four_digits;
+use crate::units::rounded::quantity;
 
 /// R \[m\], the moduli of sphere and half-space \[Pa\], and the yield strength \[Pa\].
 const RADIUS: f64 = 35e-3;
@@ -64,11 +65,14 @@ fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
         places.map(|x| (x * length, unloading.force(x) * force)).collect::<Vec<_>>()
     };
     let mut series: Vec<Series> = laws.iter().map(|(name, law)| Series::line(name.clone(), curve(law))).collect();
+    // the law of the paper is the widest line
+    series.iter_mut().take(1).for_each(|plm| plm.style = Some(Style::of(0).wide(7.0)));
     let ends = [(peak.indentation, peak.force), (cycle.residual(), 0.0)];
     let points = ends.iter().chain(&cycle.points).map(|(x, f)| (x * length, f * force)).collect();
     series.push(Series::points("finite elements", points).styled(Style::BLACK));
-    // the axis begins a little before the shallowest dent
-    let first = series.iter().flat_map(|series| &series.points).map(|point| point.0).fold(f64::INFINITY, f64::min);
+    // the axis begins a little before the shallowest dent; Hertz leaves none, and is cut off
+    let dents = series.iter().flat_map(|series| &series.points).map(|point| point.0).filter(|at| *at > 0.0);
+    let first = dents.fold(f64::INFINITY, f64::min);
     let last = peak.indentation * length;
     let room = last - first;
     let axes = [
@@ -76,7 +80,14 @@ fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
         Axis::engineering("Force", "N").between(0.0, 1.05 * peak.force * force),
     ];
     let title = format!("Unloading from {} × the yield indentation", four_digits(peak.indentation));
-    Chart::new(title, axes, series).with_notes(["peak: of the finite elements"])
+    let caption = format!(
+        "sphere R {}, E {}; half-space E {}, yields at {}; all from the peak of the finite elements",
+        quantity(RADIUS, "m"),
+        quantity(MODULI[0], "Pa"),
+        quantity(MODULI[1], "Pa"),
+        quantity(STRENGTH, "Pa"),
+    );
+    Chart::new(title, axes, series).with_caption(caption)
 }
 
 #[cfg(test)]

@@ -18,12 +18,13 @@ use crate::impact::{ImpactError, TraceRow};
 use crate::law::PlmCoefficients;
 use crate::math::functions::{exp, ln, sin_cos};
 use crate::output::OutputFile;
-use crate::plot::{Axis, Chart, Pictures, PlotError, Series, Style};
+use crate::plot::{Axis, Chart, Panel, Pictures, PlotError, Series, Style};
 use crate::progress::Counter;
 use crate::reference::hardening::unloadings;
 use crate::reference::impacts::Sample;
 use crate::reference::measured::{Steel, devices, steels};
 use crate::reference::oblique::rebounds;
+use crate::units::rounded::quantity;
 
 /// A picture before it is drawn, with the name of its file without the ending.
 type Picture = (String, Chart);
@@ -63,21 +64,28 @@ fn depths() -> Axis {
     Axis::log("Peak indentation over that at yield", "")
 }
 
-/// The deviation of the restitution of all load cycles.
+/// What the cases are.
+const CASES: &str = "cases are pairs of bodies of Table 1 of Xie et al. (2024)";
+
+/// The deviation of the restitution of all load cycles: a box for each exponent, a marker for each pair of materials.
 fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
-    let of_exponent = |(i, (exponent, name))| {
-        let mut points = Vec::new();
-        for case in cases {
+    let of_exponent = |(which, (exponent, name)): (usize, (_, &str))| {
+        let of_case = |(i, case): (usize, &Case)| {
             let law = case.law(coefficients, exponent);
             let off = |x, e| (x, 100.0 * deviation(e, restitution(&law, x)));
-            points.extend(case.cycles.iter().filter_map(|cycle| Some(off(cycle.row.x, cycle.row.restitution?))));
-        }
-        Series::points(format!("law, {name}"), points).styled(i + 1)
+            let points = case.cycles.iter().filter_map(|cycle| Some(off(cycle.row.x, cycle.row.restitution?)));
+            let name = if which == 0 { case.name() } else { String::new() };
+            Series::points(name, points.collect()).styled(i)
+        };
+        let series = cases.iter().enumerate().map(of_case).collect();
+        let y = Axis::linear(&format!("e off, {name}"), "%").between(-6.5, 2.5);
+        let mut panel = Panel::new(y, series);
+        panel.guides.push(Series::horizontal(0.0, ""));
+        panel
     };
-    let series = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
-    let y = Axis::linear("Law over finite elements − 1", "%").between(-7.0, 4.0);
-    let chart = Chart::new("Restitution of load cycles, five pairs of materials", [depths(), y], series);
-    ("error-restitution".to_owned(), chart.with_guides([Series::horizontal(0.0, "")]))
+    let panels = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
+    let chart = Chart::stacked("Restitution of the law less that of finite elements", depths(), panels);
+    ("error-restitution".to_owned(), chart.with_caption(CASES))
 }
 
 /// The restitution of one case.
@@ -88,12 +96,16 @@ fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
         let law = case.law(coefficients, exponent);
         let curve = log_sampled(1.1 * deepest, |x| (x, restitution(&law, x)));
-        series.push(Series::bare(format!("law, {name}"), curve).styled(i + 1));
+        series.push(Series::line(format!("law, {name}"), curve).styled(i + 1));
     }
     let y = Axis::linear("Restitution e", "").between(0.15, 1.02);
-    let chart = Chart::new(format!("Restitution against depth: {}", case.name()), [depths(), y], series);
+    let chart = Chart::new(format!("Restitution against depth, {}", case.name()), [depths(), y], series);
+    let chart = chart.with_caption(CASES);
     (format!("restitution-{}", case.name().replace(' ', "-")), chart)
 }
+
+/// Every so many samples of finite elements have a marker, so that the lines below stay visible.
+const SHOWN: usize = 4;
 
 /// An indentation: its name, its value in the reference, and its value in the law.
 type Share = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);
@@ -106,14 +118,15 @@ const SHARES: [Share; 3] = [
 
 /// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
 fn impact(of: &dynamic::Case) -> Picture {
-    let mut series = Vec::new();
+    let (mut series, mut of_sphere) = (Vec::new(), Vec::new());
     for (i, (name, of_sample, of_row)) in SHARES.into_iter().enumerate() {
-        let points = of.samples.iter().map(|sample| (of_sample(sample), sample.force));
-        series.push(Series::points(name, points.collect()).styled(i));
+        let points = of.samples.iter().step_by(SHOWN).map(|sample| (of_sample(sample), sample.force));
+        let mut drawn = vec![Series::points(name, points.collect()).styled(i)];
         for (which, impact) in of.impacts.iter().enumerate() {
             let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
-            series.push(Series::bare("", curve).styled(Style::of(i).branch(which)));
+            drawn.push(Series::line("", curve).styled(Style::of(i).branch(which)));
         }
+        if i == 1 { of_sphere = drawn } else { series.extend(drawn) }
     }
     let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
     notes.push(format!("  finite elements: {:.4}", of.reference.restitution));
@@ -123,7 +136,8 @@ fn impact(of: &dynamic::Case) -> Picture {
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
     let (name, slug) = (&of.reference.case, of.reference.case.to_lowercase());
-    let chart = Chart::new(format!("Impact {name} (scenarios/dynamic-fe-{slug}.toml)"), axes, series);
+    let title = format!("Impact {name} at {}", quantity(of.impacts[0].speed, "m/s"));
+    let chart = Chart::new(title, axes, series).with_side(Axis::engineering("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
     (format!("impact-{slug}-force-indentation"), chart)
 }
@@ -146,7 +160,7 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
         for (which, hardens) in [true, false].into_iter().enumerate() {
             let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
             let curve = log_sampled(1.2 * deepest, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
-            series.push(Series::bare("", curve).styled(Style::of(i).branch(which)));
+            series.push(Series::line("", curve).styled(Style::of(i).branch(which)));
         }
     }
     let axes = [
@@ -164,13 +178,10 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
 fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let coefficients = Arc::new(coefficients.clone());
     let steels = steels()?;
-    let ends = || steels.iter().map(Steel::ends);
     // a point of NaN separates the steels
-    let ranges = ends().flat_map(|[low, high]| [low, high, (f64::NAN, f64::NAN)]).collect();
-    let mut series = vec![
-        Series::points("measured, ten steels", ends().flatten().collect()).and("ends of their ranges"),
-        Series::bare("", ranges).styled(0),
-    ];
+    let ranges = steels.iter().map(Steel::ends).flat_map(|[low, high]| [low, high, (f64::NAN, f64::NAN)]).collect();
+    let mut series =
+        vec![Series::line("measured, ten steels", ranges).and("each from end to end of its range").styled(0)];
     let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
     for (device, (i, (share, name, taken))) in devices()?.iter().take(1).cycle().zip(lines.into_iter().enumerate()) {
         let mut points = Vec::new();
@@ -178,7 +189,7 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
             let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
             points.push((tensile, 1000.0 * of_device(device, 1e6 * share * tensile, &coefficients)?));
         }
-        series.push(Series::bare(name, points).and(taken).styled(1 + i));
+        series.push(Series::line(name, points).and(taken).styled(1 + i));
     }
     let axes =
         [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)];
@@ -209,18 +220,15 @@ fn oblique() -> Result<Picture, Error> {
             curve.push((degrees, 1.0 + (ratio - 1.0) / j));
         }
     }
-    let names = [
-        "this program: Mindlin's contact",
-        "one spring, as LAMMPS mindlin_rescale/force",
-        "rigid body: slides, or rolls in the end",
-    ];
+    let names = ["this program", "one spring, as in LAMMPS", "rigid body"];
     let mut series = vec![measured.styled(Style::BLACK)];
     let curves = names.into_iter().zip(curves).enumerate();
-    series.extend(curves.map(|(i, (name, curve))| Series::bare(name, curve).styled(i)));
+    series.extend(curves.map(|(i, (name, curve))| Series::line(name, curve).styled(i)));
     let axes = [
-        Axis::linear("Angle of impact from the normal", "deg"),
-        Axis::linear("Tangential restitution v_t'/v_t", "").between(0.5, 1.0),
+        Axis::linear("Angle of impact from the normal", "°"),
+        Axis::linear("Tangential restitution vₜ′/vₜ", "").between(0.5, 1.0),
     ];
-    let chart = Chart::new("Oblique rebound of alumina from glass, 3.9 m/s, friction 0.092", axes, series);
+    let chart =
+        Chart::new("Oblique rebound of alumina from glass", axes, series).with_caption("3.9 m/s, friction 0.092");
     Ok(("oblique-alumina-on-glass".to_owned(), chart))
 }

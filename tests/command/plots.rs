@@ -52,11 +52,17 @@ impl Drawn {
         lines.map(points).collect()
     }
 
-    /// The points of the lines of this colour as shares of the first box. Those of the key are to the right of 1.
-    fn shares(&self, color: &str) -> Vec<(f64, f64)> {
-        let [left, top, right, bottom] = self.boxes()[0];
+    /// The points of the lines of this colour as shares of a box. The level line of 56 pixels in the key is left out.
+    fn shares_of(&self, color: &str, number: usize) -> Vec<(f64, f64)> {
+        let [left, top, right, bottom] = self.boxes()[number];
         let share = |(x, y): (f64, f64)| ((x - left) / (right - left), (bottom - y) / (bottom - top));
-        self.lines(color).concat().into_iter().map(share).collect()
+        let is_key = |line: &Vec<(f64, f64)>| line[0].1 == line[1].1 && line[1].0 - line[0].0 == 56.0 * UNITS;
+        let lines = self.lines(color).into_iter().filter(|line| line.len() != 2 || !is_key(line));
+        lines.flatten().map(share).filter(|(x, _)| (-1e-3..=1.0 + 1e-3).contains(x)).collect()
+    }
+
+    fn shares(&self, color: &str) -> Vec<(f64, f64)> {
+        self.shares_of(color, 0)
     }
 
     fn texts(&self) -> Vec<String> {
@@ -83,21 +89,30 @@ fn scenes() -> [Impact; 4] {
     ]
 }
 
+/// The loops of approach and half-space share a box. The sphere has a box of its own where its loop would be too narrow: an
+/// elastic one on a dent. A rigid one has none, and then the half-space has the whole approach.
 #[test]
-fn force_against_indentation_shows_three_loops_that_fill_the_axes() {
-    for impact in scenes() {
+fn force_against_indentation_shows_loops_that_fill_the_axes() {
+    for (impact, (boxes, sphere)) in scenes().into_iter().zip([(2, Some(1)), (1, Some(0)), (1, None), (1, Some(0))]) {
         let drawn = Drawn::of(&plot::force_indentation(&impact).unwrap());
-        for color in [BLUE, VERMILLION, GREEN] {
-            assert!(drawn.shares(color).len() > 100, "{color}");
+        assert_eq!(drawn.boxes().len(), boxes);
+        for (color, at) in [(BLUE, Some(0)), (VERMILLION, sphere), (GREEN, sphere.map(|_| 0))] {
+            let points = at.map_or(0, |at| drawn.shares_of(color, at).len());
+            assert!(if at.is_some() { points > 100 } else { drawn.lines(color).is_empty() }, "{color}: {points}");
+        }
+        if let Some(at @ 1) = sphere {
+            // its axis ends 15 % beyond its largest indentation
+            let farthest = drawn.shares_of(VERMILLION, at).into_iter().map(|(x, _)| x).fold(0.0, f64::max);
+            assert!((farthest - 1.0 / 1.15).abs() < 1e-3, "{farthest}");
         }
         // the peak is at 1/1.06 and 1/1.08 of the box, from the ranges of the axes; the loop ends at the dent
-        let inside = |(x, _): &(f64, f64)| *x <= 1.0;
-        let curve: Vec<_> = drawn.shares(BLUE).into_iter().filter(inside).collect();
+        let curve = drawn.shares(BLUE);
         let highest = curve.iter().fold((0.0, 0.0), |a: (f64, f64), b| if b.1 > a.1 { *b } else { a });
         assert!((highest.0 - 1.0 / 1.06).abs() < 1e-3 && (highest.1 - 1.0 / 1.08).abs() < 1e-3, "{highest:?}");
         let residual = impact.residual_indentation / (1.06 * impact.peak_indentation);
         let end = curve.last().unwrap();
-        assert!((end.0 - residual).abs() < 2e-3 && end.1.abs() < 2e-3, "{end:?} for {residual}");
+        // within the gap between two dashes
+        assert!((end.0 - residual).abs() < 8e-3 && end.1.abs() < 8e-3, "{end:?} for {residual}");
     }
 }
 
@@ -126,7 +141,7 @@ fn an_impact_without_trace_makes_no_picture() {
 
 fn lines(axes: [Axis; 2], curves: Vec<Vec<(f64, f64)>>) -> Chart {
     let series = curves.into_iter().zip(["first", "second", "third"]);
-    let series = series.map(|(points, name)| Series::bare(name, points).styled(plot::Style::LAW));
+    let series = series.map(|(points, name)| Series::line(name, points).styled(plot::Style::LAW));
     Chart::new("a < b & \"c\"", axes, series.collect()).with_notes(["a note\u{7}"])
 }
 
@@ -165,11 +180,7 @@ fn a_curve_lies_where_its_values_are() {
 fn curves_and_guides_are_cut_at_the_axes() {
     let unit = |title: &str| Axis::linear(title, "").between(0.0, 1.0);
     let curves = vec![vec![(-1.0, 0.25), (2.0, 0.25)], vec![(0.5, -5.0), (0.5, 5.0)], vec![(-3.0, 9.0), (9.0, 9.0)]];
-    let guides = vec![
-        Series::vertical(7.0, "outside"),
-        Series::horizontal(0.75, "level"),
-        Series::power((0.5, 0.5), 1.0, "slope"),
-    ];
+    let guides = vec![Series::vertical(7.0, "outside"), Series::horizontal(0.75, "level")];
     let drawn = Drawn::of(&lines([unit("x"), unit("y")], curves).with_guides(guides));
     let near = |a: f64, b: f64| (a - b).abs() < 1e-3;
     let inside: Vec<_> = drawn.shares(VERMILLION).into_iter().filter(|(x, _)| *x < 1.01).collect();
@@ -216,7 +227,8 @@ fn a_narrow_picture_has_letters_of_the_same_size_and_its_key_below_the_axes() {
         let mut nodes = document.descendants().filter(|node| node.has_tag_name("text"));
         nodes.find(|node| node.text().unwrap().trim() == name).map(|node| number(node, "font-size")).unwrap()
     };
-    for name in ["Title", "Length [m]", "Height [m]", "curve 0"] {
+    // a wide picture may draw its key smaller, so that it finds a place inside
+    for name in ["Title", "Length [m]", "Height [m]"] {
         assert_eq!(size(&wide, name), size(&narrow, name), "{name}");
     }
     let document = narrow.document();

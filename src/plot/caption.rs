@@ -1,0 +1,65 @@
+//! The line below the title of a picture: who hits whom, and the law that was used. A picture that has left its folder
+//! still says what it shows.
+
+use crate::law::{LawChoice, UnloadingExponent};
+use crate::material::Material;
+use crate::scenario::indentation::IndentationScene;
+use crate::scene::Scene;
+use crate::scene::taken::Body;
+use crate::units::rounded::quantity;
+
+/// The bodies and the law of a scene, without the keys that vary in the picture.
+pub fn caption(scene: &Scene, varied: &[&str]) -> String {
+    let varies = |beginning: &str| varied.iter().any(|path| path.starts_with(beginning));
+    let said = |path: &str, text: String| Some(text).filter(|_| !varies(path));
+    let body = |body: Body, modulus: &str, material: &Material| {
+        let named = scene.materials.iter().find(|taken| taken.body == body);
+        match named {
+            Some(taken) => said(body.material(), taken.material.name.clone()),
+            None => said(modulus, elastic(material)),
+        }
+    };
+    let (sphere, half_space) = (&scene.sphere, &scene.half_space);
+    let of_sphere = [
+        said("sphere.radius", format!("R {}", quantity(sphere.radius, "m"))),
+        body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
+    ];
+    let is_soft = ["half_space.yield_strength", "half_space.hardness", "half_space.material"].into_iter().any(varies);
+    let strength = half_space.yield_strength.filter(|_| !is_soft);
+    let of_half_space = [
+        body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
+        strength.map(|strength| format!("yields at {}", quantity(strength, "Pa"))),
+    ];
+    line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&scene.law))])])
+}
+
+/// The sphere and the law of an indentation; its half-spaces have names in the key.
+pub fn of_indentation(scene: &IndentationScene) -> String {
+    let sphere = [Some(format!("R {}", quantity(scene.indenter.radius, "m"))), Some(elastic(&scene.indenter.material))];
+    line(&[("sphere", &sphere), ("law", &[Some(law(&scene.law))])])
+}
+
+fn elastic(material: &Material) -> String {
+    let modulus = material.youngs_modulus;
+    if modulus.is_finite() { format!("E {}", quantity(modulus, "Pa")) } else { "rigid".to_owned() }
+}
+
+fn law(law: &LawChoice) -> String {
+    match law {
+        LawChoice::Plm(law) => match law.exponent {
+            UnloadingExponent::Paper => "plm, n = 3/2".to_owned(),
+            UnloadingExponent::Fixed(exponent) => format!("plm, n = {exponent}"),
+            UnloadingExponent::PressureShape => "plm, pressure-shape".to_owned(),
+        },
+        other => other.name(),
+    }
+}
+
+/// The parts that have something to say.
+fn line(parts: &[(&str, &[Option<String>])]) -> String {
+    let words = parts.iter().filter_map(|(name, values)| {
+        let values: Vec<&str> = values.iter().flatten().map(String::as_str).collect();
+        (!values.is_empty()).then(|| format!("{name} {}", values.join(", ")))
+    });
+    words.collect::<Vec<_>>().join("; ")
+}
