@@ -2,9 +2,10 @@
 //! laws.
 
 use super::axis::extremes;
+use super::caption::caption;
 use super::of_key::{axis_of, title_of};
 use super::style::Style;
-use super::{Axis, Chart, Series, posterior};
+use super::{Axis, Chart, Scale, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::statistics::{LEVELS, half_width};
 use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
@@ -42,7 +43,10 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     if !calibration.laws.is_empty() && has_lines {
         pictures.push(("laws".to_owned(), FittedQuantity::of(calibration, data.values[0].quantity).laws()));
     }
-    pictures
+    let sought = calibration.keys.iter().map(|key| key.free.key.path);
+    let varied: Vec<&str> = sought.chain(data.keys.iter().map(|key| key.path)).collect();
+    let line = caption(&calibration.fit.problem.scene, &varied);
+    pictures.into_iter().map(|(name, chart)| (name, chart.with_caption(line.as_str()))).collect()
 }
 
 fn is_wide(points: &[(f64, f64)]) -> bool {
@@ -114,7 +118,11 @@ impl<'a> FittedQuantity<'a> {
         let (over, shown) = (Over::of(data), shown(calibration, quantity));
         let points: Points =
             shown.iter().map(|value| (over.at(calibration, *value), data.values[*value].value)).collect();
-        let axes = [over.axis(quantity, &points), of_quantity(quantity, "")];
+        let [x, y] = [over.axis(quantity, &points), of_quantity(quantity, "")];
+        // small values stay visible where both quantities go over decades
+        let is_logarithmic =
+            x.scale == Scale::Log && is_wide(&points.iter().map(|(x, y)| (*y, *x)).collect::<Points>());
+        let axes = [x, if is_logarithmic { y.logarithmic() } else { y }];
         Self { calibration, quantity, over, shown, points, axes }
     }
 
@@ -133,16 +141,16 @@ impl<'a> FittedQuantity<'a> {
         series.push(Series::line(calibration.fit.problem.scene.law.name(), line).styled(Style::LAW));
         series.push(Series::bars(bars.filter(|_| has_bars)).styled(0));
         let measured = match calibration.fit.noise {
-            Noise::Given => "measured, with its sd",
-            Noise::Estimated { .. } => "measured, with the estimated sd",
+            Noise::Given => "measured, with its standard deviation",
+            Noise::Estimated { .. } => "measured, with the estimated standard deviation",
             Noise::TooFew | Noise::NoScatter => "measured",
         };
         series.push(Series::points(measured, points.clone()).styled(0));
         let notes = calibration.keys.iter().flat_map(|KeyEstimate { free, estimate, sd, .. }| {
-            let sd = sd.map_or_else(String::new, |sd| format!(", sd {}", free.say(sd, 2)));
+            let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.say(sd, 2)));
             [title_of(free.key.path), free.say(*estimate, 4) + &sd]
         });
-        let title = format!("{} and the law with the best keys", title_of(quantity.name()));
+        let title = format!("{} and the fitted law", title_of(quantity.name()));
         Chart::new(title, self.axes.clone(), series).with_notes(notes)
     }
 

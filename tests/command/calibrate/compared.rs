@@ -91,7 +91,7 @@ fn the_law_of_a_curve_is_drawn_as_the_law() {
     let corners = document.descendants().filter(|node| node.has_tag_name("polyline"));
     let longest = corners.filter_map(|node| Some(node.attribute("points")?.split_whitespace().count())).max();
     assert!(longest.unwrap() > 80, "{longest:?}");
-    assert!(svg.contains("measured, with the estimated sd") && !svg.contains("with its sd"));
+    assert!(svg.contains("with the estimated") && !svg.contains("with its"));
 }
 
 /// No sentence says what it does not mean: a law that does not know the strength has no best strength, and an end that the data
