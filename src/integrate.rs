@@ -20,7 +20,7 @@ pub mod rk8;
 
 use thiserror::Error;
 
-pub use path::{Drag, Landing, Leg, Path, Rest, Restoring, Sizes, State};
+pub use path::{Drag, Landing, Leg, Path, Rest, Sizes, State};
 
 /// How a leg went.
 #[derive(Debug, Clone, Copy, PartialEq)]

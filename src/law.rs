@@ -13,19 +13,16 @@
 
 pub mod catalogue;
 mod contact_law;
-pub(crate) mod crossing;
-pub mod curve;
 mod memory;
-pub mod piece;
 pub mod plm;
 pub mod published;
 pub mod reloading;
 pub mod unloading;
 
+use crate::curve::Curve;
 use crate::units::names::named;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
-use curve::Curve;
 use memory::Reloaded;
 pub use plm::rule::PlmRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};

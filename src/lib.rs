@@ -139,6 +139,8 @@ pub mod calibrate;
 #[cfg(feature = "capi")]
 pub mod capi;
 #[doc(hidden)]
+pub mod curve;
+#[doc(hidden)]
 pub mod error;
 #[doc(hidden)]
 pub mod export;

@@ -1,9 +1,7 @@
 //! Small mathematics that knows nothing of contacts: functions with the same bits on every machine, quadrature, roots,
-//! powers, and smooth forces as polynomials or in closed form.
+//! and powers.
 
-pub mod branch;
 pub mod functions;
-pub mod poly;
 pub mod power;
 pub mod quadrature;
 pub mod root;

@@ -4,9 +4,9 @@
 //! a modulus ratio of 10¹².
 
 use crate::bench::problems::{Problem, kinked_law, steel_speed_ratio, stiff_law};
+use crate::curve::Curve;
 use crate::impact::closed_form;
 use crate::impact::{Contact, ImpactError, Outcome, ScaledForces};
-use crate::law::curve::Curve;
 use crate::law::{Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::math::functions::{pow, powi};

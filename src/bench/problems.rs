@@ -7,11 +7,11 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
+use crate::curve::Curve;
 use crate::impact::closed_form::{self, energy_balance};
 use crate::impact::scales::ACCELERATION;
 use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces, Solver, run};
 use crate::integrate::Drag;
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, hertzian};
 use crate::law::{ContactLaw, Law, Plm};
 use crate::material::{HalfSpace, Material, Sphere};

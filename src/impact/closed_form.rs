@@ -10,12 +10,12 @@ mod gravity;
 use super::forces::ScaledForces;
 use super::outcome::{Fate, Outcome};
 use super::scales::ACCELERATION;
+use crate::curve::crossing::Reached;
+use crate::curve::piece::{Piece, Shape};
+use crate::curve::poly::Poly;
 use crate::integrate::IntegrationError;
-use crate::law::crossing::Reached;
-use crate::law::piece::{Piece, Shape};
 use crate::law::{Law, Unloading};
 use crate::math::functions::atan;
-use crate::math::poly::Poly;
 use crate::math::power::{arctangent, power_time};
 
 /// The outcome of an impact at q = v/V by the balance of energy; `None` with damping or on a plate. Under gravity the times

@@ -16,11 +16,8 @@ use super::forces::{ScaledForces, StaticPoint, nearer};
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Recorder};
 use super::scales::ACCELERATION;
-use crate::integrate::{
-    Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Rest, Restoring, Sizes, State,
-};
+use crate::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Rest, Sizes, State};
 use crate::law::Law;
-use crate::law::piece::{Piece, Shape};
 use crate::math::power::max_or_nan;
 
 /// Integrates an impact at q = v/V from first touch to its end.
@@ -34,8 +31,9 @@ pub fn integrate<I: Integrator>(
     let distance = forces.way_to_turn(law, 0.4 * q * q);
     let (pull, drag) = (ACCELERATION * forces.weight, forces.drag);
     let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
-    let (first, leg) = way_out(law, 0);
-    let mut path = Path { restoring: first, leg, sizes, pull, drag, rest: None };
+    let pieces = law.loading.pieces();
+    let mut path =
+        Path { piece: &pieces[0], factor: ACCELERATION, leg: way_out(law, 0), sizes, pull, drag, rest: None };
     // a sphere may come to rest without turning only under gravity and damping
     let may_creep = pull > 0.0 && drag != Drag::NONE;
     let static_point = may_creep.then(|| forces.static_on_loading(law));
@@ -51,7 +49,7 @@ pub fn integrate<I: Integrator>(
 
     let mut piece = 0;
     let is_at_rest = loop {
-        (path.restoring, path.leg) = way_out(law, piece);
+        (path.piece, path.leg) = (&pieces[piece], way_out(law, piece));
         if piece == 0 && law.stays_on_branch(0.4 * q * q, forces.weight) {
             path.leg = Leg::Outward(f64::INFINITY);
         }
@@ -80,12 +78,13 @@ pub fn integrate<I: Integrator>(
     let unloading = law.turned(piece, at.distance - entry_of(law, piece));
     recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
     let loading_time = at.time;
+    let branch = unloading.branch();
     at.distance = unloading.peak.elastic_approach;
     let mut fate = Fate::Captured;
     if !is_at_rest {
         at.speed = 0.0;
         path.sizes = Sizes { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
-        path.restoring = restoring(&unloading.branch());
+        path.piece = &branch;
         // a sphere that came without speed does not leave
         let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
         let stops = is_captured && forces.is_conservative();
@@ -153,28 +152,12 @@ fn near_rest(forces: &ScaledForces, point: &StaticPoint, distance: f64, at: &Sta
     Some(rest).filter(|_| is_ahead)
 }
 
-/// The deceleration of the sphere on a piece of the loading curve.
-#[inline(always)]
-fn restoring(piece: &Piece) -> Restoring {
-    match &piece.shape {
-        Shape::Power { stiffness, exponent, .. } => {
-            Restoring::Power { coefficient: ACCELERATION * stiffness, exponent: *exponent }
-        }
-        Shape::Straight { slope, .. } => {
-            Restoring::Straight { at_start: ACCELERATION * piece.force, slope: ACCELERATION * slope }
-        }
-        Shape::Polynomial(poly) => Restoring::Polynomial { force: **poly, factor: ACCELERATION },
-        Shape::Branch(branch) => Restoring::Branch { branch: *branch, factor: ACCELERATION },
-    }
-}
-
 /// The way along a piece of the loading curve.
 #[inline(always)]
-fn way_out(law: &Law, index: usize) -> (Restoring, Leg) {
+fn way_out(law: &Law, index: usize) -> Leg {
     let pieces = law.loading.pieces();
     let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
-    let end = end + entry_of(law, index);
-    (restoring(&pieces[index]), Leg::Outward(end))
+    Leg::Outward(end + entry_of(law, index))
 }
 
 /// The distance of the integrator at the start of a piece.

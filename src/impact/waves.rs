@@ -13,7 +13,7 @@
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
 use super::scales::{ACCELERATION, Scales};
-use crate::law::piece::{Piece, Shape};
+use crate::curve::piece::{Piece, Shape};
 use crate::law::{Law, Peak, Unloading};
 use crate::material::{HalfSpace, OutOfFloatRange, normal};
 use crate::math::functions::{atan2, gamma, ln_1p};

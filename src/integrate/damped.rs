@@ -13,7 +13,8 @@ use super::oscillation::Oscillation;
 use super::piece::power::DraggedHertz;
 use super::piece::straight::DraggedStraight;
 use super::piece::{AnyDragged, Dragged, Quad};
-use super::{Arrival, Drag, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Restoring, Segment, State, Work};
+use super::{Arrival, Drag, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State, Work};
+use crate::curve::piece::Shape;
 use crate::math::functions::pow;
 use crate::math::power::max_or_nan;
 use crate::math::root::bracketed;
@@ -153,7 +154,7 @@ impl Damped {
             }
             self.work.force_evaluations += if solved.is_some() { CONTINUOUS_EVALUATIONS } else { 0 };
             if let Some(track) = track.as_deref_mut() {
-                track.push(segment::<P>(solved.unwrap_or_else(solve), to[2]));
+                track.push(segment(solved.unwrap_or_else(solve), to[2], P::distance_at));
             }
             if let Some((landing, ..)) = landed {
                 let distance = path.landed_at(landing, P::distance_at(to[0]));
@@ -193,19 +194,20 @@ impl Damped {
         state: &mut State,
         track: Option<&mut Vec<Segment>>,
     ) -> Result<Arrival, IntegrationError> {
-        match path.restoring {
-            Restoring::Straight { at_start, slope } => match Oscillation::along(path, *state) {
+        let c = path.factor;
+        match path.piece.shape {
+            Shape::Straight { slope, .. } => match Oscillation::along(path, *state) {
                 Some(closed) => {
                     self.work = self.work + Work { steps: 1, rejected: 0, force_evaluations: 1 };
                     Ok(closed.land(path, state, track))
                 }
-                None => self.run(DraggedStraight::along(at_start, slope, path), path, state, track),
+                None => self.run(DraggedStraight::along(c * path.piece.force, c * slope, path), path, state, track),
             },
-            Restoring::Power { coefficient, exponent: 1.5 } => {
-                self.run(DraggedHertz::<M>::along(coefficient, path), path, state, track)
+            Shape::Power { stiffness, exponent: 1.5, .. } => {
+                self.run(DraggedHertz::<M>::along(c * stiffness, path), path, state, track)
             }
-            Restoring::Polynomial { .. } => self.run(AnyDragged::<1>(*path), path, state, track),
-            Restoring::Power { .. } | Restoring::Branch { .. } => self.run(AnyDragged::<M>(*path), path, state, track),
+            Shape::Polynomial(_) => self.run(AnyDragged::<1>(*path), path, state, track),
+            Shape::Power { .. } | Shape::Branch(_) => self.run(AnyDragged::<M>(*path), path, state, track),
         }
     }
 }
@@ -240,7 +242,7 @@ fn may_end<P: Dragged>(path: &Path, end: f64, from: &Quad, to: &Quad) -> bool {
 }
 
 /// The continuous solution of a step as a function of the time.
-pub(super) fn segment<P: Dragged>(solution: Continuous, end: f64) -> Segment {
+fn segment(solution: Continuous, end: f64, distance_at: fn(f64) -> f64) -> Segment {
     Segment::new(end, move |time| {
         let miss = |theta| {
             let (at, rate) = solution.part(2, theta);
@@ -249,7 +251,7 @@ pub(super) fn segment<P: Dragged>(solution: Continuous, end: f64) -> Segment {
         let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON;
         let theta = bracketed((0.0, 1.0), 1.0, is_near, miss);
         let [y, speed, _, loss] = solution.at(theta);
-        State { time, distance: P::distance_at(y), speed, loss }
+        State { time, distance: distance_at(y), speed, loss }
     })
 }
 

@@ -7,7 +7,7 @@ use crate::math::root::{bracketed, falls_through};
 
 /// A step with its continuous solution, on a leg with its piece.
 pub(super) struct Stretch<'a> {
-    pub path: &'a Path,
+    pub path: &'a Path<'a>,
     /// y where the leg ends.
     pub end: f64,
     pub solution: Continuous,
@@ -56,8 +56,8 @@ impl Stretch<'_> {
     fn pressed<P: Dragged>(&self, theta: f64) -> f64 {
         let (y, u) = self.moving(theta);
         let distance = P::distance_at(y);
-        let force = self.path.restoring.at(distance.abs());
-        let root = self.path.restoring.root_of_slope(distance.abs());
+        let force = self.path.restoring(distance.abs());
+        let root = self.path.root_of_slope(distance.abs());
         let of_law = if root > 0.0 { force / root } else { 0.0 };
         of_law * if y > 0.0 { 1.0 + self.path.drag.chi * u } else { -1.0 } + self.path.drag.eta * u
     }

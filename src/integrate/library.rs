@@ -31,7 +31,7 @@ const LOOSEST_CREEP: f64 = 1e-5;
 
 /// The equations in variables of size one, y = (d, u, loss), up to the last step before an event.
 struct Equations<'a> {
-    path: &'a Path,
+    path: &'a Path<'a>,
     nodes: &'a mut Vec<Node>,
     comes_to_rest: &'a mut bool,
 }

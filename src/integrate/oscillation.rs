@@ -7,7 +7,8 @@
 //! u(t) = e^(−βt) (u_0 cos ωt − (b y_0 + β u_0) sin(ωt)/ω)
 //! ```
 
-use super::{Arrival, Drag, Landing, Leg, Path, Restoring, Segment, State};
+use super::{Arrival, Drag, Landing, Leg, Path, Segment, State};
+use crate::curve::piece::Shape;
 use crate::math::functions::{atan2, exp, sin_cos};
 use crate::math::power::max_or_nan;
 use crate::math::root::bracketed;
@@ -30,7 +31,8 @@ pub(super) struct Oscillation {
 impl Oscillation {
     /// `None` where the motion is another one.
     pub fn along(path: &Path, start: State) -> Option<Self> {
-        let Restoring::Straight { at_start, slope } = path.restoring else { return None };
+        let Shape::Straight { slope, .. } = path.piece.shape else { return None };
+        let (at_start, slope) = (path.factor * path.piece.force, path.factor * slope);
         let Drag { chi, eta, theta } = path.drag;
         let in_contact = eta * slope.sqrt();
         let decay = 0.5 * (in_contact + theta * slope);
@@ -104,6 +106,7 @@ impl Oscillation {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::curve::Curve;
     use crate::integrate::damped::Damped;
     use crate::integrate::path::Sizes;
     use crate::integrate::piece::straight::DraggedStraight;
@@ -113,8 +116,10 @@ mod tests {
     #[test]
     fn steps_lead_to_the_same_state() {
         for (end, eta, theta) in [(0.3, 0.2, 0.0), (9.0, 0.2, 0.0), (0.3, 1.5, 0.1), (9.0, 1.0, 0.3), (9.0, 0.0, 0.4)] {
+            let curve = Curve::straight(2.0).then_straight_from(0.25, 0.5, 2.0);
             let path = Path {
-                restoring: Restoring::Straight { at_start: 0.5, slope: 2.0 },
+                piece: &curve.pieces()[1],
+                factor: 1.0,
                 leg: Leg::Outward(end),
                 sizes: Sizes { distance: 1.0, speed: 1.3 },
                 pull: 0.0,

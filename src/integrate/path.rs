@@ -1,85 +1,14 @@
-//! One smooth piece, the way along it, and what acts there: the restoring force, drag in the contact and on the motion, a pull.
+//! The way along one smooth piece, and what acts there: its restoring force g = c f, drag in the contact and on the motion, a pull.
 
-use crate::math::branch::Branch;
-use crate::math::poly::Poly;
-use crate::math::power::max_or_nan;
-
-/// The deceleration g(d) along one piece, d measured from the start of the piece.
-#[allow(clippy::large_enum_variant)] // copied once a leg
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Restoring {
-    /// g = k d^n.
-    Power {
-        /// k > 0.
-        coefficient: f64,
-        /// n ≥ 1.
-        exponent: f64,
-    },
-    /// g = g_0 + s d.
-    Straight {
-        /// g_0 ≥ 0.
-        at_start: f64,
-        /// s > 0.
-        slope: f64,
-    },
-    /// g = c f with a polynomial f.
-    Polynomial {
-        force: Poly,
-        /// c > 0.
-        factor: f64,
-    },
-    /// g = c f with an unloading branch f.
-    Branch {
-        branch: Branch,
-        /// c > 0.
-        factor: f64,
-    },
-}
-
-impl Restoring {
-    /// g(d), continued smoothly a little beyond both ends of the piece.
-    #[inline]
-    pub fn at(&self, distance: f64) -> f64 {
-        match *self {
-            Self::Power { coefficient, exponent } => coefficient * crate::math::power::power(distance, exponent),
-            Self::Straight { at_start, slope } => at_start + slope * distance,
-            Self::Polynomial { ref force, factor } => factor * force.force(distance),
-            Self::Branch { ref branch, factor } => factor * branch.at(distance).0[0],
-        }
-    }
-
-    /// (g, g', g'') at d.
-    pub(super) fn derivatives(&self, distance: f64) -> [f64; 3] {
-        match *self {
-            Self::Power { exponent: n, .. } => {
-                let force = self.at(distance);
-                [force, n * force / distance, n * (n - 1.0) * force / distance / distance]
-            }
-            Self::Straight { slope, .. } => [self.at(distance), slope, 0.0],
-            Self::Polynomial { ref force, factor } => force.jet(distance).map(|part| factor * part),
-            Self::Branch { ref branch, factor } => branch.at(distance).0.map(|part| factor * part),
-        }
-    }
-
-    /// √g'(d).
-    pub(super) fn root_of_slope(&self, distance: f64) -> f64 {
-        match *self {
-            Self::Power { coefficient, exponent: 1.5 } => (1.5 * coefficient).sqrt() * distance.abs().sqrt().sqrt(),
-            Self::Power { coefficient, exponent } => {
-                (coefficient * exponent).sqrt() * crate::math::power::power(distance.abs(), 0.5 * (exponent - 1.0))
-            }
-            Self::Straight { slope, .. } => slope.sqrt(),
-            Self::Polynomial { .. } | Self::Branch { .. } => root_of(self.derivatives(distance)[1]),
-        }
-    }
-}
+use crate::curve::piece::{Piece, Shape};
+use crate::math::power::{max_or_nan, power};
 
 /// A state on the way along a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Time since first touch.
     pub time: f64,
-    /// d, from the start of the piece.
+    /// d, from the zero of a power law, or from the start of any other piece.
     pub distance: f64,
     /// d'; negative on the way back.
     pub speed: f64,
@@ -182,9 +111,11 @@ pub struct Rest {
 
 /// One smooth piece, the way along it, and what acts there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Path {
-    /// The deceleration g.
-    pub restoring: Restoring,
+pub struct Path<'a> {
+    /// The force f of the piece.
+    pub piece: &'a Piece,
+    /// c: the deceleration is g = c f.
+    pub factor: f64,
     pub leg: Leg,
     /// The sizes that errors are measured against.
     pub sizes: Sizes,
@@ -195,11 +126,36 @@ pub struct Path {
     pub rest: Option<Rest>,
 }
 
-impl Path {
+impl Path<'_> {
+    /// g(d), continued smoothly a little beyond both ends of the piece.
+    #[inline]
+    pub(super) fn restoring(&self, distance: f64) -> f64 {
+        self.factor * self.piece.force_beyond(distance - self.piece.shape.lead())
+    }
+
+    /// g, g' and g'' at d.
+    pub(super) fn jet(&self, distance: f64) -> [f64; 3] {
+        self.piece.jet(distance - self.piece.shape.lead()).map(|part| self.factor * part)
+    }
+
+    /// √g'(d).
+    pub(super) fn root_of_slope(&self, distance: f64) -> f64 {
+        match self.piece.shape {
+            Shape::Power { stiffness, exponent: 1.5, .. } => {
+                (1.5 * (self.factor * stiffness)).sqrt() * distance.abs().sqrt().sqrt()
+            }
+            Shape::Power { stiffness, exponent, .. } => {
+                (self.factor * stiffness * exponent).sqrt() * power(distance.abs(), 0.5 * (exponent - 1.0))
+            }
+            Shape::Straight { slope, .. } => (self.factor * slope).sqrt(),
+            Shape::Polynomial(_) | Shape::Branch(_) => root_of(self.jet(distance)[1]),
+        }
+    }
+
     /// g(d), and the drags at this speed: in the contact and on the motion.
     pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64, f64) {
-        let force = self.restoring.at(distance);
-        let root = if self.drag.needs_slope() { self.restoring.root_of_slope(distance) } else { 0.0 };
+        let force = self.restoring(distance);
+        let root = if self.drag.needs_slope() { self.root_of_slope(distance) } else { 0.0 };
         let (in_contact, on_motion) = self.drag.per_speed(force, root);
         (force, in_contact * speed, on_motion * speed)
     }
@@ -216,7 +172,7 @@ impl Path {
     /// g' u (1 + χ u) + χ g u' + η (√g' u' + g'' u²/(2 √g'))
     /// ```
     pub(super) fn growth_of_force(&self, distance: f64, speed: f64) -> f64 {
-        let [force, slope, curvature] = self.restoring.derivatives(distance);
+        let [force, slope, curvature] = self.jet(distance);
         let Drag { chi, eta, theta } = self.drag;
         let acceleration = self.pull - self.contact_force(distance, speed) - theta * slope * speed;
         let of_law = slope * speed * (1.0 + chi * speed) + chi * force * acceleration;

@@ -78,7 +78,7 @@ pub(super) trait Motion: Copy {
 }
 
 /// What landing and sampling need of a piece with drag.
-pub(super) trait Dragged: Motion + 'static {
+pub(super) trait Dragged: Motion {
     /// m.
     const ROOT: i32;
     /// About √g' at y, for the first step.
@@ -99,9 +99,9 @@ pub(super) trait Dragged: Motion + 'static {
 
 /// Any piece with drag, by the forces of its path.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct AnyDragged<const M: u8>(pub Path);
+pub(super) struct AnyDragged<'a, const M: u8>(pub Path<'a>);
 
-impl<const M: u8> Motion for AnyDragged<M> {
+impl<const M: u8> Motion for AnyDragged<'_, M> {
     fn rates(&self, y: f64, u: f64) -> Quad {
         // dd/dr, which is also dt/dσ
         let clock = f64::from(M) * powi(y, i32::from(M) - 1);
@@ -111,15 +111,15 @@ impl<const M: u8> Motion for AnyDragged<M> {
     }
 }
 
-impl<const M: u8> Dragged for AnyDragged<M> {
+impl<const M: u8> Dragged for AnyDragged<'_, M> {
     const ROOT: i32 = M as i32;
     /// √ of about −du'/dr.
     fn frequency(&self, y: f64) -> f64 {
         if M == 1 {
-            return self.0.restoring.root_of_slope(y).max(f64::MIN_POSITIVE);
+            return self.0.root_of_slope(y).max(f64::MIN_POSITIVE);
         }
         let (m, distance) = (f64::from(M), Self::distance_at(y));
-        let [force, slope, _] = self.0.restoring.derivatives(distance);
+        let [force, slope, _] = self.0.jet(distance);
         (m * powi(y, i32::from(M) - 2) * ((m - 1.0) * force + m * distance * slope)).sqrt()
     }
 }

@@ -31,9 +31,8 @@ use super::piece::formula::{Polynomial, Root};
 use super::piece::power::Power;
 use super::piece::straight::Straight;
 use super::piece::{Field, Variables};
-use super::{
-    Arrival, Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Restoring, Segment, State, Work,
-};
+use super::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Segment, State, Work};
+use crate::curve::piece::Shape;
 use crate::math::functions::pow;
 
 #[derive(Debug, Clone)]
@@ -75,17 +74,20 @@ impl Rk8 {
                 (!PULLED || comes_back(field, path, state)).then(|| self.traverse_field(field, path, state, track))
             }};
         }
-        match path.restoring {
-            Restoring::Straight { at_start, slope } => traverse!(Straight::<PULLED>::new(at_start, slope, path.pull)),
-            Restoring::Power { coefficient: k, exponent: 1.5 } => {
-                traverse!(Power::<true, PULLED>::new(k, 1.5, path.pull))
+        let c = path.factor;
+        match &path.piece.shape {
+            Shape::Straight { slope, .. } => {
+                traverse!(Straight::<PULLED>::new(c * path.piece.force, c * slope, path.pull))
             }
-            Restoring::Power { coefficient: k, exponent } => {
-                traverse!(Power::<false, PULLED>::new(k, exponent, path.pull))
+            Shape::Power { stiffness, exponent: 1.5, .. } => {
+                traverse!(Power::<true, PULLED>::new(c * stiffness, 1.5, path.pull))
             }
-            Restoring::Polynomial { .. } | Restoring::Branch { .. } if PULLED => None,
-            Restoring::Polynomial { force, factor: c } => traverse!(Polynomial { force, c }),
-            Restoring::Branch { branch, factor } => traverse!(Root { branch, c: 2.0 * factor }),
+            Shape::Power { stiffness, exponent, .. } => {
+                traverse!(Power::<false, PULLED>::new(c * stiffness, *exponent, path.pull))
+            }
+            Shape::Polynomial(_) | Shape::Branch(_) if PULLED => None,
+            Shape::Polynomial(poly) => traverse!(Polynomial { force: **poly, c }),
+            Shape::Branch(branch) => traverse!(Root { branch: *branch, c: 2.0 * c }),
         }
     }
 

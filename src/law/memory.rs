@@ -1,8 +1,8 @@
 //! What a spot remembers that was loaded before, and the curve along which it is loaded again.
 
-use super::curve::Curve;
-use super::piece::Piece;
 use super::unloading::{Peak, Unloading};
+use crate::curve::Curve;
+use crate::curve::piece::Piece;
 
 /// What a spot remembers that was loaded before.
 #[derive(Debug, Clone, PartialEq)]

@@ -22,9 +22,9 @@ pub mod rule;
 use std::sync::{Arc, LazyLock};
 
 use super::contact_law::{Bodies, ContactLaw};
-use super::curve::Curve;
 use super::published::{Loading, PeakState, Recovered, Rules};
 use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
+use crate::curve::Curve;
 use crate::material::{HalfSpace, Pair};
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};

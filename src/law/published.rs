@@ -13,8 +13,8 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::curve::Curve;
 use super::{Peak, Unloading, UnloadingShape};
+use crate::curve::Curve;
 use crate::math::root::halved;
 use crate::strength::flow::FlowError;
 use crate::units::four_digits;

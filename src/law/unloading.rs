@@ -3,9 +3,8 @@
 
 use std::f64::consts::PI;
 
-use super::piece::{Piece, Shape};
-use crate::math::branch::{Branch, Form};
-use crate::math::functions::pow;
+use crate::curve::branch::{Branch, Form};
+use crate::curve::piece::{Piece, Shape};
 use crate::math::power::{power, quarter_period, work_share};
 
 /// The largest state that a contact has seen: the whole memory of the law.
@@ -187,10 +186,10 @@ impl Unloading {
 
     /// Force where `recovered`, x − x_r, is still to be recovered.
     pub(crate) fn force_of(&self, recovered: f64) -> f64 {
-        match self.curve {
+        match recovered {
             _ if recovered <= 0.0 => 0.0,
-            None => self.peak.force * power(recovered / self.peak.elastic_approach, self.exponent),
-            Some(ref curve) => curve.at(recovered).0[0],
+            _ if recovered == self.peak.elastic_approach => self.peak.force,
+            _ => self.branch().force_beyond(recovered),
         }
     }
 
@@ -200,13 +199,12 @@ impl Unloading {
         self.stored_of(if x == self.peak.indentation { self.peak.elastic_approach } else { x - self.peak.residual() })
     }
 
-    /// The same where `recovered` is still to be recovered.
+    /// Elastic energy stored where `recovered` is still to be recovered.
     pub(crate) fn stored_of(&self, recovered: f64) -> f64 {
-        match self.curve {
+        match recovered {
             _ if recovered <= 0.0 => 0.0,
             _ if recovered == self.peak.elastic_approach => self.capacity(),
-            None => self.force_of(recovered) * recovered * work_share(self.exponent),
-            Some(ref curve) => curve.at(recovered).1,
+            _ => self.branch().work_beyond(recovered),
         }
     }
 
@@ -217,13 +215,9 @@ impl Unloading {
         self.peak.force * self.peak.elastic_approach * work_share(self.exponent)
     }
 
-    /// df/dx there; n f_m/ε_m where unloading begins.
+    /// df/dx where `recovered` is still to be recovered; n f_m/ε_m where unloading begins.
     pub(crate) fn slope_of(&self, recovered: f64) -> f64 {
-        let Peak { force, elastic_approach, .. } = self.peak;
-        match self.curve {
-            None => self.exponent * force / elastic_approach * power(recovered / elastic_approach, self.exponent - 1.0),
-            Some(curve) => curve.at(recovered).0[1],
-        }
+        self.branch().slope_beyond(recovered)
     }
 
     /// Radius of the contact as far as friction goes, in units of that at x = 1: f_m/ε_m where unloading begins, then in
@@ -235,11 +229,8 @@ impl Unloading {
 
     /// What is still to be recovered where the force is `force`; all of it from f_m on.
     pub(crate) fn recovered_at(&self, force: f64) -> f64 {
-        match self.curve {
-            None => self.peak.elastic_approach * pow((force / self.peak.force).min(1.0), 1.0 / self.exponent),
-            Some(_) if force >= self.peak.force => self.peak.elastic_approach,
-            Some(curve) => curve.distance_at_force(force),
-        }
+        let whole = self.peak.elastic_approach;
+        if force >= self.peak.force { whole } else { self.branch().distance_at_force(force).min(whole) }
     }
 
     /// k of f = k d^n with d = x − x_r, the recovered approach still stored. For other shapes than powers this is the power

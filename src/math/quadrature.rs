@@ -79,7 +79,7 @@ pub fn over(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
     integrate(to - from, |below, above| f(if below < above { from + below } else { to - above }))
 }
 
-pub(super) const PANEL: usize = 20;
+pub(crate) const PANEL: usize = 20;
 
 /// Gauss's rule on (0, 1): nodes and weights.
 static RULE: LazyLock<[[f64; PANEL]; 2]> = LazyLock::new(|| {

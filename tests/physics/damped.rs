@@ -1,8 +1,9 @@
 //! The integrators under drag, compared with the damped harmonic oscillator.
 
 use crate::common::prelude::*;
+use plm_impact::curve::Curve;
 use plm_impact::integrate::library::{Library, Scheme};
-use plm_impact::integrate::{Drag, Landing, Leg, Path, Restoring, Sizes, State};
+use plm_impact::integrate::{Drag, Landing, Leg, Path, Sizes, State};
 
 #[test]
 fn a_damped_spring_under_a_body_that_gives_way_follows_its_closed_form() {
@@ -21,10 +22,10 @@ fn a_damped_spring_under_a_body_that_gives_way_follows_its_closed_form() {
         (10.0, 0.0),
         (0.1, 0.05),
     ] {
-        let restoring = Restoring::Straight { at_start: 0.0, slope: omega * omega };
+        let curve = Curve::straight(omega * omega);
         let drag = Drag { eta: 2.0 * zeta, theta, ..Drag::NONE };
         let sizes = Sizes { distance: u / omega, speed: u };
-        let path = |leg| Path { restoring, leg, sizes, pull: 0.0, drag, rest: None };
+        let path = |leg| Path { piece: &curve.pieces()[0], factor: 1.0, leg, sizes, pull: 0.0, drag, rest: None };
         let both: f64 = zeta + 0.5 * theta * omega;
         // beyond critical damping the functions are the hyperbolic ones
         let time = match both {

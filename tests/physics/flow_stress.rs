@@ -1,8 +1,8 @@
 //! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables.
 
+use plm_impact::curve::Curve;
+use plm_impact::curve::piece::{Piece, Shape};
 use plm_impact::impact::closed_form::solve;
-use plm_impact::law::curve::Curve;
-use plm_impact::law::piece::{Piece, Shape};
 
 use plm_impact::scene::Scene;
 

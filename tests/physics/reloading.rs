@@ -277,3 +277,32 @@ fn energy_gained_at_a_knot_is_said() {
     let second = shot(&contact, &mut spot, speed);
     assert!(second.restitution > 1.0 && is_gain(&second), "{}", second.restitution);
 }
+
+/// A branch that is no power, hit again: the motion up the branch and back down is the same way twice, and its time by the
+/// closed form is that of the steps, for turns far below the old peak, near it and beyond it.
+#[test]
+fn the_contact_time_of_a_second_hit_is_that_of_the_steps() {
+    for name in ["mesarovic_johnson", "plm + mesarovic_johnson", "yigit_christoforou"] {
+        let contact = Scene::case_3().contact_by(LawChoice::from_name(name).unwrap().get());
+        let first = contact.closed_form(5.0).unwrap();
+        let back = first.restitution * 5.0;
+        for share in [0.01, 0.3, 0.7, 0.99, 1.0, 1.01, 2.0] {
+            let hit_again = |method| {
+                let mut spot = Spot::fresh();
+                contact.impact_on(&mut spot, 5.0, &solver(Method::ClosedForm, 1e-10), None).unwrap();
+                contact.impact_on(&mut spot, share * back, &solver(method, 1e-11), None).unwrap()
+            };
+            let [exact, stepped] = [Method::ClosedForm, Method::Rk8].map(hit_again);
+            for (exact, stepped) in [
+                (exact.loading_time, stepped.loading_time),
+                (exact.contact_time, stepped.contact_time),
+                (exact.restitution, stepped.restitution),
+            ] {
+                assert!(off(stepped, exact) < 1e-10, "{name} at {share}: {stepped} for {exact}");
+            }
+            if share < 1.0 {
+                assert!(off(exact.contact_time, 2.0 * exact.loading_time) < 1e-13, "{name} at {share}: {exact:?}");
+            }
+        }
+    }
+}

@@ -18,7 +18,7 @@ const SPEED: usize = 1;
 
 /// The equations in variables of size one: y = (d, u) along the time, y = (d, u, t) along another variable.
 struct Equations<'a> {
-    path: &'a Path,
+    path: &'a Path<'a>,
     /// [`DISTANCE`] or [`SPEED`]; not used along the time.
     along: usize,
     /// If given, the motion stops once past the end of the leg, and the nodes before it are collected here.
@@ -28,7 +28,7 @@ struct Equations<'a> {
 /// g in units of speed²/distance, at a distance in units of its size.
 fn scaled_deceleration(path: &Path, distance: f64) -> f64 {
     let sizes = &path.sizes;
-    path.restoring.at(distance * sizes.distance) * sizes.distance / (sizes.speed * sizes.speed)
+    path.restoring(distance * sizes.distance) * sizes.distance / (sizes.speed * sizes.speed)
 }
 
 impl System<f64, Vector2<f64>> for Equations<'_> {

@@ -1,8 +1,8 @@
 //! Pieces without drag that are neither powers nor straight lines.
 
 use super::{Field, Variables};
-use crate::math::branch::Branch;
-use crate::math::poly::Poly;
+use crate::curve::branch::Branch;
+use crate::curve::poly::Poly;
 
 /// A polynomial: y = d and g = −c f.
 #[derive(Debug, Clone, Copy)]

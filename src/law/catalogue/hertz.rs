@@ -1,8 +1,8 @@
 //! Hertz (1882): elastic, whatever the load; as an unloading law, Hertz with the sphere's own radius.
 
+use crate::curve::Curve;
 use crate::law::Law;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, OutsideLaw, Rules, hertzian};
 
 use crate::math::functions::pow;

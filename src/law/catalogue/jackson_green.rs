@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::curve::Curve;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, crossing, hertzian};
 use crate::math::functions::{cos, exp, pow};
 use crate::units::names::named;

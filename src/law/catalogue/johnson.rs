@@ -1,7 +1,7 @@
 //! Johnson (1985): rigid-plastic loading, Hertz rebound.
 
+use crate::curve::Curve;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, hertzian};
 
 /// The impact of Johnson, with its closed-form restitution.

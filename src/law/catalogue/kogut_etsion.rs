@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::curve::Curve;
 use crate::law::UnloadingShape;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, PeakState, Recovered, Rules};
 use crate::math::functions::pow;
 

@@ -1,7 +1,7 @@
 //! Kogut and Komvopoulos (2004): indentation of an elastic-perfectly plastic half-space by a rigid sphere.
 
+use crate::curve::Curve;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::plm::Plm;
 use crate::law::published::{Loading, Rules, crossing};
 use crate::math::functions::{ln, pow};

@@ -1,8 +1,8 @@
 //! Ma and Liu (2015): elastic, mixed and fully plastic loading, joined with equal slopes.
 
 use super::thornton;
+use crate::curve::Curve;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{cbrt, ln, powi};
 

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use crate::curve::Curve;
 use crate::law::UnloadingShape;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, PeakState, Recovered, Rules};
 
 /// The law of Storåkers, Mesarovic and Johnson.

@@ -1,7 +1,7 @@
 //! Stronge (2000), Impact Mechanics: yield at a mean pressure, logarithmic growth of the pressure to full plasticity.
 
+use crate::curve::Curve;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, hertzian};
 use crate::math::functions::{ln, pow};
 

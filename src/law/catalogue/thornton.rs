@@ -1,7 +1,7 @@
 //! Thornton (1997), Thornton and Ning (1998): contact pressure capped at a limiting value.
 
+use crate::curve::Curve;
 use crate::law::contact_law::{Bodies, ContactLaw};
-use crate::law::curve::Curve;
 use crate::law::published::{Loading, Rules, hertzian};
 
 /// The law of Thornton.

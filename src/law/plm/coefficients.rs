@@ -9,7 +9,7 @@ use thiserror::Error;
 use super::contact_radius::RadiusTable;
 use super::lines::{ElasticLine, LineSlopes};
 use super::rule::PlmRule;
-use crate::law::curve::Curve;
+use crate::curve::Curve;
 use crate::law::{Law, UnloadingExponent};
 use crate::material::Pair;
 

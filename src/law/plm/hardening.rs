@@ -18,7 +18,7 @@
 use std::iter::successors;
 
 use super::lines::LineSlopes;
-use crate::law::curve::Curve;
+use crate::curve::Curve;
 use crate::math::functions::{ln, pow};
 use crate::strength::flow::Rise;
 

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use plm_impact::law::curve::Curve;
+use plm_impact::curve::Curve;
 use plm_impact::law::published::{Loading, PeakState, Rules};
 
 use crate::common::prelude::*;

@@ -1,11 +1,12 @@
 //! One smooth piece of a loading curve: a power law (Hertz), a straight line, a polynomial that stands for any other formula,
-//! or an unloading branch that is no power.
+//! or an unloading branch that is no power. Each function is written once for each shape, of the distance from the start of the
+//! piece: close to a start far from zero this distance has digits that x has lost.
 
 use std::sync::Arc;
 
-use crate::math::branch::Branch;
+use super::branch::Branch;
+use super::poly::Poly;
 use crate::math::functions::{exp_m1, ln_1p, pow};
-use crate::math::poly::Poly;
 use crate::math::power::{power, power_turn, work_share};
 use crate::math::root::fallen_from;
 
@@ -43,7 +44,7 @@ impl Shape {
 
     /// The same force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
     #[must_use]
-    pub(super) fn later(&self, by: f64) -> Self {
+    pub(crate) fn later(&self, by: f64) -> Self {
         match self {
             Self::Power { stiffness, exponent, lead } => {
                 Self::Power { stiffness: *stiffness, exponent: *exponent, lead: lead + by }
@@ -75,14 +76,31 @@ pub struct Piece {
 }
 
 impl Piece {
-    #[inline(always)]
     pub fn force_at(&self, x: f64) -> f64 {
-        let d = x - self.start;
+        self.force_beyond(x - self.start)
+    }
+
+    /// The force at a distance from the start of the piece.
+    #[inline(always)]
+    pub fn force_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
-            Shape::Power { stiffness, exponent, lead } => stiffness * power(d + lead, *exponent),
-            Shape::Straight { slope, .. } => self.force + slope * d,
-            Shape::Polynomial(poly) => poly.force(d),
-            Shape::Branch(branch) => branch.at(d).0[0],
+            Shape::Power { stiffness, exponent, lead } => stiffness * power(distance + lead, *exponent),
+            Shape::Straight { slope, .. } => self.force + slope * distance,
+            Shape::Polynomial(poly) => poly.force(distance),
+            Shape::Branch(branch) => branch.at(distance).0[0],
+        }
+    }
+
+    /// f, df/dx and d²f/dx² at a distance from the start of the piece.
+    pub fn jet(&self, distance: f64) -> [f64; 3] {
+        match &self.shape {
+            Shape::Power { exponent: n, lead, .. } => {
+                let (force, from_zero) = (self.force_beyond(distance), distance + lead);
+                [force, n * force / from_zero, n * (n - 1.0) * force / from_zero / from_zero]
+            }
+            Shape::Straight { slope, .. } => [self.force_beyond(distance), *slope, 0.0],
+            Shape::Polynomial(poly) => poly.jet(distance),
+            Shape::Branch(branch) => branch.at(distance).0,
         }
     }
 
@@ -91,41 +109,49 @@ impl Piece {
         self.slope_beyond(x - self.start)
     }
 
-    /// The same at a distance from the start of the piece.
-    pub(crate) fn slope_beyond(&self, distance: f64) -> f64 {
+    /// df/dx at a distance from the start of the piece.
+    pub fn slope_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, lead } => stiffness * exponent * power(distance + lead, exponent - 1.0),
             Shape::Straight { slope, .. } => *slope,
-            Shape::Polynomial(poly) => poly.jet(distance)[1],
-            Shape::Branch(branch) => branch.at(distance).0[1],
+            Shape::Polynomial(_) | Shape::Branch(_) => self.jet(distance)[1],
         }
     }
 
     /// Work from first touch to x.
     #[inline]
     pub fn work_at(&self, x: f64) -> f64 {
-        let d = x - self.start;
+        self.work_beyond(x - self.start)
+    }
+
+    /// Work from first touch to a distance from the start of the piece.
+    #[inline]
+    pub fn work_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, lead } => {
                 let from_zero = |d: f64| stiffness * power(d, *exponent) * d * work_share(*exponent);
                 let before = if *lead == 0.0 { 0.0 } else { from_zero(*lead) };
-                self.work + (from_zero(d + lead) - before)
+                self.work + (from_zero(distance + lead) - before)
             }
-            Shape::Straight { slope, .. } => self.work + d * (self.force + 0.5 * slope * d),
-            Shape::Polynomial(poly) => self.work + poly.work(d),
-            Shape::Branch(branch) => self.work + branch.at(d).1,
+            Shape::Straight { slope, .. } => self.work + distance * (self.force + 0.5 * slope * distance),
+            Shape::Polynomial(poly) => self.work + poly.work(distance),
+            Shape::Branch(branch) => self.work + branch.at(distance).1,
         }
     }
 
     /// The x at which the force is `force` (≥ the force at the start): the inverse of [`Piece::force_at`].
-    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
-        let distance = match &self.shape {
+    pub fn indentation_at_force(&self, force: f64) -> f64 {
+        self.start + self.distance_at_force(force)
+    }
+
+    /// The distance from the start of the piece at which the force is `force` (≥ the force at the start).
+    pub fn distance_at_force(&self, force: f64) -> f64 {
+        match &self.shape {
             Shape::Power { stiffness, exponent, lead } => pow(force / stiffness, 1.0 / exponent) - lead,
             Shape::Straight { slope, .. } => (force - self.force) / slope,
             Shape::Polynomial(poly) => poly.distance_at_force(force),
             Shape::Branch(branch) => branch.distance_at_force(force),
-        };
-        self.start + distance
+        }
     }
 
     /// The x at which the work reaches `work` (≥ the work at the start): the inverse of [`Piece::work_at`].
@@ -134,7 +160,7 @@ impl Piece {
         self.start + self.distance_at_work(work)
     }
 
-    /// The same measured from the start of the piece. Close to a start far from zero this distance has digits that x has lost.
+    /// The distance from the start of the piece at which the work reaches `work`.
     #[inline(always)]
     pub(crate) fn distance_at_work(&self, work: f64) -> f64 {
         self.way_to_turn(work - self.work, 0.0)

@@ -1,22 +1,28 @@
-//! A loading curve as a list of smooth [`Piece`]s.
+//! A force over a distance as a list of smooth [`Piece`]s, without any mechanics: force, work, and the ways and times of a
+//! motion that only this force acts on.
 //!
-//! Everything here is dimensionless: indentation x = δ/L, force f = F/Φ, work w = W/(Φ L), where L and Φ are the yield
-//! indentation and force (or, for an elastic impact, the Hertz peak).
+//! Everything here is dimensionless. For a contact law x = δ/L is the indentation, f = F/Φ the force and w = W/(Φ L) the work,
+//! where L and Φ are the yield indentation and force (or, for an elastic impact, the Hertz peak).
+
+pub mod branch;
+pub(crate) mod crossing;
+pub mod piece;
+pub mod poly;
 
 use std::sync::Arc;
 
-use super::crossing::{self, Crossing, Reached};
-use super::piece::{Piece, Shape};
 use crate::math::functions::{ln, pow};
-use crate::math::poly::Poly;
 use crate::math::power::power;
+use crossing::{Crossing, Reached};
+use piece::{Piece, Shape};
+use poly::Poly;
 
 /// An increasing and continuous loading curve from (0, 0) on; its last piece has no end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    pub(super) pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<Piece>,
     /// Knots with a series for the time to them; none but on a curve of many pieces.
-    pub(super) crossings: Vec<Crossing>,
+    crossings: Vec<Crossing>,
 }
 
 impl Curve {
@@ -30,7 +36,7 @@ impl Curve {
         Self::of(Vec::new()).then_straight(0.0, slope)
     }
 
-    pub(super) fn of(pieces: Vec<Piece>) -> Self {
+    pub(crate) fn of(pieces: Vec<Piece>) -> Self {
         Self { pieces, crossings: Vec::new() }
     }
 
@@ -76,13 +82,13 @@ impl Curve {
 
     /// The same curve with series for the time to its knots (see [`crossing::crossings`]).
     #[must_use]
-    pub(super) fn with_crossings(mut self) -> Self {
+    pub(crate) fn with_crossings(mut self) -> Self {
         self.crossings = crossing::crossings(&self.pieces);
         self
     }
 
     /// Whether pieces of it stand for a formula.
-    pub(super) fn has_formula(&self) -> bool {
+    pub(crate) fn has_formula(&self) -> bool {
         self.pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)))
     }
 
