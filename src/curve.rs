@@ -28,16 +28,12 @@ pub struct Curve {
 impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
     pub fn hertz() -> Self {
-        Self::of(Vec::new()).then(0.0, 0.0, Shape::power(1.0, 1.5))
+        Self { pieces: Vec::new(), crossings: Vec::new() }.then(0.0, 0.0, Shape::power(1.0, 1.5))
     }
 
     /// f = s x without end.
     pub fn straight(slope: f64) -> Self {
-        Self::of(Vec::new()).then_straight(0.0, slope)
-    }
-
-    pub(crate) fn of(pieces: Vec<Piece>) -> Self {
-        Self { pieces, crossings: Vec::new() }
+        Self { pieces: Vec::new(), crossings: Vec::new() }.then_straight(0.0, slope)
     }
 
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.

@@ -20,8 +20,6 @@ pub mod mindlin;
 pub mod motion;
 mod profile;
 
-use std::borrow::Cow;
-
 use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
@@ -224,7 +222,7 @@ impl<'a> Inclined<'a> {
     /// The stops of other laws may jump: they are run.
     fn slides(&self) -> bool {
         let Outcome { unloading, restitution: e, .. } = self.outcome;
-        let rate = match self.case.law.rule {
+        let rate = match self.case.ground.law.rule {
             _ if self.psi.is_infinite() => 0.0,
             // a plate gives way: its contact does not end at the speed of the rebound
             _ if !self.case.forces.is_none() => return false,
@@ -250,12 +248,12 @@ impl<'a> Inclined<'a> {
             return Ok(Slip { is_sliding: true, ..Slip::new(ratio) });
         }
         // the normal motion of all elastic impacts is the same
-        let is_elastic = self.case.law.rule == Rule::Elastic && self.case.forces.is_none();
+        let is_elastic = self.case.ground.law.rule == Rule::Elastic && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
             Motion::elastic()?
         } else {
-            motion = Motion::new(Cow::Borrowed(self.case.law), self.case.q, &self.case.forces)?;
+            motion = Motion::new(self.case.ground, self.case.q, &self.case.forces)?;
             &motion
         };
         self.resolves(motion)?;

@@ -1,8 +1,6 @@
 //! Oblique impacts: every row of `tests/reference/oblique.csv`, the curve of Maw, Barber and Fawcett, limits, and what must
 //! hold for any scene.
 
-use std::borrow::Cow;
-
 use crate::common::prelude::*;
 use approx::assert_abs_diff_eq;
 use plm_impact::impact::oblique::motion::Motion;
@@ -135,7 +133,7 @@ fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
         let contact = steel(&LawChoice::Plm(Plm { exponent, ..Plm::default() }));
         let (chi, speed) = (contact.chi(), 1.0);
         let (_, law, q) = contact.scaled(speed).unwrap();
-        let motion = Motion::new(Cow::Borrowed(law), q, &ScaledForces::NONE).unwrap();
+        let motion = Motion::new(law, q, &ScaledForces::NONE).unwrap();
         let e = contact.restitution(speed).unwrap();
         let formula = |psi: f64| psi - 2.0 * chi * (1.0 + e);
         let run = |psi: f64| psi * motion.ratio(psi * q, chi, OF_RUNS).unwrap();
