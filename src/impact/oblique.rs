@@ -188,9 +188,9 @@ pub(super) struct Slip {
 }
 
 /// Tolerance of a step in a table: s_1/s_0 is then within 1e-5.
-const OF_ROWS: f64 = 1e-7;
+const OF_ROWS: f64 = 3e-7;
 /// Tolerance of a step in a run by itself: s_1/s_0 is then within 1e-7.
-const OF_RUNS: f64 = 1e-9;
+const OF_RUNS: f64 = 3e-10;
 
 impl Slip {
     fn new(ratio: f64) -> Self {

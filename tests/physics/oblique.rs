@@ -8,8 +8,8 @@ use plm_impact::impact::oblique::motion::Motion;
 use crate::common::reference::rows;
 
 /// The tolerance of a step in a run by itself, and in a table.
-const OF_RUNS: f64 = 1e-9;
-const OF_ROWS: f64 = 1e-7;
+const OF_RUNS: f64 = 3e-10;
+const OF_ROWS: f64 = 3e-7;
 
 /// s_1/s_0 of an elastic impact.
 fn elastic_ratio(psi: f64, chi: f64, tolerance: f64) -> f64 {
