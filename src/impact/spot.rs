@@ -2,6 +2,7 @@
 
 use super::contact::Contact;
 use super::error::ImpactError;
+use super::oblique::Approach;
 use super::result::Impact;
 use super::solve::Solver;
 use crate::law::{Dent, Peak};
@@ -46,11 +47,11 @@ impl Contact {
     pub fn impact_on(
         &self,
         spot: &mut Spot,
-        speed: f64,
+        approach: impl Into<Approach>,
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let (impact, ground, peak) = self.impact_under(spot.dent.as_ref(), speed.into(), solver, samples)?;
+        let (impact, ground, peak) = self.impact_under(spot.dent.as_ref(), approach.into(), solver, samples)?;
         if !ground.is_elastic_to(peak.indentation) {
             spot.dent = Some(self.law.dented(peak));
         }

@@ -205,7 +205,7 @@ pub(super) fn of_oblique(
     impact: &Impact,
     approach: Approach,
 ) -> impl Iterator<Item = Warning> + use<> {
-    let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle);
+    let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
     let ratio = impact.peak_contact_radius / contact.sphere().radius;
     let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
     let ploughing = Warning::when(is_ploughing, WarningKind::Ploughing, ratio, || {

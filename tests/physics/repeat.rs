@@ -22,7 +22,10 @@ fn elastic() -> Scene {
 }
 
 fn bouncing(place: Place, speed: f64, most: u64, until: Option<f64>) -> Repeat {
-    Repeat { place, drive: Drive::Bouncing { gravity: GRAVITY, drop_height: None, speed, most, until } }
+    Repeat {
+        place,
+        drive: Drive::Bouncing { gravity: GRAVITY, drop_height: None, approach: speed.into(), most, until },
+    }
 }
 
 /// Error of the energy balance of a series: kinetic energy + m g (height) + losses by dents and damping, relative to
@@ -237,7 +240,8 @@ fn a_ball_that_falls_back_into_its_contact_is_captured_and_not_in_a_dent() {
 fn a_drop_starts_the_clock_at_the_release() {
     let contact = contact(Scene::steel(), None);
     let speed = drop_speed(GRAVITY, 0.5);
-    let drive = Drive::Bouncing { gravity: GRAVITY, drop_height: Some(0.5), speed, most: 2, until: None };
+    let drive =
+        Drive::Bouncing { gravity: GRAVITY, drop_height: Some(0.5), approach: speed.into(), most: 2, until: None };
     let sequence = Repeat { place: Place::Same, drive }.run(&contact, &auto(), 10, None).unwrap();
     assert!(off(sequence.hits[0].time.unwrap(), (2.0_f64 * 0.5 / GRAVITY).sqrt()) < 1e-15);
     assert_eq!(sequence.fall.unwrap().height, 0.5);

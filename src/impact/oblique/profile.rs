@@ -78,10 +78,11 @@ impl Profile {
             return 0.0;
         }
         let fall = to.stop / rim;
-        let is_beyond = |knot: &Knot| (knot.stretch + self.shift).abs() > to.stop - fall * knot.square;
-        if let Some(first) = self.knots.iter().position(is_beyond) {
-            for side in [1.0, -1.0] {
-                self.clip(first.saturating_sub(1), to.stop, fall, side);
+        for side in [1.0, -1.0] {
+            let (level, shift) = (to.stop, self.shift);
+            let is_beyond = |knot: &Knot| side * (knot.stretch + shift) > level - fall * knot.square;
+            if let Some(first) = self.knots.iter().position(is_beyond) {
+                self.clip(first.saturating_sub(1), level, fall, side);
             }
         }
         self.knots.last().map_or(0.0, |last| -(last.integral + self.shift * last.radius))
@@ -90,15 +91,23 @@ impl Profile {
     /// Adds a piece at the outer end.
     fn push(&mut self, square: f64, stretch: f64, bend: f64) {
         let radius = square.max(0.0).sqrt();
+        self.push_at(square, radius, stretch, bend);
+    }
+
+    fn push_at(&mut self, square: f64, radius: f64, stretch: f64, bend: f64) {
         let integral = self.knots.last().map_or(0.0, |from| {
             let (a, b, ab) = (from.square, square, from.radius * radius);
             let way = radius - from.radius;
-            // the mean of η over the piece, and with it the weight of its end
-            let mean = (a + ab + b) / 3.0;
-            let weight = if b > a { (mean - a) / (b - a) } else { 0.5 };
-            let straight = from.stretch + (stretch - from.stretch) * weight;
-            let mean_of_squares = (b * (b + ab + a) + a * (ab + a)) / 5.0;
-            from.integral + way * (straight + bend * (mean_of_squares - (a + b) * mean + a * b))
+            // the mean of η over the piece less a, over b − a
+            let weight = (radius + from.radius + from.radius) / (3.0 * (radius + from.radius));
+            let straight = from.stretch + (stretch - from.stretch) * if b > 0.0 { weight } else { 0.5 };
+            let curved = if bend == 0.0 {
+                0.0
+            } else {
+                let mean_of_squares = (b * (b + ab + a) + a * (ab + a)) / 5.0;
+                bend * (mean_of_squares - (a + b) * (a + ab + b) / 3.0 + a * b)
+            };
+            from.integral + way * (straight + curved)
         });
         self.knots.push(Knot { square, radius, stretch, bend, integral });
     }
@@ -139,10 +148,10 @@ impl Profile {
                 }
             }
             if !is_beyond {
-                self.push(knot.square, knot.stretch, knot.bend);
+                self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
             } else if !was_beyond || old.get(i + 1).is_none_or(|next| gap(next) >= 0.0) {
                 // a knot between two others beyond the stop is no end of a piece
-                self.push(knot.square, on_stop(knot.square), 0.0);
+                self.push_at(knot.square, knot.radius, on_stop(knot.square), 0.0);
             }
             last = Some((knot, if is_beyond { here.min(-f64::MIN_POSITIVE) } else { here }));
         }
