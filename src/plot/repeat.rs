@@ -70,7 +70,7 @@ pub fn path(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
         })
     });
     let hits = sequence.hits.iter().map(|hit| (hit.position, 0.0)).collect();
-    let series = vec![Series::bare("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
+    let series = vec![Series::line("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
     let axes = [Axis::engineering("Place along the surface", "m"), Axis::engineering("Height", "m")];
     Some(Chart::new(title(repeat, sequence), axes, series))
 }

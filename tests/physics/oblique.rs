@@ -363,7 +363,7 @@ fn friction_goes_with_gravity_and_damping() {
         &["gravity.acceleration=9.81"][..],
         &["damping.viscous=0.1"],
         &["damping.hunt_crossley=\"0.1 s/m\""],
-        &["gravity.acceleration=2e4", "damping.viscous=0.05"],
+        &["gravity.acceleration=1e3", "damping.viscous=0.05"],
     ] {
         let contact = under(settings);
         let gravity = contact.forces().gravity.unwrap_or(0.0);
