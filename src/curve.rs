@@ -9,7 +9,7 @@ pub(crate) mod crossing;
 pub mod piece;
 pub mod poly;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::math::functions::{ln, pow};
 use crate::math::power::power;
@@ -22,18 +22,38 @@ use poly::Poly;
 pub struct Curve {
     pub(crate) pieces: Vec<Piece>,
     /// Knots with a series for the time to them; none but on a curve of many pieces.
-    crossings: Vec<Crossing>,
+    crossings: Option<Series>,
+}
+
+/// They are made when the first closed form asks for them, as a contact that is stepped along needs none.
+#[derive(Debug, Clone, Default)]
+struct Series(OnceLock<Vec<Crossing>>);
+
+impl PartialEq for Series {
+    /// The series follow from the pieces.
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
     pub fn hertz() -> Self {
-        Self { pieces: Vec::new(), crossings: Vec::new() }.then(0.0, 0.0, Shape::power(1.0, 1.5))
+        Self::with_capacity(0)
+    }
+
+    /// Hertz, with memory for so many pieces behind it.
+    pub(crate) fn with_capacity(count: usize) -> Self {
+        Self::of(Vec::with_capacity(count + 1)).then(0.0, 0.0, Shape::power(1.0, 1.5))
     }
 
     /// f = s x without end.
     pub fn straight(slope: f64) -> Self {
-        Self { pieces: Vec::new(), crossings: Vec::new() }.then_straight(0.0, slope)
+        Self::of(Vec::new()).then_straight(0.0, slope)
+    }
+
+    pub(crate) fn of(pieces: Vec<Piece>) -> Self {
+        Self { pieces, crossings: None }
     }
 
     /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
@@ -79,7 +99,7 @@ impl Curve {
     /// The same curve with series for the time to its knots (see [`crossing::crossings`]).
     #[must_use]
     pub(crate) fn with_crossings(mut self) -> Self {
-        self.crossings = crossing::crossings(&self.pieces);
+        self.crossings = Some(Series::default());
         self
     }
 
@@ -136,8 +156,10 @@ impl Curve {
     /// the curve.
     #[inline(always)]
     pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> Reached {
-        let fast = self.crossings.partition_point(|knot| knot.is_good(kinetic));
-        fast.checked_sub(1)
-            .map_or(Reached { piece: 0, work: 0.0, time: 0.0 }, |last| self.crossings[last].reached(kinetic, speed))
+        let start = Reached { piece: 0, work: 0.0, time: 0.0 };
+        let Some(Series(series)) = &self.crossings else { return start };
+        let crossings = series.get_or_init(|| crossing::crossings(&self.pieces));
+        let fast = crossings.partition_point(|knot| knot.is_good(kinetic));
+        fast.checked_sub(1).map_or(start, |last| crossings[last].reached(kinetic, speed))
     }
 }

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! The c_k belong to the curve and are computed once. Up to w_i = E/10 fourteen terms are enough: the rest of the
-//! series is below 1e-16 of the time of loading. A hardening half-space has about 100 pieces; this series is the time on most of them.
+//! series is below 1e-16 of the time of loading. The built-in law has 24 pieces and a hardening half-space about 100; this series is
+//! the time on most of them.
 
 use super::piece::{Piece, Shape};
 use crate::math::quadrature::gauss;
@@ -23,8 +24,12 @@ const EVERY: usize = 4;
 /// No series is made for a knot of more work: the powers of the work would leave double precision.
 const LARGEST_WORK: f64 = 1e20;
 
-/// Gauss's rule with four nodes on (0, 1). It is exact for w, w² and w³, and on a piece whose ends are at most 10 % apart it
-/// integrates the higher powers as well as they count.
+/// A longer piece is integrated in parts, and there are no series behind one that is longest: lengths over x where it begins.
+const LONG: f64 = 0.12;
+const LONGEST: f64 = 20.0;
+
+/// Gauss's rule with four nodes on (0, 1). It is exact for w, w² and w³, and on a part that is not [`LONG`] it integrates the
+/// higher powers as well as they count.
 const NODES: [f64; 4] =
     [0.069_431_844_202_973_71, 0.330_009_478_207_571_9, 0.669_990_521_792_428_1, 0.930_568_155_797_026_3];
 const WEIGHTS: [f64; 4] =
@@ -107,8 +112,8 @@ fn add<const N: usize>(moments: &mut [f64; TERMS], mut terms: [f64; N], works: &
     }
 }
 
-/// The series for the knots of a curve that begins with a power law from zero. Its straight pieces must end at most 10 % beyond
-/// their starts; there are no series behind a piece of another kind.
+/// The series for the knots of a curve that begins with a power law from zero; there are none behind a piece that is neither
+/// straight nor a formula.
 pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
     let is_long = !pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)));
     let mut crossings = Vec::with_capacity(pieces.len());
@@ -126,19 +131,24 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
                     term *= next.work;
                 }
             }
-            Shape::Straight { slope, .. } => {
-                let works = NODES.map(|node| {
-                    let d = node * length;
-                    piece.work + d * (piece.force + 0.5 * slope * d)
-                });
-                add(&mut moments, WEIGHTS.map(|weight| weight * length), &works);
+            Shape::Straight { slope, .. } if length < LONGEST * piece.start => {
+                let count = (length / (LONG * piece.start)).ceil();
+                let (mut begun, part) = (0.0, length / count);
+                while begun < length * (1.0 - 0.5 / count) {
+                    let works = NODES.map(|node| {
+                        let d = begun + node * part;
+                        piece.work + d * (piece.force + 0.5 * slope * d)
+                    });
+                    add(&mut moments, WEIGHTS.map(|weight| weight * part), &works);
+                    begun += part;
+                }
             }
             Shape::Polynomial(poly) => {
                 let (nodes, weights) = gauss();
                 let works = nodes.map(|node| piece.work + poly.work(node * length));
                 add(&mut moments, weights.map(|weight| weight * length), &works);
             }
-            Shape::Power { .. } | Shape::Branch(_) => break,
+            Shape::Straight { .. } | Shape::Power { .. } | Shape::Branch(_) => break,
         }
         if !is_long || index % EVERY == 0 {
             crossings.push(Crossing::new(index, next.start, next.work, &moments));

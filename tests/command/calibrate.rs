@@ -13,6 +13,15 @@ fn bodies() -> String {
     crate::common::STEEL.split("[impact]").next().unwrap().to_owned()
 }
 
+/// The coefficients that the independent programs below have.
+const NINE_PIECES: &str =
+    concat!("coefficients = \"", env!("CARGO_MANIFEST_DIR"), "/tests/reference/coefficients-9.toml\"\n");
+
+/// These bodies under that law, with these lines of `[calibrate]`.
+fn of_nine_pieces(calibrate: &str) -> String {
+    format!("{}[law.plm]\n{NINE_PIECES}[calibrate]\n{calibrate}", bodies())
+}
+
 /// These bodies, with these lines of `[calibrate]`.
 fn scenario(calibrate: &str) -> String {
     bodies() + "[calibrate]\n" + calibrate
@@ -73,7 +82,7 @@ const BOTH: &str = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\
 
 #[test]
 fn with_a_known_noise_one_key_agrees_with_lmfit_and_a_brute_force_grid() {
-    let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
+    let text = of_nine_pieces(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
     let (_, summary) = calibrated(&text, &restitutions(), &[], 0);
     let key = &summary["keys"][0];
     near(&key["estimate"], 346.702e6, 3e-5);
@@ -88,7 +97,7 @@ fn with_a_known_noise_one_key_agrees_with_lmfit_and_a_brute_force_grid() {
 // least squares over 11 001 strengths from 300 to 410 MPa, with the weights taken anew from the law until they stay
 #[test]
 fn with_an_unknown_noise_the_scatter_gives_it() {
-    let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = \"estimate\""));
+    let text = of_nine_pieces(&format!("data = \"d.csv\"\n{STRENGTH}noise = \"estimate\""));
     let (_, summary) = calibrated(&text, &restitutions(), &[], 0);
     let key = &summary["keys"][0];
     near(&key["estimate"], 349.2813e6, 3e-5);
@@ -103,7 +112,7 @@ fn with_an_unknown_noise_the_scatter_gives_it() {
 
 #[test]
 fn two_keys_agree_with_lmfit_and_a_brute_force_plane() {
-    let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
+    let text = of_nine_pieces(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
     let (_, summary) = calibrated(&text, MADE, &[], 0);
     let keys = &summary["keys"];
     near(&keys[0]["estimate"], 344.1025e6, 1e-4);
@@ -154,6 +163,7 @@ fn a_hardness_tester_is_calibrated_by_one_number_and_predicts_the_others() {
     let text = "[sphere]\nradius = \"1.5 mm\"\nyoungs_modulus = \"600 GPa\"\npoissons_ratio = 0.23\nmass = \"5.5 g\" # the body\n\
                 [half_space]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\ndensity = \"7850 kg/m^3\"\n\
                 [law.plm]\nunloading_exponent = \"pressure-shape\"\n";
+    let text = &(text.to_owned() + NINE_PIECES);
     for (leeb, strength, c, e) in [("760", 2606e6, 0.836, 0.731), ("530", 1081e6, 0.608, 0.511)] {
         let (desk, summary) = calibrated(text, "", &["--leeb", leeb, "--speed", "2 m/s"], 0);
         near(&summary["keys"][0]["estimate"], strength, 2e-3);

@@ -20,13 +20,13 @@ fn run_writes_all_outputs_and_prints_the_table_alone() {
     let desk = Desk::with(STEEL);
     let (table, said) = desk.ends(&["run", "s.toml"], 0);
     assert_eq!(desk.files("plots/s"), FILES);
-    // tests/reference/plain.csv: e = 0.49246
-    assert!(table.starts_with("impact speed") && table.contains("0.4925"), "{table}");
+    // tests/reference/built_in.csv: e = 0.49058
+    assert!(table.starts_with("impact speed") && table.contains("0.4906"), "{table}");
     assert!(said.contains("wrote summary.json"));
     let summary = desk.json("plots/s/summary.json");
     let restitution = summary["restitution"].as_f64().unwrap();
-    // tests/reference/plain.csv, "steel on steel, 3 m/s"
-    assert!((restitution / 0.492_463_617_254_029_9 - 1.0).abs() < 1e-8, "{restitution}");
+    // tests/reference/built_in.csv, "steel on steel, 3 m/s"
+    assert!((restitution / 0.490_578_548_979_793_5 - 1.0).abs() < 1e-8, "{restitution}");
     assert_eq!(summary["provenance"]["command"], "plm-impact run s.toml");
     assert_eq!(summary["provenance"]["scenario_sha256"].as_str().unwrap().len(), 64);
 }

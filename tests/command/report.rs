@@ -94,8 +94,8 @@ fn a_summary_says_what_the_scene_is() {
     );
     let said = ran(&[]);
     assert_eq!((&said.summary["warnings"], &said.summary["provenance"]["method"]), (&json!([]), &"rk8".into()));
-    // e = 0.49246, F_m = 1105.7 N, δ_m = 36.948 µm, T = 28.86 µs: tests/reference/plain.csv
-    for text in ["0.4925", "1.106 kN", "36.95 µm", "28.86 µs", "24.25 % recovered, 75.75 % into the dent"] {
+    // e = 0.49058, F_m = 1099.9 N, δ_m = 36.999 µm, T = 28.92 µs: tests/reference/built_in.csv
+    for text in ["0.4906", "1.1 kN", "37 µm", "28.92 µs", "24.07 % recovered, 75.93 % into the dent"] {
         assert!(said.table.contains(text), "{text} not in\n{}", said.table);
     }
     assert!(said.table.lines().all(|line| !line.ends_with(' ')));
@@ -133,12 +133,12 @@ fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
     let branches: Vec<&str> = impact.trace.iter().map(|row| row.branch.name()).collect();
     assert_eq!(column(&trace, "branch"), branches);
     // first touch and separation are samples; the events between them are additional rows: first yield, the knots at
-    // x = 1.7, 2.4, 3.4, 5, 9, 18, 36, 80 of the built-in law, as this impact reaches x = 136, and the peak
+    // 20 knots from x = 1.7 to 100 of the built-in law, as this impact reaches x = 129, and the peak
     let events = column(&trace, "event");
-    assert_eq!(events.len(), SAMPLES + 10);
+    assert_eq!(events.len(), SAMPLES + 22);
     let named = |name: &str| (0..events.len()).filter(|row| events[*row] == name).collect::<Vec<_>>();
     assert_eq!((named("touch"), named("separation")), (vec![0], vec![events.len() - 1]));
-    assert_eq!((named("yield").len(), named("knot").len(), named("peak").len()), (1, 8, 1));
+    assert_eq!((named("yield").len(), named("knot").len(), named("peak").len()), (1, 20, 1));
     let peak = named("peak")[0];
     assert_eq!((of("speed_m_per_s")[peak], of("force_N")[peak]), (0.0, impact.peak_force));
     let end = events.len() - 1;

@@ -145,11 +145,14 @@ fn e_of_quenched_steels_from_their_hardness_is_low_on_one_side() {
 #[test]
 fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml"));
-    let leeb = Scenario::load(file, &[]).unwrap().resolve().unwrap();
+    let nine_pieces =
+        [concat!("law.plm.coefficients=", env!("CARGO_MANIFEST_DIR"), "/tests/reference/coefficients-9.toml")
+            .to_owned()];
+    let leeb = Scenario::load(file, &nine_pieces).unwrap().resolve().unwrap();
     assert!(off(restitution(&leeb), 0.536_819_556_289_484_6) < 1e-8, "{}", restitution(&leeb));
     // the same for a metal that hardens with the exponent 0.1
     let text = fs::read_to_string(file).unwrap() + "[half_space.flow_stress]\npower = { exponent = 0.1 }\n";
-    let hardening = scene(&text);
+    let hardening = crate::common::scene(&text, &nine_pieces);
     assert!(off(hardening.half_space.yield_strength.unwrap(), 803_547_686.070_280_6) < 1e-10);
     assert!(off(restitution(&hardening), 0.513_146_638_758_511_5) < 1e-8, "{}", restitution(&hardening));
 }

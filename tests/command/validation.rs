@@ -80,16 +80,16 @@ fn the_law_is_as_near_as_documented() {
     };
     let dent = "load cycle: residual indentation, deviation over peak indentation";
     for (quantity, of_rms, of_largest) in [
-        ("loading: force", 1.1, 3.5),
-        (dent, 0.7, 2.3),
-        ("hardening: residual indentation, deviation over peak indentation", 0.9, 2.8),
+        ("loading: force", 0.8, 3.3),
+        (dent, 0.6, 1.7),
+        ("hardening: residual indentation, deviation over peak indentation", 0.9, 2.6),
     ] {
         let [_, rms, largest] = of(quantity);
         assert!(rms < of_rms + 0.05 && largest < of_largest + 0.05, "{quantity}: {rms} {largest}");
         assert!(rms > of_rms - 0.1 && largest > of_largest - 0.1, "{quantity}: {rms} {largest}");
     }
     for (quantity, of_mean) in
-        [("load cycle: restitution, exponent 3/2", -2.9), ("load cycle: restitution, pressure-shape", -0.4)]
+        [("load cycle: restitution, exponent 3/2", -3.1), ("load cycle: restitution, pressure-shape", -0.5)]
     {
         assert!((of(quantity)[0] - of_mean).abs() < 0.06, "{quantity}: {:?}", of(quantity));
     }
@@ -98,13 +98,10 @@ fn the_law_is_as_near_as_documented() {
 #[test]
 fn another_law_stands_beside_the_built_in_one() {
     // the straight pieces are a tenth too steep
-    let steeper = BUILT_IN.replace(
-        "slope = [2.00, 2.29, 2.62, 3.04, 3.66, 4.32, 4.84, 5.60, 6.51]",
-        "slope = [2.20, 2.52, 2.88, 3.34, 4.03, 4.75, 5.32, 6.16, 7.16]",
-    );
-    assert_ne!(steeper, BUILT_IN);
+    let mut steeper = PlmCoefficients::built_in().clone();
+    steeper.force.slope.iter_mut().for_each(|slope| *slope *= 1.1);
     let desk = Desk::with("");
-    desk.put("steeper.toml", steeper);
+    desk.put("steeper.toml", toml::to_string(&steeper).unwrap());
     let arguments = ["validate", "--coefficients", "steeper.toml", "--out", "v", "--pictures", "none"];
     let (table, _) = desk.ends(&arguments, 0);
     assert!(table.lines().next().unwrap().contains("built-in: mean"), "{table}");
@@ -217,8 +214,8 @@ impl Second {
                 .filter(|(from, _)| a * self.a_y >= **from)
                 .fold(base, |slope, (_, factor)| slope * factor)
         };
-        let knots = [plastic_from, from[0] / self.a_y, from[1] / self.a_y];
-        let mut places: Vec<f64> = knots.into_iter().filter(|knot| *knot > 1.0 && *knot < a).chain([1.0, a]).collect();
+        let knots = from.iter().map(|from| from / self.a_y).chain([plastic_from]);
+        let mut places: Vec<f64> = knots.filter(|knot| *knot > 1.0 && *knot < a).chain([1.0, a]).collect();
         places.sort_by(f64::total_cmp);
         1.0 + places.windows(2).map(|pair| slope(0.5 * (pair[0] + pair[1])) * (pair[1] - pair[0])).sum::<f64>()
     }

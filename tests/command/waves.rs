@@ -11,7 +11,7 @@ fn waves_are_reported_where_the_density_is_given_and_only_there() {
     for (scene, is_there) in [(SCENARIO, true), (without.as_str(), false)] {
         let desk = Desk::with(scene);
         let (printed, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
-        assert_eq!(printed.contains("waves take 1.342 % of the normal energy"), is_there, "{printed}");
+        assert_eq!(printed.contains("waves take 1.317 % of the normal energy"), is_there, "{printed}");
         assert_eq!((printed + &desk.read("out/summary.json")).contains("wave"), is_there);
         let table = Desk::ran(format!("{scene}{swept}")).read("out/table.csv");
         assert_eq!(table.contains(",plastic_fraction,wave_loss_fraction,restitution_with_waves,status\n"), is_there);

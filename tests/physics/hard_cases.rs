@@ -206,7 +206,7 @@ fn shortest_and_longest_traces() {
         let shortest = scene.impact(1.0, method, 1e-10, Some(2)).trace;
         // touch, yield, the knots up to x_m = 44, peak, separation
         assert_eq!(shortest.iter().filter(|row| row.event.is_none()).count(), 0);
-        assert_eq!(shortest.len(), 4 + 7, "{}", method.name());
+        assert_eq!(shortest.len(), 4 + 17, "{}", method.name());
     }
     let long = scene.impact(1.0, Method::Rk8, 1e-10, Some(1_000_000));
     assert_eq!(long.trace.iter().filter(|row| row.event.is_none()).count(), 999_998);

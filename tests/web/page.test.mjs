@@ -13,7 +13,7 @@ const picture = (name) => page.value(`document.querySelector("#picture-${name} s
 
 test("the first page shows the example of README.md", async () => {
   await open();
-  await page.until(`${SHOWN}.includes("0.4925")`);
+  await page.until(`${SHOWN}.includes("0.4906")`);
   await agrees(runByCommand("steel-on-steel.toml").stdout);
   assert.equal(await text(), call("init", "impact", "--out", "-").stdout);
   assert.equal(await valueOf("sphere.radius"), "5 mm");
@@ -107,7 +107,7 @@ test("light and dark have contrast, and a narrow page is not wider than its wind
   for (const [width, isDark] of [[360, false], [1400, false], [360, true], [1400, true]]) {
     await page.look(width, 900, isDark);
     await open();
-    await page.until(`${SHOWN}.includes("0.4925")`);
+    await page.until(`${SHOWN}.includes("0.4906")`);
     assert.equal(await page.value('matchMedia("(prefers-color-scheme: dark)").matches'), isDark);
     assert.ok((await page.value(contrast)) > 4.5, `${width} ${isDark}`);
     assert.ok((await page.value("document.documentElement.scrollWidth")) <= width, `${width}`);
@@ -118,7 +118,7 @@ test("no request leaves the page, and nothing is complained about", async () => 
   await page.log("browser");
   await page.log("performance");
   await open();
-  await page.until(`${SHOWN}.includes("0.4925")`);
+  await page.until(`${SHOWN}.includes("0.4906")`);
   const events = (await page.log("performance")).map((entry) => JSON.parse(entry.message).message);
   const sent = events.filter((event) => event.method === "Network.requestWillBeSent").map((event) => event.params.request.url);
   assert.ok(sent.some((url) => url.endsWith("plm_impact_bg.wasm")), `${sent}`);
@@ -172,7 +172,7 @@ test("on a phone and a tablet e stays in view, and pictures fit", async () => {
   for (const width of [390, 800]) {
     await page.look(width, 844, false);
     await open();
-    await page.until(`${SHOWN}.includes("0.4925")`);
+    await page.until(`${SHOWN}.includes("0.4906")`);
     await page.type(field("impact.speed"), "1 m/s");
     await page.until('document.getElementById("state").textContent.includes("0.6067")');
     const seen = (css) => page.value(`(() => {
@@ -208,7 +208,7 @@ test("a bad link at the first load says that it is refused, and of no results", 
 
 test("how exact the numbers are is folded, and e against speed can be had as CSV", async () => {
   await open();
-  await page.until(`${SHOWN}.includes("0.4925")`);
+  await page.until(`${SHOWN}.includes("0.4906")`);
   assert.deepEqual([await isSeen("#numbers details"), await isSeen("#numbers details dl")], [true, false]);
   assert.match(await page.value('document.querySelector("#numbers details").textContent'), /closed form.*steps/s);
   assert.ok((await cells("#files button")).includes("restitution.csv"));

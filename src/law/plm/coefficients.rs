@@ -39,11 +39,15 @@ pub struct ForceTable {
 impl ForceTable {
     pub fn curve(&self, kappa_squared: f64) -> Curve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
-        pieces.fold(Curve::hertz(), |curve, ((from, slope), per_kappa)| {
+        let curve = pieces.fold(Curve::with_capacity(self.from.len()), |curve, ((from, slope), per_kappa)| {
             curve.then_straight(*from, slope + per_kappa * kappa_squared)
-        })
+        });
+        if self.from.len() >= MANY { curve.with_crossings() } else { curve }
     }
 }
+
+/// From so many pieces on a series for the time to some knots pays for itself.
+const MANY: usize = 12;
 
 /// The polyline of ε in A.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

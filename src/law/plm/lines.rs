@@ -71,7 +71,9 @@ impl LinePiece {
 impl ElasticLine {
     /// The polyline for a half-space that yields at this a_Y/R.
     pub fn new(slopes: &LineSlopes, yield_radius_ratio: f64) -> Self {
-        Self { pieces: slopes.pieces(yield_radius_ratio).collect() }
+        let mut pieces = Vec::with_capacity(slopes.geometry.len() + 2);
+        pieces.extend(slopes.pieces(yield_radius_ratio));
+        Self { pieces }
     }
 
     /// ε on the line at force f ≥ 1.

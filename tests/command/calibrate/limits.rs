@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::common::prelude::*;
 use plm_impact::calibrate::Measurements;
 
-use super::{STRENGTH, calibrated, near, scenario};
+use super::{STRENGTH, calibrated, near, of_nine_pieces, scenario};
 
 const STEEL: &str = include_str!("../../../scenarios/steel-on-steel.toml");
 
@@ -28,7 +28,8 @@ fn readings_that_repeat_give_no_noise_and_no_interval() {
     // half of the readings of a tester that shows two digits are the same
     let most = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.48\n3,0.50\n3,0.47\n";
     for (data, robust) in [(two, ""), (two, "robust = \"student-t\""), (most, "robust = \"student-t\"")] {
-        let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}{robust}")), data, &[], 0);
+        let text = of_nine_pieces(&format!("data = \"d.csv\"\n{STRENGTH}{robust}"));
+        let (_, summary) = calibrated(&text, data, &[], 0);
         let key = &summary["keys"][0];
         near(&key["estimate"], 341.7e6, 1e-3);
         assert!(key["sd"].is_null() && key["interval_95"].is_null() && summary["fits"].is_null(), "{summary}");

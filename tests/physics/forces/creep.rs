@@ -55,7 +55,8 @@ fn is_right(peak: f64, dent: f64, fine: &Impact, tolerance: f64) -> bool {
 fn a_heavily_damped_sphere_let_go_on_soft_ground_sinks_to_where_the_ground_carries_it() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);
     let damping = Some(Damping::HuntCrossley(5000.0));
-    let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
+    let forces = Forces { gravity: Some(GRAVITY), damping, ..Forces::default() };
+    let contact = scene.contact_by(&nine_pieces()).with_forces(forces);
     for (method, _) in STEPPING {
         for tolerance in [1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
             let impact = contact.impact(0.0, &solver(method, tolerance), None).unwrap();

@@ -13,7 +13,8 @@ fn largest_of_trace(contact: &plm_impact::impact::Contact, speed: f64, method: M
 /// knot x = 1.7 where the peak force was given as 379.7 N.
 #[test]
 fn the_peak_force_is_the_largest_of_the_way_not_that_of_the_deepest_point() {
-    let contact = under(&Scene::steel(), Forces { gravity: Some(9.81), ..viscous(1.0) });
+    let forces = Forces { gravity: Some(9.81), ..viscous(1.0) };
+    let contact = Scene::steel().contact_by(&nine_pieces()).with_forces(forces);
     let speed = 9.81_f64.sqrt();
     let impact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
     assert!(off(impact.peak_force, 1_735.450_320) < 1e-8, "{}", impact.peak_force);

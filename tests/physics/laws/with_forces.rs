@@ -241,7 +241,8 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
     };
     let speed = 1.945 * soft.yield_speed();
     for damping in [Damping::Viscous(1e-9), Damping::HuntCrossley(1e-9 / speed)] {
-        let damped = soft.contact().with_forces(Forces { damping: Some(damping), ..Forces::default() });
+        let damped =
+            soft.contact_by(&nine_pieces()).with_forces(Forces { damping: Some(damping), ..Forces::default() });
         let mut spot = Spot::fresh();
         let hit = |spot: &mut Spot| damped.impact_on(spot, speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         assert!(!gains(&hit(&mut spot)));
@@ -290,7 +291,7 @@ fn the_fastest_impact_that_changes_nothing_is_that_of_the_law() {
         let contact = Scene::case_3().contact_by(choice.get());
         let Some(yield_speed) = contact.yield_speed() else { continue };
         let (_, law, _) = contact.scaled(10.0 * yield_speed).unwrap();
-        let memory = |share: f64| Law::loaded_to(law, share * law.limits.elastic_until);
+        let memory = |share: f64| Law::loaded_to(law, share * law.elastic_until());
         assert_eq!(Spot::loaded_to(&contact, memory(0.99)), Spot::fresh(), "{name}");
         assert_ne!(Spot::loaded_to(&contact, memory(1.5)), Spot::fresh(), "{name}");
         compared += 1;
