@@ -194,7 +194,7 @@ impl StaticContact {
 
     /// Whether a load that is large enough leaves a dent.
     pub fn can_yield(&self) -> bool {
-        self.law.elastic_until().is_finite()
+        self.law.limits.elastic_until.is_finite()
     }
 
     /// Goes through the steps from first touch on; with `samples` ≥ 2, with a trace of that many evenly spaced rows a step
@@ -227,7 +227,7 @@ impl StaticContact {
                 return Err(IndentationError::TooWide { step: number, contact_radius, radius });
             }
             if stroke.is_new_peak() {
-                let warnings = of_peak(&self.law, peak).chain(of_exponent(&self.law, &stroke.memory));
+                let warnings = of_peak((&self.law).into(), peak).chain(of_exponent((&self.law).into(), &stroke.memory));
                 doubts.extend(warnings.map(|warning| Doubt { step: number, warning }));
             }
             self.doubt(number, &step, steps.last(), &mut doubts);

@@ -1,7 +1,8 @@
 //! Contact laws: a loading curve made of smooth pieces, the elastic approach along it, and an unloading rule.
 //!
-//! A law is data. It knows no time, no file and no solver, and evaluating it changes nothing. The law of a spot that was loaded
-//! before is another one, [`Law::reloaded`]; who follows a contact step by step hands its memory, a [`Peak`], in and out.
+//! A law is data. It knows no time, no file and no solver, and evaluating it changes nothing. What a spot remembers that was
+//! loaded before is a [`Dent`]; law and dent are the [`Ground`] of an impact. Who follows a contact step by step hands its
+//! memory, a [`Peak`], in and out.
 //!
 //! # Sources
 //! * Hertz (1882), J. reine angew. Math. 92, 156-171.
@@ -13,17 +14,16 @@
 
 pub mod catalogue;
 mod contact_law;
-mod memory;
+mod ground;
 pub mod plm;
 pub mod published;
-pub mod reloading;
 pub mod unloading;
 
 use crate::curve::Curve;
 use crate::units::names::named;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
-use memory::Reloaded;
+pub use ground::{Dent, Ground};
 pub use plm::rule::PlmRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 use published::{LARGEST_CUT, Limits, Published, WIDEST_PARABOLOID};
@@ -59,8 +59,6 @@ pub struct Law {
     /// Where the loading holds.
     pub limits: Limits,
     pub rule: Rule,
-    /// What a spot remembers that was loaded before.
-    pub(crate) memory: Option<Box<Reloaded>>,
 }
 
 /// An exponent of unloading that is larger than the one that was asked for, which would give back more than was spent.
@@ -75,9 +73,8 @@ pub(crate) struct Raised {
 }
 
 impl Law {
-    /// The law of a surface that was not loaded before.
     pub fn new(loading: Curve, limits: Limits, rule: Rule) -> Self {
-        Self { loading, limits, rule, memory: None }
+        Self { loading, limits, rule }
     }
 
     /// Hertz without end: loading and unloading on f = x^1.5.
@@ -114,10 +111,9 @@ impl Law {
 
     /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match (self.branch_at(x), self.rule_at(x)) {
-            (Some(branch), _) => x - branch.peak.residual(),
-            (None, Rule::Polyline(rule)) => rule.elastic_approach(x, force),
-            _ => self.left_at(x, force, self.work_since_fresh(x)).peak.elastic_approach,
+        match self.rule_at(x) {
+            Rule::Polyline(rule) => rule.elastic_approach(x, force),
+            _ => self.left_at(x, force, self.loading.work(x)).peak.elastic_approach,
         }
     }
 
@@ -128,40 +124,20 @@ impl Law {
     }
 
     /// The unloading branch from a peak. Where loading was elastic (ε = x), n = 3/2 whatever the rule. It never gives back
-    /// more than was spent (`unloading::exponent_within`). On the branch of a spot that was loaded before it is that branch.
+    /// more than was spent (`unloading::exponent_within`).
     pub fn unloading(&self, peak: Peak) -> Unloading {
-        if let Some(branch) = self.branch_at(peak.indentation) {
-            return branch.below(peak);
-        }
+        let spent = || self.loading.work(peak.indentation);
         match self.rule_at(peak.indentation) {
             Rule::Elastic => Unloading::power(peak, 1.5),
-            Rule::Polyline(rule) => rule.unloading(peak, self.work_since_fresh(peak.indentation)),
-            Rule::Published(rule) => {
-                rule.unloading(peak.indentation, peak.force, self.work_since_fresh(peak.indentation))
-            }
+            Rule::Polyline(rule) => rule.unloading(peak, spent()),
+            Rule::Published(rule) => rule.unloading(peak.indentation, peak.force, spent()),
         }
-    }
-
-    /// The unloading branch from a turn at a distance from the start of a piece, where loading took the work `spent` from
-    /// first touch on.
-    #[inline(always)]
-    pub(crate) fn turned_at(&self, index: usize, distance: f64, spent: f64) -> Unloading {
-        if self.memory.is_some() {
-            return self.unloading(self.state_at(index, distance));
-        }
-        let piece = &self.loading.pieces()[index];
-        let indentation = piece.start + distance;
-        self.left_at(indentation, piece.force_at(indentation), spent)
-    }
-
-    pub(crate) fn turned(&self, index: usize, distance: f64) -> Unloading {
-        self.turned_at(index, distance, self.work_since_fresh(self.loading.pieces()[index].start + distance))
     }
 
     /// The range of x that the authors of the law state, where a plastic peak is outside of it.
     pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
         let x = peak.indentation;
-        self.limits.stated.filter(|(from, to)| !self.is_elastic_to(x) && !(*from..=*to).contains(&x))
+        self.limits.stated.filter(|(from, to)| x > self.limits.elastic_until && !(*from..=*to).contains(&x))
     }
 
     /// How a half-space that hardens changes the law.
@@ -173,7 +149,7 @@ impl Law {
     pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
         let (peak, used) = (&unloading.peak, unloading.exponent);
         match self.rule_at(peak.indentation) {
-            Rule::Polyline(rule) if self.branch_at(peak.indentation).is_none() => {
+            Rule::Polyline(rule) => {
                 let asked = rule.asked(peak);
                 // the energy of a branch goes with 1/(n + 1)
                 (used > asked).then(|| Raised { asked, used, gain: (used - asked) / (asked + 1.0) })
@@ -196,11 +172,11 @@ impl Law {
             return Err(OutsideLaw::Exponent { asked, ratio, gain });
         }
         match self.rule_at(indentation) {
-            Rule::Published(rule) if self.branch_at(indentation).is_none() => {
+            Rule::Published(rule) => {
                 if indentation > self.limits.holds_until {
                     return refused("outside the range of its loading formulas");
                 }
-                rule.problem(&unloading.peak, self.work_since_fresh(indentation)).map_or(Ok(()), refused)
+                rule.problem(&unloading.peak, self.loading.work(indentation)).map_or(Ok(()), refused)
             }
             _ => Ok(()),
         }
@@ -211,17 +187,11 @@ impl Law {
         if self.limits.elastic_until > 0.0 { x / self.limits.elastic_until } else { x }
     }
 
-    /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1); on the branch of a spot that was loaded before the dent
-    /// keeps its shape, so that the radius goes with f/ε.
+    /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1).
     ///
     /// Compared with finite elements, the radius of the PLM is within 5 % up to a = 0.48 R. A mean pressure computed from it
     /// has twice the error, with the opposite sign.
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
-        if let Some(memory) = self.memory.as_ref().filter(|memory| memory.holds_at(peak.indentation)) {
-            let deepest = &memory.branch.peak;
-            // exactly 1 at the old peak
-            return memory.radius * ((peak.force / peak.elastic_approach) / (deepest.force / deepest.elastic_approach));
-        }
         match (&self.rule, self.rule_at(peak.indentation)) {
             (Rule::Polyline(rule), _) => rule.contact_radius(peak),
             (_, Rule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
@@ -233,7 +203,7 @@ impl Law {
     ///
     /// Below the old peak the contact moves on the unloading branch, up or down; beyond it, on the loading curve.
     pub fn respond(&self, x: f64, memory: Option<Peak>) -> (f64, Option<Peak>) {
-        match memory.or(self.branch().map(|branch| branch.peak)) {
+        match memory {
             _ if x.is_nan() => (f64::NAN, memory),
             Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),
             None if x <= 0.0 => (0.0, None),

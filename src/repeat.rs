@@ -19,7 +19,7 @@
 pub mod flight;
 pub mod sequence;
 
-use crate::impact::{Contact, Impact, ImpactError, Method, Solver, Spot};
+use crate::impact::{Approach, Contact, Impact, ImpactError, Method, Solver, Spot};
 use crate::progress::Counter;
 use crate::units::names::named;
 use flight::Flight;
@@ -47,8 +47,8 @@ pub enum Drive {
         gravity: f64,
         /// Height of the first fall \[m\]; time then counts from the release, else from first touch.
         drop_height: Option<f64>,
-        /// Speed of the first impact \[m/s\].
-        speed: f64,
+        /// The first impact. A ball that comes at an angle, or spins, hops along.
+        approach: Approach,
         most: u64,
         /// Ends before an impact slower than this \[m/s\]; the first one is always run.
         until: Option<f64>,
@@ -99,15 +99,15 @@ impl Repeat {
             warnings: Vec::new(),
         };
         let mut spot = Spot::fresh();
-        let mut hit = |sequence: &mut Sequence, speed: f64, time: Option<f64>| -> Result<Hit, ImpactError> {
+        let mut hit = |sequence: &mut Sequence, approach: Approach, time: Option<f64>| -> Result<Hit, ImpactError> {
             if self.place == Place::Fresh {
                 spot = Spot::fresh();
             }
             let before = contact.dent_depth(&spot);
             let number = sequence.hits.len() + 1;
             let samples = (number <= traced).then_some(samples);
-            let impact = strike(contact, &mut spot, speed, solver, samples)?;
-            let hit = Hit::of(&impact, time, before);
+            let impact = strike(contact, &mut spot, approach, solver, samples)?;
+            let hit = Hit::of(&impact, approach, time, before);
             sequence.method = impact.method;
             sequence.warn(number, &impact.warnings);
             sequence.hits.push(hit);
@@ -120,15 +120,16 @@ impl Repeat {
         match self.drive {
             Drive::Shots(ref speeds) => {
                 for speed in speeds.iter().take_while(|_| !progress.is_stopped()) {
-                    hit(&mut sequence, *speed, None)?;
+                    hit(&mut sequence, (*speed).into(), None)?;
                 }
             }
-            Drive::Bouncing { gravity, drop_height, speed, most, until } => {
+            Drive::Bouncing { gravity, drop_height, approach, most, until } => {
                 sequence.fall = drop_height.map(|height| Flight::fall(gravity, height));
                 let mut time = sequence.fall.map_or(0.0, |fall| fall.duration);
-                let mut speed = speed;
+                let (mut approach, mut position) = (approach, 0.0);
                 sequence.end = loop {
-                    let hit = hit(&mut sequence, speed, Some(time))?;
+                    let hit = hit(&mut sequence, approach, Some(time))?;
+                    sequence.hits.last_mut().into_iter().for_each(|last| last.position = position);
                     if hit.is_captured() {
                         break End::Captured;
                     }
@@ -145,11 +146,13 @@ impl Repeat {
                     if sequence.hits.len() as u64 >= most || progress.is_stopped() {
                         break End::Impacts;
                     }
+                    let flight = flight.along(position + hit.way_in_contact(), hit.rebound_along());
                     if let Some(last) = sequence.hits.last_mut() {
                         last.flight = Some(flight);
                     }
                     time = flight.begin + flight.duration;
-                    speed = flight.landing_speed;
+                    position = flight.position_at(flight.duration);
+                    approach = hit.next_approach(flight.landing_speed);
                 };
                 sequence.remaining_time = sequence.geometric_rest(gravity);
             }
@@ -164,18 +167,18 @@ impl Repeat {
 fn strike(
     contact: &Contact,
     spot: &mut Spot,
-    speed: f64,
+    approach: Approach,
     solver: &Solver,
     samples: Option<usize>,
 ) -> Result<Impact, ImpactError> {
     if !matches!(solver.method, Method::Auto | Method::ClosedForm) {
-        return contact.impact_on(spot, speed, solver, samples);
+        return contact.impact_on(spot, approach, solver, samples);
     }
     let mut before = spot.clone();
-    let mut impact = contact.impact_on(spot, speed, solver, None)?;
+    let mut impact = contact.impact_on(spot, approach, solver, None)?;
     if samples.is_some() {
         let method = Method::ClosedForm.chosen(contact.forces(), true).unwrap_or(Method::Rk8);
-        impact.trace = contact.impact_on(&mut before, speed, &Solver { method, ..*solver }, samples)?.trace;
+        impact.trace = contact.impact_on(&mut before, approach, &Solver { method, ..*solver }, samples)?.trace;
     }
     Ok(impact)
 }

@@ -157,13 +157,7 @@ impl Piece {
     /// The x at which the work reaches `work` (≥ the work at the start): the inverse of [`Piece::work_at`].
     #[inline]
     pub fn indentation_at_work(&self, work: f64) -> f64 {
-        self.start + self.distance_at_work(work)
-    }
-
-    /// The distance from the start of the piece at which the work reaches `work`.
-    #[inline(always)]
-    pub(crate) fn distance_at_work(&self, work: f64) -> f64 {
-        self.way_to_turn(work - self.work, 0.0)
+        self.start + self.way_to_turn(work - self.work, 0.0)
     }
 
     /// The distance from the start of the piece to where a motion turns that begins there with the energy `rest` ≥ 0, pulled by

@@ -9,14 +9,14 @@ use super::plate::ScaledPlate;
 use super::scales::{ACCELERATION, Scales};
 use super::solve::free_time;
 use crate::integrate::Drag;
-use crate::law::Law;
+use crate::law::{Dent, Ground, Law};
 use crate::material::normal;
 
 /// One impact to be computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Case<'a> {
     pub(super) scales: Scales,
-    pub(super) law: &'a Law,
+    pub(super) ground: Ground<'a>,
     /// v/V.
     pub(super) q: f64,
     pub(super) forces: ScaledForces,
@@ -29,48 +29,48 @@ impl Contact {
     /// # Errors
     /// [`ImpactError::Range`] where peak force, indentation or energy leave double precision.
     pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), ImpactError> {
-        let Case { scales, law, q, .. } = self.case(None, speed)?;
-        Ok((scales, law, q))
+        let Case { scales, ground, q, .. } = self.case(None, speed)?;
+        Ok((scales, ground.law, q))
     }
 
-    /// The impact at a speed. `spot` is the law of a spot that was loaded before; the units are then those of the yield point.
+    /// The impact at a speed. With the dent of a spot that was loaded before the units are those of the yield point.
     /// Under gravity the speed may be 0: a sphere that is let go at rest.
     #[inline]
-    pub(super) fn case<'a>(&'a self, spot: Option<&'a Law>, speed: f64) -> Result<Case<'a>, ImpactError> {
+    pub(super) fn case<'a>(&'a self, dent: Option<&'a Dent>, speed: f64) -> Result<Case<'a>, ImpactError> {
         let gravity = self.forces().gravity.unwrap_or(0.0);
         let weight = self.mass() * gravity;
         // damping and plate remove energy: an impact that stays elastic without them does so with them
         let with_weight = || {
             let (q, least) = (speed / self.scales.speed, self.yield_speed / self.scales.speed);
-            let until = self.law.elastic_until();
+            let until = self.law.limits.elastic_until;
             // a law without an elastic regime yields at once
             until == 0.0 || 0.4 * q * q + weight / self.scales.force * until > 0.4 * least * least
         };
-        let (scales, law, q) = if spot.is_some() || speed > self.yield_speed || weight > 0.0 && with_weight() {
+        let (scales, ground, q) = if dent.is_some() || speed > self.yield_speed || weight > 0.0 && with_weight() {
             let q = speed / self.scales.speed;
             let quantity = match gravity {
                 0.0 => "kinetic energy in units of that at first yield",
                 _ => "kinetic energy and weight in units of those at first yield",
             };
             normal(quantity, q * q + weight / self.scales.force)?;
-            (self.scales, spot.unwrap_or(&self.law), q)
+            (self.scales, Ground::new(&self.law, dent), q)
         } else {
             let scales = Scales::of_hertz(self.pair(), self.mass(), speed, gravity)?;
-            (scales, hertz(), speed / scales.speed)
+            (scales, hertz().into(), speed / scales.speed)
         };
         if self.forces().is_none() {
-            return Ok(Case { scales, law, q, forces: ScaledForces::NONE, plate: None });
+            return Ok(Case { scales, ground, q, forces: ScaledForces::NONE, plate: None });
         }
         let drag = self.forces().damping.map_or(Drag::NONE, |damping| damping.drag(scales.speed));
         let mut forces = ScaledForces { weight: weight / scales.force, drag };
         let mut plate = None;
         if let Some(under) = self.on_plate()? {
-            let free_time = free_time(law, q, &forces)? * scales.time();
+            let free_time = free_time(ground, q, &forces)? * scales.time();
             let scaled = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
             forces.drag.theta = scaled.mobility / ACCELERATION;
             plate = Some(scaled);
         }
-        Ok(Case { scales, law, q, forces, plate })
+        Ok(Case { scales, ground, q, forces, plate })
     }
 }
 

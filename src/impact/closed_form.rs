@@ -14,7 +14,7 @@ use crate::curve::crossing::Reached;
 use crate::curve::piece::{Piece, Shape};
 use crate::curve::poly::Poly;
 use crate::integrate::IntegrationError;
-use crate::law::{Law, Unloading};
+use crate::law::{Ground, Unloading};
 use crate::math::functions::atan;
 use crate::math::power::{arctangent, power_time};
 
@@ -23,22 +23,23 @@ use crate::math::power::{arctangent, power_time};
 ///
 /// # Errors
 /// [`IntegrationError`] where the run for the times under gravity gives up.
-pub fn solve_with(
-    law: &Law,
+pub fn solve_with<'a>(
+    ground: impl Into<Ground<'a>>,
     q: f64,
     forces: &ScaledForces,
     tolerance: f64,
 ) -> Result<Option<Outcome>, IntegrationError> {
+    let ground = ground.into();
     match () {
-        () if forces.is_none() => Ok(Some(solve(law, q))),
-        () if forces.is_conservative() => gravity::solve(law, q, forces, tolerance).map(Some),
+        () if forces.is_none() => Ok(Some(solve(ground, q))),
+        () if forces.is_conservative() => gravity::solve(ground, q, forces, tolerance).map(Some),
         () => Ok(None),
     }
 }
 
 /// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
-pub fn energy_balance(law: &Law, speed: f64) -> (Unloading, f64) {
-    let Balance { unloading, restitution, .. } = balance(law, speed);
+pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> (Unloading, f64) {
+    let Balance { unloading, restitution, .. } = balance(ground.into(), speed);
     (unloading, restitution)
 }
 
@@ -56,31 +57,34 @@ struct Balance {
 }
 
 #[inline(always)]
-fn balance(law: &Law, speed: f64) -> Balance {
+fn balance(ground: Ground, speed: f64) -> Balance {
     let kinetic = 0.4 * speed * speed;
-    let last = law.turning_piece(kinetic);
-    let distance = law.loading.pieces()[last].distance_at_work(kinetic);
-    let unloading = law.turned_at(last, distance, kinetic);
+    let (last, distance) = ground.turn(kinetic, 0.0);
+    let unloading = ground.turned(last, distance, Some(kinetic));
     // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
     let share = unloading.capacity() / kinetic;
     let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
-    let is_all = is_one || law.is_elastic_to(unloading.peak.indentation) || share > 1.0 && law.branch().is_none();
+    let is_all = is_one || ground.is_elastic_to(unloading.peak.indentation) || share > 1.0 && ground.branch().is_none();
     let restitution = if is_all { 1.0 } else { share.sqrt() };
     Balance { unloading, restitution, kinetic, last, distance }
 }
 
 /// The whole outcome of an impact at q = v/V by the law alone, exact to rounding.
-pub fn solve(law: &Law, speed: f64) -> Outcome {
-    let Balance { unloading, restitution, kinetic, last, distance } = balance(law, speed);
-    let pieces = law.loading.pieces();
-    let Reached { piece: first, work, time: mut loading_time } = law.loading.crossed(kinetic, speed);
+pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
+    let ground = ground.into();
+    let Balance { unloading, restitution, kinetic, last, distance } = balance(ground, speed);
+    let Reached { piece: first, work, time: mut loading_time } = match ground.branch() {
+        None => ground.law.loading.crossed(kinetic, speed),
+        Some(_) => Reached { piece: 0, work: 0.0, time: 0.0 },
+    };
     let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
-    for pair in pieces[first..=last].windows(2) {
-        let exit = (2.0 * ACCELERATION * (kinetic - pair[1].work)).sqrt();
-        loading_time += time_on(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
+    for index in first..last {
+        let (piece, next) = (ground.piece(index), index + 1);
+        let exit = (2.0 * ACCELERATION * (kinetic - ground.work_before(next))).sqrt();
+        loading_time += time_on(piece, ground.piece(next).start - piece.start, [entry, exit]);
         entry = exit;
     }
-    loading_time += time_on(&pieces[last], distance, [entry, 0.0]);
+    loading_time += time_on(ground.piece(last), distance, [entry, 0.0]);
     let peak = &unloading.peak;
     let unloading_time = unloading.quarter_period() * peak.elastic_approach / (restitution * speed);
     Outcome {
@@ -90,7 +94,7 @@ pub fn solve(law: &Law, speed: f64) -> Outcome {
         loading_time,
         contact_time: loading_time + unloading_time,
         fate: Fate::Separated,
-        end_indentation: law.dent(peak).residual(),
+        end_indentation: ground.dent(peak).residual(),
         end_speed: -restitution * speed,
         loss: 0.0,
     }

@@ -5,7 +5,7 @@ use super::forces::Forces;
 use super::plate::{PlateError, Under};
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::law::{ContactLaw, Law, Peak};
+use crate::law::{ContactLaw, Ground, Law, Peak};
 use crate::material::{HalfSpace, Pair, Sphere, normal};
 use crate::materials::Entry;
 use crate::math::functions::pow;
@@ -60,7 +60,7 @@ impl Contact {
             _ => (Scales::of_radius(&pair, mass), Law::hertz()),
         };
         // up to there the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
-        let until = law.elastic_until();
+        let until = law.limits.elastic_until;
         let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
         let waves = Waves::of(&half_space)?;
         Ok(Self {
@@ -152,11 +152,11 @@ impl Contact {
     ///
     /// # Errors
     /// [`ImpactError::TooDeep`] where it, or the indentation, is larger than the radius of the sphere.
-    pub(super) fn contact_radius(&self, scales: &Scales, law: &Law, peak: &Peak) -> Result<f64, ImpactError> {
+    pub(super) fn contact_radius(&self, scales: &Scales, ground: Ground, peak: &Peak) -> Result<f64, ImpactError> {
         let (indentation, radius) = (peak.indentation * scales.length, self.sphere.radius);
-        let contact_radius = scales.contact_radius * law.contact_radius(peak);
+        let contact_radius = scales.contact_radius * ground.contact_radius(peak);
         // a spring has no geometry, but its sphere has a radius
-        let is_too_wide = contact_radius > radius && law.limits.widest.is_finite();
+        let is_too_wide = contact_radius > radius && ground.law.limits.widest.is_finite();
         if indentation > radius || is_too_wide {
             let yield_strength = self.half_space.yield_strength;
             return Err(ImpactError::TooDeep { indentation, contact_radius, radius, yield_strength });
@@ -178,7 +178,7 @@ impl Contact {
     /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].
     pub fn yields_at(&self) -> Option<(f64, f64)> {
         self.yield_speed()?;
-        let until = self.law.elastic_until();
+        let until = self.law.limits.elastic_until;
         Some((self.scales.length * until, self.scales.force * crate::math::power::power(until, 1.5)))
     }
 }

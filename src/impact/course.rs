@@ -17,28 +17,28 @@ use super::outcome::{Fate, Outcome};
 use super::record::{Event, Recorder};
 use super::scales::ACCELERATION;
 use crate::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Rest, Sizes, State};
-use crate::law::Law;
+use crate::law::Ground;
 use crate::math::power::max_or_nan;
 
 /// Integrates an impact at q = v/V from first touch to its end.
-pub fn integrate<I: Integrator>(
-    law: &Law,
+pub fn integrate<'a, I: Integrator>(
+    ground: impl Into<Ground<'a>>,
     q: f64,
     forces: &ScaledForces,
     integrator: &mut I,
     recorder: &mut Recorder,
 ) -> Result<Outcome, IntegrationError> {
-    let distance = forces.way_to_turn(law, 0.4 * q * q);
+    let ground = ground.into();
+    let distance = forces.way_to_turn(ground, 0.4 * q * q);
     let (pull, drag) = (ACCELERATION * forces.weight, forces.drag);
     let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
-    let pieces = law.loading.pieces();
     let mut path =
-        Path { piece: &pieces[0], factor: ACCELERATION, leg: way_out(law, 0), sizes, pull, drag, rest: None };
+        Path { piece: ground.piece(0), factor: ACCELERATION, leg: way_out(ground, 0), sizes, pull, drag, rest: None };
     // a sphere may come to rest without turning only under gravity and damping
     let may_creep = pull > 0.0 && drag != Drag::NONE;
-    let static_point = may_creep.then(|| forces.static_on_loading(law));
+    let static_point = may_creep.then(|| forces.static_on_loading(ground));
     let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-    let mut at = start(law, touch, forces);
+    let mut at = start(ground, touch, forces);
     let mut largest = 0.0;
     let mut go = |path: &Path, at: &mut State, piece: Option<usize>, recorder: &mut Recorder| {
         let track = recorder.begin(piece, &touch);
@@ -49,14 +49,14 @@ pub fn integrate<I: Integrator>(
 
     let mut piece = 0;
     let is_at_rest = loop {
-        (path.piece, path.leg) = (&pieces[piece], way_out(law, piece));
-        if piece == 0 && law.stays_on_branch(0.4 * q * q, forces.weight) {
+        (path.piece, path.leg) = (ground.piece(piece), way_out(ground, piece));
+        if piece == 0 && ground.stays_on_branch(0.4 * q * q, forces.weight) {
             path.leg = Leg::Outward(f64::INFINITY);
         }
         path.rest = None;
-        let on_piece = |point: &StaticPoint| law.loading.index_at(point.indentation) == piece;
-        let start = law.loading.pieces()[piece].start;
-        let place = |point: &StaticPoint| point.indentation - start + entry_of(law, piece);
+        let on_piece = |point: &StaticPoint| ground.index_at(point.indentation) == piece;
+        let start = ground.piece(piece).start;
+        let place = |point: &StaticPoint| point.indentation - start + entry_of(ground, piece);
         let creep = static_point.filter(on_piece);
         let creep = creep.and_then(|point| near_rest(forces, &point, place(&point), &at, &mut path));
         let landing = go(&path, &mut at, Some(piece), recorder)?;
@@ -68,14 +68,14 @@ pub fn integrate<I: Integrator>(
             continue;
         }
         piece += 1;
-        if recorder.is_on() && !law.loading.pieces()[piece].is_joint {
-            let is_yield = law.loading.pieces()[piece].start == law.elastic_until();
+        if recorder.is_on() && !ground.piece(piece).is_joint {
+            let is_yield = ground.piece(piece).start == ground.elastic_until();
             recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, &at);
         }
-        at.distance = entry_of(law, piece);
+        at.distance = entry_of(ground, piece);
     };
 
-    let unloading = law.turned(piece, at.distance - entry_of(law, piece));
+    let unloading = ground.turned(piece, at.distance - entry_of(ground, piece), None);
     recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
     let loading_time = at.time;
     let branch = unloading.branch();
@@ -91,7 +91,7 @@ pub fn integrate<I: Integrator>(
         let end = if stops { unloading.recovered_at(forces.weight) } else { 0.0 };
         path.leg = Leg::Back(end);
         path.rest = None;
-        let static_point = may_creep.then(|| forces.static_on_unloading(law, &unloading));
+        let static_point = may_creep.then(|| forces.static_on_unloading(ground, &unloading));
         let creep = static_point.and_then(|point| near_rest(forces, &point, point.distance, &at, &mut path));
         let mut landing = go(&path, &mut at, None, recorder)?;
         let mut creeps = false;
@@ -109,14 +109,14 @@ pub fn integrate<I: Integrator>(
     }
     let State { time, distance, speed, loss } = at;
     // what is above 1 is then the error of the run
-    let limit = if forces.is_even(law, &unloading) { 1.0 } else { f64::INFINITY };
+    let limit = if forces.is_even(ground, &unloading) { 1.0 } else { f64::INFINITY };
     Ok(Outcome {
         restitution: if fate == Fate::Captured { 0.0 } else { (-speed / q).min(limit) },
         loading_time,
         contact_time: time,
         fate,
         largest_force: if drag.is_in_contact() { largest } else { unloading.peak.force },
-        end_indentation: distance + law.dent(&unloading.peak).residual(),
+        end_indentation: distance + ground.dent(&unloading.peak).residual(),
         end_speed: speed,
         loss: loss / ACCELERATION,
         unloading,
@@ -125,12 +125,12 @@ pub fn integrate<I: Integrator>(
 
 /// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
 /// still negligible beside the weight.
-fn start(law: &Law, touch: State, forces: &ScaledForces) -> State {
+fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
     if touch.speed != 0.0 {
         return touch;
     }
     let pull = ACCELERATION * forces.weight;
-    let distance = 1e-22 * forces.static_on_loading(law).distance;
+    let distance = 1e-22 * forces.static_on_loading(ground).distance;
     let speed = (2.0 * distance * pull).sqrt();
     State { time: speed / pull, distance, speed, loss: 0.0 }
 }
@@ -154,13 +154,13 @@ fn near_rest(forces: &ScaledForces, point: &StaticPoint, distance: f64, at: &Sta
 
 /// The way along a piece of the loading curve.
 #[inline(always)]
-fn way_out(law: &Law, index: usize) -> Leg {
-    let pieces = law.loading.pieces();
-    let end = pieces.get(index + 1).map_or(f64::INFINITY, |next| next.start) - pieces[index].start;
-    Leg::Outward(end + entry_of(law, index))
+fn way_out(ground: Ground, index: usize) -> Leg {
+    let is_last = index + 1 == ground.count();
+    let end = if is_last { f64::INFINITY } else { ground.piece(index + 1).start - ground.piece(index).start };
+    Leg::Outward(end + entry_of(ground, index))
 }
 
 /// The distance of the integrator at the start of a piece.
-fn entry_of(law: &Law, index: usize) -> f64 {
-    law.loading.pieces()[index].shape.lead()
+fn entry_of(ground: Ground, index: usize) -> f64 {
+    ground.piece(index).shape.lead()
 }

@@ -64,12 +64,12 @@ impl OnPlate {
     /// Of an outcome; `contact_time` \[s\] may be infinite.
     fn of(case: &Case, outcome: &Outcome, contact_time: f64) -> Option<Self> {
         let ScaledPlate { under, mobility: y, inelasticity, thinness } = case.plate?;
-        let Case { scales, law, q, forces: ScaledForces { weight, .. }, .. } = *case;
+        let Case { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;
         let Outcome { unloading, end_indentation, end_speed: u, .. } = outcome;
         // a captured sphere is followed to where the contact still has a force
         let f = match outcome.fate {
             Fate::Separated => 0.0,
-            Fate::Captured => unloading.force_of(end_indentation - law.dent(&unloading.peak).residual()),
+            Fate::Captured => unloading.force_of(end_indentation - ground.dent(&unloading.peak).residual()),
         };
         let moved = y * (weight * outcome.contact_time + 0.8 * (q - u - y * f));
         let energy = outcome.loss - 0.8 * y * f * u - 0.4 * y * y * f * f + weight * moved;
@@ -87,7 +87,7 @@ impl Essentials {
     /// In SI units.
     #[inline]
     pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
-        let Case { scales, law, q, forces, .. } = case;
+        let Case { scales, ground, q, forces, .. } = case;
         // a sphere that is let go at rest has the kinetic energy 0, which is no underflow
         let kinetic_in = 0.5 * contact.mass() * speed * speed;
         let is_at_rest = speed == 0.0 && !contact.forces().is_none();
@@ -96,9 +96,9 @@ impl Essentials {
         let waves = match radiating {
             // the first-order estimate is that of the impact without gravity
             Some(waves) if forces.weight > 0.0 => {
-                Some(waves.loss_fraction(speed, scales, law, &closed_form::energy_balance(law, *q).0)?)
+                Some(waves.loss_fraction(speed, scales, *ground, &closed_form::energy_balance(*ground, *q).0)?)
             }
-            Some(waves) => Some(waves.loss_fraction(speed, scales, law, &outcome.unloading)?),
+            Some(waves) => Some(waves.loss_fraction(speed, scales, *ground, &outcome.unloading)?),
             None => None,
         };
         let peak = outcome.unloading.peak;
@@ -106,10 +106,10 @@ impl Essentials {
         if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
             return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
         }
-        let peak_contact_radius = contact.contact_radius(scales, law, &peak)?;
+        let peak_contact_radius = contact.contact_radius(scales, *ground, &peak)?;
         let radius_ratio = peak_contact_radius / contact.sphere().radius;
-        let residual = law.dent(&peak).residual();
-        let lost = law.plastic(&outcome.unloading);
+        let residual = ground.dent(&peak).residual();
+        let lost = ground.plastic(&outcome.unloading);
         // under gravity the share may exceed 1; without kinetic energy there is none
         let has_share = lost != 0.0 && kinetic_in > 0.0;
         let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
@@ -126,7 +126,7 @@ impl Essentials {
             residual_indentation: residual * scales.length,
             peak_contact_radius,
             radius_ratio,
-            is_outside_law: radius_ratio > law.limits.widest || law.outside_stated(&peak).is_some(),
+            is_outside_law: radius_ratio > ground.law.limits.widest || ground.outside_stated(&peak).is_some(),
             kinetic_in,
             plastic_fraction: share,
             wave_loss_fraction: waves,

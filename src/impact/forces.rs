@@ -20,7 +20,7 @@ use super::plate::Plate;
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, Rest};
 use crate::law::unloading::GRAZING;
-use crate::law::{Law, Unloading};
+use crate::law::{Ground, Unloading};
 
 /// Damping on top of the contact law; the total contact force never pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,55 +110,41 @@ impl ScaledForces {
         self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= held)
     }
 
-    /// Where an impact of energy `kinetic` (in units of Φ L) turns without damping: the piece, and the distance from its start.
-    pub(super) fn turn(&self, law: &Law, kinetic: f64) -> (usize, f64) {
-        let (pieces, touch, weight) = (law.loading.pieces(), law.touch(), self.weight);
-        // W(x) − w x is convex, and not above the energy before the peak
-        let last = if law.stays_on_branch(kinetic, weight) {
-            0
-        } else {
-            pieces.partition_point(|piece| piece.work - weight * (piece.start - touch) <= kinetic).saturating_sub(1)
-        };
-        let piece = &pieces[last];
-        let rest = (kinetic + weight * (piece.start - touch) - piece.work).max(0.0);
-        (last, piece.way_to_turn(rest, weight))
-    }
-
-    /// The whole way from first touch to that turn.
-    pub(super) fn way_to_turn(&self, law: &Law, kinetic: f64) -> f64 {
-        let (last, distance) = self.turn(law, kinetic);
-        law.loading.pieces()[last].start - law.touch() + distance
+    /// The whole way from first touch to where an impact of energy `kinetic` (in units of Φ L) turns without damping.
+    pub(super) fn way_to_turn(&self, ground: Ground, kinetic: f64) -> f64 {
+        let (last, distance) = ground.turn(kinetic, self.weight);
+        ground.piece(last).start - ground.touch() + distance
     }
 
     /// Whether the rebound speed is the impact speed: nothing takes energy, and the sphere leaves where it came. One that leaves
     /// deeper, in a dent that cost nothing, has the work of its weight on that way.
-    pub(super) fn is_even(&self, law: &Law, unloading: &Unloading) -> bool {
-        let sinks = self.weight > 0.0 && law.dent(&unloading.peak).residual() > law.touch();
-        self.is_conservative() && law.plastic(unloading) == 0.0 && !sinks
+    pub(super) fn is_even(&self, ground: Ground, unloading: &Unloading) -> bool {
+        let sinks = self.weight > 0.0 && ground.dent(&unloading.peak).residual() > ground.touch();
+        self.is_conservative() && ground.plastic(unloading) == 0.0 && !sinks
     }
 
     /// Where the contact carries the weight: on the unloading branch, or on the loading curve where the sphere has not yet
     /// come so far.
-    pub(super) fn static_point(&self, law: &Law, unloading: &Unloading) -> StaticPoint {
+    pub(super) fn static_point(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
         if unloading.peak.force < self.weight {
-            self.static_on_loading(law)
+            self.static_on_loading(ground)
         } else {
-            self.static_on_unloading(law, unloading)
+            self.static_on_unloading(ground, unloading)
         }
     }
 
     /// The same on the unloading branch; at most its peak.
-    pub(super) fn static_on_unloading(&self, law: &Law, unloading: &Unloading) -> StaticPoint {
+    pub(super) fn static_on_unloading(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
         let distance = unloading.recovered_at(self.weight);
         let of_power = unloading.is_power().then(|| unloading.exponent * self.weight / distance);
         let slope = of_power.unwrap_or_else(|| unloading.slope_of(distance));
-        StaticPoint { indentation: law.dent(&unloading.peak).residual() + distance, distance, slope }
+        StaticPoint { indentation: ground.dent(&unloading.peak).residual() + distance, distance, slope }
     }
 
-    pub(super) fn static_on_loading(&self, law: &Law) -> StaticPoint {
-        let indentation = law.loading.indentation_at_force(self.weight);
-        let slope = law.loading.pieces()[law.loading.index_at(indentation)].slope_at(indentation);
-        StaticPoint { indentation, distance: indentation - law.touch(), slope }
+    pub(super) fn static_on_loading(&self, ground: Ground) -> StaticPoint {
+        let indentation = ground.indentation_at_force(self.weight);
+        let slope = ground.piece(ground.index_at(indentation)).slope_at(indentation);
+        StaticPoint { indentation, distance: indentation - ground.touch(), slope }
     }
 
     /// Where an overdamped sphere comes to rest: it creeps up to the static point, and never passes it. `None` where it swings

@@ -12,7 +12,7 @@ use super::result::Impact;
 use super::solve::{FINEST, Method, Solver, run};
 use super::{closed_form, validity};
 use crate::integrate::IntegrationError;
-use crate::law::{Law, Peak, Rule};
+use crate::law::{Dent, Ground, Peak, Rule};
 
 impl Case<'_> {
     /// The outcome by the balance of energy, where there is one; its times under gravity have this tolerance.
@@ -20,9 +20,9 @@ impl Case<'_> {
     fn exact(&self, tolerance: f64) -> Result<Option<Outcome>, IntegrationError> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(hertz(), 1.0));
-        match self.law.rule {
+        match self.ground.law.rule {
             Rule::Elastic if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
-            _ => closed_form::solve_with(self.law, self.q, &self.forces, tolerance),
+            _ => closed_form::solve_with(self.ground, self.q, &self.forces, tolerance),
         }
     }
 }
@@ -52,9 +52,9 @@ impl Contact {
         };
         let outcome = match outcome {
             Some(outcome) => outcome,
-            None => run(case.law, case.q, &case.forces, None, solver, None)?.outcome,
+            None => run(case.ground, case.q, &case.forces, None, solver, None)?.outcome,
         };
-        case.law.accept(&outcome.unloading)?;
+        case.ground.accept(&outcome.unloading)?;
         let mut essentials = Essentials::new(self, speed, &case, &outcome)?;
         if let Some(inclined) = Inclined::new(self, &case, &outcome, approach) {
             essentials.rebound = Some(inclined.rebound(&inclined.slip(false)?)?);
@@ -75,9 +75,9 @@ impl Contact {
             return Ok(self.essentials(speed, &Solver::AUTO)?.restitution);
         }
         let case = self.case(None, speed)?;
-        let (unloading, restitution) = closed_form::energy_balance(case.law, case.q);
-        case.law.accept(&unloading)?;
-        self.contact_radius(&case.scales, case.law, &unloading.peak)?;
+        let (unloading, restitution) = closed_form::energy_balance(case.ground, case.q);
+        case.ground.accept(&unloading)?;
+        self.contact_radius(&case.scales, case.ground, &unloading.peak)?;
         Ok(restitution)
     }
 
@@ -95,29 +95,29 @@ impl Contact {
         self.impact_under(None, approach.into(), solver, samples).map(|(impact, ..)| impact)
     }
 
-    /// The same with its law and peak. `spot` is the law of a spot that was loaded before.
+    /// The impact with its ground and peak, on fresh surface or in a dent.
     pub(super) fn impact_under<'a>(
         &'a self,
-        spot: Option<&'a Law>,
+        dent: Option<&'a Dent>,
         approach: Approach,
         solver: &Solver,
         samples: Option<usize>,
-    ) -> Result<(Impact, &'a Law, Peak), ImpactError> {
+    ) -> Result<(Impact, Ground<'a>, Peak), ImpactError> {
         let [speed, _] = approach.components();
-        let case = self.case(spot, speed)?;
-        let Case { law, q, forces, .. } = &case;
+        let case = self.case(dent, speed)?;
+        let Case { ground, q, forces, .. } = case;
         let method = self.chosen(solver.method, samples.is_some())?;
         let exact = case.exact(if method == Method::ClosedForm { solver.tolerance } else { FINEST })?;
         let solver = Solver { method, ..*solver };
-        let computed = run(law, *q, forces, exact.as_ref(), &solver, samples)?;
+        let computed = run(ground, q, &forces, exact.as_ref(), &solver, samples)?;
         let unloading = computed.outcome.unloading;
-        law.accept(&unloading)?;
+        ground.accept(&unloading)?;
         let mut impact = Impact::new(self, speed, &case, method, &computed, exact.as_ref())?;
-        impact.warnings = validity::warnings(self, &impact, law, &unloading, &solver);
+        impact.warnings = validity::warnings(self, &impact, ground, &unloading, &solver);
         if let Some(inclined) = Inclined::new(self, &case, &computed.outcome, approach) {
             impact.add_friction(&inclined, approach)?;
             impact.warnings.extend(validity::of_oblique(self, &impact, approach));
         }
-        Ok((impact, law, unloading.peak))
+        Ok((impact, ground, unloading.peak))
     }
 }

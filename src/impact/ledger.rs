@@ -49,13 +49,13 @@ pub(super) struct Ledger<'a> {
 
 impl<'a> Ledger<'a> {
     pub(super) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome) -> Self {
-        let spent = case.law.spent(&outcome.unloading);
+        let spent = case.ground.spent(&outcome.unloading);
         Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, spent }
     }
 
     /// The error of the sum, over ½ m v² + m g δ_m. While loading, W(x) stands for stored and plastic energy together.
     fn drift(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
-        let sunk = |x: f64| self.case.forces.weight * (x - self.case.law.touch());
+        let sunk = |x: f64| self.case.forces.weight * (x - self.case.ground.touch());
         let put_in = self.kinetic + sunk(self.outcome.unloading.peak.indentation);
         (0.4 * speed * speed + potential + loss - sunk(indentation) - self.kinetic) / put_in
     }
@@ -72,7 +72,7 @@ impl<'a> Ledger<'a> {
     /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with it.
     pub(super) fn left(&self) -> f64 {
         let Outcome { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
-        let force = unloading.force_of(x - self.case.law.dent(&unloading.peak).residual());
+        let force = unloading.force_of(x - self.case.ground.dent(&unloading.peak).residual());
         let speed = end_speed + self.case.plate.map_or(0.0, |plate| plate.mobility * force);
         0.4 * speed * speed + unloading.stored(x)
     }
@@ -83,21 +83,21 @@ impl<'a> Ledger<'a> {
             return 0.0;
         }
         let peak = &self.outcome.unloading.peak;
-        self.drift(0.0, self.case.law.work_to(peak), 0.0, peak.indentation)
+        self.drift(0.0, self.case.ground.work_to(peak), 0.0, peak.indentation)
     }
 
     pub(super) fn row(&self, point: &Point) -> TraceRow {
         let Point { at: State { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
         let Peak { indentation: x, force, elastic_approach } = state;
-        let Case { law, scales, .. } = self.case;
+        let Case { ground, scales, .. } = self.case;
         let potential = if is_unloading {
             self.outcome.unloading.stored_of(elastic_approach) + self.spent
         } else {
-            law.work_to(&state)
+            ground.work_to(&state)
         };
         let branch = match () {
             () if is_unloading => Branch::Unloading,
-            () if law.branch_at(x).is_some() => Branch::Reloading,
+            () if ground.branch_at(x).is_some() => Branch::Reloading,
             () if elastic_approach < x => Branch::Plastic,
             () => Branch::Elastic,
         };

@@ -15,27 +15,29 @@
 //! ```
 //!
 //! Gross sliding has a closed form; everything else is [`mindlin`]'s contact.
+//!
+//! Gravity and damping change the normal motion, and friction is limited by μ times the whole contact force, as LAMMPS has it.
+//! Along the surface gravity does not act. A sphere that stays in its dent has no rebound.
 
 pub mod mindlin;
 pub mod motion;
 mod profile;
 
-use std::borrow::Cow;
-
 use super::case::Case;
 use super::contact::Contact;
 use super::error::ImpactError;
-use super::outcome::Outcome;
+use super::outcome::{Fate, Outcome};
+use super::scales::ACCELERATION;
 use crate::law::Rule;
 use crate::material::{Material, OutOfFloatRange};
-use crate::math::functions::{atan2, sin_cos};
+use crate::math::functions::{atan2, hypot, sin_cos};
 use mindlin::Run;
 use motion::Motion;
 
 /// How a sphere comes in, beside its speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Incidence {
-    /// θ \[rad\] from the normal, 0 ≤ θ < π/2.
+    /// θ \[rad\] from the normal, −π/2 < θ < π/2.
     pub angle: f64,
     /// ω \[rad/s\] before the impact; positive for rolling forward.
     pub spin: f64,
@@ -60,9 +62,15 @@ impl From<f64> for Approach {
 }
 
 impl Approach {
+    /// From the speeds normal to the half-space and along it, the latter backwards where it is negative.
+    pub fn from_components([normal, tangential]: [f64; 2], spin: f64, friction: f64) -> Self {
+        let angle = atan2(tangential, normal);
+        Self { speed: hypot(normal, tangential), incidence: Some(Incidence { angle, spin, friction }) }
+    }
+
     /// v_n and v_t.
     #[inline]
-    pub fn components(&self) -> [f64; 2] {
+    pub fn components(self) -> [f64; 2] {
         let Some(Incidence { angle, .. }) = self.incidence else { return [self.speed, 0.0] };
         let (sin, cos) = sin_cos(angle);
         [self.speed * cos, self.speed * sin]
@@ -201,9 +209,9 @@ impl Slip {
 }
 
 impl<'a> Inclined<'a> {
-    /// `None` for an impact without angle and spin.
+    /// `None` for an impact without angle and spin, and for a sphere that stays.
     pub(super) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome, approach: Approach) -> Option<Self> {
-        let incidence = approach.incidence?;
+        let incidence = approach.incidence.filter(|_| outcome.fate == Fate::Separated)?;
         let speeds = approach.components();
         let rolls = contact.sphere().radius * incidence.spin;
         // a difference of rounding is a sphere that rolls
@@ -213,7 +221,18 @@ impl<'a> Inclined<'a> {
         Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() })
     }
 
-    /// Whether the contact point surely slides all the time.
+    /// The normal impulse over m v_n: 1 + e, and under gravity that of the weight.
+    fn impulse(&self) -> f64 {
+        let Outcome { restitution, contact_time, .. } = self.outcome;
+        1.0 + restitution + ACCELERATION * self.case.forces.weight * contact_time / self.case.q
+    }
+
+    /// s_1/s_0 where the contact point slides all the time.
+    fn sliding_ratio(&self) -> f64 {
+        1.0 - 2.0 * self.chi * self.impulse() / self.psi.abs()
+    }
+
+    /// Whether the contact point surely slides all the time, without gravity, damping and plate.
     ///
     /// ```text
     /// |ψ_1| ≥ max(2χ (1 + e) − e min(1, 2n − 2),  2χ + r)
@@ -224,9 +243,8 @@ impl<'a> Inclined<'a> {
     /// The stops of other laws may jump: they are run.
     fn slides(&self) -> bool {
         let Outcome { unloading, restitution: e, .. } = self.outcome;
-        let rate = match self.case.law.rule {
+        let rate = match self.case.ground.law.rule {
             _ if self.psi.is_infinite() => 0.0,
-            // a plate gives way: its contact does not end at the speed of the rebound
             _ if !self.case.forces.is_none() => return false,
             Rule::Elastic => 1.0,
             Rule::Polyline(_) => 2.0,
@@ -246,24 +264,25 @@ impl<'a> Inclined<'a> {
             return Ok(Slip::new(0.0));
         }
         if self.slides() {
-            let ratio = 1.0 - 2.0 * self.chi * (1.0 + self.outcome.restitution) / self.psi.abs();
-            return Ok(Slip { is_sliding: true, ..Slip::new(ratio) });
+            return Ok(Slip { is_sliding: true, ..Slip::new(self.sliding_ratio()) });
         }
         // the normal motion of all elastic impacts is the same
-        let is_elastic = self.case.law.rule == Rule::Elastic && self.case.forces.is_none();
+        let is_elastic = self.case.ground.law.rule == Rule::Elastic && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
             Motion::elastic()?
         } else {
-            motion = Motion::new(Cow::Borrowed(self.case.law), self.case.q, &self.case.forces)?;
+            motion = Motion::new(self.case.ground, self.case.q, &self.case.forces)?;
             &motion
         };
         self.resolves(motion)?;
         let sigma = self.psi.abs() * self.case.q;
         let tolerance = if is_followed { OF_RUNS } else { OF_ROWS };
         let run = motion.run(sigma, self.chi, tolerance, is_followed)?;
-        let (ratio, error) = (run.ratio, run.error);
-        Ok(Slip { error, run: is_followed.then_some(run), ..Slip::new(ratio) })
+        let (sliding, error) = (self.sliding_ratio(), run.error);
+        let is_sliding = !self.case.forces.is_none() && (run.ratio - sliding).abs() <= error;
+        let ratio = if is_sliding { sliding } else { run.ratio };
+        Ok(Slip { ratio, is_sliding, error, run: is_followed.then_some(run) })
     }
 
     /// Checks that the contact point does not swing too often for a run.
@@ -297,7 +316,7 @@ impl<'a> Inclined<'a> {
             angle: atan2(tangential_speed, e * normal),
             tangential_restitution: tangential_speed / tangential,
             contact_point_restitution: if is_slipping { -slip.ratio } else { f64::NAN },
-            impulse_ratio: self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * (1.0 + e) * normal),
+            impulse_ratio: self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * self.impulse() * normal),
             loss_fraction: lost / whole,
             is_sliding: slip.is_sliding,
             psi: self.psi,

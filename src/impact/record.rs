@@ -1,11 +1,9 @@
 //! The trace of an impact: the continuous solution of every leg and every event while it is integrated, and the points that
 //! are made of them.
 
-use std::borrow::Cow;
-
 use super::scales::ACCELERATION;
 use crate::integrate::{Drag, Segment, State};
-use crate::law::{Law, Peak, Unloading};
+use crate::law::{Ground, Peak, Unloading};
 use crate::math::power::max_or_nan;
 use crate::math::root::falls_through;
 
@@ -105,23 +103,23 @@ impl Recorder {
         }
     }
 
-    /// Returns the recorded motion on this law, which gives its point at any time.
-    pub(super) fn track(self, law: Cow<'_, Law>, unloading: Unloading, drag: Drag) -> Track<'_> {
-        Track { law, unloading, drag, legs: self.legs.unwrap_or_default() }
+    /// Returns the recorded motion on this ground, which gives its point at any time.
+    pub(super) fn track(self, ground: Ground<'_>, unloading: Unloading, drag: Drag) -> Track<'_> {
+        Track { ground, unloading, drag, legs: self.legs.unwrap_or_default() }
     }
 
     /// The points of the motion at these rising times, and its events, in order of time.
     pub(super) fn points(
         self,
-        law: &Law,
+        ground: Ground,
         unloading: &Unloading,
         drag: Drag,
         times: impl Iterator<Item = f64>,
     ) -> Vec<Point> {
         let (mut points, mut times, mut begun) = (Vec::new(), times.peekable(), 0.0);
         for Recorded { piece, track, mut events } in self.legs.into_iter().flatten() {
-            let point = |at: &State, event: Option<Event>| point_of(law, unloading, drag, piece, at, event);
-            if let Some(state) = piece.and_then(|index| yielding(law, index, begun, &track)) {
+            let point = |at: &State, event: Option<Event>| point_of(ground, unloading, drag, piece, at, event);
+            if let Some(state) = piece.and_then(|index| yielding(ground, index, begun, &track)) {
                 let place = events.partition_point(|(_, at)| at.time <= state.time);
                 events.insert(place, (Event::Yield, state));
             }
@@ -143,7 +141,7 @@ impl Recorder {
 
 /// A point of a motion on a piece of the loading curve, or on the unloading branch.
 fn point_of(
-    law: &Law,
+    ground: Ground,
     unloading: &Unloading,
     drag: Drag,
     piece: Option<usize>,
@@ -151,16 +149,16 @@ fn point_of(
     event: Option<Event>,
 ) -> Point {
     let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
-    let piece = &law.loading.pieces()[index];
+    let piece = ground.piece(index);
     // distances count from the zero of a power law, else from the start of the piece
     let distance = at.distance - piece.shape.lead();
-    Point::loading(law.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
+    Point::loading(ground.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
 }
 
 /// A recorded motion, which gives its point at any time.
 #[derive(Debug)]
 pub struct Track<'a> {
-    law: Cow<'a, Law>,
+    ground: Ground<'a>,
     unloading: Unloading,
     drag: Drag,
     legs: Vec<Recorded>,
@@ -184,7 +182,7 @@ impl Track<'_> {
         let Recorded { piece, track, .. } = &self.legs[leg];
         let segment = track.partition_point(|segment| segment.end < time).min(track.len() - 1);
         let time = time.min(track[segment].end);
-        point_of(&self.law, &self.unloading, self.drag, *piece, &track[segment].at(time), None)
+        point_of(self.ground, &self.unloading, self.drag, *piece, &track[segment].at(time), None)
     }
 }
 
@@ -204,13 +202,13 @@ fn mark(legs: &mut [Recorded], event: Event, at: &State) {
 
 /// The state of first yield on a leg along a piece, begun at this time, if the leg passes it on the way. It ends no leg, because
 /// a trace must not change the steps.
-fn yielding(law: &Law, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
-    let (piece, yields_at) = (&law.loading.pieces()[index], law.elastic_until());
+fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
+    let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
     let distance = yields_at - piece.start + piece.shape.lead();
     let of = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
     let begun = of.checked_sub(1).map_or(begun, |before| track[before].end);
     let ahead = |time: f64| distance - track[of].at(time).distance;
-    let is_inside = index == law.loading.index_at(yields_at) && piece.start < yields_at;
+    let is_inside = index == ground.index_at(yields_at) && piece.start < yields_at;
     let is_passed = is_inside && ahead(begun) > 0.0;
     is_passed.then(|| State { distance, ..track[of].at(falls_through((begun, track[of].end), ahead)) })
 }

@@ -1,7 +1,7 @@
 //! The law as a force of its own, for codes that move the sphere themselves (DEM): indentation and memory in, force out.
 
 use super::contact::Contact;
-use crate::law::Peak;
+use crate::law::{Ground, Peak};
 
 /// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros, and so has
 /// one with a half-space that stays elastic.
@@ -98,7 +98,10 @@ impl Contact {
         };
         let unloading = law.unloading(peak);
         let stored = unloading.stored_of(indentation / scales.length - peak.residual());
-        ContactEnergy { stored: stored * scales.energy(), plastic: law.plastic(&unloading) * scales.energy() }
+        ContactEnergy {
+            stored: stored * scales.energy(),
+            plastic: Ground::from(law).plastic(&unloading) * scales.energy(),
+        }
     }
 
     /// dF/dδ \[N/m\] there, the tangent stiffness: of the unloading branch below the largest indentation so far and at it, of

@@ -137,7 +137,7 @@ impl Impact {
         computed: &Computed,
         exact: Option<&Outcome>,
     ) -> Result<Self, ImpactError> {
-        let Case { scales, law, forces, .. } = case;
+        let Case { scales, ground, forces, .. } = case;
         let Computed { outcome, work, fixed_steps, points } = computed;
         let essentials = Essentials::new(contact, speed, case, outcome)?;
         let Essentials { restitution, kinetic_in, peak_contact_radius, .. } = essentials;
@@ -156,20 +156,20 @@ impl Impact {
         }
         drop_twin_of_end(&mut trace);
         let has_dent = essentials.has_dent();
-        let dent = law.dent(peak);
+        let dent = ground.dent(peak);
         let radius_ratio = dent.unloading_radius_ratio();
         let is_captured = outcome.fate == Fate::Captured;
         let energy = scales.energy();
         let under_forces = (!contact.forces().is_none()).then(|| {
             let lifts_off = !is_captured && forces.drag.lifts_off();
             let moved = essentials.on_plate.map_or(0.0, |plate| plate.displacement / scales.length);
-            let sunk = outcome.end_indentation - law.touch() + moved;
+            let sunk = outcome.end_indentation - ground.touch() + moved;
             UnderForces {
                 fate: outcome.fate,
                 end_time: outcome.contact_time * scales.time(),
                 end_indentation: outcome.end_indentation * scales.length,
                 static_indentation: is_captured
-                    .then(|| forces.static_point(law, &outcome.unloading).indentation * scales.length),
+                    .then(|| forces.static_point(*ground, &outcome.unloading).indentation * scales.length),
                 damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
                 stored_at_separation: lifts_off.then(|| outcome.unloading.stored(outcome.end_indentation) * energy),
                 left: is_captured.then(|| ledger.left() * energy),
@@ -192,11 +192,11 @@ impl Impact {
             peak_mean_pressure: peak.force * scales.force
                 / (std::f64::consts::PI * peak_contact_radius)
                 / peak_contact_radius,
-            dent_radius: has_dent.then(|| scales.contact_radius * law.contact_radius(dent)),
+            dent_radius: has_dent.then(|| scales.contact_radius * ground.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),
-                plastic: pair.yield_point.map(|_| law.plastic(&outcome.unloading) * energy),
+                plastic: pair.yield_point.map(|_| ground.plastic(&outcome.unloading) * energy),
                 drift,
                 drift_at_end: ledger.at_end(),
             },

@@ -9,7 +9,7 @@ use super::verlet;
 use crate::integrate::library::{Library, Scheme};
 use crate::integrate::rk8::Rk8;
 use crate::integrate::{IntegrationError, Integrator, Work};
-use crate::law::Law;
+use crate::law::Ground;
 use crate::units::names::named;
 
 named! {
@@ -70,8 +70,8 @@ impl Default for Solver {
 pub(super) const FINEST: f64 = 1e-13;
 
 /// The contact time of an impact at q = v/V without damping and plate.
-pub(super) fn free_time(law: &Law, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
-    let exact = closed_form::solve_with(law, q, &forces.without_drag(), Solver::AUTO.tolerance)?;
+pub(super) fn free_time(ground: Ground, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
+    let exact = closed_form::solve_with(ground, q, &forces.without_drag(), Solver::AUTO.tolerance)?;
     Ok(exact.map_or(f64::NAN, |exact| exact.contact_time))
 }
 
@@ -82,19 +82,19 @@ fn given(tolerance: f64, delivers: f64) -> f64 {
     (tolerance / delivers).max(1e-14)
 }
 
-/// What a run is of: the law, q = v/V, the forces; and the samples of its trace with the contact time, where it is known.
-type Run<'a> = (&'a Law, f64, &'a ScaledForces, Option<usize>, Option<f64>);
+/// What a run is of: the ground, q = v/V, the forces; and the samples of its trace with the contact time, where it is known.
+type Run<'a> = (Ground<'a>, f64, &'a ScaledForces, Option<usize>, Option<f64>);
 
 /// An impact along the legs of its course, with its trace.
 fn along<I: Integrator>(
-    (law, q, forces, samples, duration): Run<'_>,
+    (ground, q, forces, samples, duration): Run<'_>,
     mut integrator: I,
 ) -> Result<Computed, IntegrationError> {
     let mut recorder = if samples.is_some() { Recorder::on() } else { Recorder::default() };
-    let outcome = course::integrate(law, q, forces, &mut integrator, &mut recorder)?;
+    let outcome = course::integrate(ground, q, forces, &mut integrator, &mut recorder)?;
     let trace = |samples| {
         let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
-        recorder.points(law, &outcome.unloading, forces.drag, times)
+        recorder.points(ground, &outcome.unloading, forces.drag, times)
     };
     Ok(Computed { points: samples.map_or_else(Vec::new, trace), ..Computed::new(outcome, integrator.work()) })
 }
@@ -102,17 +102,18 @@ fn along<I: Integrator>(
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. [`Method::Auto`] is
 /// rk8 here, and so is [`Method::ClosedForm`] without a closed form. With `samples` it comes with a trace of that many points
 /// evenly spaced over the contact, first touch and separation among them, and a point for every other event.
-pub fn run(
-    law: &Law,
+pub fn run<'a>(
+    ground: impl Into<Ground<'a>>,
     q: f64,
     forces: &ScaledForces,
     exact: Option<&Outcome>,
     solver: &Solver,
     samples: Option<usize>,
 ) -> Result<Computed, IntegrationError> {
+    let ground = ground.into();
     // the same times by every method, where the contact time is known
     let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
-    let course = (law, q, forces, samples, duration);
+    let course = (ground, q, forces, samples, duration);
     let tolerance = solver.tolerance;
     match (solver.method, exact) {
         (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Work::default())),
@@ -122,13 +123,13 @@ pub fn run(
         (Method::Dop853, _) => along(course, Library::new(Scheme::Dop853, given(tolerance, 25.0))),
         (Method::Verlet, _) => {
             let steps = solver.steps_per_contact.max(1);
-            let step = free_time(law, q, forces)? / f64::from(steps);
+            let step = free_time(ground, q, forces)? / f64::from(steps);
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
-            let mut computed = verlet::march(law, q, forces, step, most)?;
+            let mut computed = verlet::march(ground, q, forces, step, most)?;
             if let (Some(samples), Some(fixed)) = (samples, &computed.fixed_steps) {
                 let times = even_times(samples, duration.unwrap_or(computed.outcome.contact_time));
-                computed.points = verlet::trace(law, q, forces, &computed.outcome, fixed, times);
+                computed.points = verlet::trace(ground, q, forces, &computed.outcome, fixed, times);
             }
             Ok(computed)
         }

@@ -2,16 +2,17 @@
 
 use super::contact::Contact;
 use super::error::ImpactError;
+use super::oblique::Approach;
 use super::result::Impact;
 use super::solve::Solver;
-use crate::law::{Law, Peak};
+use crate::law::{Dent, Peak};
 
 /// A place on the half-space. The indentations of all impacts on it count from the original surface, so that first touch is at
 /// the depth of the dent.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spot {
-    /// The law of the next impact; `None` on fresh surface.
-    law: Option<Law>,
+    /// `None` on fresh surface.
+    dent: Option<Dent>,
 }
 
 impl Spot {
@@ -23,13 +24,13 @@ impl Spot {
     /// A place of a contact that was loaded to `memory`, in units of the yield point. The place is fresh if that state, or
     /// the half-space, is elastic.
     pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
-        let is_elastic = contact.law.is_elastic_to(memory.indentation);
-        Self { law: (!is_elastic).then(|| contact.law.reloaded(memory)) }
+        let yields = memory.indentation > contact.law.limits.elastic_until;
+        Self { dent: yields.then(|| contact.law.dented(memory)) }
     }
 
     /// The largest state so far, in units of the yield point; `None` if the place never yielded.
     pub fn memory(&self) -> Option<Peak> {
-        Some(self.law.as_ref()?.branch()?.peak)
+        Some(self.dent.as_ref()?.unloading.peak)
     }
 }
 
@@ -46,13 +47,13 @@ impl Contact {
     pub fn impact_on(
         &self,
         spot: &mut Spot,
-        speed: f64,
+        approach: impl Into<Approach>,
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let (impact, law, peak) = self.impact_under(spot.law.as_ref(), speed.into(), solver, samples)?;
-        if !law.is_elastic_to(peak.indentation) {
-            spot.law = Some(law.reloaded(peak));
+        let (impact, ground, peak) = self.impact_under(spot.dent.as_ref(), approach.into(), solver, samples)?;
+        if !ground.is_elastic_to(peak.indentation) {
+            spot.dent = Some(self.law.dented(peak));
         }
         Ok(impact)
     }

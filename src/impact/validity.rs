@@ -13,16 +13,17 @@ use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
-use crate::law::{Law, Peak, Raised, Unloading};
+use crate::law::{Ground, Law, Peak, Raised, Unloading};
 use crate::math::root::halved;
 use crate::units::rounded::percent;
 use crate::units::{Dimension, four_digits, human};
 use of_run::{of_gain, of_rebound, of_run};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
-pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> + use<> {
+pub(crate) fn of_peak(ground: Ground, peak: &Peak) -> impl Iterator<Item = Warning> + use<> {
     let x = peak.indentation;
-    let stated = law.outside_stated(peak).map(|(from, to)| {
+    let law = ground.law;
+    let stated = ground.outside_stated(peak).map(|(from, to)| {
         let in_yields = |x: f64| four_digits(law.in_yields(x));
         let end = if to.is_finite() { format!("to {}", in_yields(to)) } else { "and more".to_owned() };
         let text = format!(
@@ -42,8 +43,8 @@ pub(crate) fn of_peak(law: &Law, peak: &Peak) -> impl Iterator<Item = Warning> +
 }
 
 /// The warning for an exponent of unloading that is not the one that was asked for.
-pub(crate) fn of_exponent(law: &Law, unloading: &Unloading) -> Option<Warning> {
-    let Raised { asked, used, gain } = law.raised(unloading)?;
+pub(crate) fn of_exponent(ground: Ground, unloading: &Unloading) -> Option<Warning> {
+    let Raised { asked, used, gain } = ground.raised(unloading)?;
     let text = format!(
         "an unloading exponent of {} would give back {} of the energy more than was spent: {} is used in its place, with which e is 1 but for gravity and drag; give a larger exponent, or let the peak be further above first yield",
         four_digits(asked),
@@ -75,7 +76,7 @@ impl Contact {
             let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.limits.widest * radius;
             let is_before = law.outside_stated(&peak).is_some_and(|(from, _)| x < from);
             let is_harmless = |warning: Warning| is_before && warning.kind == WarningKind::OutsideStated;
-            !is_wide && of_peak(law, &peak).all(is_harmless)
+            !is_wide && of_peak(law.into(), &peak).all(is_harmless)
         };
         let far = radius / scales.length;
         if reaches(far) { f64::INFINITY } else { halved(0.0, far, reaches).0 * scales.length }
@@ -86,11 +87,11 @@ impl Contact {
 pub(super) fn warnings(
     contact: &Contact,
     impact: &Impact,
-    law: &Law,
+    ground: Ground,
     unloading: &Unloading,
     solver: &Solver,
 ) -> Vec<Warning> {
-    let peak = &unloading.peak;
+    let (law, peak) = (ground.law, &unloading.peak);
     let sphere = contact.sphere();
     let of_half_space_strength = contact.half_space().yield_strength;
     let yielding = of_yielding_sphere(
@@ -101,8 +102,8 @@ pub(super) fn warnings(
     );
     let mut warnings: Vec<Warning> = yielding.into_iter().collect();
     warnings.extend(of_materials(contact, impact, law));
-    warnings.extend(of_peak(law, peak));
-    warnings.extend(of_exponent(law, unloading));
+    warnings.extend(of_peak(ground, peak));
+    warnings.extend(of_exponent(ground, unloading));
     let ratio = impact.peak_contact_radius / sphere.radius;
     let density = (!contact.is_of_a_body()).then_some(sphere.density);
     warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
@@ -204,7 +205,7 @@ pub(super) fn of_oblique(
     impact: &Impact,
     approach: Approach,
 ) -> impl Iterator<Item = Warning> + use<> {
-    let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle);
+    let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
     let ratio = impact.peak_contact_radius / contact.sphere().radius;
     let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
     let ploughing = Warning::when(is_ploughing, WarningKind::Ploughing, ratio, || {

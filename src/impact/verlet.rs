@@ -12,14 +12,14 @@ use super::record::{Event, Point};
 use super::scales::ACCELERATION;
 use crate::curve::piece::Piece;
 use crate::integrate::{Drag, IntegrationError, State, Work};
-use crate::law::{Law, Peak, Unloading};
+use crate::law::{Ground, Peak, Unloading};
 use crate::math::power::max_or_nan;
 use crate::math::root::halved;
 
 /// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
 /// first touch.
 struct Remembering<'a> {
-    law: &'a Law,
+    ground: Ground<'a>,
     drag: Drag,
     touch: f64,
     deepest: f64,
@@ -27,21 +27,21 @@ struct Remembering<'a> {
 }
 
 impl<'a> Remembering<'a> {
-    fn of(law: &'a Law, drag: Drag) -> Self {
-        let deepest = law.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
-        Self { law, drag, touch: law.touch(), deepest, unloading: law.branch().copied() }
+    fn of(ground: Ground<'a>, drag: Drag) -> Self {
+        let deepest = ground.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
+        Self { ground, drag, touch: ground.touch(), deepest, unloading: ground.branch().copied() }
     }
 
     /// The piece of the loading curve at a distance.
     fn piece_at(&self, distance: f64) -> &'a Piece {
-        &self.law.loading.pieces()[self.law.loading.index_at(self.touch + distance)]
+        self.ground.piece(self.ground.index_at(self.touch + distance))
     }
 
     /// The state on the loading curve at a distance.
     fn loaded_to(&self, distance: f64) -> Peak {
-        match self.law.branch() {
-            Some(branch) if distance <= branch.peak.elastic_approach => self.law.state_at(0, distance),
-            _ => self.law.loaded_to(self.touch + distance),
+        match self.ground.branch() {
+            Some(branch) if distance <= branch.peak.elastic_approach => self.ground.state_at(0, distance),
+            _ => self.ground.law.loaded_to(self.touch + distance),
         }
     }
 
@@ -54,8 +54,8 @@ impl<'a> Remembering<'a> {
             let force = piece.force_at(x);
             return resisted(drag, force, || piece.slope_at(x), speed);
         }
-        let (law, touch, deepest) = (self.law, self.touch, self.deepest);
-        let unloading = self.unloading.get_or_insert_with(|| law.unloading(law.loaded_to(touch + deepest)));
+        let (ground, touch, deepest) = (self.ground, self.touch, self.deepest);
+        let unloading = self.unloading.get_or_insert_with(|| ground.unloading(ground.loaded_to(touch + deepest)));
         let recovered = distance - (unloading.peak.residual() - touch);
         let force = unloading.force_of(recovered);
         resisted(drag, force, || unloading.slope_of(recovered.max(0.0)), speed)
@@ -114,9 +114,9 @@ struct Motion<'a> {
 
 impl<'a> Motion<'a> {
     /// At first touch.
-    fn new(law: &'a Law, q: f64, forces: &ScaledForces, step: f64) -> Self {
+    fn new(ground: Ground<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
         let state = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-        let (contact, weight) = (Remembering::of(law, forces.drag), forces.weight);
+        let (contact, weight) = (Remembering::of(ground, forces.drag), forces.weight);
         Self { contact, weight, step, count: 0, state, acceleration: ACCELERATION * weight }
     }
 
@@ -143,13 +143,13 @@ impl<'a> Motion<'a> {
 /// # Errors
 /// [`IntegrationError::TooManySteps`] if there is no end within `most_steps`.
 pub(crate) fn march(
-    law: &Law,
+    ground: Ground,
     q: f64,
     forces: &ScaledForces,
     step: f64,
     most_steps: u64,
 ) -> Result<Computed, IntegrationError> {
-    let mut motion = Motion::new(law, q, forces, step);
+    let mut motion = Motion::new(ground, q, forces, step);
     let mut peak = motion.state;
     // time of zero speed near the deepest step
     let mut turns_at = 0.0;
@@ -172,7 +172,7 @@ pub(crate) fn march(
         let is_back = time > peak.time;
         let lifts_off = is_back && total == 0.0 && state.speed < 0.0;
         let is_slower = is_back && state.speed >= 0.0;
-        let deepest = || law.unloading(motion.contact.loaded_to(peak.distance));
+        let deepest = || ground.unloading(motion.contact.loaded_to(peak.distance));
         let stays = || {
             if forces.is_conservative() {
                 is_back && forces.captures(&deepest(), q) && force <= forces.weight
@@ -186,7 +186,7 @@ pub(crate) fn march(
         let unloading = deepest();
         let separates = lifts_off && !forces.captures(&unloading, q);
         if separates {
-            let residual = law.dent(&unloading.peak).residual() - motion.contact.touch;
+            let residual = ground.dent(&unloading.peak).residual() - motion.contact.touch;
             state = motion.contact.left_at(&before, &state, step, ACCELERATION * forces.weight, residual);
         }
         let outcome = Outcome {
@@ -211,7 +211,7 @@ pub(crate) fn march(
 
 /// Whether an overdamped sphere has come near its static indentation.
 fn creeps(motion: &Motion, forces: &ScaledForces, unloading: &Unloading) -> bool {
-    let point = forces.static_point(motion.contact.law, unloading);
+    let point = forces.static_point(motion.contact.ground, unloading);
     let distance = (motion.contact.touch + motion.state.distance - point.indentation).abs();
     let speed = motion.state.speed.abs();
     forces.rest(&point).is_some_and(|rest| distance <= rest.within && speed <= rest.below)
@@ -219,14 +219,14 @@ fn creeps(motion: &Motion, forces: &ScaledForces, unloading: &Unloading) -> bool
 
 /// The points of this outcome in these steps, at these rising times and at its events.
 pub(super) fn trace(
-    law: &Law,
+    ground: Ground,
     q: f64,
     forces: &ScaledForces,
     outcome: &Outcome,
     fixed: &FixedSteps,
     times: impl Iterator<Item = f64>,
 ) -> Vec<Point> {
-    let mut motion = Motion::new(law, q, forces, fixed.step);
+    let mut motion = Motion::new(ground, q, forces, fixed.step);
     let (mut times, mut states) = (times.take_while(|time| *time < outcome.contact_time).peekable(), Vec::new());
     let touch = motion.state;
     let mut turning = State { speed: 0.0, ..touch };
@@ -255,7 +255,7 @@ pub(super) fn trace(
     states.insert(until_peak, (turning, Some(Event::Peak)));
     states.insert(0, (touch, Some(Event::Touch)));
     states.push((end, Some(of_end)));
-    let residual = law.dent(&outcome.unloading.peak).residual() - contact.touch;
+    let residual = ground.dent(&outcome.unloading.peak).residual() - contact.touch;
     let point = |(state, event): (State, Option<Event>)| {
         if state.time <= outcome.loading_time {
             let slope = || contact.piece_at(state.distance).slope_at(contact.touch + state.distance);

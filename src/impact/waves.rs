@@ -14,7 +14,7 @@
 
 use super::scales::{ACCELERATION, Scales};
 use crate::curve::piece::{Piece, Shape};
-use crate::law::{Law, Peak, Unloading};
+use crate::law::{Ground, Peak, Unloading};
 use crate::material::{HalfSpace, OutOfFloatRange, normal};
 use crate::math::functions::{atan2, gamma, ln_1p};
 use crate::math::quadrature::over as integrate;
@@ -45,12 +45,12 @@ impl Waves {
         &self,
         speed: f64,
         scales: &Scales,
-        law: &Law,
+        ground: Ground,
         unloading: &Unloading,
     ) -> Result<f64, OutOfFloatRange> {
-        let (pieces, peak) = (law.loading.pieces(), unloading.peak.indentation);
-        let of_loading = integral(&pieces[..=law.loading.index_at(peak)], peak);
-        let integral = of_loading + integral(&[unloading.branch()], peak);
+        let (peak, branch) = (unloading.peak.indentation, unloading.branch());
+        let of_loading = integral(|i| (ground.piece(i), ground.work_before(i)), ground.index_at(peak), peak);
+        let integral = of_loading + integral(|_| (&branch, 0.0), 0, peak);
         // ½ m v² = (2/5) q² Φ L
         let ratio = scales.speed / speed;
         let fraction = 2.5
@@ -72,15 +72,18 @@ pub fn restitution_with_waves(restitution: f64, loss_fraction: f64) -> f64 {
     (restitution * restitution - loss_fraction).max(0.0).sqrt()
 }
 
-/// ∫ f'² |u| dx along these pieces to a turn at x = `turn`, or from there back.
-fn integral(pieces: &[Piece], turn: f64) -> f64 {
-    let most = pieces.last().map_or(0.0, |last| last.work_at(turn));
+/// ∫ f'² |u| dx along the pieces up to number `last` to a turn at x = `turn`, or from there back. Each piece comes with the
+/// work before it.
+fn integral<'a>(piece_at: impl Fn(usize) -> (&'a Piece, f64), last: usize, turn: f64) -> f64 {
+    let (turning, before) = piece_at(last);
+    let most = before + (turning.work_at(turn) - turning.work);
     let speed_at = |work: f64| (2.0 * ACCELERATION * (most - work)).max(0.0).sqrt();
     let mut integral = 0.0;
     let mut entry = speed_at(0.0);
-    for (i, piece) in pieces.iter().enumerate() {
-        let next = pieces.get(i + 1);
-        let (end, exit) = next.map_or((turn, 0.0), |next| (next.start, speed_at(next.work)));
+    for i in 0..=last {
+        let (piece, before) = piece_at(i);
+        let next = (i < last).then(|| piece_at(i + 1));
+        let (end, exit) = next.map_or((turn, 0.0), |(next, work)| (next.start, speed_at(work)));
         integral += match &piece.shape {
             Shape::Power { exponent, lead: 0.0, .. } if next.is_none() => {
                 let run = end - piece.start;
@@ -89,7 +92,7 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
             Shape::Straight { slope, .. } => straight_integral(*slope, piece.force_at(end), piece.force, entry, exit),
             // no closed form here
             Shape::Power { .. } | Shape::Polynomial(_) | Shape::Branch(_) => {
-                integral_by_quadrature(piece, end, speed_at)
+                integral_by_quadrature(piece, end, |work| speed_at(before + (work - piece.work)))
             }
         };
         entry = exit;

@@ -1,70 +1,75 @@
 //! A contact in a testing machine: dimensionless, stroke after stroke, all in closed form.
 
-use crate::law::{Branch, Law, Peak, Unloading};
+use crate::law::{Branch, Dent, Ground, Law, Peak, Unloading};
 
 /// A step that moves by less than this share of the indentation counts as no move: it is rounding.
 const STILL: f64 = 1e-12;
 
-/// A contact that is indented slowly: where it is, and the law by which it goes on, which holds what it remembers.
-#[derive(Debug, Clone)]
-pub(super) struct Machine {
-    law: Law,
+/// A contact that is indented slowly: its law, where it is, and what it remembers.
+#[derive(Debug)]
+pub(super) struct Machine<'a> {
+    law: &'a Law,
+    dent: Option<Dent>,
     indentation: f64,
 }
 
-impl Machine {
-    /// At first touch, under the law of fresh surface.
-    pub fn new(law: &Law) -> Self {
-        Self { law: law.clone(), indentation: 0.0 }
+impl<'a> Machine<'a> {
+    /// At first touch on fresh surface.
+    pub fn new(law: &'a Law) -> Self {
+        Self { law, dent: None, indentation: 0.0 }
     }
 
     /// The x at which the force is `force` ≥ 0.
     pub fn indentation_at_force(&self, force: f64) -> f64 {
-        match self.law.branch() {
-            Some(branch) if force <= branch.peak.force => branch.peak.residual() + branch.recovered_at(force),
-            _ => self.law.loading.indentation_at_force(force),
-        }
+        Ground::new(self.law, self.dent.as_ref()).indentation_at_force(force)
     }
 
     /// Goes to `indentation` ≥ 0; `None` if the contact is there already.
-    pub fn go_to(&mut self, indentation: f64) -> Option<Stroke> {
+    pub fn go_to(&mut self, indentation: f64) -> Option<Stroke<'a>> {
         let from = std::mem::replace(&mut self.indentation, indentation);
         if (indentation - from).abs() <= STILL * from.max(indentation) {
             return None;
         }
-        let law = self.law.clone();
-        let known = law.branch().filter(|branch| indentation <= branch.peak.indentation).copied();
-        let memory = known.unwrap_or_else(|| law.unloading(law.loaded_to(indentation)));
-        self.law = law.reloaded(memory.peak);
-        Some(Stroke { law, from, to: indentation, memory })
+        let (law, before) = (self.law, self.dent.clone());
+        let known = before.as_ref().map(|dent| dent.unloading);
+        let memory = known.filter(|branch| indentation <= branch.peak.indentation).unwrap_or_else(|| {
+            let dent = law.dented(law.loaded_to(indentation));
+            self.dent.insert(dent).unloading
+        });
+        Some(Stroke { law, before, from, to: indentation, memory })
     }
 }
 
 /// One stroke of the machine: in or out, never both.
 #[derive(Debug, Clone)]
-pub(super) struct Stroke {
-    /// With what the contact remembered before.
-    law: Law,
+pub(super) struct Stroke<'a> {
+    law: &'a Law,
+    /// What the contact remembered before.
+    before: Option<Dent>,
     from: f64,
     to: f64,
     /// The branch from the largest state, the step included.
     pub memory: Unloading,
 }
 
-impl Stroke {
+impl Stroke<'_> {
+    fn ground(&self) -> Ground<'_> {
+        Ground::new(self.law, self.before.as_ref())
+    }
+
     /// Whether the step goes deeper than all before it.
     pub fn is_new_peak(&self) -> bool {
-        self.law.branch().is_none_or(|branch| self.to > branch.peak.indentation)
+        self.ground().branch().is_none_or(|branch| self.to > branch.peak.indentation)
     }
 
     /// x_r before the step.
     pub fn dent(&self) -> f64 {
-        self.law.touch()
+        self.ground().touch()
     }
 
     /// The state at x between the two ends, and its branch.
     fn point(&self, x: f64) -> (Peak, Branch) {
-        if let Some(unloading) = self.law.branch_at(x) {
+        if let Some(unloading) = self.ground().branch_at(x) {
             let recovered = x - unloading.peak.residual();
             let branch = match (recovered < 0.0, self.to > self.from) {
                 (true, _) => Branch::Separated,
@@ -85,7 +90,7 @@ impl Stroke {
     /// `samples` ≥ 2 states, evenly spaced in x, both ends among them, and one at every change of branch.
     pub fn points(&self, samples: usize) -> impl Iterator<Item = (Peak, Branch)> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
-        let changes = self.law.branch().map(|branch| [branch.peak.residual(), branch.peak.indentation]);
+        let changes = self.ground().branch().map(|branch| [branch.peak.residual(), branch.peak.indentation]);
         #[allow(clippy::cast_precision_loss)] // at most 10^7 samples
         let share = |i: usize| i as f64 / (samples - 1) as f64;
         let even =
@@ -102,12 +107,12 @@ impl Stroke {
 
     /// ∫ f dx over the step.
     pub fn work(&self) -> f64 {
-        let work = |x: f64| self.law.loading.work(x.max(self.dent()));
+        let work = |x: f64| self.ground().work(x.max(self.dent()));
         work(self.to) - work(self.from)
     }
 
     /// The part of it that does not come back.
     pub fn plastic_work(&self) -> f64 {
-        if self.is_new_peak() { self.law.plastic(&self.memory) } else { 0.0 }
+        if self.is_new_peak() { self.ground().plastic(&self.memory) } else { 0.0 }
     }
 }

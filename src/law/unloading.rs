@@ -178,6 +178,16 @@ impl Unloading {
         }
     }
 
+    /// The state at a distance from x_r, at most the peak. The distance has digits that x has lost.
+    pub(crate) fn state_at(&self, distance: f64) -> Peak {
+        let peak = self.peak;
+        if distance >= peak.elastic_approach {
+            return peak;
+        }
+        let indentation = (peak.residual() + distance).min(peak.indentation);
+        Peak { indentation, force: self.force_of(distance), elastic_approach: distance }
+    }
+
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
     #[inline]
     pub fn force(&self, x: f64) -> f64 {

@@ -58,6 +58,23 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     Some(Chart::stacked(title(repeat, sequence), x, panels))
 }
 
+/// The path of a ball that hops along: the height of its lowest point over the place along the surface.
+pub fn path(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
+    let flights: Vec<&Flight> = sequence.hits.iter().filter_map(|hit| hit.flight.as_ref()).collect();
+    sequence.hits.first()?.speed_along().filter(|_| !flights.is_empty())?;
+    let at = |i: u32| f64::from(i) / f64::from(FLIGHT_POINTS);
+    let points = flights.iter().flat_map(|flight| {
+        (0..=FLIGHT_POINTS).map(move |i| {
+            let time = flight.duration * at(i);
+            (flight.position_at(time), flight.height_at(time))
+        })
+    });
+    let hits = sequence.hits.iter().map(|hit| (hit.position, 0.0)).collect();
+    let series = vec![Series::line("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
+    let axes = [Axis::engineering("Place along the surface", "m"), Axis::engineering("Height", "m")];
+    Some(Chart::new(title(repeat, sequence), axes, series))
+}
+
 fn title(repeat: &Repeat, sequence: &Sequence) -> String {
     let what = if repeat.is_bouncing() { "bounces" } else { "shots" };
     let place = match repeat.place {

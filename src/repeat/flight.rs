@@ -16,13 +16,26 @@ pub struct Flight {
     pub landing_speed: f64,
     /// g \[m/s²\].
     pub gravity: f64,
+    /// Where it begins along the surface \[m\].
+    pub position: f64,
+    /// Speed along the surface \[m/s\], which stays.
+    pub speed_along: f64,
 }
 
 impl Flight {
     /// The fall from rest at `height` to the surface.
     pub fn fall(gravity: f64, height: f64) -> Self {
         let landing_speed = crate::impact::drop_speed(gravity, height);
-        Self { begin: 0.0, duration: landing_speed / gravity, height, speed: 0.0, landing_speed, gravity }
+        Self {
+            begin: 0.0,
+            duration: landing_speed / gravity,
+            height,
+            speed: 0.0,
+            landing_speed,
+            gravity,
+            position: 0.0,
+            speed_along: 0.0,
+        }
     }
 
     /// Upwards at `speed` from the depth `from` until the next touch at the depth `to`, both below the original surface;
@@ -38,8 +51,19 @@ impl Flight {
             // there and back to the same height: the same speed, to the last bit
             let landing_speed = if from == to { speed } else { square.sqrt() };
             let duration = (speed + landing_speed) / gravity;
-            Self { begin, duration, height: -from, speed, landing_speed, gravity }
+            Self { begin, duration, height: -from, speed, landing_speed, gravity, position: 0.0, speed_along: 0.0 }
         })
+    }
+
+    /// The same flight of a ball that begins here along the surface, and moves along it at this speed.
+    #[must_use]
+    pub fn along(self, position: f64, speed_along: f64) -> Self {
+        Self { position, speed_along, ..self }
+    }
+
+    /// The place along the surface \[m\] at a time since the beginning \[s\].
+    pub fn position_at(&self, time: f64) -> f64 {
+        self.position + self.speed_along * time
     }
 
     /// Height over the original surface \[m\] at a time since the beginning \[s\].

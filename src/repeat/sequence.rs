@@ -3,7 +3,7 @@
 use std::ops::Deref;
 
 use super::flight::Flight;
-use crate::impact::{Energy, Essentials, Fate, Impact, Method, UnderForces, Warning};
+use crate::impact::{Approach, Energy, Essentials, Fate, Impact, Method, Oblique, UnderForces, Warning};
 use crate::math::power::max_or_nan;
 use crate::units::names::named;
 
@@ -29,8 +29,14 @@ named! {
 pub struct Hit {
     /// First touch \[s\]; `None` for shots.
     pub time: Option<f64>,
-    /// Impact speed \[m/s\].
+    /// Where it is along the surface \[m\]; 0 for the first.
+    pub position: f64,
+    /// Impact speed \[m/s\], normal to the half-space.
     pub speed: f64,
+    /// How the sphere comes in, if it comes at an angle or spins.
+    pub approach: Approach,
+    /// Energy and momentum of friction, if the sphere comes at an angle or spins.
+    pub oblique: Option<Oblique>,
     /// Speed with which the flight begins \[m/s\]: e v, where e is the one with waves if the half-space has a density.
     pub rebound_speed: f64,
     pub essentials: Essentials,
@@ -70,13 +76,48 @@ pub struct Sequence {
 }
 
 impl Hit {
-    pub(super) fn of(impact: &Impact, time: Option<f64>, dent_before: f64) -> Self {
-        let &Impact { speed, essentials, energy, under_forces, .. } = impact;
+    pub(super) fn of(impact: &Impact, approach: Approach, time: Option<f64>, dent_before: f64) -> Self {
+        let &Impact { essentials, energy, under_forces, oblique, .. } = impact;
+        let [speed, _] = approach.components();
         let restitution = essentials.measured_restitution();
         let rebound_speed = restitution * speed;
         let energy = Energy { recovered: energy.kinetic_in * (restitution * restitution), ..energy };
         let dent_growth = essentials.residual_indentation - dent_before;
-        Self { time, speed, rebound_speed, essentials, energy, under_forces, dent_growth, flight: None }
+        Self {
+            time,
+            position: 0.0,
+            speed,
+            approach,
+            oblique,
+            rebound_speed,
+            essentials,
+            energy,
+            under_forces,
+            dent_growth,
+            flight: None,
+        }
+    }
+
+    /// Speed along the surface before the impact \[m/s\], if the sphere comes at an angle or spins.
+    pub fn speed_along(&self) -> Option<f64> {
+        self.approach.incidence.map(|_| self.approach.components()[1])
+    }
+
+    /// Speed along the surface after the impact \[m/s\].
+    pub(super) fn rebound_along(&self) -> f64 {
+        self.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
+    }
+
+    /// How far the sphere moves along the surface in contact \[m\], at the mean of the speeds before and after.
+    pub(super) fn way_in_contact(&self) -> f64 {
+        0.5 * (self.speed_along().unwrap_or(0.0) + self.rebound_along()) * self.contact_time
+    }
+
+    /// How the sphere comes to its next impact, where it lands at this speed.
+    pub(super) fn next_approach(&self, landing_speed: f64) -> Approach {
+        self.rebound.zip(self.approach.incidence).map_or(landing_speed.into(), |(rebound, incidence)| {
+            Approach::from_components([landing_speed, rebound.tangential_speed], rebound.spin, incidence.friction)
+        })
     }
 
     /// What elastic waves take \[J\], if the half-space has a density.

@@ -20,13 +20,23 @@ pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, Error> {
 /// `trace.csv`: the impacts that were traced, and the flights between them.
 pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
     let mut rows = Vec::new();
+    let hops = sequence.hits.iter().any(|hit| hit.speed_along().is_some());
     if let Some(fall) = &sequence.fall {
-        fly(0, fall, samples, &mut rows);
+        fly(0, fall, hops, samples, &mut rows);
     }
     for (i, (hit, impact)) in sequence.hits.iter().zip(&sequence.traced).enumerate() {
+        let mut at: Option<(f64, f64, f64)> = None;
         rows.extend(impact.trace.iter().map(|row| TraceRow {
             impact: i + 1,
             time: hit.time.unwrap_or(0.0) + row.time,
+            position: row.rubbing.map(|rubbing| {
+                // by the trapezoidal rule along the contact
+                let (time, speed) = (row.time, rubbing.tangential_speed);
+                let moved =
+                    at.map_or(hit.position, |(before, place, was)| place + 0.5 * (was + speed) * (time - before));
+                at = Some((time, moved, speed));
+                moved
+            }),
             height: -row.indentation,
             speed: row.speed,
             force: row.force,
@@ -34,7 +44,7 @@ pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
             event: event_name(row.event),
         }));
         if let Some(flight) = &hit.flight {
-            fly(i + 1, flight, samples, &mut rows);
+            fly(i + 1, flight, hops, samples, &mut rows);
         }
     }
     csv(&results::trace(), rows.into_iter())
@@ -43,12 +53,13 @@ pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
 /// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
 /// sphere, where the first fall begins, is a row of the flight.
 #[allow(clippy::cast_precision_loss)]
-fn fly(impact: usize, flight: &Flight, samples: usize, rows: &mut Vec<TraceRow>) {
+fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<TraceRow>) {
     rows.extend((usize::from(impact > 0)..=samples).map(|i| {
         let time = flight.duration * i as f64 / (samples + 1) as f64;
         TraceRow {
             impact,
             time: flight.begin + time,
+            position: hops.then(|| flight.position_at(time)),
             height: flight.height_at(time),
             speed: flight.speed_at(time),
             force: 0.0,

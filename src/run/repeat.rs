@@ -64,6 +64,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         let loops = ("force_indentation", plot::repeat::loops(&repeat, &sequence)?);
         let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence))];
         drawn.extend(plot::repeat::height(&repeat, &sequence).map(|height| ("height", height)));
+        drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
         let caption = plot::caption::caption(&scene, &["impact.speed"]);
         Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
     })?);

@@ -50,13 +50,12 @@ const RULES: &[Rule] = &[
         unless: &["sphere.moment_of_inertia"],
         why: "needs sphere.moment_of_inertia beside {}, as the body is no plain sphere",
     },
-    beside(
-        OBLIQUE,
-        &["gravity"],
-        "gravity acts along the normal here: leave [{}] out, and give the speed at first touch",
-    ),
-    beside(OBLIQUE, &["damping"], "codes differ on whether friction counts the damping force too: leave [{}] out"),
-    beside(OBLIQUE, &["repeat"], "the impacts of [{}] are straight: leave this key or [{}] out"),
+    Rule {
+        keys: OBLIQUE,
+        beside: &["repeat"],
+        unless: &["gravity.acceleration"],
+        why: "shots of [{}] are straight, and a ball hops along only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or leave this key out",
+    },
     beside(
         OBLIQUE,
         &["calibrate"],

@@ -42,19 +42,29 @@ impl Scenario {
         let Some(place) = input.word(at!("repeat.spot")) else {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));
         };
+        let place = Place::ALL[place];
+        if scene.incidence.is_some() && place == Place::Same {
+            return refuse(
+                "repeat.spot",
+                "a ball that comes at an angle or spins hops along, and does not meet its dent again: write \"fresh\"",
+            );
+        }
+        let drop_height = input.number(at!("impact.drop_height"));
+        if drop_height.is_some() && scene.incidence.is_some_and(|incidence| incidence.angle != 0.0) {
+            return refuse(
+                "impact.drop_height",
+                "a fall from rest has no angle: give impact.speed at first touch in its place, or leave impact.angle out",
+            );
+        }
         let until = input.number(at!("repeat.until.speed"));
         let drive = match (self.speeds(), input.count(at!("repeat.impacts")), scene.forces.gravity) {
             (Some(speeds), ..) => Drive::Shots(speeds.to_vec()),
             (None, None, _) => return refuse("repeat", NEEDS_IMPACTS),
-            (None, Some(most), Some(gravity)) => Drive::Bouncing {
-                gravity,
-                drop_height: scene.input.number(at!("impact.drop_height")),
-                speed: scene.speed,
-                most,
-                until,
-            },
+            (None, Some(most), Some(gravity)) => {
+                Drive::Bouncing { gravity, drop_height, approach: scene.approach_at(scene.speed), most, until }
+            }
             (None, Some(most), None) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
         };
-        Ok(Some(Repeat { place: Place::ALL[place], drive }))
+        Ok(Some(Repeat { place, drive }))
     }
 }

@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot, closed_form};
 use plm_impact::integrate::{IntegrationError, Work};
-use plm_impact::law::{ContactLaw, Law, Plm, PlmCoefficients, UnloadingExponent};
+use plm_impact::law::{ContactLaw, Ground, Law, Plm, PlmCoefficients, UnloadingExponent};
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::math::power::max_or_nan;
 use plm_impact::scenario::Scenario;
@@ -117,9 +117,16 @@ pub fn shot(contact: &Contact, spot: &mut Spot, speed: f64) -> Impact {
 }
 
 /// One dimensionless impact.
-pub fn run(law: &Law, speed: f64, method: Method, tolerance: f64) -> Result<(Outcome, Work), IntegrationError> {
-    let exact = closed_form::solve(law, speed);
-    let run = plm_impact::impact::run(law, speed, &ScaledForces::NONE, Some(&exact), &solver(method, tolerance), None);
+pub fn run<'a>(
+    ground: impl Into<Ground<'a>>,
+    speed: f64,
+    method: Method,
+    tolerance: f64,
+) -> Result<(Outcome, Work), IntegrationError> {
+    let ground = ground.into();
+    let exact = closed_form::solve(ground, speed);
+    let run =
+        plm_impact::impact::run(ground, speed, &ScaledForces::NONE, Some(&exact), &solver(method, tolerance), None);
     run.map(|computed| (computed.outcome, computed.work))
 }
 

@@ -112,7 +112,7 @@ fn a_sphere_that_is_let_go_and_yields_has_a_plastic_share_of_nothing() {
     let peak = outcome.unloading.peak;
     assert!(off(peak.indentation, 1.6) < 1e-14 && peak.residual() > 0.0);
     assert!(off(outcome.unloading.exponent, ruled(&law, 1.6, 1.2)) < 1e-14);
-    assert_eq!(law.plastic(&outcome.unloading), 0.0);
+    assert_eq!(Ground::from(&law).plastic(&outcome.unloading), 0.0);
 }
 
 #[test]

@@ -352,7 +352,7 @@ fn every_line_of_the_energy_balance_is_reported_under_gravity_and_on_a_plate() {
 fn every_impact_of_a_series_on_a_plate_reports_its_whole_energy_balance() {
     let gravity = 9.81;
     let contact = OnPlate::steel(2e-3).under(&Plm::default(), Forces { gravity: Some(gravity), ..Forces::default() });
-    let drive = Drive::Bouncing { gravity, drop_height: None, speed: 0.1, most: 1000, until: None };
+    let drive = Drive::Bouncing { gravity, drop_height: None, approach: 0.1.into(), most: 1000, until: None };
     let series = Repeat { place: Place::Same, drive }.run(&contact, &Solver::default(), 0, None).unwrap();
     assert!(series.hits.len() > 5 && series.hits.last().unwrap().is_captured());
     for hit in &series.hits {

@@ -183,13 +183,14 @@ fn a_dent_on_the_hertz_piece_is_cut_there() {
     for x in [1.000_001, 1.1, 1.5, 1.699_999, 1.7] {
         let law = Scene::steel().law();
         let branch = law.unloading(law.loaded_to(x));
-        let reloaded = law.reloaded(branch.peak);
+        let dent = law.dented(branch.peak);
+        let reloaded = Ground::new(&law, Some(&dent));
         for target in [x * (1.0 + 1e-9), 1.2 * x, 10.0] {
             let kinetic = branch.capacity() + (law.loading.work(target) - law.loading.work(x));
-            let outcome = closed_form::solve(&reloaded, (2.5 * kinetic).sqrt());
+            let outcome = closed_form::solve(reloaded, (2.5 * kinetic).sqrt());
             assert!(off(outcome.unloading.peak.indentation, target) < 1e-14, "{x} {target}");
             for (method, factor) in STEPPING {
-                let (stepped, _) = crate::common::run(&reloaded, (2.5 * kinetic).sqrt(), method, 1e-11).unwrap();
+                let (stepped, _) = crate::common::run(reloaded, (2.5 * kinetic).sqrt(), method, 1e-11).unwrap();
                 let error = crate::common::worst(&stepped, &outcome);
                 assert!(error < factor * 1e-11 + 1e-12, "{x} {target} {}: {error:e}", method.name());
             }

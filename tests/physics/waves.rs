@@ -245,7 +245,7 @@ fn a_reload_radiates_by_the_same_integral_and_bounces_lose_it() {
     // each flight begins with the speed that waves leave, and the energy of a series closes
     for place in [Place::Same, Place::Fresh] {
         let contact = steel(&["gravity.acceleration=9.81"]);
-        let drive = Drive::Bouncing { gravity: 9.81, drop_height: None, speed: 3.0, most: 30, until: None };
+        let drive = Drive::Bouncing { gravity: 9.81, drop_height: None, approach: 3.0.into(), most: 30, until: None };
         let sequence = Repeat { place, drive }.run(&contact, &Solver::AUTO, 2, None).unwrap();
         assert_eq!(sequence.hits.len(), 30);
         for hit in &sequence.hits {

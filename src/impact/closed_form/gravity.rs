@@ -13,26 +13,31 @@ use crate::impact::record::Recorder;
 use crate::impact::scales::ACCELERATION;
 use crate::integrate::IntegrationError;
 use crate::integrate::rk8::Rk8;
-use crate::law::Law;
+use crate::law::Ground;
 
 /// The outcome, with times of this relative tolerance.
-pub(super) fn solve(law: &Law, q: f64, forces: &ScaledForces, tolerance: f64) -> Result<Outcome, IntegrationError> {
-    let (last, distance) = forces.turn(law, 0.4 * q * q);
-    let unloading = law.turned(last, distance);
+pub(super) fn solve(
+    ground: Ground,
+    q: f64,
+    forces: &ScaledForces,
+    tolerance: f64,
+) -> Result<Outcome, IntegrationError> {
+    let (last, distance) = ground.turn(0.4 * q * q, forces.weight);
+    let unloading = ground.turned(last, distance, None);
     let is_captured = forces.captures(&unloading, q);
     // the sphere leaves at the end of the branch, or its run ends at the static indentation
     let at_end = if is_captured { unloading.recovered_at(forces.weight) } else { 0.0 };
     let way = (unloading.peak.elastic_approach - at_end).max(0.0);
     let left = unloading.capacity() - unloading.stored_of(at_end) - forces.weight * way;
-    let is_even = !is_captured && forces.is_even(law, &unloading);
+    let is_even = !is_captured && forces.is_even(ground, &unloading);
     let speed = if is_even { q } else { (2.0 * ACCELERATION * left).max(0.0).sqrt() };
-    let run = course::integrate(law, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
+    let run = course::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
     Ok(Outcome {
         unloading,
         restitution: if is_captured { 0.0 } else { speed / q },
         largest_force: unloading.peak.force,
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
-        end_indentation: law.dent(&unloading.peak).residual() + at_end,
+        end_indentation: ground.dent(&unloading.peak).residual() + at_end,
         end_speed: -speed,
         ..run
     })

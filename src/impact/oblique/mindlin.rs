@@ -71,9 +71,7 @@ impl Run {
 struct State {
     profile: Profile,
     rim: Rim,
-    /// M.
-    shift: f64,
-    /// M'.
+    /// M', where M is the shift of the profile.
     speed: f64,
     /// M''.
     acceleration: f64,
@@ -82,7 +80,7 @@ struct State {
 }
 
 impl State {
-    /// One step over the middle to the end. M'' = `rate` T.
+    /// One step over the middle to the end. M'' = `rate` T. Returns T at start, middle and end.
     fn step(&mut self, middle: Rim, end: Rim, rate: f64) -> [f64; 3] {
         let length = end.time - self.rim.time;
         let (half, first) = (0.5 * length, self.acceleration);
@@ -99,7 +97,6 @@ impl State {
         let whole = length * (self.speed + length * (first + 2.0 * second) / 6.0);
         let bent = bend(middle.square, end.square, self.speed + 1.5 * half * second, second);
         let third = rate * self.profile.advance(&end, whole - way, bent);
-        self.shift += whole;
         self.speed += length * (first + 4.0 * second + third) / 6.0;
         self.acceleration = third;
         self.jerk = (first - 4.0 * second + 3.0 * third) / length;
@@ -109,9 +106,7 @@ impl State {
 
     fn clone_from_state(&mut self, from: &Self) {
         self.profile.clone_from(&from.profile);
-        let Self { rim, shift, speed, acceleration, jerk, .. } = from;
-        (self.rim, self.shift, self.speed) = (*rim, *shift, *speed);
-        (self.acceleration, self.jerk) = (*acceleration, *jerk);
+        (self.rim, self.speed, self.acceleration, self.jerk) = (from.rim, from.speed, from.acceleration, from.jerk);
     }
 }
 
@@ -162,7 +157,7 @@ impl Motion<'_> {
         let rate = 1.5 * 2.0 * ACCELERATION * chi;
         let start = 1.5 * sigma;
         let rim = self.rim(0.0);
-        let mut state = State { profile: Profile::new(), rim, shift: 0.0, speed: start, acceleration: 0.0, jerk: 0.0 };
+        let mut state = State { profile: Profile::new(), rim, speed: start, acceleration: 0.0, jerk: 0.0 };
         let (mut whole, mut halves) = (state.clone(), state.clone());
         let (mut steps, mut sum) = (Vec::new(), 0.0);
         let duration = 0.5 * self.durations[1];
@@ -197,7 +192,8 @@ impl Motion<'_> {
                     continue;
                 }
                 let off = |part: fn(&State) -> f64| (part(&whole) - part(&halves)).abs();
-                let error = off(|s| s.speed) + off(|s| s.shift) / duration + 0.5 * duration * off(|s| s.acceleration);
+                let error =
+                    off(|s| s.speed) + off(|s| s.profile.shift) / duration + 0.5 * duration * off(|s| s.acceleration);
                 let error = error / start.abs();
                 if error <= tolerance || length < 1e-7 * duration {
                     if has_steps {

@@ -1,15 +1,15 @@
 //! The normal motion as friction sees it: the radius of the contact and the stops of its springs at any time.
 
-use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use super::profile::Rim;
+use crate::impact::case::hertz;
 use crate::impact::course;
 use crate::impact::forces::ScaledForces;
 use crate::impact::record::{Recorder, Track};
 use crate::integrate::IntegrationError;
 use crate::integrate::rk8::Rk8;
-use crate::law::Law;
+use crate::law::Ground;
 
 /// The normal motion of an impact.
 #[derive(Debug)]
@@ -23,11 +23,11 @@ pub struct Motion<'a> {
 
 impl<'a> Motion<'a> {
     /// The motion at q = v/V.
-    pub fn new(law: impl Into<Cow<'a, Law>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
-        let law = law.into();
+    pub fn new(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
+        let ground = ground.into();
         let mut recorder = Recorder::on();
-        let outcome = course::integrate(&law, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
-        let track = recorder.track(law, outcome.unloading, forces.drag);
+        let outcome = course::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
+        let track = recorder.track(ground, outcome.unloading, forces.drag);
         let durations = [outcome.loading_time, outcome.contact_time];
         Ok(Self { ends: track.ends().collect(), durations, track })
     }
@@ -35,7 +35,7 @@ impl<'a> Motion<'a> {
     /// The motion of an elastic impact. It is one for all of them in units of its own peak and speed.
     pub fn elastic() -> Result<&'static Motion<'static>, IntegrationError> {
         static ELASTIC: LazyLock<Result<Motion, IntegrationError>> =
-            LazyLock::new(|| Motion::new(Cow::Owned(Law::hertz()), 1.0, &ScaledForces::NONE));
+            LazyLock::new(|| Motion::new(hertz(), 1.0, &ScaledForces::NONE));
         ELASTIC.as_ref().map_err(Clone::clone)
     }
 

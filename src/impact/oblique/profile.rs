@@ -28,52 +28,49 @@ struct Knot {
     square: f64,
     /// ξ.
     radius: f64,
-    /// ζ.
+    /// ζ less the shift of all springs.
     stretch: f64,
     /// Half of d²ζ/dη² on the piece.
     bend: f64,
-}
-
-impl Knot {
-    fn new(square: f64, stretch: f64, bend: f64) -> Self {
-        Self { square, radius: square.max(0.0).sqrt(), stretch, bend }
-    }
+    /// The integral of `stretch` over ξ from the middle.
+    integral: f64,
 }
 
 /// ζ over η, from the middle to the rim.
 #[derive(Debug, PartialEq)]
 pub(super) struct Profile {
     knots: Vec<Knot>,
-    /// Room for the next list of knots.
+    /// The shift of all springs so far. Springs that stick keep their knots.
+    pub(super) shift: f64,
+    /// Room for the knots that are clipped.
     spare: Vec<Knot>,
 }
 
 impl Clone for Profile {
     fn clone(&self) -> Self {
-        Self { knots: self.knots.clone(), spare: Vec::new() }
+        Self { knots: self.knots.clone(), shift: self.shift, spare: Vec::new() }
     }
 
     /// Copies the knots into the room that is there.
     fn clone_from(&mut self, from: &Self) {
         self.knots.clone_from(&from.knots);
+        self.shift = from.shift;
     }
 }
 
 impl Profile {
     /// A contact of one point, before first touch.
     pub(super) fn new() -> Self {
-        Self { knots: vec![Knot::default()], spare: Vec::new() }
+        Self { knots: vec![Knot::default()], shift: 0.0, spare: Vec::new() }
     }
 
     /// Shifts all springs, lets springs enter or leave up to the new rim, clips them at their stops, and gives the friction T.
     /// The stretch of the springs that enter is curved by `bend`.
     pub(super) fn advance(&mut self, to: &Rim, shift: f64, bend: f64) -> f64 {
-        for knot in &mut self.knots {
-            knot.stretch += shift;
-        }
+        self.shift += shift;
         let rim = to.square;
         if self.knots.last().is_some_and(|last| last.square < rim) {
-            self.knots.push(Knot::new(rim, 0.0, bend));
+            self.push(rim, -self.shift, bend);
         } else {
             self.cut(rim);
         }
@@ -81,13 +78,38 @@ impl Profile {
             return 0.0;
         }
         let fall = to.stop / rim;
-        let is_beyond = |knot: &Knot| knot.stretch.abs() > to.stop - fall * knot.square;
-        if self.knots.iter().any(is_beyond) {
-            for side in [1.0, -1.0] {
-                self.clip(to.stop, fall, side);
+        for side in [1.0, -1.0] {
+            let (level, shift) = (to.stop, self.shift);
+            let is_beyond = |knot: &Knot| side * (knot.stretch + shift) > level - fall * knot.square;
+            if let Some(first) = self.knots.iter().position(is_beyond) {
+                self.clip(first.saturating_sub(1), level, fall, side);
             }
         }
-        -self.integral()
+        self.knots.last().map_or(0.0, |last| -(last.integral + self.shift * last.radius))
+    }
+
+    /// Adds a piece at the outer end.
+    fn push(&mut self, square: f64, stretch: f64, bend: f64) {
+        let radius = square.max(0.0).sqrt();
+        self.push_at(square, radius, stretch, bend);
+    }
+
+    fn push_at(&mut self, square: f64, radius: f64, stretch: f64, bend: f64) {
+        let integral = self.knots.last().map_or(0.0, |from| {
+            let (a, b, ab) = (from.square, square, from.radius * radius);
+            let way = radius - from.radius;
+            // the mean of η over the piece less a, over b − a
+            let weight = (radius + from.radius + from.radius) / (3.0 * (radius + from.radius));
+            let straight = from.stretch + (stretch - from.stretch) * if b > 0.0 { weight } else { 0.5 };
+            let curved = if bend == 0.0 {
+                0.0
+            } else {
+                let mean_of_squares = (b * (b + ab + a) + a * (ab + a)) / 5.0;
+                bend * (mean_of_squares - (a + b) * (a + ab + b) / 3.0 + a * b)
+            };
+            from.integral + way * (straight + curved)
+        });
+        self.knots.push(Knot { square, radius, stretch, bend, integral });
     }
 
     /// Takes away what lies outside of the rim.
@@ -95,61 +117,45 @@ impl Profile {
         while self.knots.len() > 1 && self.knots[self.knots.len() - 2].square >= rim {
             self.knots.pop();
         }
-        if let [.., before, last] = self.knots.as_mut_slice() {
+        if let [.., before, last] = self.knots[..] {
             let (from, to) = (rim - before.square, rim - last.square);
             let slope = (last.stretch - before.stretch) / (last.square - before.square);
-            *last = Knot::new(rim, before.stretch + (slope + last.bend * to) * from, last.bend);
+            self.knots.pop();
+            self.push(rim, before.stretch + (slope + last.bend * to) * from, last.bend);
         }
     }
 
-    /// Holds ζ (or −ζ) below `stop − fall η`. Pieces that lie on the stop become one.
-    fn clip(&mut self, stop: f64, fall: f64, side: f64) {
+    /// Holds ζ (or −ζ) below `stop − fall η` from this knot on. Pieces that lie on the stop become one.
+    fn clip(&mut self, from: usize, stop: f64, fall: f64, side: f64) {
         /// A knot nearer to the stop than this share of it, behind one beyond the stop, lies on the stop but for rounding.
         const ROUNDING: f64 = 1e-13;
-        let gap = |knot: &Knot| stop - fall * knot.square - side * knot.stretch;
-        let on_stop = |square: f64| Knot::new(square, side * (stop - fall * square), 0.0);
-        self.spare.clear();
+        let shift = self.shift;
+        let gap = |knot: &Knot| stop - fall * knot.square - side * (knot.stretch + shift);
+        let on_stop = |square: f64| side * (stop - fall * square) - shift;
+        let mut old = std::mem::take(&mut self.spare);
+        old.clear();
+        old.extend(self.knots.drain(from..));
         // the knot before and its gap
         let mut last: Option<(Knot, f64)> = None;
-        for (i, &knot) in self.knots.iter().enumerate() {
+        for (i, &knot) in old.iter().enumerate() {
             let here = gap(&knot);
             let was_beyond = last.is_some_and(|(_, gap)| gap < 0.0);
             let is_beyond = here < 0.0 || was_beyond && here < ROUNDING * stop;
             if let Some((before, there)) = last.filter(|_| was_beyond != is_beyond) {
                 let square = crossing(&before, &knot, [there, here], -side);
                 if before.square < square && square < knot.square {
-                    let bend = if was_beyond { 0.0 } else { knot.bend };
-                    self.spare.push(Knot { bend, ..on_stop(square) });
+                    self.push(square, on_stop(square), if was_beyond { 0.0 } else { knot.bend });
                 }
             }
             if !is_beyond {
-                self.spare.push(knot);
-            } else if !was_beyond || self.knots.get(i + 1).is_none_or(|next| gap(next) >= 0.0) {
+                self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
+            } else if !was_beyond || old.get(i + 1).is_none_or(|next| gap(next) >= 0.0) {
                 // a knot between two others beyond the stop is no end of a piece
-                self.spare.push(on_stop(knot.square));
+                self.push_at(knot.square, knot.radius, on_stop(knot.square), 0.0);
             }
             last = Some((knot, if is_beyond { here.min(-f64::MIN_POSITIVE) } else { here }));
         }
-        std::mem::swap(&mut self.knots, &mut self.spare);
-    }
-
-    /// ∫ ζ dξ.
-    fn integral(&self) -> f64 {
-        let mut sum = 0.0;
-        for pair in self.knots.windows(2) {
-            let [from, to] = [&pair[0], &pair[1]];
-            let (a, b, ab) = (from.square, to.square, from.radius * to.radius);
-            let way = to.radius - from.radius;
-            // the mean of η over the piece, and with it the weight of its end
-            let mean = (a + ab + b) / 3.0;
-            let weight = if b > a { (mean - a) / (b - a) } else { 0.5 };
-            sum += way * (from.stretch + (to.stretch - from.stretch) * weight);
-            if to.bend != 0.0 {
-                let mean_of_squares = (b * (b + ab + a) + a * (ab + a)) / 5.0;
-                sum += way * to.bend * (mean_of_squares - (a + b) * mean + a * b);
-            }
-        }
-        sum
+        self.spare = old;
     }
 }
 

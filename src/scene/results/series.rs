@@ -100,6 +100,9 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
             let flights = of.sequence.hits.iter().filter_map(|hit| hit.flight);
             flights.map(|flight| flight.top()).reduce(max_or_nan)
         });
+        /// How far along the surface the last impact is from the first.
+        "path_m" in Length as "path" if OBLIQUE:
+            of.sequence.hits.last().filter(|hit| hit.speed_along().is_some()).map(|hit| hit.position);
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "rests at" if CAPTURED:
             of.bouncing().and_then(|_| of.sequence.hits.last()?.forced(|forces| forces.static_indentation));
@@ -114,6 +117,9 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "energy.plastic_J" in Energy if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Energy that the plate has taken in all impacts.
         "energy.plate_J" in Energy if PLATE: of.plate_energy();
+        /// Energy that friction has taken in all impacts.
+        "energy.friction_J" in Energy if OBLIQUE:
+            of.sequence.hits.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
         /// Largest error of the energy balance of any impact.
         "energy.drift" in Error as "energy drift": of.sequence.drift();
         /// Impacts that the trace has: the first ones of a long series.
@@ -153,14 +159,24 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         "impact" as "impact": row.0;
         /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
         "time_s" in Time as "time" if BOUNCES: row.1.time;
-        /// Speed at first touch.
+        /// Place of the impact along the surface, from the first.
+        "position_m" in Length as "place" if OBLIQUE: row.1.speed_along().map(|_| row.1.position);
+        /// Speed at first touch, normal to the half-space.
         "impact_speed_m_per_s" in Speed as "speed": row.1.speed;
+        /// Speed of the sphere along the half-space at first touch.
+        "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.speed_along();
+        /// Spin of the sphere at first touch; positive for rolling forward.
+        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.incidence.map(|incidence| incidence.spin);
         /// Rebound speed over impact speed by the law; 0 if captured.
         "restitution" as "e": row.1.restitution;
         /// The same after the waves have taken their energy.
         "restitution_with_waves" as "with waves" if WAVES: row.1.restitution_with_waves();
         /// Speed with which the flight begins: with waves, if the half-space has a density.
         "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
+        /// Speed of the sphere along the half-space with which the flight begins.
+        "rebound_tangential_speed_m_per_s" in Speed if OBLIQUE: row.1.rebound.map(|after| after.tangential_speed);
+        /// Spin of the sphere in the flight.
+        "rebound_spin_rad_per_s" in AngularSpeed if OBLIQUE: row.1.rebound.map(|after| after.spin);
         /// Largest contact force.
         "peak_force_N" in Force as "peak force": row.1.peak_force;
         /// Largest indentation, from the original surface.
@@ -183,6 +199,8 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         "plate_J" in Energy if PLATE: row.1.plate_energy();
         /// Energy taken by damping.
         "damping_J" in Energy if DAMPING: row.1.forced(|forces| forces.damping_loss);
+        /// Energy taken by friction.
+        "friction_J" in Energy if OBLIQUE: row.1.oblique.map(|friction| friction.loss);
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
         "stored_at_separation_J" in Energy if VISCOUS: row.1.forced(|forces| forces.stored_at_separation);
         /// Kinetic and elastic energy where the computation of a captured sphere ends.
@@ -199,6 +217,7 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
 pub struct TraceRow {
     pub impact: usize,
     pub time: f64,
+    pub position: Option<f64>,
     pub height: f64,
     pub speed: f64,
     pub force: f64,
@@ -213,6 +232,8 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         "impact": row.impact;
         /// Time of the series for a bouncing sphere; for shots, time since each first touch.
         "time_s" in Time: row.time;
+        /// Place along the surface, from the first impact.
+        "position_m" in Length if OBLIQUE: row.position;
         /// Height of the lowest point of the sphere over the original surface; negative in contact.
         "height_m" in Length: row.height;
         /// Speed towards the half-space.

@@ -68,16 +68,19 @@ fn excess(v: f64) -> f64 {
 }
 
 /// The outcome of a sphere that leaves, or stays without damping.
-pub fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Outcome {
+pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -> Outcome {
+    let ground = ground.into();
     let (speeds, weight) = (Speeds { chi: forces.drag.chi }, forces.weight);
     assert!(forces.drag.eta == 0.0 && forces.drag.theta == 0.0 && (weight == 0.0 || forces.drag.chi == 0.0));
-    let (pieces, touch) = (law.loading.pieces(), law.touch());
+    let touch = ground.touch();
+    let with_work = |index| Piece { work: ground.work_before(index), ..ground.piece(index).clone() };
+    let pieces: Vec<Piece> = (0..ground.count()).map(with_work).collect();
     let kinetic = speeds.energy(q) / C;
     // the turn: W(x) − w (x − touch) is convex, and not above the energy before it
     let missing = |piece: &Piece| piece.work - weight * (piece.start - touch) - kinetic;
     let last = pieces.partition_point(|piece| missing(piece) <= 0.0).saturating_sub(1);
     // a reload that has just the energy of the branch turns on it
-    let last = if law.branch().is_some_and(|branch| {
+    let last = if ground.branch().is_some_and(|branch| {
         kinetic + weight * branch.peak.elastic_approach <= branch.capacity() * (1.0 + 32.0 * f64::EPSILON)
     }) {
         0
@@ -92,20 +95,20 @@ pub fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Outcome {
     }
     let distance = halved(0.0, far, |d| spent(d) < 0.0 || piece.force_at(piece.start + d) < weight).1;
     // on the branch of a dent the distance has digits that the indentation has lost
-    let on_branch = law.branch().filter(|branch| last == 0 && distance < branch.peak.elastic_approach);
+    let on_branch = ground.branch().filter(|branch| last == 0 && distance < branch.peak.elastic_approach);
     let unloading = match on_branch {
         Some(branch) => {
             let indentation = piece.start + distance;
             let force = branch.stiffness() * distance.powf(branch.exponent);
             branch.below(Peak { indentation, force, elastic_approach: distance })
         }
-        None => law.unloading(law.loaded_to(piece.start + distance)),
+        None => ground.unloading(ground.loaded_to(piece.start + distance)),
     };
     let loading_time = loading_time(&pieces[..=last], distance, q, weight, speeds);
     let is_captured = forces.captures(&unloading, q);
     let stored = unloading.capacity();
     let recovered = C * (stored - weight * unloading.peak.elastic_approach);
-    let is_elastic = speeds.chi == 0.0 && law.plastic(&unloading) == 0.0;
+    let is_elastic = speeds.chi == 0.0 && ground.plastic(&unloading) == 0.0;
     let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
     let branch = unloading.branch();
     let carries = |d: f64| unloading.force(unloading.peak.residual() + d) < weight;
@@ -118,19 +121,18 @@ pub fn solve(law: &Law, q: f64, forces: &ScaledForces) -> Outcome {
     Outcome {
         unloading,
         restitution: if is_captured { 0.0 } else { rebound / q },
-        largest_force: largest_force(law, last, distance, speeds.energy(q), speeds),
+        largest_force: largest_force(&pieces, last, distance, speeds.energy(q), speeds),
         loading_time,
         contact_time: loading_time + back,
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
-        end_indentation: law.dent(&unloading.peak).residual() + at_rest,
+        end_indentation: ground.dent(&unloading.peak).residual() + at_rest,
         end_speed: -end_speed,
-        loss: 0.4 * q * q - law.loading.work(unloading.peak.indentation) + stored - 0.4 * rebound * rebound,
+        loss: 0.4 * q * q - ground.work(unloading.peak.indentation) + stored - 0.4 * rebound * rebound,
     }
 }
 
 /// The largest contact force f (1 + χ u) on the way to the turning point. It rises where df/dx u > (5/4) χ f².
-fn largest_force(law: &Law, last: usize, distance: f64, energy: f64, speeds: Speeds) -> f64 {
-    let pieces = law.loading.pieces();
+fn largest_force(pieces: &[Piece], last: usize, distance: f64, energy: f64, speeds: Speeds) -> f64 {
     let mut largest: f64 = 0.0;
     for (index, piece) in pieces[..=last].iter().enumerate() {
         let end = if index < last { pieces[index + 1].start - piece.start } else { distance };

@@ -39,7 +39,7 @@ fn at_first_yield_nothing_is_lost() {
     let mut compared = 0;
     for (name, choice) in whole_laws() {
         let law = law_of(choice.get());
-        let until = law.elastic_until();
+        let until = law.limits.elastic_until;
         // not for laws without an elastic regime, and not for unloading from uniform pressure, which is wrong at yield
         if until == 0.0 || until.is_infinite() || name.contains("mesarovic") {
             continue;

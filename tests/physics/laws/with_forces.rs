@@ -291,7 +291,7 @@ fn the_fastest_impact_that_changes_nothing_is_that_of_the_law() {
         let contact = Scene::case_3().contact_by(choice.get());
         let Some(yield_speed) = contact.yield_speed() else { continue };
         let (_, law, _) = contact.scaled(10.0 * yield_speed).unwrap();
-        let memory = |share: f64| Law::loaded_to(law, share * law.elastic_until());
+        let memory = |share: f64| Law::loaded_to(law, share * law.limits.elastic_until);
         assert_eq!(Spot::loaded_to(&contact, memory(0.99)), Spot::fresh(), "{name}");
         assert_ne!(Spot::loaded_to(&contact, memory(1.5)), Spot::fresh(), "{name}");
         compared += 1;
