@@ -57,7 +57,7 @@ pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
             let ((), ns) = timed(|| {
                 for &speed in &speeds {
                     let approach = Approach { speed, incidence: *incidence };
-                    black_box(contact.essentials(black_box(approach), &Solver::AUTO).ok());
+                    black_box(contact.row(black_box(approach), &Solver::AUTO).ok());
                 }
             });
             rate.ns_per_row = rate.ns_per_row.min(ns / f64::from(ROWS));

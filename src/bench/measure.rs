@@ -81,7 +81,7 @@ impl Rung {
             }
             Self::Steps(steps) => {
                 let step = problem.exact.contact_time / (f64::from(steps) + phase);
-                verlet::march(law.into(), speed, forces, step, 10 * u64::from(steps))
+                verlet::march(law.into(), speed, forces, step, 10 * u64::from(steps), None)
             }
         }
     }

@@ -193,7 +193,7 @@ impl<'a> Problem<'a> {
             self.go_on()?;
             self.with_row(&mut input, *row);
             (scene.speed, scene.solver) = (input.speed(), input.solver());
-            let result = contact.essentials(scene.speed, &scene.solver)?;
+            let result = contact.row(scene.speed, &scene.solver)?;
             for value in &self.data.values[self.ranges[*row].clone()] {
                 let found = value.quantity.predict(&result, &scene).filter(|value| value.is_finite());
                 predicted.push(found.ok_or(NoAnswer::Captured)?);

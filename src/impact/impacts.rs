@@ -42,7 +42,7 @@ impl Contact {
     /// [`ImpactError`] where the result leaves double precision, the law has no answer, the integrator gives up, or the
     /// method does not fit.
     #[inline]
-    pub fn essentials(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<Essentials, ImpactError> {
+    pub fn row(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<Essentials, ImpactError> {
         let approach = approach.into();
         let [speed, _] = approach.components();
         let case = self.case(None, speed)?;
@@ -65,20 +65,6 @@ impl Contact {
     #[inline]
     fn chosen(&self, method: Method, has_trace: bool) -> Result<Method, ImpactError> {
         method.chosen(self.forces(), has_trace).ok_or(ImpactError::NoClosedForm)
-    }
-
-    /// e alone, with the same bits as from [`Contact::essentials`]. Without gravity and damping no times are computed, which
-    /// takes half as long; a contact time outside double precision is then no error.
-    pub fn restitution(&self, approach: impl Into<Approach>) -> Result<f64, ImpactError> {
-        let [speed, _] = approach.into().components();
-        if !self.forces().is_none() {
-            return Ok(self.essentials(speed, &Solver::AUTO)?.restitution);
-        }
-        let case = self.case(None, speed)?;
-        let (unloading, restitution) = closed_form::energy_balance(case.ground, case.q);
-        case.ground.accept(&unloading)?;
-        self.contact_radius(&case.scales, case.ground, &unloading.peak)?;
-        Ok(restitution)
     }
 
     /// Computes one impact at a speed \[m/s\], or an [`Approach`]; with `samples`, with a trace of that many evenly

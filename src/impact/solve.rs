@@ -126,12 +126,7 @@ pub fn run<'a>(
             let step = free_time(ground, q, forces)? / f64::from(steps);
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
-            let mut computed = verlet::march(ground, q, forces, step, most)?;
-            if let (Some(samples), Some(fixed)) = (samples, &computed.fixed_steps) {
-                let times = even_times(samples, duration.unwrap_or(computed.outcome.contact_time));
-                computed.points = verlet::trace(ground, q, forces, &computed.outcome, fixed, times);
-            }
-            Ok(computed)
+            verlet::march(ground, q, forces, step, most, samples.map(|samples| (samples, duration)))
         }
     }
 }

@@ -8,10 +8,10 @@
 
 use super::forces::ScaledForces;
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
-use super::record::{Event, Point};
+use super::record::{Event, Point, even_times};
 use super::scales::ACCELERATION;
 use crate::curve::piece::Piece;
-use crate::integrate::{Drag, IntegrationError, State, Work};
+use crate::integrate::{Drag, IntegrationError, Segment, State, Work};
 use crate::law::{Ground, Peak, Unloading};
 use crate::math::power::max_or_nan;
 use crate::math::root::halved;
@@ -148,15 +148,19 @@ pub(crate) fn march(
     forces: &ScaledForces,
     step: f64,
     most_steps: u64,
+    trace: Option<(usize, Option<f64>)>,
 ) -> Result<Computed, IntegrationError> {
     let mut motion = Motion::new(ground, q, forces, step);
-    let mut peak = motion.state;
+    let (mut peak, mut track) = (motion.state, Vec::new());
     // time of zero speed near the deepest step
     let mut turns_at = 0.0;
     let mut largest_force = 0.0;
     for n in 1..=most_steps {
-        let before = motion.state;
+        let (before, acceleration) = (motion.state, motion.acceleration);
         let (force, total) = motion.advance();
+        if trace.is_some() {
+            track.push(parabola(before, acceleration, motion.state.time));
+        }
         largest_force = max_or_nan(largest_force, total);
         let mut state = motion.state;
         let time = state.time;
@@ -204,7 +208,12 @@ pub(crate) fn march(
         let work = Work { steps: n, rejected: 0, force_evaluations: n + 1 };
         let separation_time = separates.then_some(time);
         let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });
-        return Ok(Computed { fixed_steps, ..Computed::new(outcome, work) });
+        let of_samples = |(samples, duration): (usize, Option<f64>)| {
+            let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
+            motion.contact.points(&outcome, &peak, &track, times)
+        };
+        let points = trace.map_or_else(Vec::new, of_samples);
+        return Ok(Computed { points, fixed_steps, ..Computed::new(outcome, work) });
     }
     Err(IntegrationError::TooManySteps { steps: most_steps })
 }
@@ -217,53 +226,54 @@ fn creeps(motion: &Motion, forces: &ScaledForces, unloading: &Unloading) -> bool
     forces.rest(&point).is_some_and(|rest| distance <= rest.within && speed <= rest.below)
 }
 
-/// The points of this outcome in these steps, at these rising times and at its events.
-pub(super) fn trace(
-    ground: Ground,
-    q: f64,
-    forces: &ScaledForces,
-    outcome: &Outcome,
-    fixed: &FixedSteps,
-    times: impl Iterator<Item = f64>,
-) -> Vec<Point> {
-    let mut motion = Motion::new(ground, q, forces, fixed.step);
-    let (mut times, mut states) = (times.take_while(|time| *time < outcome.contact_time).peekable(), Vec::new());
-    let touch = motion.state;
-    let mut turning = State { speed: 0.0, ..touch };
-    while times.peek().is_some() || motion.state.time < fixed.compression_time {
-        let (from, acceleration) = (motion.state, motion.acceleration);
-        motion.advance();
-        // the way in a step is a parabola
-        while let Some(time) = times.next_if(|time| *time < motion.state.time) {
-            let t = time - from.time;
-            let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
-            states.push((State { time, distance, speed: from.speed + acceleration * t, loss: from.loss }, None));
+/// The motion in a step that began in this state and ended at this time.
+fn parabola(from: State, acceleration: f64, end: f64) -> Segment {
+    Segment::new(end, move |time| {
+        let t = time - from.time;
+        let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
+        State { time, distance, speed: from.speed + acceleration * t, loss: from.loss }
+    })
+}
+
+impl Remembering<'_> {
+    /// The points of this outcome at these rising times and at its events, along the steps up to its end.
+    fn points(
+        &self,
+        outcome: &Outcome,
+        peak: &State,
+        track: &[Segment],
+        times: impl Iterator<Item = f64>,
+    ) -> Vec<Point> {
+        let mut times = times.take_while(|time| *time < outcome.contact_time).peekable();
+        let mut states = Vec::new();
+        for segment in track {
+            while let Some(time) = times.next_if(|time| *time < segment.end) {
+                states.push((segment.at(time), None));
+            }
         }
-        if motion.state.time == fixed.compression_time {
-            turning = State { time: outcome.loading_time, speed: 0.0, ..motion.state };
-        }
+        let touch = track.first().map_or(*peak, |first| first.at(0.0));
+        let turning = State { time: outcome.loading_time, speed: 0.0, ..*peak };
+        let end = State {
+            time: outcome.contact_time,
+            distance: outcome.end_indentation - self.touch,
+            speed: outcome.end_speed,
+            loss: outcome.loss * ACCELERATION,
+        };
+        let of_end = if outcome.fate == Fate::Separated { Event::Separation } else { Event::Captured };
+        let until_peak = states.partition_point(|(state, _)| state.time <= outcome.loading_time);
+        states.insert(until_peak, (turning, Some(Event::Peak)));
+        states.insert(0, (touch, Some(Event::Touch)));
+        states.push((end, Some(of_end)));
+        let residual = self.ground.dent(&outcome.unloading.peak).residual() - self.touch;
+        let point = |(state, event): (State, Option<Event>)| {
+            if state.time <= outcome.loading_time {
+                let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);
+                Point::loading(self.loaded_to(state.distance), slope, self.drag, &state, event)
+            } else {
+                let at = State { distance: state.distance - residual, ..state };
+                Point::unloading(&outcome.unloading, self.drag, &at, event)
+            }
+        };
+        states.into_iter().map(point).collect()
     }
-    let contact = motion.contact;
-    let end = State {
-        time: outcome.contact_time,
-        distance: outcome.end_indentation - contact.touch,
-        speed: outcome.end_speed,
-        loss: outcome.loss * ACCELERATION,
-    };
-    let of_end = if outcome.fate == Fate::Separated { Event::Separation } else { Event::Captured };
-    let until_peak = states.partition_point(|(state, _)| state.time <= outcome.loading_time);
-    states.insert(until_peak, (turning, Some(Event::Peak)));
-    states.insert(0, (touch, Some(Event::Touch)));
-    states.push((end, Some(of_end)));
-    let residual = ground.dent(&outcome.unloading.peak).residual() - contact.touch;
-    let point = |(state, event): (State, Option<Event>)| {
-        if state.time <= outcome.loading_time {
-            let slope = || contact.piece_at(state.distance).slope_at(contact.touch + state.distance);
-            Point::loading(contact.loaded_to(state.distance), slope, forces.drag, &state, event)
-        } else {
-            let at = State { distance: state.distance - residual, ..state };
-            Point::unloading(&outcome.unloading, forces.drag, &at, event)
-        }
-    };
-    states.into_iter().map(point).collect()
 }

@@ -11,7 +11,7 @@ use super::convert::{Numbers, exception, numbers, warn, with};
 use super::rows::{failures, listed, without_axes};
 use super::table::of_values;
 use super::work;
-use crate::impact::{self, Method};
+use crate::impact::{self, Method, Solver};
 use crate::plan::axis::{Axis, Values};
 use crate::plan::{Cases, Plan};
 use crate::run::table::warnings_of;
@@ -170,9 +170,13 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let Scene { forces, solver, .. } = &plan.scene;
     let is_exact = forces.is_none() && solver.method.chosen(forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
-        let of = |speed: &f64| match contact.inner.restitution(contact.scene.approach_at(*speed)) {
-            Ok(restitution) => (restitution, 0.0),
-            Err(error) => (f64::NAN, arrow::code(error.into())),
+        // friction does not change e
+        let of = |speed: &f64| {
+            let [normal_speed, _] = contact.scene.approach_at(*speed).components();
+            match contact.inner.row(normal_speed, &Solver::AUTO) {
+                Ok(row) => (row.restitution, 0.0),
+                Err(error) => (f64::NAN, arrow::code(error.into())),
+            }
         };
         work::columns(py, speeds.len(), &[1, 1], false, |cases| {
             let (restitutions, status): (Vec<f64>, Vec<f64>) = speeds[cases].iter().map(of).unzip();

@@ -192,7 +192,7 @@ impl<'a> Evaluator<'a> {
     fn row(&self, input: &Input, Known { strength, contact }: &Known, rows: &mut Rows) {
         rows.swept.extend(strength.filter(|_| self.derives_strength));
         let row = contact.as_ref().map_err(|error| *error);
-        let row = row.and_then(|contact| Ok(contact.essentials(input.approach(), &input.solver())?));
+        let row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
         rows.results.push(row);
     }
 

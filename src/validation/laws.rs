@@ -94,7 +94,7 @@ pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<OfLaw>, Error> {
     let of_law = |(name, law): (String, LawChoice)| {
         let answer = |one: &Reference| {
             let contact = Contact::try_new(one.sphere, one.half_space, law.get()).ok()?;
-            Some(one.off(&contact.essentials(one.speed, &Solver::AUTO).ok()?))
+            Some(one.off(&contact.row(one.speed, &Solver::AUTO).ok()?))
         };
         let off: Vec<[Option<f64>; 4]> = references.iter().filter_map(answer).collect();
         let of = |what: usize| rms(&off.iter().filter_map(|off| off[what]).collect::<Vec<_>>());

@@ -30,7 +30,7 @@ fn worst(scene: &Scene, share: f64, method: Method, tolerance: f64) -> f64 {
 fn assert_follows_the_tolerance(scenes: &[Scene], methods: &[(Method, f64)]) {
     for scene in scenes {
         // just above first yield the law has no answer with a small exponent
-        let is_held = |share: &f64| scene.contact().essentials(share * scene.yield_speed(), &Solver::AUTO).is_ok();
+        let is_held = |share: &f64| scene.contact().row(share * scene.yield_speed(), &Solver::AUTO).is_ok();
         let shares: Vec<f64> = SHARES.into_iter().filter(is_held).collect();
         assert!(shares.len() >= if matches!(scene.exponent, UnloadingExponent::Fixed(_)) { 10 } else { 14 });
         for share in shares {

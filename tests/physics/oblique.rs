@@ -63,7 +63,7 @@ fn twelve_impacts_are_those_of_the_reference() {
             let got = Motion::elastic().unwrap().run_on_one_spring(rebound.psi, contact.chi());
             assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }
-        let of_table = contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap();
+        let of_table = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
         assert_abs_diff_eq!(-of_table.contact_point_restitution, want, epsilon = 1e-5);
     }
 }
@@ -134,14 +134,14 @@ fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
         let (chi, speed) = (contact.chi(), 1.0);
         let (_, law, q) = contact.scaled(speed).unwrap();
         let motion = Motion::new(law, q, &ScaledForces::NONE).unwrap();
-        let e = contact.restitution(speed).unwrap();
+        let e = contact.row(speed, &Solver::AUTO).unwrap().restitution;
         let formula = |psi: f64| psi - 2.0 * chi * (1.0 + e);
         let run = |psi: f64| psi * motion.ratio(psi * q, chi, OF_RUNS).unwrap();
         // straight down with a spin that gives this psi_1 at mu = 0.1
         let spin = |psi: f64| -psi * 0.1 * speed / (4.0 * contact.shear_ratio() * 5e-3);
         let slides = |psi: f64| {
             let approach = approach(speed, 0.0, 0.1, spin(psi));
-            contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap().is_sliding
+            contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap().is_sliding
         };
         let n = contact.closed_form(speed).unwrap().unloading_exponent;
         let end = 2.0 * chi * (1.0 + e) - e * (2.0 * n - 2.0).min(1.0);
@@ -273,7 +273,7 @@ proptest! {
         prop_assert!((ends[1].tangential_speed - rebound.tangential_speed).abs() <= 1e-9 * size);
         prop_assert!((ends[1].spin - rebound.spin).abs() * contact.sphere().radius <= 1e-8 * size);
         // a row of a table is the impact by a run with a looser tolerance
-        let row = contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap();
+        let row = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
         let off = (row.contact_point_restitution - rebound.contact_point_restitution).abs();
         prop_assert!(off <= 3e-5, "off by {:e} at {:?}", off, rebound);
     }
@@ -292,7 +292,7 @@ fn a_small_moment_of_inertia_takes_more_steps_up_to_a_limit() {
             let contact = contact.clone().with_moment_of_inertia(moment);
             for friction in [0.3, 1e6] {
                 let approach = approach(1.0, 20.0, friction, 0.0);
-                let row = contact.essentials(approach, &Solver::default());
+                let row = contact.row(approach, &Solver::default());
                 let impact = match contact.impact(approach, &Solver::default(), None) {
                     Ok(impact) => impact,
                     Err(ImpactError::SmallInertia { least, solid: told }) => {

@@ -258,7 +258,7 @@ fn any_pair() -> impl Strategy<Value = (Scene, f64, f64, f64)> {
         let plain = scene.contact();
         let gravity = Some(weight * plain.pair().yield_point.unwrap().force / plain.mass());
         let fastest = q * scene.yield_speed() * ratio.hypot(1.0);
-        plain.with_forces(Forces { gravity, ..Forces::default() }).essentials(fastest, &Solver::AUTO).is_ok()
+        plain.with_forces(Forces { gravity, ..Forces::default() }).row(fastest, &Solver::AUTO).is_ok()
     })
 }
 

@@ -192,7 +192,7 @@ fn a_half_space_that_hardens_radiates_by_the_same_integral() {
 fn stepped_impacts_and_tables_radiate_what_the_closed_form_does() {
     let contact = steel(&[]);
     let exact = contact.closed_form(3.0).unwrap();
-    let row = contact.essentials(3.0, &Solver::AUTO).unwrap();
+    let row = contact.row(3.0, &Solver::AUTO).unwrap();
     assert_eq!(row.wave_loss_fraction, exact.wave_loss_fraction);
     assert_eq!(row.restitution_with_waves(), exact.restitution_with_waves());
     for method in [Method::Rk8, Method::Dop853] {

@@ -14,7 +14,7 @@ fn leeb() -> String {
 
 fn of_leeb(speed: f64, set: &[String]) -> f64 {
     let scene = Scenario::load(LEEB.as_ref(), set).unwrap().resolve().unwrap();
-    let impact = scene.contact().unwrap().essentials(speed, &Solver::AUTO).unwrap();
+    let impact = scene.contact().unwrap().row(speed, &Solver::AUTO).unwrap();
     impact.restitution_with_waves().unwrap_or(impact.restitution)
 }
 

@@ -19,7 +19,7 @@ fn the_peak_force_is_the_largest_of_the_way_not_that_of_the_deepest_point() {
     let impact = contact.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
     assert!(off(impact.peak_force, 1_735.450_320) < 1e-8, "{}", impact.peak_force);
     assert!(off(impact.force_at_peak_indentation, 379.7) < 1e-3, "{}", impact.force_at_peak_indentation);
-    assert_eq!(contact.essentials(speed, &Solver::AUTO).unwrap().peak_force, impact.peak_force);
+    assert_eq!(contact.row(speed, &Solver::AUTO).unwrap().peak_force, impact.peak_force);
 }
 
 #[test]

@@ -166,7 +166,7 @@ fn outside_its_range_a_law_has_no_answer() {
     // the impact returns this error
     let contact = Scene::case_3().contact_by(LawChoice::from_name("mesarovic_johnson").unwrap().get());
     assert!(contact.impact(0.01, &solver(Method::Rk8, 1e-10), None).unwrap_err().to_string().contains("no answer"));
-    assert!(contact.essentials(0.01, &Solver::AUTO).is_err());
+    assert!(contact.row(0.01, &Solver::AUTO).is_err());
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn extreme_bodies_give_numbers_or_a_refusal() {
             };
             let contact = scene.contact_by(choice.get());
             for speed in [1e-6, 1e-2, 1.0, 100.0, 1e4] {
-                if let Ok(row) = contact.essentials(speed, &Solver::AUTO) {
+                if let Ok(row) = contact.row(speed, &Solver::AUTO) {
                     let numbers = [
                         row.restitution,
                         row.contact_time,
