@@ -213,7 +213,7 @@ pub(crate) fn march(
             motion.contact.points(&outcome, &peak, &track, times)
         };
         let points = trace.map_or_else(Vec::new, of_samples);
-        return Ok(Computed { points, fixed_steps, ..Computed::new(outcome, work) });
+        return Ok(Computed { fixed_steps, points, ..Computed::new(outcome, work) });
     }
     Err(IntegrationError::TooManySteps { steps: most_steps })
 }
