@@ -183,7 +183,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
             sphere(35e-3, 52e9),
             50e6,
             1.0,
-            0.338_544_203_724_049_07,
+            0.338_544_203_724_049_1,
             4.128_221_548_557_24e-4,
         )?,
         hardened,

@@ -381,7 +381,7 @@ fn friction_goes_with_gravity_and_damping() {
                 let rubbing = row.rubbing.unwrap();
                 assert!(rubbing.friction_force.abs() <= 0.15 * row.force + 2e-3 * impact.peak_force, "{row:?}");
             }
-            let of_table = contact.essentials(approach, &Solver::AUTO).unwrap().rebound.unwrap();
+            let of_table = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
             assert_abs_diff_eq!(of_table.contact_point_restitution, rebound.contact_point_restitution, epsilon = 1e-5);
             if degrees == 80.0 {
                 let impulse = (1.0 + alone.restitution) * normal + gravity * alone.contact_time;
