@@ -32,7 +32,6 @@ use crate::plan::Source as Text;
 use crate::progress::Counter;
 use crate::scenario::Scenario;
 use crate::scenario::calibrate::{Source, Wanted};
-use crate::scene::Scene;
 use crate::scene::measured::Measured;
 use crate::units::csv_text::refused;
 use crate::units::four_digits;
@@ -83,7 +82,7 @@ impl Measurements {
     /// The request and the data without deviations.
     fn problem(&self) -> Problem<'_> {
         let ones = vec![1.0; self.data.values.len()];
-        Problem::new(&self.wanted.scene, &self.wanted.free, &self.data, ones, false)
+        Problem::new(&self.wanted.input, &self.wanted.free, &self.data, ones, false)
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -170,8 +169,9 @@ impl Measurements {
     fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Counter) -> Result<Result<Fit<'a>, NoAnswer>, Error> {
         let noise = self.noise()?;
         let deviations = noise.deviations(&self.data.sizes());
-        let scene = Scene { law: law.clone(), ..self.wanted.scene.clone() };
-        let problem = Problem::new(&scene, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
+        let mut input = self.wanted.input.clone();
+        input.named_law.clone_from(law);
+        let problem = Problem::new(&input, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
         Ok(Fit::of(problem.watched(progress), &noise))
     }
 
@@ -195,7 +195,7 @@ impl Measurements {
         progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
         let laws = self.ranked(progress)?;
         let no_answer = |reason: NoAnswer| self.no_answer(&reason);
-        let fit = self.fit(&self.wanted.scene.law, progress)?.map_err(no_answer)?;
+        let fit = self.fit(&self.wanted.input.named_law, progress)?.map_err(no_answer)?;
         progress.step();
         let (problem, shares) = (&fit.problem, &fit.best().shares);
         let predicted = problem.predict(shares).map_err(no_answer)?;

@@ -28,8 +28,8 @@ const POINTS: u32 = 41;
 /// # Errors
 /// [`Error`] for a bad scenario, a scenario with gravity or damping, a missing speed, or a speed without a result.
 pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
-    let (scene, contact) = contact_alone(scenario)?;
-    let speed = request.speed.or(scene.speed.is_finite().then_some(scene.speed)).ok_or_else(|| {
+    let (input, contact) = contact_alone(scenario)?;
+    let speed = request.speed.or(Some(input.speed()).filter(|speed| speed.is_finite())).ok_or_else(|| {
         Error::input("the scenario has no impact.speed: give --speed, such as --speed \"3 m/s\"".to_owned())
     })?;
     let at = |speed: f64| {
@@ -54,7 +54,7 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         scenario,
         contact: &contact,
         impact: &impact,
-        friction: scene.input.number(at!("friction.coefficient")),
+        friction: input.number(at!("friction.coefficient")),
         command,
     };
     head.lines(request, &table)

@@ -5,11 +5,11 @@ pub mod free;
 pub(crate) mod random;
 mod source;
 
-use crate::impact::Method;
+use crate::impact::{Method, Warning};
 use crate::scene::at::at;
 use crate::scene::results::{Column, Needs, columns};
 use crate::scene::taken::Body;
-use crate::scene::{Input, Key, Scene, Use, without_effect};
+use crate::scene::{Input, Key, Use, without_effect};
 use axis::{Axis, Word};
 use random::Variable;
 pub use source::Source;
@@ -23,11 +23,13 @@ pub enum Cases {
     MonteCarlo { samples: u64, seed: u64, variables: Vec<Variable> },
 }
 
-/// A sweep: a scene and what is changed in it.
+/// A sweep: an input and what is changed in it.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// The scene with the first value of every axis, or with the medians of random keys. All cases have its other keys.
-    pub scene: Scene,
+    /// The input with the first value of every axis, or with the medians of random keys. All cases have its other keys.
+    pub input: Input,
+    /// Warnings about keys without effect.
+    pub warnings: Vec<Warning>,
     /// The cases.
     pub cases: Cases,
     /// Names of the results that the table has; `None`: all.
@@ -45,8 +47,8 @@ pub const MOST_CASES: u64 = 1 << 63;
 impl Plan {
     /// These cases of an input, in which every key that varies has its first value or its median.
     pub fn new(input: &Input, cases: Cases) -> Self {
-        let mut plan = Self { scene: input.resolve(), cases, columns: None };
-        plan.scene = plan.input_at(&vec![0; plan.axes().len()]).resolve();
+        let mut plan = Self { input: input.clone(), warnings: Vec::new(), cases, columns: None };
+        plan.input = plan.input_at(&vec![0; plan.axes().len()]);
         plan
     }
 
@@ -66,7 +68,7 @@ impl Plan {
 
     /// The input of the case at these places of the axes.
     pub fn input_at(&self, places: &[u64]) -> Input {
-        let mut input = self.scene.input.clone();
+        let mut input = self.input.clone();
         put(self.axes(), places, &mut input);
         input
     }
@@ -84,9 +86,9 @@ impl Plan {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
         let of_curve = || varies("half_space.youngs_modulus") || varies("half_space.flow_stress.power.exponent");
-        let has_curve = self.scene.law.flow().is_some();
+        let has_curve = self.input.flow_curve().is_some();
         let of_metal = || varies(HARDNESS) || varies(Body::HalfSpace.material());
-        self.scene.input.number(at!("half_space.hardness")).is_some() && (of_metal() || has_curve && of_curve())
+        self.input.number(at!("half_space.hardness")).is_some() && (of_metal() || has_curve && of_curve())
     }
 
     /// The results that the table has.
@@ -98,17 +100,18 @@ impl Plan {
 
     /// Why a table has no column that needs this; `None` if it has.
     pub fn missing(&self, needs: Needs) -> Option<&'static str> {
-        let Scene { half_space, incidence, forces, .. } = &self.scene;
+        let input = &self.input;
+        let is_on_plate = input.forces().plate.is_some();
         match needs {
-            Needs::Strength if half_space.yield_strength.is_none() => {
-                Some("without half_space.yield_strength there is no dent")
+            Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
+            Needs::Incidence if input.incidence().is_none() => {
+                Some("without impact.angle or sphere.spin nothing slides")
             }
-            Needs::Incidence if incidence.is_none() => Some("without impact.angle or sphere.spin nothing slides"),
-            Needs::Density if half_space.density.is_none() => {
+            Needs::Density if input.number(at!("half_space.density")).is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }
-            Needs::Density if forces.plate.is_some() => Some("with half_space.thickness a plate takes the energy"),
-            Needs::Thickness if forces.plate.is_none() => Some("without half_space.thickness there is no plate"),
+            Needs::Density if is_on_plate => Some("with half_space.thickness a plate takes the energy"),
+            Needs::Thickness if !is_on_plate => Some("without half_space.thickness there is no plate"),
             _ => None,
         }
     }
@@ -162,29 +165,29 @@ impl Plan {
 
     /// Whether a case has the method `closed_form`, but no closed form.
     pub fn lacks_closed_form(&self) -> bool {
-        let mut input = self.scene.input.clone();
+        let mut input = self.input.clone();
         for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
             // a swept damping may begin at 0
             key.set(&mut input, Some(1.0));
         }
-        let chosen = |method: Method| method.chosen(&input.resolve().forces, false);
+        let chosen = |method: Method| method.chosen(&input.forces(), false);
         self.methods().into_iter().map(chosen).any(|method| method.is_none())
     }
 
     /// About how many microseconds a row takes on one core, under the slowest of its methods.
     pub fn microseconds(&self) -> f64 {
         let of = |input: &Input| {
-            let scene = input.resolve();
-            let friction = match scene.incidence {
+            let friction = match input.incidence() {
                 None => 0.0,
-                Some(_) if scene.half_space.yield_strength.is_some() => 1500.0,
+                Some(_) if input.can_yield() => 1500.0,
                 Some(_) => 1.0,
             };
+            let solver = input.solver();
             friction
-                + match scene.solver.method {
-                    Method::Verlet => 0.05 * f64::from(scene.solver.steps_per_contact),
+                + match solver.method {
+                    Method::Verlet => 0.05 * f64::from(solver.steps_per_contact),
                     Method::Dopri5 | Method::Dop853 => 32.0,
-                    _ if scene.is_stepped() => 8.0,
+                    _ if input.is_stepped() => 8.0,
                     _ => 0.25,
                 }
         };
@@ -193,7 +196,7 @@ impl Plan {
 
     /// Whether the half-space can yield. If not, nothing plastic is reported.
     pub fn is_plastic(&self) -> bool {
-        self.scene.half_space.yield_strength.is_some()
+        self.input.can_yield()
     }
 
     /// Whether values are random.

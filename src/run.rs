@@ -10,7 +10,7 @@ pub mod table;
 use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Forces};
 use crate::scenario::{Kind, Scenario};
-use crate::scene::Scene;
+use crate::scene::Input;
 pub use outcome::{Order, Outcome, no_result, texts};
 
 /// How scenarios of one kind are checked and run.
@@ -55,14 +55,14 @@ const OF_THE_SPHERE: &str = "leave this key out; the simulation has path and spi
 ///
 /// # Errors
 /// [`Error`]: a bad scenario, one with gravity, damping or a plate, and one of another kind than an impact.
-pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
+pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     let kind = scenario.kind()?;
     if kind != Kind::Impact {
         let message = "is not a part of a contact of two bodies: leave this table out";
         return Err(scenario.document.refuse(kind.name(), message));
     }
-    let scene = scenario.resolve_bodies()?;
-    let Forces { gravity, damping, plate } = scene.forces;
+    let input = scenario.resolve_bodies()?;
+    let Forces { gravity, damping, plate } = input.forces();
     let table = "leave this table out, and let the simulation add the force";
     let keys = [
         ("gravity", gravity.is_some(), table),
@@ -76,8 +76,8 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Scene, Contact), Error> {
         return Err(scenario.document.refuse(key, message));
     }
     let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
-    let contact = scene.contact().map_err(failed)?;
-    Ok((scene, contact))
+    let contact = input.contact().map_err(failed)?;
+    Ok((input, contact))
 }
 
 /// Refuses a scenario with warnings, if `is_strict`.

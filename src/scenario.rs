@@ -1,4 +1,4 @@
-//! Scenarios: a TOML file with units, checked while it is read, and the scene it resolves to.
+//! Scenarios: a TOML file with units, checked while it is read.
 //!
 //! ```
 //! use plm_impact::scenario::Scenario;
@@ -16,8 +16,8 @@
 //!     [impact]
 //!     speed = "3 m/s"
 //! "#;
-//! let scene = Scenario::from_text("steel", text, &["impact.speed=1 m/s".to_owned()])?.resolve()?;
-//! assert_eq!(scene.speed, 1.0);
+//! let input = Scenario::from_text("steel", text, &["impact.speed=1 m/s".to_owned()])?.resolve()?;
+//! assert_eq!(input.speed(), 1.0);
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 
@@ -45,11 +45,11 @@ use crate::error::Error;
 use crate::impact::Warning;
 use crate::plan::axis::Setting;
 use crate::scene::at::at;
-use crate::scene::key::Part;
+use crate::scene::keys::partner;
 use crate::scene::read::{Reader, items};
 use crate::scene::taken::Taken;
 use crate::scene::written::add_places;
-use crate::scene::{EITHER, Input, KEYS, STEPS, Scene, Use, without_effect};
+use crate::scene::{EITHER, EVERY_KEY, Input, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 pub use kind::{Kind, template};
 use varied::Varied;
@@ -62,8 +62,6 @@ pub struct Scenario {
     /// Its values, with what the bodies take from their materials.
     input: Input,
     varied: Varied,
-    /// The values that its bodies take from named materials.
-    pub taken: Vec<Taken>,
     /// The files that it names, by their keys, with their texts. They are read once: hash and numbers are of one text.
     files: BTreeMap<String, (PathBuf, String)>,
     /// The folder of the files that it names.
@@ -154,13 +152,14 @@ impl Scenario {
         for taken in &taken {
             input.take(taken);
         }
+        input.set_taken(taken);
         if let Some(name) = input.text(at!("calibrate.data")) {
             let path = directory.join(name);
             // one that cannot be read is refused where it is needed
             let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
             files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
         }
-        let scenario = Self { document, input, varied, taken, files, directory, from_results: None };
+        let scenario = Self { document, input, varied, files, directory, from_results: None };
         mistakes.extend(scenario.beside());
         // a misspelt key is not told as a missing one too
         if !has_unknown {
@@ -175,7 +174,7 @@ impl Scenario {
 
     /// Whether the scenario, or a material that it names, gives a key, or the scenario has a table.
     fn has(&self, path: &str) -> bool {
-        let is_taken = || self.taken.iter().flat_map(Taken::values).any(|(taken, _)| taken == path);
+        let is_taken = || self.input.taken().iter().flat_map(Taken::values).any(|(taken, _)| taken == path);
         self.document.has(path) || is_taken()
     }
 
@@ -210,40 +209,40 @@ impl Scenario {
         missing
     }
 
-    /// The scene of an impact: defaults filled in, files read.
+    /// The values of the scenario, complete or not.
+    pub fn input(&self) -> &Input {
+        &self.input
+    }
+
+    /// The input of the first impact, with which all is given that an impact needs.
     ///
     /// # Errors
     /// [`Error`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
     /// bad.
-    pub fn resolve(&self) -> Result<Scene, Error> {
-        let mut scene = self.first_impact()?;
-        scene.warnings = self.without_effect(std::slice::from_ref(&scene.input), Use::Impact);
-        Ok(scene)
-    }
-
-    /// The bodies and the law of a scenario that needs no impact: its speed is not a number where none is given.
-    pub fn resolve_bodies(&self) -> Result<Scene, Error> {
-        self.checked(NEEDED.len() - 1)
-    }
-
-    /// The scene of the first impact.
-    fn first_impact(&self) -> Result<Scene, Error> {
+    pub fn resolve(&self) -> Result<Input, Error> {
         self.check_speeds()?;
         self.checked(if self.speeds().is_some() { NEEDED.len() - 1 } else { NEEDED.len() })
     }
 
-    /// The scene of the first case, with which the first `needed` of [`NEEDED`] must be given.
-    fn checked(&self, needed: usize) -> Result<Scene, Error> {
+    /// The input of a scenario that needs no impact: its speed is not a number where none is given.
+    ///
+    /// # Errors
+    /// [`Error`] as of [`Scenario::resolve`].
+    pub fn resolve_bodies(&self) -> Result<Input, Error> {
+        self.checked(NEEDED.len() - 1)
+    }
+
+    /// The input of the first case, with which the first `needed` of [`NEEDED`] must be given.
+    fn checked(&self, needed: usize) -> Result<Input, Error> {
         self.need(&NEEDED[..needed])?;
         let input = self.first_case();
         self.check_flow(&input)?;
-        let scene = self.scene_of(&input);
-        if scene.speed == 0.0 && scene.forces.gravity.is_none() {
+        if input.speed() == 0.0 && input.forces().gravity.is_none() {
             return Err(self.refuse_varied("impact.drop_height", NO_FALL));
         }
-        self.check_plate(&scene)?;
-        self.check_strength(&scene)?;
-        Ok(scene)
+        self.check_plate(&input)?;
+        self.check_strength(&input)?;
+        Ok(input)
     }
 
     /// The input with the first value of every key that varies: of its axis or range, of a list of shots, or the median of its
@@ -267,31 +266,14 @@ impl Scenario {
         input
     }
 
-    /// The scene of an input, with the materials that the scenario names.
-    fn scene_of(&self, input: &Input) -> Scene {
-        Scene { materials: self.taken.clone(), ..input.resolve() }
-    }
-
-    /// The scene of what is given, complete or not: a number that is missing is not a number there.
-    pub fn as_given(&self) -> Scene {
-        self.scene_of(&self.input)
-    }
-
-    /// The scene of a scenario without motion.
-    fn at_rest(&self) -> Result<Scene, Error> {
-        self.need(&NEEDED[3..5])?;
-        self.check_flow(&self.input)?;
-        Ok(self.as_given())
-    }
-
     /// Warnings about keys that the scenario gives, and that have no effect on what is computed of these inputs. They are
     /// allowed, as the file may also be run in another way. Keys that are needed are no mistake.
-    fn without_effect(&self, inputs: &[Input], of: Use) -> Vec<Warning> {
+    pub fn without_effect(&self, inputs: &[Input], of: Use) -> Vec<Warning> {
         let needed = if of == Use::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
-        let is_needed = |path: &str| needed.iter().any(|key| *key == path || EITHER.contains(&[*key, path]));
-        let keys = KEYS.iter().filter(|key| key.part != Part::Law).map(|key| key.path).chain([STEPS]);
-        let numbers = keys.filter(|path| self.document.has(path));
-        let given = numbers.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
+        let is_needed = |path: &str| [Some(path), partner(path)].into_iter().flatten().any(|key| needed.contains(&key));
+        let keys =
+            EVERY_KEY.iter().map(|key| key.path).filter(|path| !path.starts_with("law.") && self.document.has(path));
+        let given = keys.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
         given.filter_map(|path| Some(Warning::unused(path, without_effect(path, inputs, of)?))).collect()
     }
 }

@@ -156,7 +156,7 @@ fn a_c_program_prints_the_bits_of_the_library() {
 
     let scene = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap();
     let contact = scene.contact().unwrap();
-    let exact = contact.closed_form(scene.speed).unwrap();
+    let exact = contact.closed_form(scene.speed()).unwrap();
     let mut expected = vec![
         format!("time {:016x}", exact.contact_time.to_bits()),
         format!("restitution {:016x}", exact.restitution.to_bits()),

@@ -11,7 +11,7 @@ use crate::indentation::{IndentationError, Indenter, StaticContact, Target};
 use crate::math::functions::{ln, ln_1p};
 use crate::plan::free::Free;
 use crate::progress::Counter;
-use crate::scene::{Input, Scene};
+use crate::scene::Input;
 
 /// Why the law predicts nothing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -40,10 +40,10 @@ const CHUNK: usize = 512;
 /// shares: 0 is the lower end of a range and 1 the upper end.
 #[derive(Debug, Clone)]
 pub struct Problem<'a> {
-    /// The scene, with its law.
-    pub scene: Scene,
-    /// The keys that give the scene.
-    input: Input,
+    /// The input, with its law.
+    pub input: Input,
+    /// The input in which the keys that are wanted, and those of the data, have a place.
+    filled: Input,
     /// The keys that are wanted.
     pub free: &'a [Free],
     /// The measurements.
@@ -64,20 +64,19 @@ pub struct Problem<'a> {
 
 impl<'a> Problem<'a> {
     /// A problem with all rows of the data.
-    pub fn new(scene: &Scene, free: &'a [Free], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
+    pub fn new(input: &Input, free: &'a [Free], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
         let mut ranges = vec![0..0; data.rows.len()];
         for (at, value) in data.values.iter().enumerate() {
             let range = &mut ranges[value.row];
             *range = if range.end == 0 { at..at + 1 } else { range.start..at + 1 };
         }
-        let mut input = scene.input.clone();
-        input.law.clone_from(&scene.law);
+        let mut filled = input.clone();
         for key in free.iter().map(|free| free.key).chain(data.keys.iter().copied()) {
             // it takes away the key in place of which it stands
-            key.put(&mut input, 1.0);
+            key.put(&mut filled, 1.0);
         }
-        let (scene, pieces, counted, progress) = (scene.clone(), Vec::new(), Vec::new(), None);
-        let empty = Self { scene, input, free, data, deviations, is_robust, pieces, counted, ranges, progress };
+        let (input, pieces, counted, progress) = (input.clone(), Vec::new(), Vec::new(), None);
+        let empty = Self { input, filled, free, data, deviations, is_robust, pieces, counted, ranges, progress };
         empty.of_rows(0..data.rows.len())
     }
 
@@ -90,7 +89,7 @@ impl<'a> Problem<'a> {
     /// The same keys and the same law with other data, only to predict: every standard deviation is 1.
     #[must_use]
     pub fn predicting<'b>(&'b self, data: &'b Data) -> Problem<'b> {
-        Problem::new(&self.scene, self.free, data, vec![1.0; data.values.len()], false)
+        Problem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
     }
 
     /// The same problem with at most `most` impacts, at even steps through the data. A curve keeps all points.
@@ -130,14 +129,14 @@ impl<'a> Problem<'a> {
     /// # Errors
     /// [`NoAnswer`] if a row has no result, or the calibration was stopped.
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
-        let mut input = self.input.clone();
+        let mut input = self.filled.clone();
         for (free, share) in self.free.iter().zip(shares) {
             free.key.set(&mut input, Some(free.at(*share)));
         }
         let of = |piece: &Vec<usize>| {
             let mut input = input.clone();
             self.with_row(&mut input, piece[0]);
-            if self.data.is_curve() { self.curve(&input.resolve(), piece) } else { self.impacts(input, piece) }
+            if self.data.is_curve() { self.curve(&input, piece) } else { self.impacts(input, piece) }
         };
         let found: Result<Vec<Vec<f64>>, NoAnswer> = if self.pieces.len() > 1 {
             self.pieces.par_iter().with_min_len(CHUNK.div_ceil(self.pieces[0].len())).map(of).collect()
@@ -159,7 +158,7 @@ impl<'a> Problem<'a> {
 
     /// The impact speed of every row \[m/s\]; NaN if there is none.
     pub fn speeds(&self) -> Vec<f64> {
-        let mut input = self.input.clone();
+        let mut input = self.filled.clone();
         let speed = |row| {
             self.with_row(&mut input, row);
             input.speed()
@@ -169,10 +168,10 @@ impl<'a> Problem<'a> {
 
     /// The first value that is more than a rebound without loss would give, with that limit.
     pub fn beyond_elastic(&self) -> Option<(&Value, f64)> {
-        let mut input = self.input.clone();
+        let mut input = self.filled.clone();
         self.data.values.iter().find_map(|value| {
             self.with_row(&mut input, value.row);
-            let limit = value.quantity.of_rebound(1.0, &input.resolve())?;
+            let limit = value.quantity.of_rebound(1.0, &input)?;
             (value.value > limit * (1.0 + 1e-12)).then_some((value, limit))
         })
     }
@@ -186,16 +185,14 @@ impl<'a> Problem<'a> {
 
     /// The predictions for rows of one contact. The input has the keys of the first row.
     fn impacts(&self, mut input: Input, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
-        let mut scene = input.resolve();
-        let contact = scene.contact()?;
+        let contact = input.contact()?;
         let mut predicted = Vec::with_capacity(rows.len());
         for row in rows {
             self.go_on()?;
             self.with_row(&mut input, *row);
-            (scene.speed, scene.solver) = (input.speed(), input.solver());
-            let result = contact.row(scene.speed, &scene.solver)?;
+            let result = contact.row(input.speed(), &input.solver())?;
             for value in &self.data.values[self.ranges[*row].clone()] {
-                let found = value.quantity.predict(&result, &scene).filter(|value| value.is_finite());
+                let found = value.quantity.predict(&result, &input).filter(|value| value.is_finite());
                 predicted.push(found.ok_or(NoAnswer::Captured)?);
             }
         }
@@ -204,10 +201,12 @@ impl<'a> Problem<'a> {
 
     /// The forces along an indentation curve. A point at the indentation of the point before adds no step; nor does a
     /// first point at zero indentation.
-    fn curve(&self, scene: &Scene, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
+    fn curve(&self, input: &Input, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
         self.go_on()?;
-        let indenter = Indenter { radius: scene.sphere.radius, material: scene.sphere.material, yield_strength: None };
-        let contact = StaticContact::try_new(indenter, &scene.half_space, scene.law.get())?;
+        let law = input.law();
+        let (sphere, half_space) = input.bodies(&law);
+        let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
+        let contact = StaticContact::try_new(indenter, &half_space, law.get())?;
         let (mut targets, mut steps, mut last) = (Vec::new(), Vec::with_capacity(rows.len()), 0.0);
         for row in rows {
             let indentation = self.data.rows[*row].indentation.unwrap_or(0.0);

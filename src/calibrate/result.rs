@@ -108,7 +108,7 @@ impl Calibration<'_> {
     /// is estimated.
     pub fn verdict(&self) -> Verdict {
         let values = self.residuals.len();
-        let law = self.fit.problem.scene.law.name();
+        let law = self.fit.problem.input.named_law.name();
         #[allow(clippy::cast_precision_loss)] // counts of measurements
         if self.outliers as f64 > MOST_OUTLIERS * values as f64 {
             return Verdict::Contradicted(format!(

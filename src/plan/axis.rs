@@ -173,7 +173,7 @@ impl Axis {
                 Word::Method(method) => {
                     input.choose(at!("solver.method"), Method::ALL.iter().position(|known| known == method));
                 }
-                Word::Law(law) => input.law.clone_from(law),
+                Word::Law(law) => input.named_law.clone_from(law),
                 Word::Material(taken) => input.take(taken),
             },
         }

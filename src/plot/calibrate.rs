@@ -45,7 +45,7 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     }
     let sought = calibration.keys.iter().map(|key| key.free.key.path);
     let varied: Vec<&str> = sought.chain(data.keys.iter().map(|key| key.path)).collect();
-    let line = caption(&calibration.fit.problem.scene, &varied);
+    let line = caption(&calibration.fit.problem.input, &varied);
     pictures.into_iter().map(|(name, chart)| (name, chart.with_caption(line.as_str()))).collect()
 }
 
@@ -138,7 +138,7 @@ impl<'a> FittedQuantity<'a> {
         };
         let mut series: Vec<Series> =
             self.band().map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
-        series.push(Series::line(calibration.fit.problem.scene.law.name(), line).styled(Style::LAW));
+        series.push(Series::line(calibration.fit.problem.input.named_law.name(), line).styled(Style::LAW));
         series.push(Series::bars(bars.filter(|_| has_bars)).styled(0));
         let measured = match calibration.fit.noise {
             Noise::Given => "measured, with its standard deviation",

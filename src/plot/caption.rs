@@ -4,22 +4,23 @@
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::material::Material;
 use crate::scenario::indentation::IndentationScene;
-use crate::scene::Scene;
+use crate::scene::Input;
 use crate::scene::taken::Body;
 use crate::units::rounded::quantity;
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
-pub fn caption(scene: &Scene, varied: &[&str]) -> String {
+pub fn caption(input: &Input, varied: &[&str]) -> String {
     let varies = |beginning: &str| varied.iter().any(|path| path.starts_with(beginning));
     let said = |path: &str, text: String| Some(text).filter(|_| !varies(path));
     let body = |body: Body, modulus: &str, material: &Material| {
-        let named = scene.materials.iter().find(|taken| taken.body == body);
+        let named = input.taken().iter().find(|taken| taken.body == body);
         match named {
             Some(taken) => said(body.material(), taken.material.name.clone()),
             None => said(modulus, elastic(material)),
         }
     };
-    let (sphere, half_space) = (&scene.sphere, &scene.half_space);
+    let own_law = input.law();
+    let (sphere, half_space) = input.bodies(&own_law);
     let of_sphere = [
         said("sphere.radius", format!("R {}", quantity(sphere.radius, "m"))),
         body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
@@ -30,7 +31,7 @@ pub fn caption(scene: &Scene, varied: &[&str]) -> String {
         body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
         strength.map(|strength| format!("yields at {}", quantity(strength, "Pa"))),
     ];
-    line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&scene.law))])])
+    line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&own_law))])])
 }
 
 /// The sphere and the law of an indentation; its half-spaces have names in the key.

@@ -39,7 +39,7 @@ pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(&'static str, Chart)> {
     let varied = plan.paths();
     let mut pictures = charts(plan, tally);
     for (_, chart) in &mut pictures {
-        chart.caption = caption(&plan.scene, &varied);
+        chart.caption = caption(&plan.input, &varied);
     }
     pictures
 }
@@ -194,12 +194,11 @@ fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
 /// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a
 /// point is the impact speed with the same energy as the loading.
 fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
-    let scene = &plan.scene;
-    let contact = scene.contact().ok()?;
+    let contact = plan.input.contact().ok()?;
     let bodies = Bodies::new(contact.pair(), contact.half_space())?;
     let energy = bodies.yield_point.force * bodies.yield_point.indentation;
     let (low, high) = extremes(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
-    let points: Vec<_> = quasi_static::unloadings(scene.sphere.material.youngs_modulus, &bodies)
+    let points: Vec<_> = quasi_static::unloadings(contact.sphere().material.youngs_modulus, &bodies)
         .into_iter()
         .map(|row| ((2.0 * row.spent * energy / contact.mass()).sqrt(), row.restitution))
         .filter(|(speed, _)| (low..=high).contains(speed))
@@ -221,11 +220,11 @@ fn notes(axes: &[Axis]) -> Vec<String> {
 
 /// The yield speed v_Y at a place of the second axis.
 fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
-    let mut input = plan.scene.input.clone();
+    let mut input = plan.input.clone();
     if let Some(second) = axes.get(1) {
         second.put(place, &mut input);
     }
-    input.resolve().contact().ok()?.yield_speed()
+    input.contact().ok()?.yield_speed()
 }
 
 fn map(plan: &Plan, axes: &[Axis]) -> Chart {

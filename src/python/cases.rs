@@ -16,7 +16,7 @@ use crate::plan::axis::{Axis, Values};
 use crate::plan::{Cases, Plan};
 use crate::run::table::warnings_of;
 use crate::scenario::Scenario;
-use crate::scene::{KEYS, Key, Scene};
+use crate::scene::{Input, KEYS, Key};
 use crate::sweep::arrow;
 use crate::units::Dimension;
 
@@ -40,7 +40,7 @@ pub const SPEED: &str = "impact.speed";
 #[derive(Debug)]
 pub struct Contact {
     pub scenario: Scenario,
-    pub scene: Scene,
+    pub input: Input,
     /// Its bodies and their law.
     pub inner: impact::Contact,
     /// The plans of tables by the keys that vary in them, and whether the smallest value of a key is 0, which may switch
@@ -167,12 +167,12 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let plan = plan(contact, &given)?;
     let [Given { key, numbers: Numbers { shape, values: speeds } }] = given;
     let mut warnings = if speeds.is_empty() { Vec::new() } else { py.detach(|| warnings_of(&plan, &contact.inner)) };
-    let Scene { forces, solver, .. } = &plan.scene;
-    let is_exact = forces.is_none() && solver.method.chosen(forces, false) == Some(Method::ClosedForm);
+    let forces = plan.input.forces();
+    let is_exact = forces.is_none() && plan.input.solver().method.chosen(&forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
         // friction does not change e
         let of = |speed: &f64| {
-            let [normal_speed, _] = contact.scene.approach_at(*speed).components();
+            let [normal_speed, _] = contact.input.approach_at(*speed).components();
             match contact.inner.row(normal_speed, &Solver::AUTO) {
                 Ok(row) => (row.restitution, 0.0),
                 Err(error) => (f64::NAN, arrow::code(error.into())),

@@ -20,7 +20,8 @@ use crate::report::overview::overview;
 use crate::report::{table, trace};
 use crate::run::{no_result, texts};
 use crate::scenario::{Kind, Scenario};
-use crate::scene::Scene;
+use crate::scene::Use;
+use crate::scene::at::at;
 use crate::scene::quantity::SAMPLES;
 use crate::scene::results::fields;
 use crate::scene::results::impact::{Single, results};
@@ -36,24 +37,25 @@ impl Contact {
             let message = "a Contact has the tables of one impact; use plm_impact.impacts for tables, plm_impact.run for all else";
             return Err(PyValueError::new_err(message));
         }
-        let scene = if scenario.document.has("impact") {
+        let input = if scenario.document.has("impact") {
             scenario.resolve()
         } else {
             // the scenario needs a speed; any speed is right, because it is not used
-            with(&scenario, [format!("{SPEED}=1")])
-                .and_then(|any| any.resolve())
-                .map(|scene| Scene { speed: f64::NAN, ..scene })
+            with(&scenario, [format!("{SPEED}=1")]).and_then(|any| any.resolve()).map(|mut input| {
+                input.set(at!("impact.speed"), None);
+                input
+            })
         };
-        let scene = scene.map_err(exception)?;
-        let contact = scene.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
-        warn(py, 1, &texts(&scene.warnings))?;
-        Ok(Self { scenario, scene, inner: contact, plans: Mutex::default() })
+        let input = input.map_err(exception)?;
+        let contact = input.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
+        warn(py, 1, &texts(&scenario.without_effect(std::slice::from_ref(&input), Use::Impact)))?;
+        Ok(Self { scenario, input, inner: contact, plans: Mutex::default() })
     }
 
     /// The speed of an impact (m/s).
     fn speed(&self, speed: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
         // without a speed the error says what is missing
-        let Some(speed) = speed else { return Ok(self.scenario.resolve().map_err(exception)?.speed) };
+        let Some(speed) = speed else { return Ok(self.scenario.resolve().map_err(exception)?.speed()) };
         match Given::speed(speed)?.numbers {
             Numbers { shape, values } if shape.is_empty() && values.len() == 1 => Ok(values[0]),
             _ => Err(PyTypeError::new_err(format!(
@@ -65,8 +67,8 @@ impl Contact {
 
     fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
         let refuse = |reason| no_result(&self.scenario, &reason);
-        let approach = self.scene.approach_at(speed);
-        self.inner.impact(approach, &self.scene.solver, samples).map_err(refuse)
+        let approach = self.input.approach_at(speed);
+        self.inner.impact(approach, &self.input.solver(), samples).map_err(refuse)
     }
 }
 
@@ -153,18 +155,18 @@ impl Contact {
     /// The name of the law.
     #[getter]
     fn _law(&self) -> &'static str {
-        self.scene.law.about().name
+        self.input.named_law.about().name
     }
 
     fn __eq__(&self, other: &Self) -> bool {
         let has_speed = |contact: &Self| contact.scenario.document.has("impact");
-        self.scene.input == other.scene.input && has_speed(self) == has_speed(other)
+        self.input == other.input && has_speed(self) == has_speed(other)
     }
 
     fn __hash__(&self) -> u64 {
         // equal inputs are written alike
         let mut hasher = DefaultHasher::new();
-        format!("{:?}", self.scene.input).hash(&mut hasher);
+        format!("{:?}", self.input).hash(&mut hasher);
         hasher.finish()
     }
 
@@ -174,8 +176,8 @@ impl Contact {
 
     /// The bodies and the law, as `plm-impact check` shows them.
     fn __repr__(&self) -> String {
-        let lines = overview(&self.scene, &self.inner);
-        let lines = lines.lines().filter(|line| !line.starts_with(SPEED) || self.scene.speed.is_finite());
+        let lines = overview(&self.input, &self.inner);
+        let lines = lines.lines().filter(|line| !line.starts_with(SPEED) || self.input.speed().is_finite());
         lines.fold("<plm_impact.Contact>".to_owned(), |text, line| text + "\n" + line)
     }
 
@@ -221,7 +223,7 @@ impl Impact {
     fn traced(&self) -> PyResult<Cow<'_, impact::Impact>> {
         if self.result.trace.is_empty() {
             let contact = self.contact.get();
-            let impact = contact.computed(self.result.speed, Some(contact.scene.samples));
+            let impact = contact.computed(self.result.speed, Some(contact.input.samples()));
             return Ok(Cow::Owned(impact.map_err(exception)?));
         }
         Ok(Cow::Borrowed(&self.result))

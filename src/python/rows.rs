@@ -40,7 +40,7 @@ pub fn listed(
     let is_known = !keys.iter().any(|(key, _)| key.part.changes_contact());
     let evaluator = Evaluator::of_contact(plan, is_known.then_some(contact));
     // a step of the fixed-step method may be as short as one likes
-    let is_slow = plan.scene.solver.method == Method::Verlet;
+    let is_slow = plan.input.solver().method == Method::Verlet;
     work::columns(py, rows, &vec![1; named.len()], is_slow, |cases| {
         let mut made = Rows::default();
         evaluator.listed(keys, cases, &mut made);

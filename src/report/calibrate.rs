@@ -193,7 +193,7 @@ pub fn summary(measured: &Measurements, calibration: &Calibration, provenance: &
             || key == "output.samples"
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
-    let mut inputs = Inputs::of(&calibration.fit.problem.scene);
+    let mut inputs = Inputs::of(&calibration.fit.problem.input);
     inputs.0.retain(|held| !varies(&held.path));
     super::summary::of(fields(&results(), &Calibrated { measured, calibration }), &inputs, provenance)
 }

@@ -10,7 +10,9 @@ use crate::indentation::{Target, Tested};
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
+use crate::scene::EVERY_KEY;
 use crate::scene::at::at;
+use crate::scene::key::Part;
 use crate::scene::results::indentation::{self as results, stepped};
 use crate::scene::results::{fields, lists};
 use crate::units::aligned::aligned;
@@ -58,22 +60,17 @@ pub fn table(tested: &[Tested]) -> String {
 
 /// The inputs of an indentation, without its steps and half-spaces.
 pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
-    let strength = scene.specimens.iter().find_map(|specimen| specimen.half_space.yield_strength);
-    let mut given = scenario.as_given();
-    given.half_space.yield_strength = given.half_space.yield_strength.or(strength);
-    Inputs::of(&given).beginning_with(&[
-        "sphere.radius",
-        "sphere.youngs_modulus",
-        "sphere.poissons_ratio",
-        "sphere.yield_strength",
-        "sphere.material",
-        "half_space.hardness",
-        "half_space.flow_stress.",
-        "half_space.yield_strength_from",
-        "half_space.material",
-        "law",
-        "output.samples",
-    ])
+    let mut input = scenario.input().clone();
+    if !input.can_yield() {
+        let strength = scene.specimens.iter().find_map(|specimen| specimen.half_space.yield_strength);
+        input.set(at!("half_space.yield_strength"), strength);
+    }
+    // every half-space has keys of its own
+    let own = EVERY_KEY.iter().filter_map(|key| key.path.strip_prefix("indentation.half_space[]."));
+    let own: Vec<String> = own.map(|name| format!("half_space.{name}")).collect();
+    let mut inputs = Inputs::of(&input);
+    inputs.0.retain(|held| (held.part.is_static() || held.part == Part::Output) && !own.contains(&held.path));
+    inputs
 }
 
 /// What `check` prints of an indentation: the inputs, the steps, and the contact of every half-space.
@@ -100,8 +97,7 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
             row(&name, value);
         }
     }
-    let is_precise =
-        scene.law.flow().is_some() || scenario.as_given().input.number(at!("half_space.hardness")).is_some();
+    let is_precise = scene.law.flow().is_some() || scenario.input().number(at!("half_space.hardness")).is_some();
     let strength = tested.iter().find_map(|one| one.specimen.half_space.yield_strength);
     aligned(&rows, |_| true) + overview::which_strength(strength, is_precise)
 }

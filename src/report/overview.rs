@@ -6,7 +6,7 @@ use crate::impact::Contact;
 use crate::law::LawChoice;
 use crate::material::Pair;
 use crate::plan::HARDNESS;
-use crate::scene::Scene;
+use crate::scene::Input;
 use crate::scene::at::at;
 use crate::strength::hardness;
 use crate::units::aligned::aligned;
@@ -16,21 +16,21 @@ use crate::units::{Dimension, describe, four_digits, number};
 type Row = [String; 2];
 
 /// A few aligned lines.
-pub fn overview(scene: &Scene, contact: &Contact) -> String {
+pub fn overview(input: &Input, contact: &Contact) -> String {
     let mut rows = Vec::new();
-    let is_plm = matches!(scene.law, LawChoice::Plm(_));
-    for [key, text] in self::rows(&Inputs::of(scene)) {
+    let law = input.law();
+    for [key, text] in self::rows(&Inputs::of(input)) {
         match key.as_str() {
             // the keys of the PLM name the law
-            "law" if is_plm => {}
+            "law" if matches!(law, LawChoice::Plm(_)) => {}
             "law" => {
-                let about = scene.law.about();
-                rows.push([key, format!("{text} ({})", scene.law.source())]);
+                let about = law.about();
+                rows.push([key, format!("{text} ({})", law.source())]);
                 rows.push(["law.validity".to_owned(), about.validity.to_owned()]);
                 rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
             }
             HARDNESS => {
-                let vickers = scene.input.number(at!("half_space.hardness")).map_or(f64::NAN, hardness::vickers);
+                let vickers = input.number(at!("half_space.hardness")).map_or(f64::NAN, hardness::vickers);
                 rows.push([key, format!("{text}, {} HV", four_digits(vickers))]);
             }
             _ => rows.push([key, text]),
@@ -44,7 +44,7 @@ pub fn overview(scene: &Scene, contact: &Contact) -> String {
         rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
         rows.push(["yield speed v_Y".to_owned(), speed]);
     }
-    aligned(&rows, |_| true) + which_strength(scene.half_space.yield_strength, scene.has_flow())
+    aligned(&rows, |_| true) + which_strength(contact.half_space().yield_strength, input.has_flow())
 }
 
 /// A line on the yield strength, unless the scenario says more of the flow stress (`is_precise`).

@@ -4,7 +4,7 @@ use std::path::absolute;
 
 use toml_edit::{DocumentMut, Item, value};
 
-use super::outcome::{self, Order, Outcome, file, texts};
+use super::outcome::{self, Order, Outcome, file};
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::error::Error;
 use crate::plot::calibrate::pictures;
@@ -21,14 +21,14 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let found = measured.calibrate(&progress)?;
     Ok(Outcome {
         contradiction: found.verdict().contradiction(),
-        ..Outcome::checked(warnings(&measured, &found), report::table(&found))
+        ..Outcome::checked(warnings(&found), report::table(&found))
     })
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
     let found = measured.calibrate(order.progress)?;
-    let provenance = outcome::provenance(scenario, &measured.wanted.scene.law, true, order.command);
+    let provenance = outcome::provenance(scenario, &measured.wanted.input.law(), true, order.command);
     let mut files = vec![file("residuals.csv", report::residuals(&found)?)];
     if !found.keys.is_empty() {
         files.push(file("calibrated.toml", calibrated(scenario, &measured, &found)));
@@ -36,14 +36,14 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     files.extend(order.pictures.files(|| Ok(pictures(&found)))?);
     let files = outcome::with_summary(files, provenance, |of| report::summary(&measured, &found, of))?;
     Ok(Outcome {
-        warnings: warnings(&measured, &found),
+        warnings: warnings(&found),
         text: report::table(&found),
         files,
         contradiction: found.verdict().contradiction(),
     })
 }
 
-fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
+fn warnings(found: &Calibration) -> Vec<String> {
     let unbounded = |key: &KeyEstimate| {
         key.intervals.is_some_and(|[_, wide]| wide.iter().any(Option::is_none)).then(|| {
             format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
@@ -54,13 +54,7 @@ fn warnings(measured: &Measurements, found: &Calibration) -> Vec<String> {
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
     let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
-    let of_scene = texts(&measured.wanted.scene.warnings).into_iter();
-    of_scene
-        .chain(refusal)
-        .chain(found.verdict().undecided())
-        .chain(runs)
-        .chain(found.keys.iter().filter_map(unbounded))
-        .collect()
+    refusal.chain(found.verdict().undecided()).chain(runs).chain(found.keys.iter().filter_map(unbounded)).collect()
 }
 
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
@@ -73,7 +67,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
             merge(document.as_table_mut(), change.as_table());
         }
     }
-    choose_law(&mut document, &measured.wanted.scene.law.name());
+    choose_law(&mut document, &measured.wanted.input.named_law.name());
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
         set(&mut document, free.key.path, quantity(*estimate, free.key.quantity.dimension));
@@ -89,7 +83,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
         let steps = format!("[{{ indentation = {deepest:?} }}, {{ load = 0.0 }}]");
         document.remove("impact");
         set(&mut document, "indentation.steps", steps.parse::<toml_edit::Value>().map_or(Item::None, value));
-    } else if found.fit.problem.scene.speed.is_nan() {
+    } else if found.fit.problem.input.speed().is_nan() {
         let mut speeds = found.fit.problem.speeds();
         speeds.sort_by(f64::total_cmp);
         set(&mut document, "impact.speed", quantity(speeds[speeds.len() / 2], Dimension::Speed));

@@ -45,7 +45,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let (scene, tested, warnings) = compute(scenario, Some(scenario.as_given().samples))?;
+    let (scene, tested, warnings) = compute(scenario, Some(scenario.input().samples()))?;
     let inputs = report::inputs(scenario, &scene);
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);

@@ -11,64 +11,63 @@ use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::{repeat as report, summary};
 use crate::scenario::Scenario;
-use crate::scene::Scene;
 use crate::scene::results::series::Series;
+use crate::scene::{Input, Use};
 
 /// A series that was run.
 struct Computed {
-    scene: Scene,
+    input: Input,
     contact: Contact,
     repeat: Repeat,
     sequence: Sequence,
     warnings: Vec<String>,
 }
 
-/// The scene of a scenario, its contact, and the series to run.
-pub fn prepare_repeat(scenario: &Scenario) -> Result<(Scene, Contact, Repeat), Error> {
-    let (mut scene, contact) = prepare(scenario)?;
-    let repeat = scenario.repeat(&scene)?.ok_or_else(|| Error::input("the scenario has no [repeat]".to_owned()))?;
-    if !scenario.document.has("solver.method") {
-        // a series needs no steps where there is a closed form
-        scene.solver.method = Method::Auto;
-    }
-    Ok((scene, contact, repeat))
+/// The input of the first impact of a scenario, its contact, and the series to run.
+pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), Error> {
+    let (mut input, contact) = prepare(scenario)?;
+    let repeat = scenario.repeat(&input)?.ok_or_else(|| Error::input("the scenario has no [repeat]".to_owned()))?;
+    // a series needs no steps where there is a closed form
+    input.choose_method(Method::Auto);
+    Ok((input, contact, repeat))
 }
 
 fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
-    let (scene, contact, repeat) = prepare_repeat(scenario)?;
-    can_be_traced(scenario, &scene)?;
-    let sequence = repeat.run(&contact, &scene.solver, scene.samples, Some(progress));
+    let (input, contact, repeat) = prepare_repeat(scenario)?;
+    can_be_traced(scenario, &input)?;
+    let sequence = repeat.run(&contact, &input.solver(), input.samples(), Some(progress));
     let sequence = sequence.map_err(|reason| no_result(scenario, &reason))?;
     if progress.is_stopped() {
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
+    let idle = scenario.without_effect(std::slice::from_ref(&input), Use::Impact);
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
-    let warnings = of_impacts.chain(texts(&scene.warnings)).collect();
-    Ok(Computed { scene, contact, repeat, sequence, warnings })
+    let warnings = of_impacts.chain(texts(&idle)).collect();
+    Ok(Computed { input, contact, repeat, sequence, warnings })
 }
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let Computed { scene, contact, repeat, warnings, .. } = compute(scenario, &Counter::default())?;
-    Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&scene, &contact)))
+    let Computed { input, contact, repeat, warnings, .. } = compute(scenario, &Counter::default())?;
+    Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&input, &contact)))
 }
 
 pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let Computed { scene, contact, repeat, sequence, warnings } = compute(scenario, order.progress)?;
-    let provenance = provenance(scenario, &scene, sequence.method, order.command);
+    let Computed { input, contact, repeat, sequence, warnings } = compute(scenario, order.progress)?;
+    let provenance = provenance(scenario, &input, sequence.method, order.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
         file("impacts.csv", report::impacts(&sequence)?),
-        file("trace.csv", report::trace(&sequence, scene.samples)?),
+        file("trace.csv", report::trace(&sequence, input.samples())?),
     ];
     files.extend(order.pictures.files(|| {
         let loops = ("force_indentation", plot::repeat::loops(&repeat, &sequence)?);
         let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence))];
         drawn.extend(plot::repeat::height(&repeat, &sequence).map(|height| ("height", height)));
         drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
-        let caption = plot::caption::caption(&scene, &["impact.speed"]);
+        let caption = plot::caption::caption(&input, &["impact.speed"]);
         Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
     })?);
-    let files = with_summary(files, provenance, |of| summary::of_series(&series, &Inputs::of(&scene), of))?;
+    let files = with_summary(files, provenance, |of| summary::of_series(&series, &Inputs::of(&input), of))?;
     let text = report::table(&series);
     Ok(Outcome::done(warnings, text, files))
 }

@@ -20,8 +20,8 @@ use crate::sweep::ordered::in_order;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = plan(scenario)?;
-    let contact = plan.scene.contact().map_err(|error| no_result(scenario, &error))?;
-    Ok(Outcome::checked(warnings_of(&plan, &contact), plan_lines(&plan) + &overview(&plan.scene, &contact)))
+    let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
+    Ok(Outcome::checked(warnings_of(&plan, &contact), plan_lines(&plan) + &overview(&plan.input, &contact)))
 }
 
 /// The plan of a scenario that is a table.
@@ -83,12 +83,12 @@ pub fn outcome(
 
 /// The warnings about a table of this plan.
 pub fn warnings(plan: &Plan) -> Vec<String> {
-    [at_corners(plan, None), texts(&plan.scene.warnings)].concat()
+    [at_corners(plan, None), texts(&plan.warnings)].concat()
 }
 
 /// The same where the contact of the plan is known.
 pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
-    [at_corners(plan, Some(contact)), texts(&plan.scene.warnings)].concat()
+    [at_corners(plan, Some(contact)), texts(&plan.warnings)].concat()
 }
 
 /// `summary.json`, which repeats the `warnings`, and the pictures of a whole table. Its own file is in the provenance.

@@ -5,7 +5,7 @@ use super::Scenario;
 use crate::error::Error;
 use crate::impact::PlateError;
 use crate::scene::tables::is_at_or_below;
-use crate::scene::{EITHER, KEYS, Scene};
+use crate::scene::{EITHER, Input, KEYS};
 
 /// Keys that are refused beside others.
 struct Rule {
@@ -155,8 +155,8 @@ impl Scenario {
     }
 
     /// Refuses a plate that is not computed with what the scene has besides.
-    pub(super) fn check_plate(&self, scene: &Scene) -> Result<(), Error> {
-        let contact = scene.contact().ok().filter(|_| scene.forces.plate.is_some());
+    pub(super) fn check_plate(&self, input: &Input) -> Result<(), Error> {
+        let contact = input.contact().ok().filter(|_| input.forces().plate.is_some());
         let refuse = |error: PlateError| {
             let needed = (error == PlateError::NoDensity).then_some("half_space.density");
             self.document.refuse("half_space.thickness", error.to_string()).needing(needed)

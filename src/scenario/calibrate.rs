@@ -10,7 +10,7 @@ use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scene::at::at;
 use crate::scene::words::STUDENT_T;
-use crate::scene::{Input, Key, Scene};
+use crate::scene::{Input, Key};
 use crate::strength::hardness::CONSTRAINT;
 
 /// Where the measurements are.
@@ -25,8 +25,8 @@ pub enum Source {
 /// A calibration, as `[calibrate]` describes it. All numbers are in SI, and checked.
 #[derive(Debug, Clone)]
 pub struct Wanted {
-    /// The scene, with the keys to find at the lower ends of their ranges. The speed is not a number if none is given.
-    pub scene: Scene,
+    /// The input, with the keys to find at the lower ends of their ranges. The speed is not a number if none is given.
+    pub input: Input,
     /// The keys to find: one or two, or none where measurements are only compared.
     pub free: Vec<Free>,
     /// The measurements.
@@ -57,21 +57,15 @@ impl Scenario {
         if !self.has("calibrate") {
             return Err(self.document.refuse("", NO_TABLE));
         }
-        let mut input = self.checked(BODIES)?.input;
+        let mut input = self.checked(BODIES)?;
         input.choose_method(Method::Auto);
         let free = self.free(&input);
         for free in &free {
             free.key.put(&mut input, free.from);
         }
-        let scene = self.scene_of(&input);
-        let own = |name: &String| match LawChoice::from_name(name) {
-            Some(law) if law.name() != scene.law.name() => law,
-            // the law of the scenario keeps the parameters that the scenario gives
-            _ => scene.law.clone(),
-        };
         let laws = self.input.words(at!("calibrate.laws")).unwrap_or_default();
-        let laws: Vec<LawChoice> = laws.iter().map(own).collect();
-        if scene.law.flow().is_some() && laws.iter().any(|law| law.name() != scene.law.name()) {
+        let laws: Vec<LawChoice> = laws.iter().filter_map(|name| LawChoice::from_name(name)).collect();
+        if input.flow_curve().is_some() && laws.iter().any(|law| law.name() != input.named_law.name()) {
             let message = "only the law plm has hardening: leave out half_space.flow_stress, or the other laws";
             return Err(self.document.refuse("calibrate.laws", message));
         }
@@ -86,7 +80,7 @@ impl Scenario {
             is_estimated,
             is_robust: self.input.word(at!("calibrate.robust")) == Some(STUDENT_T),
             laws,
-            scene,
+            input,
         })
     }
 
@@ -114,7 +108,7 @@ impl Scenario {
             return free.clone();
         }
         let (path, factor) = if self.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (YIELD_STRENGTH, 1.0) };
-        let modulus = input.resolve().half_space.material.youngs_modulus;
+        let modulus = input.half_space().material.youngs_modulus;
         let [from, to] = RANGE.map(|share| share * modulus * factor);
         let free = |key: &'static Key| Free { key, from: from.max(key.quantity.range().0), to, is_logarithmic: true };
         Key::find(path).map(free).into_iter().collect()
@@ -128,7 +122,7 @@ impl Scenario {
                 if is_column { ("calibrate.data", format!("its column {path} ")) } else { (path, String::new()) };
             Err(self.refuse_varied(place, what + &message))
         };
-        let mut input = wanted.scene.input.clone();
+        let mut input = wanted.input.clone();
         let free = wanted.free.iter().map(|free| (free.key, free.from));
         let axis = |(key, value): (&'static Key, f64)| {
             key.put(&mut input, value);
@@ -143,7 +137,7 @@ impl Scenario {
                 "is a key to find, and the data give it: leave one of the two out".to_owned(),
             );
         }
-        let is_on_plate = wanted.scene.forces.plate.is_some() || paths.contains(&"half_space.thickness");
+        let is_on_plate = wanted.input.forces().plate.is_some() || paths.contains(&"half_space.thickness");
         if is_on_plate && !wanted.free.is_empty() {
             let message = "nothing is calibrated on a plate: leave it out, and compare it with the measurements by calibrate.free = {}";
             return refuse("half_space.thickness", message.to_owned());

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::law::LawChoice;
 use crate::plan::{HARDNESS, YIELD_STRENGTH};
 use crate::scene::tables::names;
-use crate::scene::{Input, KEYS, Scene};
+use crate::scene::{Input, KEYS};
 use crate::strength::flow::FlowCurve;
 
 /// How a curve may be written.
@@ -36,18 +36,19 @@ impl Scenario {
     }
 
     /// Refuses laws and keys that cannot stand beside a flow curve.
-    pub(super) fn check_strength(&self, scene: &Scene) -> Result<(), Error> {
+    pub(super) fn check_strength(&self, input: &Input) -> Result<(), Error> {
         let varies = |key: &str| self.varies(key);
-        let Some(flow) = scene.input.flow_curve() else { return Ok(()) };
+        let Some(flow) = input.flow_curve() else { return Ok(()) };
         let refuse = |message: &str| Err(self.document.refuse(FLOW, message));
-        if !matches!(scene.law, LawChoice::Plm(_)) {
-            let name = scene.law.name();
+        if !matches!(input.named_law, LawChoice::Plm(_)) {
+            let name = input.named_law.name();
             return refuse(&format!("the law {name} has no hardening: leave the table out, or take the law plm"));
         }
         if varies("law") {
             return refuse("only the law plm has hardening: leave the table out, or the axis \"law\"");
         }
-        let Some(strength) = scene.half_space.yield_strength else {
+        let half_space = input.half_space();
+        let Some(strength) = half_space.yield_strength else {
             return refuse(
                 "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0",
             );
@@ -62,7 +63,7 @@ impl Scenario {
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
             );
         }
-        let modulus = scene.half_space.material.youngs_modulus;
+        let modulus = half_space.material.youngs_modulus;
         let sound = flow.starts_from(strength).and_then(|()| flow.is_flatter_than(modulus, strength));
         sound.or_else(|error| refuse(&error.to_string()))
     }

@@ -1,13 +1,13 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
-use super::Scenario;
+use super::{NEEDED, Scenario};
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material};
 use crate::scene::at::at;
-use crate::scene::{Input, Scene, Use, key};
+use crate::scene::{Input, Use, key};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;
@@ -44,16 +44,15 @@ impl Scenario {
         }
         let specimens = self.specimens()?;
         let targets = self.targets()?;
-        let scene = self.as_given();
-        let samples = scene.samples;
+        let samples = self.input.samples();
         let rows = samples.saturating_mul(targets.len()).saturating_mul(specimens.len());
         if rows > MOST_ROWS {
             let message = format!("{samples} rows a step make {rows} rows, more than {MOST_ROWS}; take fewer");
             return Err(self.document.refuse("output.samples", message));
         }
         self.check_flow(&self.input)?;
-        self.check_strength(&scene)?;
-        let Scene { sphere, law, .. } = scene;
+        self.check_strength(&self.input)?;
+        let sphere = self.input.sphere();
         let inputs: Vec<Input> = specimens.iter().map(|specimen| self.input_on(&specimen.half_space)).collect();
         let warnings = self.without_effect(&inputs, Use::Indentation);
         Ok(IndentationScene {
@@ -63,7 +62,7 @@ impl Scenario {
                 yield_strength: sphere.yield_strength,
             },
             specimens,
-            law,
+            law: self.input.law(),
             targets,
             samples,
             warnings,
@@ -107,8 +106,9 @@ impl Scenario {
     fn specimens(&self) -> Result<Vec<Specimen>, Error> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
         if self.has("half_space") {
-            let half_space = self.at_rest()?.half_space;
-            return Ok(vec![Specimen { name: None, half_space }]);
+            self.need(&NEEDED[3..5])?;
+            self.check_flow(&self.input)?;
+            return Ok(vec![Specimen { name: None, half_space: self.input.half_space() }]);
         }
         let several = self.input.items("indentation.half_space[]");
         let Some(several) = several.filter(|several| !several.is_empty()) else {

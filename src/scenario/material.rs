@@ -1,4 +1,4 @@
-//! `material`: the values that the bodies take from named materials, where the scenario does not give them itself.
+//! `material`: the values that a named material gives to its body, where the scenario does not give them itself.
 
 use super::Scenario;
 use super::beside::FLOW;
@@ -6,23 +6,15 @@ use super::document::Document;
 use super::varied::Varied;
 use crate::error::Error;
 use crate::law::LawChoice;
-use crate::materials::{self, Entry, Property};
+use crate::materials::{self, Entry, Known};
 use crate::plan::axis::{Axis, Word};
 use crate::plan::random::{Distribution, Variable};
+use crate::plan::{HARDNESS, YIELD_STRENGTH};
 use crate::scene::at::at;
+use crate::scene::key::Part;
+use crate::scene::keys::partner;
 use crate::scene::taken::{Body, Taken};
 use crate::scene::{Input, Key};
-
-/// Keys that replace a value of the material, besides the key of that value.
-fn instead(body: Body, property: Property) -> &'static [&'static str] {
-    match (body, property) {
-        (Body::Sphere, Property::Density) => &["sphere.mass"],
-        (Body::HalfSpace, Property::Hardness) => &["half_space.yield_strength"],
-        // a curve needs its own yield strength, or the hardness
-        (Body::HalfSpace, Property::HardeningExponent) => &["half_space.yield_strength", FLOW],
-        _ => &[],
-    }
-}
 
 impl Varied {
     /// What the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
@@ -42,8 +34,9 @@ impl Varied {
                     "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
                 )));
             };
-            let left = Property::ALL.into_iter().filter(|property| self.is_left(input, document, body, *property));
-            let taken = Taken { body, material, left: left.collect() };
+            let is_left = |path| Key::find(path).is_some_and(|key| self.is_left(input, document, key));
+            let left = body.defaults().iter().copied().filter(|(path, _)| is_left(path)).collect();
+            let taken = Taken { body, material, left };
             for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
                 if let Word::Material(other) = word
                     && other.body == body
@@ -85,42 +78,41 @@ impl Varied {
         }
     }
 
-    /// Whether the body takes this property from its material.
-    fn is_left(&self, input: &Input, document: &Document, body: Body, property: Property) -> bool {
-        let Some(path) = body.path(property) else { return false };
+    /// Whether a key takes its value from the material: it has a use, and neither the key nor another in its place is given.
+    fn is_left(&self, input: &Input, document: &Document, key: &Key) -> bool {
         let has = |path: &str| document.has(path);
         let varied = self.paths();
         let is_given = |path: &str| {
             let inner = format!("{path}.");
             // a calibration that names no key looks for the strength
-            let is_wanted = path == "half_space.yield_strength" && has("calibrate") && self.free.is_none();
+            let is_wanted = path == YIELD_STRENGTH && has("calibrate") && self.free.is_none();
             is_wanted || has(path) || varied.iter().any(|varied| *varied == path || varied.starts_with(&inner))
         };
-        let is_moving = !has("indentation");
-        let has_use = match (body, property) {
-            (Body::Sphere, Property::Density) => is_moving,
-            // a plate needs it; there are no elastic waves beside damping
-            (Body::HalfSpace, Property::Density) => {
-                is_moving && (is_given("half_space.thickness") || !is_given("damping"))
+        let is_used = match key.part {
+            Part::Motion if has("indentation") => false,
+            // a plate needs a density; there are no elastic waves beside damping
+            Part::Motion if key.path == "half_space.density" => {
+                is_given("half_space.thickness") || !is_given("damping")
             }
-            // no other law has hardening
-            (Body::HalfSpace, Property::HardeningExponent) => {
-                matches!(input.law, LawChoice::Plm(_)) && !varied.contains(&"law")
+            // no other law has hardening, and a curve needs its own yield strength, or the hardness
+            Part::Flow => {
+                let is_plm = matches!(input.named_law, LawChoice::Plm(_)) && !varied.contains(&"law");
+                is_plm && !is_given(YIELD_STRENGTH) && !is_given(FLOW)
             }
             _ => true,
         };
-        has_use && !is_given(path) && !instead(body, property).iter().any(|path| is_given(path))
+        is_used && !is_given(key.path) && !partner(key.path).is_some_and(is_given)
     }
 }
 
 /// The values of a material as random keys: even between the ends of their ranges.
 fn drawn(input: &Input, taken: &Taken) -> Vec<Variable> {
     let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
-    let drawn = |(path, known): (&'static str, _)| {
-        let [from, to] = taken.range(known);
-        // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
-        let is_used = path != "sphere.yield_strength" && !(path == "sphere.poissons_ratio" && is_rigid);
-        let key = Key::find(path).filter(|_| from < to && is_used)?;
+    // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
+    let is_used = |path: &str| path != "sphere.yield_strength" && !(path == "sphere.poissons_ratio" && is_rigid);
+    let drawn = |(path, known): (&'static str, &Known)| {
+        let [from, to] = [0, 1].map(|end| taken.in_key(path, known.range[end].value));
+        let key = Key::find(path).filter(|_| from < to && is_used(path))?;
         Some(Variable::of(key, Distribution::Uniform { from, to }))
     };
     taken.values().filter_map(drawn).collect()
@@ -130,9 +122,7 @@ impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
     pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
-            Word::Material(Taken { body: Body::HalfSpace, left, material }) if left.contains(&Property::Hardness) => {
-                Some(material)
-            }
+            Word::Material(taken) => taken.left.iter().any(|(path, _)| *path == HARDNESS).then_some(taken.material),
             _ => None,
         });
         let (metals, others): (Vec<&Entry>, Vec<&Entry>) = materials.partition(|material| material.is_metal());

@@ -3,7 +3,7 @@
 use super::Scenario;
 use crate::error::Error;
 use crate::repeat::{Drive, MOST_IMPACTS, Place, Repeat};
-use crate::scene::Scene;
+use crate::scene::Input;
 use crate::scene::at::at;
 
 const SPOTS: &str =
@@ -29,11 +29,11 @@ impl Scenario {
         }
     }
 
-    /// What `[repeat]` asks for, if the scenario has it.
+    /// What `[repeat]` asks for, if the scenario has it; `first` is the input of the first impact.
     ///
     /// # Errors
     /// [`Error`] where keys are missing or contradict each other.
-    pub fn repeat(&self, scene: &Scene) -> Result<Option<Repeat>, Error> {
+    pub fn repeat(&self, first: &Input) -> Result<Option<Repeat>, Error> {
         if !self.has("repeat") {
             return Ok(None);
         }
@@ -43,27 +43,27 @@ impl Scenario {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));
         };
         let place = Place::ALL[place];
-        if scene.incidence.is_some() && place == Place::Same {
+        if first.incidence().is_some() && place == Place::Same {
             return refuse(
                 "repeat.spot",
                 "a ball that comes at an angle or spins hops along, and does not meet its dent again: write \"fresh\"",
             );
         }
         let drop_height = input.number(at!("impact.drop_height"));
-        if drop_height.is_some() && scene.incidence.is_some_and(|incidence| incidence.angle != 0.0) {
+        if drop_height.is_some() && first.incidence().is_some_and(|incidence| incidence.angle != 0.0) {
             return refuse(
                 "impact.drop_height",
                 "a fall from rest has no angle: give impact.speed at first touch in its place, or leave impact.angle out",
             );
         }
         let until = input.number(at!("repeat.until.speed"));
-        let drive = match (self.speeds(), input.count(at!("repeat.impacts")), scene.forces.gravity) {
+        let drive = match (self.speeds(), input.count(at!("repeat.impacts")), first.forces().gravity) {
             (Some(speeds), ..) => Drive::Shots(speeds.to_vec()),
             (None, None, _) => return refuse("repeat", NEEDS_IMPACTS),
             (None, Some(most), Some(gravity)) => {
-                Drive::Bouncing { gravity, drop_height, approach: scene.approach_at(scene.speed), most, until }
+                Drive::Bouncing { gravity, drop_height, approach: first.approach(), most, until }
             }
-            (None, Some(most), None) => Drive::Shots(vec![scene.speed; usize::try_from(most).unwrap_or(usize::MAX)]),
+            (None, Some(most), None) => Drive::Shots(vec![first.speed(); usize::try_from(most).unwrap_or(usize::MAX)]),
         };
         Ok(Some(Repeat { place, drive }))
     }

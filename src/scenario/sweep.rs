@@ -8,7 +8,6 @@ use crate::plan::{Cases, MOST_CASES, Plan};
 use crate::scene::Use;
 use crate::scene::at::at;
 use crate::scene::results::columns;
-use crate::scene::taken::Taken;
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
@@ -19,7 +18,7 @@ impl Scenario {
         if !matches!(self.kind()?, Kind::Sweep | Kind::MonteCarlo) {
             return Ok(None);
         }
-        let mut input = self.first_impact()?.input;
+        let mut input = self.resolve()?;
         // a table has no trace, so the closed form is enough
         input.choose_method(Method::Auto);
         let refuse = |path: &str, message: String| Err(self.refuse_varied(path, message));
@@ -34,9 +33,7 @@ impl Scenario {
             }
         };
         let mut plan = Plan::new(&input, cases);
-        let is_varied = |taken: &&Taken| plan.axes().iter().any(|axis| axis.path() == taken.body.material());
-        plan.scene.materials = self.taken.iter().filter(|taken| !is_varied(taken)).cloned().collect();
-        plan.scene.warnings = self.without_effect(&plan.worded(), Use::Impact);
+        plan.warnings = self.without_effect(&plan.worded(), Use::Impact);
         self.choose_columns(&mut plan)?;
         if let Some((path, problem)) = plan.unused() {
             return refuse(path, problem);

@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::at::{At, COUNT, NUMBER, OTHER, WORD, at};
-use super::key::{Form, Part};
+use super::key::{AnyKey, Form, Part};
 use super::list::EVERY_KEY;
 use super::quantity::Quantity;
+use super::taken::Taken;
 use crate::law::{LawChoice, PlmCoefficients};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
@@ -31,6 +32,8 @@ struct Others {
     values: BTreeMap<usize, Value>,
     /// The items of lists of tables, by the paths of the lists.
     items: BTreeMap<&'static str, Vec<Input>>,
+    /// What the bodies take from their materials.
+    taken: Vec<Taken>,
 }
 
 /// All values of a scenario.
@@ -41,13 +44,13 @@ pub struct Input {
     numbers: [f64; EVERY_KEY.len()],
     // rows of a table copy the input, and leave these alone
     others: Arc<Others>,
-    /// The law that the scenario names, without the numbers that it gives to it: see [`Input::hardening_law`].
-    pub law: LawChoice,
+    /// The law that the scenario names, without the numbers that it gives to it: see [`Input::law`].
+    pub named_law: LawChoice,
 }
 
 impl Default for Input {
     fn default() -> Self {
-        Self { numbers: [f64::NAN; EVERY_KEY.len()], others: Arc::default(), law: LawChoice::default() }
+        Self { numbers: [f64::NAN; EVERY_KEY.len()], others: Arc::default(), named_law: LawChoice::default() }
     }
 }
 
@@ -55,7 +58,7 @@ impl PartialEq for Input {
     fn eq(&self, other: &Self) -> bool {
         self.numbers.map(f64::to_bits) == other.numbers.map(f64::to_bits)
             && self.others == other.others
-            && self.law == other.law
+            && self.named_law == other.named_law
     }
 }
 
@@ -151,6 +154,34 @@ impl Input {
         Arc::make_mut(&mut self.others).items.insert(path, items);
     }
 
+    /// What the bodies take from the materials that they name.
+    pub fn taken(&self) -> &[Taken] {
+        &self.others.taken
+    }
+
+    /// Notes what the bodies have taken.
+    pub fn set_taken(&mut self, taken: Vec<Taken>) {
+        Arc::make_mut(&mut self.others).taken = taken;
+    }
+
+    /// Gives the keys that `is_used` names their default values, where they have some, and are not given.
+    #[allow(clippy::cast_precision_loss)] // lists of words are short
+    pub(super) fn fill(&mut self, is_used: impl Fn(&AnyKey) -> bool) {
+        for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| is_used(key)) {
+            let default = key.default.trim_matches('"');
+            let value = match key.form {
+                Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
+                    quantity.parse(default).ok()
+                }
+                Form::Word(words) => (words.known)().iter().position(|word| word == default).map(|word| word as f64),
+                _ => None,
+            };
+            if let (Some(value), None) = (value, self.given(place)) {
+                self.put_number(place, value);
+            }
+        }
+    }
+
     /// The numbers of a table, by their names in alphabetical order.
     pub fn numbers_of(&self, table: &str) -> Vec<(String, f64)> {
         let name = |path: &'static str| path.strip_prefix(table)?.strip_prefix('.');
@@ -183,12 +214,11 @@ impl Input {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // counts and places are whole
     pub fn held(&self) -> Vec<Held> {
         let mut held = Vec::new();
-        let of_law = format!("law.{}.", self.law.about().name);
         for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| key.part != Part::Kind) {
             if key.part == Part::Law && !held.iter().any(|held: &Held| held.path == "law") {
-                held.push(Held::word("law", self.law.name()));
+                held.push(Held::word("law", Part::Law, self.named_law.name()));
             }
-            if key.part == Part::Law && !key.path.starts_with(&of_law) {
+            if key.part == Part::Law && !self.is_of_law(key.path) {
                 continue;
             }
             let value = match (key.form, self.given(place), self.others.values.get(&place)) {
@@ -199,7 +229,8 @@ impl Input {
                 (.., Some(value)) if value.text().is_some() => value.text().into(),
                 _ => continue,
             };
-            held.push(Held { path: key.path.to_owned(), quantity: key.number().map(|(quantity, _)| quantity), value });
+            let quantity = key.number().map(|(quantity, _)| quantity);
+            held.push(Held { path: key.path.to_owned(), part: key.part, quantity, value });
         }
         held
     }
@@ -226,6 +257,7 @@ impl Value {
 pub struct Held {
     /// As in the file, with dots.
     pub path: String,
+    pub part: Part,
     /// Of a number.
     pub quantity: Option<&'static Quantity>,
     /// In SI, or a word.
@@ -234,8 +266,8 @@ pub struct Held {
 
 impl Held {
     /// A word.
-    pub fn word(path: &str, word: impl Into<serde_json::Value>) -> Self {
-        Self { path: path.to_owned(), quantity: None, value: word.into() }
+    pub fn word(path: &str, part: Part, word: impl Into<serde_json::Value>) -> Self {
+        Self { path: path.to_owned(), part, quantity: None, value: word.into() }
     }
 
     /// Its name in summaries, with the unit: `impact_speed_m_per_s`.

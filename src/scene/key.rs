@@ -21,6 +21,8 @@ pub struct AnyKey {
 pub enum Part {
     Sphere,
     HalfSpace,
+    /// Of the bodies what only counts where they move: masses, and the plate.
+    Motion,
     /// The flow stress of the half-space.
     Flow,
     Law,
@@ -38,6 +40,11 @@ impl Part {
     /// Whether bodies, law or forces, and so the contact, change with such a key.
     pub fn changes_contact(self) -> bool {
         !matches!(self, Self::Approach | Self::Solver | Self::Output)
+    }
+
+    /// Whether a slow indentation depends on such a key, as far as its law does.
+    pub fn is_static(self) -> bool {
+        matches!(self, Self::Sphere | Self::HalfSpace | Self::Flow | Self::Law)
     }
 
     /// Whether the law with its flow curve changes with such a key.

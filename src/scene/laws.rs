@@ -4,15 +4,13 @@ use std::sync::Arc;
 
 use super::at::{At, NUMBER, at};
 use super::input::{Input, Value};
-use super::key::Form;
-use super::list::EVERY_KEY;
 use crate::law::catalogue::jackson_green::Hardness;
 use crate::law::{LawChoice, UnloadingExponent};
 
 impl Input {
     /// The law, with its parameters and with the flow curve of the half-space.
-    pub fn hardening_law(&self) -> LawChoice {
-        let mut law = self.law.clone();
+    pub fn law(&self) -> LawChoice {
+        let mut law = self.named_law.clone();
         let number = |at: At<NUMBER>| self.number(at);
         let replace = |value: &mut f64, at: At<NUMBER>| *value = number(at).unwrap_or(*value);
         match &mut law {
@@ -58,25 +56,8 @@ impl Input {
         law
     }
 
-    /// Gives the keys of the law their default values, where they have some, and are not given.
-    pub fn fill_law(&mut self) {
-        let of_law = format!("law.{}.", self.law.about().name);
-        let keys = EVERY_KEY.iter().enumerate().filter(|(_, key)| key.path.starts_with(&of_law));
-        for (place, key) in keys {
-            let default = key.default.trim_matches('"');
-            #[allow(clippy::cast_precision_loss)] // lists of words are short
-            let value = match key.form {
-                Form::Number(quantity) | Form::NumberOr(quantity, _) => quantity.parse(default).ok(),
-                Form::Word(words) => (words.known)().iter().position(|word| word == default).map(|word| word as f64),
-                _ => None,
-            };
-            if let (Some(value), None) = (value, self.given(place)) {
-                self.put_number(place, value);
-            }
-        }
-        if let LawChoice::Plm(law) = &self.law {
-            let table = Value::Coefficients(Arc::clone(&law.coefficients));
-            self.put_value(at!("law.plm.coefficients"), Some(table));
-        }
+    /// Whether a key stands in the table of the law.
+    pub fn is_of_law(&self, path: &str) -> bool {
+        path.split('.').take(2).eq(["law", self.named_law.about().name])
     }
 }

@@ -38,12 +38,12 @@ keys! {
     /// Poisson's ratio of the sphere.
     "sphere.poissons_ratio" of Sphere: Number(&POISSONS_RATIO);
     /// Density of the sphere, which gives its mass.
-    "sphere.density" of Sphere: Number(&DENSITY);
+    "sphere.density" of Motion: Number(&DENSITY);
     /// Mass of all that moves with the sphere, in place of its density; for a hammer or a pendulum with a spherical tip.
-    "sphere.mass" of Sphere: Number(&MASS);
+    "sphere.mass" of Motion: Number(&MASS);
     /// Moment of inertia of all that moves with the sphere, about the sphere's centre. Needed with mass where the sphere
     /// comes in at an angle or spins.
-    "sphere.moment_of_inertia" of Sphere: Number(&MOMENT_OF_INERTIA) => "of a solid sphere";
+    "sphere.moment_of_inertia" of Motion: Number(&MOMENT_OF_INERTIA) => "of a solid sphere";
     /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Needs friction.
     "sphere.spin" of Approach: Number(&SPIN) => "0";
     /// Yield strength of the sphere. It only serves to warn where the sphere would yield too.
@@ -61,15 +61,15 @@ keys! {
     /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
     "half_space.hardness" of HalfSpace: Number(&HARDNESS);
     /// Density of the half-space; with it the energy that is radiated as elastic waves is reported, and bouncing loses it.
-    "half_space.density" of HalfSpace: Number(&DENSITY);
+    "half_space.density" of Motion: Number(&DENSITY);
     /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
     "half_space.material" of HalfSpace: Word(&MATERIALS);
     /// Thickness of a large plate in place of the half-space; needs its density. It can be an axis.
-    "half_space.thickness" of HalfSpace: Number(&LENGTH);
+    "half_space.thickness" of Motion: Number(&LENGTH);
     /// Distance of the plate's nearest edge. It only serves to warn where bending waves come back from it in time.
-    "half_space.edge_distance" of HalfSpace: Number(&LENGTH);
+    "half_space.edge_distance" of Motion: Number(&LENGTH);
     /// How the plate gives way: as a thin one, or with the first term of a thick one.
-    "half_space.plate" of HalfSpace: Word(&PLATES) => "zener";
+    "half_space.plate" of Motion: Word(&PLATES) => "zener";
     /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens; finite elements
     /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
     "half_space.flow_stress.power.exponent" of Flow: Number(&HARDENING_EXPONENT);

@@ -1,6 +1,6 @@
 //! The quantities that can be measured, and how each follows from a computed impact. Keys of `[calibrate]` are named by them.
 
-use super::Scene;
+use super::Input;
 use super::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, TIME};
 use crate::impact::Essentials;
 use crate::units::names::named;
@@ -48,25 +48,25 @@ impl Measured {
         self <= Self::Leeb
     }
 
-    /// The value in an impact of a scene; `None` if the impact has no such value.
-    pub fn predict(self, row: &Essentials, scene: &Scene) -> Option<f64> {
+    /// The value in an impact of an input; `None` if the impact has no such value.
+    pub fn predict(self, row: &Essentials, input: &Input) -> Option<f64> {
         match self {
             Self::DentDiameter => Some(if row.has_dent() { 2.0 * row.peak_contact_radius } else { 0.0 }),
             Self::DentDepth => Some(row.residual_indentation),
             Self::ContactTime => Some(row.contact_time),
             Self::PeakForce => Some(row.peak_force),
             // what is measured is less by the energy of elastic waves, if the half-space has a density
-            _ => self.of_rebound(row.measured_restitution(), scene),
+            _ => self.of_rebound(row.measured_restitution(), input),
         }
     }
 
     /// The value after a rebound with this restitution; `None` if the quantity does not follow from that.
-    pub fn of_rebound(self, restitution: f64, scene: &Scene) -> Option<f64> {
-        let speed = restitution * scene.speed;
+    pub fn of_rebound(self, restitution: f64, input: &Input) -> Option<f64> {
+        let speed = restitution * input.speed();
         match self {
             Self::Restitution => Some(restitution),
             Self::ReboundSpeed => Some(speed),
-            Self::ReboundHeight => Some(0.5 * speed * speed / scene.input.falling_gravity()),
+            Self::ReboundHeight => Some(0.5 * speed * speed / input.falling_gravity()),
             Self::Leeb => Some(1000.0 * restitution),
             _ => None,
         }

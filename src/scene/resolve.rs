@@ -1,13 +1,14 @@
-//! From what is written to the scene of an impact: the only place where a mass becomes a density, a hardness a strength, and
-//! a height a speed.
+//! From what is written to bodies, contact and motion: the only place where a mass becomes a density, a hardness a strength,
+//! and a height a speed. A number that is missing is not a number here; the scenario asks before whether all are given.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use super::at::at;
-use super::input::Input;
+use super::input::{Input, Value};
+use super::key::Part;
 use super::keys::Key;
 use super::taken::{Body, Taken};
-use super::{DEFAULT_SAMPLES, Scene};
 use crate::impact::{
     Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
     Solver, drop_speed,
@@ -17,26 +18,10 @@ use crate::material::{HalfSpace, Material, Sphere};
 use crate::materials::all;
 use crate::strength::hardness::strength_of_hardness;
 
-impl Input {
-    /// The scene. A number that is missing is not a number there; the scenario asks before whether all are given.
-    pub fn resolve(&self) -> Scene {
-        let law = self.hardening_law();
-        let (sphere, half_space) = self.bodies(&law);
-        Scene {
-            input: self.clone(),
-            sphere,
-            half_space,
-            speed: self.speed(),
-            incidence: self.incidence(),
-            law,
-            forces: self.forces(),
-            solver: self.solver(),
-            samples: self.count(at!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES),
-            materials: Vec::new(),
-            warnings: Vec::new(),
-        }
-    }
+/// Evenly spaced rows of a trace, unless the scenario gives another number.
+pub const DEFAULT_SAMPLES: usize = 400;
 
+impl Input {
     /// The bodies. With a flow curve, which the law has, a hardness is another yield strength.
     pub fn bodies(&self, law: &LawChoice) -> (Sphere, HalfSpace) {
         let radius = self.radius().unwrap_or(f64::NAN);
@@ -63,8 +48,30 @@ impl Input {
         )
     }
 
+    /// The sphere.
+    pub fn sphere(&self) -> Sphere {
+        self.bodies(&self.law()).0
+    }
+
+    /// The half-space.
+    pub fn half_space(&self) -> HalfSpace {
+        self.bodies(&self.law()).1
+    }
+
+    /// Whether the half-space has a strength, without which nothing yields.
+    pub fn can_yield(&self) -> bool {
+        let of = [at!("half_space.yield_strength"), at!("half_space.hardness")];
+        of.into_iter().any(|strength| self.number(strength).is_some())
+    }
+
+    /// Whether more than a yield strength describes the flow stress, or the law does not use it.
+    pub fn has_flow(&self) -> bool {
+        let law = self.law();
+        self.number(at!("half_space.hardness")).is_some() || law.flow().is_some() || matches!(law, LawChoice::Hertz(_))
+    }
+
     /// Gravity, damping and the plate.
-    fn forces(&self) -> Forces {
+    pub fn forces(&self) -> Forces {
         let number = |at| self.number(at);
         let viscous = || number(at!("damping.viscous")).map(Damping::Viscous);
         let damping = number(at!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
@@ -78,11 +85,21 @@ impl Input {
         Forces { gravity: number(at!("gravity.acceleration")), damping, plate }
     }
 
-    /// These bodies paired under this law.
+    /// The bodies paired under the law.
     ///
     /// # Errors
     /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
-    pub fn contact(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
+    pub fn contact(&self) -> Result<Contact, ImpactError> {
+        let law = self.law();
+        let (sphere, half_space) = self.bodies(&law);
+        self.pair(sphere, half_space, &law)
+    }
+
+    /// Pairs these bodies under this law.
+    ///
+    /// # Errors
+    /// [`ImpactError`] as of [`Input::contact`].
+    pub fn pair(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
         let contact = Contact::try_new(sphere, half_space, law.get())?;
         let contact = if self.number(at!("sphere.mass")).is_some() { contact.of_a_body() } else { contact };
         let contact = match self.number(at!("sphere.moment_of_inertia")) {
@@ -110,7 +127,7 @@ impl Input {
 
     /// How the sphere comes in, if an angle or a spin is given.
     #[inline]
-    fn incidence(&self) -> Option<Incidence> {
+    pub fn incidence(&self) -> Option<Incidence> {
         let (angle, spin) = (self.number(at!("impact.angle")), self.number(at!("sphere.spin")));
         (angle.is_some() || spin.is_some()).then(|| Incidence {
             angle: angle.unwrap_or(0.0),
@@ -122,7 +139,13 @@ impl Input {
     /// Speed, angle and spin at first touch.
     #[inline]
     pub fn approach(&self) -> Approach {
-        Approach { speed: self.speed(), incidence: self.incidence() }
+        self.approach_at(self.speed())
+    }
+
+    /// How the sphere comes in at another speed.
+    #[inline]
+    pub fn approach_at(&self, speed: f64) -> Approach {
+        Approach { speed, incidence: self.incidence() }
     }
 
     /// Method and tolerance.
@@ -143,6 +166,18 @@ impl Input {
         }
     }
 
+    /// Whether a row of a table is integrated, or its times are.
+    pub fn is_stepped(&self) -> bool {
+        let forces = self.forces();
+        let method = self.solver().method.chosen(&forces, false);
+        forces.gravity.is_some() || method.is_some_and(|method| method != Method::ClosedForm)
+    }
+
+    /// Evenly spaced rows of the trace.
+    pub fn samples(&self) -> usize {
+        self.count(at!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
+    }
+
     /// The sphere's radius \[m\], by its radius or its diameter.
     pub fn radius(&self) -> Option<f64> {
         let of_diameter = || Some(0.5 * self.number(at!("sphere.diameter"))?);
@@ -152,10 +187,44 @@ impl Input {
     /// Puts what a body takes from its material in the place of what it took from another.
     pub fn take(&mut self, taken: &Taken) {
         self.choose(taken.body.material_key(), all().iter().position(|known| known.name == taken.material.name));
-        for property in &taken.left {
-            if let Some(key) = taken.body.path(*property).and_then(Key::find) {
-                key.set(self, taken.material.of(*property).map(|known| taken.value(known)));
+        for &(path, property) in &taken.left {
+            let number = taken.material.of(property).map(|known| taken.in_key(path, known.taken.value));
+            if let Some(key) = Key::find(path) {
+                key.set(self, number);
             }
         }
+    }
+
+    /// The input with the values that follow from others, and with the defaults of the keys that are used, for reports.
+    #[must_use]
+    pub fn filled(&self) -> Self {
+        let mut input = self.clone();
+        input.set(at!("sphere.radius"), self.radius());
+        input.set(at!("sphere.diameter"), None);
+        for body in Body::ALL {
+            input.choose(body.material_key(), None);
+        }
+        input.set(at!("half_space.yield_strength"), self.half_space().yield_strength);
+        input.set(at!("impact.speed"), Some(self.speed()));
+        if let Some(curve) = self.value(at!("half_space.flow_stress.table")).cloned() {
+            input.put_value(at!("half_space.flow_stress.points"), Some(curve));
+            input.put_value(at!("half_space.flow_stress.table"), None);
+        }
+        if let Some(Incidence { angle, spin, .. }) = self.incidence() {
+            input.set(at!("impact.angle"), Some(angle));
+            input.set(at!("sphere.spin"), Some(spin));
+        }
+        input.choose_method(self.solver().method);
+        let is_on_plate = self.forces().plate.is_some();
+        input.fill(|key| match key.part {
+            Part::Law => self.is_of_law(key.path),
+            Part::Motion => is_on_plate,
+            part => matches!(part, Part::Solver | Part::Output),
+        });
+        let coefficients = at!("law.plm.coefficients");
+        if let (LawChoice::Plm(law), None) = (&self.named_law, self.value(coefficients)) {
+            input.put_value(coefficients, Some(Value::Coefficients(Arc::clone(&law.coefficients))));
+        }
+        input
     }
 }

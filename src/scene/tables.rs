@@ -95,7 +95,7 @@ impl Input {
         };
         if name == COMBINED {
             reader.within(COMBINED, |reader| {
-                self.law = combined(table, reader)?;
+                self.named_law = combined(table, reader)?;
                 Ok(())
             });
             return Ok(());
@@ -105,8 +105,8 @@ impl Input {
             reader.unknown(law, &known);
             return Ok(());
         };
-        self.law = known;
-        if !self.law.has_loading() {
+        self.named_law = known;
+        if !self.named_law.has_loading() {
             let message = format!(
                 "{name} is a law of unloading only; write [law.combined] with loading = \"jackson_green\" (or another) and unloading = \"{name}\""
             );

@@ -1,4 +1,4 @@
-//! The values that the bodies of a scene take from named materials.
+//! The values that the bodies of a scene take from named materials, where the scenario does not give them itself.
 
 use super::at::{At, WORD, at};
 use crate::materials::{Entry, Known, Property};
@@ -37,20 +37,23 @@ impl Body {
         Self::ALL.into_iter().find(|body| body.material() == path)
     }
 
-    /// The key that takes its value from this property, if the body uses the property.
-    pub fn path(self, property: Property) -> Option<&'static str> {
-        match (self, property) {
-            (Self::Sphere, Property::Density) => Some("sphere.density"),
-            (Self::Sphere, Property::YoungsModulus) => Some("sphere.youngs_modulus"),
-            (Self::Sphere, Property::PoissonsRatio) => Some("sphere.poissons_ratio"),
-            // the sphere has a yield strength only, and that only serves to warn
-            (Self::Sphere, Property::Hardness) => Some("sphere.yield_strength"),
-            (Self::Sphere, Property::HardeningExponent) => None,
-            (Self::HalfSpace, Property::Density) => Some("half_space.density"),
-            (Self::HalfSpace, Property::YoungsModulus) => Some("half_space.youngs_modulus"),
-            (Self::HalfSpace, Property::PoissonsRatio) => Some("half_space.poissons_ratio"),
-            (Self::HalfSpace, Property::Hardness) => Some("half_space.hardness"),
-            (Self::HalfSpace, Property::HardeningExponent) => Some("half_space.flow_stress.power.exponent"),
+    /// The keys that a material gives the body values for, each with the property that gives it.
+    pub fn defaults(self) -> &'static [(&'static str, Property)] {
+        match self {
+            Self::Sphere => &[
+                ("sphere.density", Property::Density),
+                ("sphere.youngs_modulus", Property::YoungsModulus),
+                ("sphere.poissons_ratio", Property::PoissonsRatio),
+                // the strength of the sphere only serves to warn
+                ("sphere.yield_strength", Property::Hardness),
+            ],
+            Self::HalfSpace => &[
+                ("half_space.density", Property::Density),
+                ("half_space.youngs_modulus", Property::YoungsModulus),
+                ("half_space.poissons_ratio", Property::PoissonsRatio),
+                ("half_space.hardness", Property::Hardness),
+                ("half_space.flow_stress.power.exponent", Property::HardeningExponent),
+            ],
         }
     }
 }
@@ -58,29 +61,24 @@ impl Body {
 /// A body and the material that it takes numbers from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Taken {
-    /// Which body.
+    /// The body.
     pub body: Body,
     /// Its material.
     pub material: &'static Entry,
-    /// The properties that the scenario does not give itself.
-    pub left: Vec<Property>,
+    /// The keys that the scenario leaves to the material.
+    pub left: Vec<(&'static str, Property)>,
 }
 
 impl Taken {
     /// The keys that take a value, each with what is known of the property.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
         let material = self.material;
-        self.left.iter().filter_map(move |property| Some((self.body.path(*property)?, material.of(*property)?)))
+        self.left.iter().filter_map(move |(key, property)| Some((*key, material.of(*property)?)))
     }
 
-    /// The value of such a key, in SI.
-    pub fn value(&self, known: &Known) -> f64 {
-        self.in_key(known.property, known.taken.value)
-    }
-
-    /// Both ends of its range, in SI.
-    pub fn range(&self, known: &Known) -> [f64; 2] {
-        [&known.range[0], &known.range[1]].map(|end| self.in_key(known.property, end.value))
+    /// A number of the material, SI, as the key takes it: from a hardness the sphere takes the yield strength.
+    pub fn in_key(&self, key: &str, number: f64) -> f64 {
+        if key == "sphere.yield_strength" { self.material.strength(number) } else { number }
     }
 
     /// The taken values for a summary, each with its name: the value as it is written, its range, and the kind of number.
@@ -89,13 +87,5 @@ impl Taken {
             let name = format!("{}_{}", self.body.material(), property.name());
             (name, format!("{} ({} to {}); {basis}", taken.text, low.text, high.text))
         })
-    }
-
-    /// The value of the key. From a hardness the sphere takes the yield strength.
-    fn in_key(&self, property: Property, value: f64) -> f64 {
-        match (self.body, property) {
-            (Body::Sphere, Property::Hardness) => self.material.strength(value),
-            _ => value,
-        }
     }
 }

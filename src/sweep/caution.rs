@@ -37,15 +37,15 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
     let computed = chosen.len();
     // where no axis changes the contact, one serves all corners
     let is_one = axes.iter().all(Axis::keeps_contact);
-    let own = if is_one && known.is_none() { plan.scene.contact().ok() } else { None };
+    let own = if is_one && known.is_none() { plan.input.contact().ok() } else { None };
     let shared = known.or(own.as_ref()).filter(|_| is_one);
     let mut worst: Vec<(Warning, String)> = Vec::new();
     for places in chosen {
-        let mut input = plan.scene.input.clone();
+        let mut input = plan.input.clone();
         put(axes, &places, &mut input);
         let Some(impact) = shared.map_or_else(
             || {
-                let contact = input.resolve().contact().ok()?;
+                let contact = input.contact().ok()?;
                 impact(&contact, &input)
             },
             |contact| impact(contact, &input),

@@ -93,7 +93,7 @@ struct Known {
 impl Known {
     fn of(input: &Input, law: &LawChoice) -> Self {
         let (sphere, half_space) = input.bodies(law);
-        let contact = input.contact(sphere, half_space, law).map_err(Failure::from);
+        let contact = input.pair(sphere, half_space, law).map_err(Failure::from);
         Self { strength: half_space.yield_strength, contact }
     }
 }
@@ -136,7 +136,7 @@ impl<'a> Evaluator<'a> {
             let places: Vec<u64> =
                 axes.map(|(axis, stride)| index.checked_div(*stride).unwrap_or(0) % axis.len()).collect();
             let input = plan.input_at(&places);
-            let known = Known::of(&input, &input.hardening_law());
+            let known = Known::of(&input, &input.law());
             (input, known)
         };
         let contacts =
@@ -146,8 +146,8 @@ impl<'a> Evaluator<'a> {
 
     /// That of [`Self::listed`] rows alone, without the contacts of a grid; `contact` is that of the plan, if no key changes it.
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
-        let strength = plan.scene.half_space.yield_strength;
-        let known = |contact: &Contact| (plan.scene.input.clone(), Known { strength, contact: Ok(contact.clone()) });
+        let strength = plan.input.half_space().yield_strength;
+        let known = |contact: &Contact| (plan.input.clone(), Known { strength, contact: Ok(contact.clone()) });
         let contacts = contact.map(known).into_iter().collect();
         Self { plan, derives_strength: plan.derives_strength(), contacts, strides: Vec::new() }
     }
@@ -206,7 +206,7 @@ impl<'a> Evaluator<'a> {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             let known = match self.known(&places) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| Known::of(&input, &input.hardening_law())),
+                None => own.get_or_insert_with(|| Known::of(&input, &input.law())),
             };
             self.row(&input, known, rows);
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
@@ -233,8 +233,8 @@ impl<'a> Evaluator<'a> {
     fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
-        let mut input = self.plan.scene.input.clone();
-        let mut law = input.hardening_law();
+        let mut input = self.plan.input.clone();
+        let mut law = input.law();
         let changes_law = variables.iter().any(|variable| variable.key.part.changes_law());
         for _ in cases {
             for draw in &mut draws {
@@ -246,7 +246,7 @@ impl<'a> Evaluator<'a> {
                 self.row(&input, known, rows);
             } else {
                 if changes_law {
-                    law = input.hardening_law();
+                    law = input.law();
                 }
                 self.row(&input, &Known::of(&input, &law), rows);
             }
@@ -258,7 +258,7 @@ impl<'a> Evaluator<'a> {
     /// values only a yield strength that follows from the keys is appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
         let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
-        let mut input = self.plan.scene.input.clone();
+        let mut input = self.plan.input.clone();
         let mut own: Option<Known> = None;
         for case in cases {
             for (key, values) in keys {
@@ -269,7 +269,7 @@ impl<'a> Evaluator<'a> {
             }
             let known = match self.contacts.first().filter(|_| of_contact.is_empty()) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| Known::of(&input, &input.hardening_law())),
+                None => own.get_or_insert_with(|| Known::of(&input, &input.law())),
             };
             self.row(&input, known, rows);
         }

@@ -9,7 +9,7 @@ use crate::law::{LawChoice, Plm, PlmCoefficients};
 use crate::reference::impacts::{self, ImpactRow, Sample};
 use crate::reference::{self, DYNAMIC};
 use crate::scenario::Scenario;
-use crate::scene::Scene;
+use crate::scene::Input;
 
 /// A quantity of an impact, and the numbers of reference and law.
 type OfImpact = (Group, fn(&Case) -> Option<[f64; 2]>);
@@ -61,14 +61,14 @@ pub struct Case {
     pub impacts: [Impact; 2],
 }
 
-/// The scenes of the three impacts, and what the finite elements gave: results, and samples in the order of time.
-pub(super) fn scenes() -> Result<Vec<(Scene, ImpactRow, Vec<Sample>)>, Error> {
+/// The inputs of the three impacts, and what the finite elements gave: results, and samples in the order of time.
+pub(super) fn scenes() -> Result<Vec<(Input, ImpactRow, Vec<Sample>)>, Error> {
     let (references, samples) = (impacts::impacts()?, impacts::samples()?);
     let scene = |&(name, text): &(&'static str, &str)| {
         let reference = references.iter().find(|row| row.case == name).cloned();
         let reference = reference.ok_or_else(|| reference::damaged(impacts::TABLE, &format!("has no row {name}")))?;
-        let scene = Scenario::from_text(name, text, &[])?.resolve()?;
-        Ok((scene, reference, samples.iter().filter(|sample| sample.case == name).cloned().collect()))
+        let input = Scenario::from_text(name, text, &[])?.resolve()?;
+        Ok((input, reference, samples.iter().filter(|sample| sample.case == name).cloned().collect()))
     };
     SCENARIOS.iter().map(scene).collect()
 }
@@ -76,10 +76,12 @@ pub(super) fn scenes() -> Result<Vec<(Scene, ImpactRow, Vec<Sample>)>, Error> {
 /// The three impacts.
 pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
     let coefficients = Arc::new(coefficients.clone());
-    let case = |(mut scene, reference, samples): (Scene, ImpactRow, Vec<Sample>)| {
-        let mut impact = |exponent| -> Result<Impact, Error> {
-            scene.law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, flow: None });
-            Ok(scene.contact()?.impact(scene.speed, &scene.solver, Some(SAMPLES))?)
+    let case = |(input, reference, samples): (Input, ImpactRow, Vec<Sample>)| {
+        let impact = |exponent| -> Result<Impact, Error> {
+            let law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, flow: None });
+            let (sphere, half_space) = input.bodies(&law);
+            let contact = input.pair(sphere, half_space, &law)?;
+            Ok(contact.impact(input.speed(), &input.solver(), Some(SAMPLES))?)
         };
         let [paper, shape] = EXPONENTS.map(|(exponent, _)| impact(exponent));
         Ok(Case { reference, samples, impacts: [paper?, shape?] })

@@ -51,11 +51,11 @@ impl Reference {
 /// All impacts on half-spaces that do not harden.
 fn references() -> Result<Vec<Reference>, Error> {
     let mut all = Vec::new();
-    for (scene, row, samples) in scenes()? {
+    for (input, row, samples) in scenes()? {
         all.push(Reference {
-            sphere: scene.sphere,
-            half_space: scene.half_space,
-            speed: scene.speed,
+            sphere: input.sphere(),
+            half_space: input.half_space(),
+            speed: input.speed(),
             restitution: row.restitution,
             peak_force: row.peak_force,
             peak_indentation: samples.iter().map(|sample| sample.indentation).fold(0.0, f64::max),

@@ -21,10 +21,10 @@ const DECADES: f64 = 2.0;
 
 /// The picture in this format, and its points as CSV; `None` for a sphere that is released at first touch.
 pub fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> {
-    let (scene, _, impact) = impact::compute(scenario, None)?;
-    let (key, at) = match scene.input.number(at!("impact.drop_height")) {
+    let (input, _, impact) = impact::compute(scenario, None)?;
+    let (key, at) = match input.number(at!("impact.drop_height")) {
         Some(height) => ("impact.drop_height", height),
-        None => ("impact.speed", scene.speed),
+        None => ("impact.speed", input.speed()),
     };
     if at <= 0.0 {
         return Ok(None);

@@ -5,9 +5,10 @@ use plm_impact::scenario::schema::schema;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use plm_impact::indentation::Target;
 use plm_impact::plan::Source;
-use plm_impact::scene::KEYS;
-use plm_impact::scene::key::Form;
+use plm_impact::scene::key::{Form, Part};
+use plm_impact::scene::{KEYS, Use, without_effect};
 
 use crate::common::prelude::*;
 
@@ -46,15 +47,15 @@ fn the_reference_pages_have_the_tables_of_the_program() {
 fn a_key_that_keeps_contact_or_law_says_so() {
     let text = format!("{STEEL}[friction]\ncoefficient = 0.1\n[gravity]\nacceleration = 9.81\n");
     let scene = Scenario::from_text("s.toml", &text, &[]).unwrap().resolve().unwrap();
-    let contact = |input: &Input| format!("{:?}", input.resolve().contact());
-    let (own, law) = (contact(&scene.input), scene.input.hardening_law());
+    let contact = |input: &Input| format!("{:?}", input.contact());
+    let (own, law) = (contact(&scene), scene.law());
     let mut kept = 0;
     for key in KEYS.iter() {
         let (low, high) = key.quantity.range();
-        let mut changed = scene.input.clone();
+        let mut changed = scene.clone();
         key.put(&mut changed, if high.is_finite() { 0.3 * low.max(0.0) + 0.7 * high } else { low.max(0.0) + 1.0 });
         assert!(key.part.changes_contact() || contact(&changed) == own, "{}", key.path);
-        assert!(key.part.changes_law() || changed.hardening_law() == law, "{}", key.path);
+        assert!(key.part.changes_law() || changed.law() == law, "{}", key.path);
         kept += u32::from(!key.part.changes_contact());
     }
     assert!(kept >= 6, "{kept}");
@@ -70,4 +71,81 @@ fn every_file_that_a_key_names_is_in_the_hash() {
         hashes.insert(Source { files, ..Source::default() }.sha256());
     }
     assert_eq!(hashes.len(), named.len() + 1);
+}
+
+/// What is computed of an input for a use, as text with all digits.
+fn computed(input: &Input, of: Use) -> String {
+    if of == Use::Indentation {
+        let law = input.law();
+        let (Sphere { radius, material, yield_strength, .. }, half_space) = input.bodies(&law);
+        let contact = StaticContact::try_new(Indenter { radius, material, yield_strength }, &half_space, law.get());
+        return format!("{:?}", contact.unwrap().indent(&[Target::Load(1e4), Target::Load(0.0)], None));
+    }
+    let contact = input.contact().unwrap();
+    if of == Use::Rows {
+        format!("{:?}", contact.essentials(input.approach(), &input.solver()))
+    } else {
+        // a run writes a trace
+        format!("{:?}", contact.impact(input.approach(), &input.solver(), Some(5)))
+    }
+}
+
+/// Every number that a scene gives changes what is computed, or the scene is warned that it does not, and why. An indentation
+/// refuses forces, a motion and its solver beside it.
+#[test]
+fn a_key_has_an_effect_on_every_use_or_a_reason_why_not() {
+    let scenes: &[&[&str]] = &[
+        &["solver.tolerance=1e-9", "friction.coefficient=0.1", "sphere.moment_of_inertia=5e-8"],
+        &["solver.method=auto", "solver.tolerance=1e-9", "half_space.density=7850", "law.stronge.unloading_factor=1.1"],
+        &["solver.method=verlet", "solver.tolerance=1e-9", "sphere.youngs_modulus=rigid", "sphere.yield_strength=8e8"],
+        &["half_space.density=7850", "half_space.thickness=0.02", "half_space.edge_distance=0.01"],
+        &["damping.viscous=0.1", "solver.method=auto", "solver.tolerance=1e-9"],
+        &["friction.coefficient=0.1", "impact.angle=30 deg", "sphere.spin=10", "sphere.moment_of_inertia=5e-8"],
+        &["gravity.acceleration=9.81", "law.thornton.yield_pressure=1e9", "sphere.yield_strength=3e8"],
+        &["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20", "output.samples=9"],
+        &["half_space.flow_stress.power.exponent=0.1", "law.plm.unloading_exponent=1.6", "sphere.yield_strength=3e8"],
+    ];
+    let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
+    let elastic = read(&elastic, &["law.plm.unloading_exponent=1.6", "solver.tolerance=1e-9"]);
+    let (mut met, mut idle) = (BTreeSet::new(), BTreeSet::new());
+    for scenario in scenes.iter().map(|set| read(STEEL, set)).chain([elastic]) {
+        let input = scenario.resolve().unwrap();
+        for of in [Use::Rows, Use::Impact, Use::Indentation] {
+            let is_refused =
+                |part| of == Use::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver);
+            for key in KEYS.iter().filter(|key| !is_refused(key.part)) {
+                let Some(number) = key.get(&input).filter(|number| number.is_finite()) else { continue };
+                let mut changed = input.clone();
+                key.set(&mut changed, Some(0.9 * number));
+                let reason = without_effect(key.path, std::slice::from_ref(&input), of);
+                let is_idle = computed(&changed, of) == computed(&input, of);
+                assert_eq!(reason.is_some(), is_idle, "{} for {of:?}: {reason:?}, {input:?}", key.path);
+                met.insert(key.path);
+                idle.extend(reason.map(|_| (key.path, format!("{of:?}"))));
+            }
+        }
+    }
+    assert!(met.len() > 20 && idle.len() > 15, "{met:?} {idle:?}");
+}
+
+/// Whole numbers and words are looked at too, and each method has its own keys.
+#[test]
+fn a_key_of_another_method_is_told_to_have_no_effect() {
+    for (set, words) in [
+        (
+            ["solver.method=verlet", "solver.tolerance=1e-9"],
+            "solver.tolerance is not used: verlet takes steps of one length",
+        ),
+        (
+            ["solver.method=rk8", "solver.steps_per_contact=60"],
+            "solver.steps_per_contact is not used: only the method verlet",
+        ),
+    ] {
+        let warnings = run::check(&read(STEEL, &set)).unwrap().warnings;
+        assert!(matches!(&warnings[..], [one] if one.starts_with(words)), "{warnings:?}");
+    }
+    for set in ["verlet & solver.steps_per_contact=60", "rk8 & solver.tolerance=1e-9"] {
+        let set: Vec<String> = format!("solver.method={set}").split(" & ").map(str::to_owned).collect();
+        assert_eq!(run::check(&read(STEEL, &set)).unwrap().warnings, [""; 0]);
+    }
 }

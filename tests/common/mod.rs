@@ -15,7 +15,7 @@ use plm_impact::law::{ContactLaw, Ground, Law, Plm, PlmCoefficients, UnloadingEx
 use plm_impact::material::{HalfSpace, Material, Sphere};
 use plm_impact::math::power::max_or_nan;
 use plm_impact::scenario::Scenario;
-use plm_impact::scene;
+use plm_impact::scene::Input;
 use plm_impact::sweep::evaluator::{Evaluator, Rows};
 use proptest::prop_oneof;
 use proptest::strategy::{Just, Strategy};
@@ -46,8 +46,8 @@ pub fn read(text: &str, set: &[impl ToString]) -> Scenario {
     Scenario::from_text("s.toml", text, &set).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Its scene.
-pub fn scene(text: &str, set: &[impl ToString]) -> scene::Scene {
+/// The input of its first impact.
+pub fn scene(text: &str, set: &[impl ToString]) -> Input {
     read(text, set).resolve().unwrap_or_else(|error| panic!("{error}"))
 }
 

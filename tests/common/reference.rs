@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use plm_impact::impact::Contact;
-use plm_impact::scene::Scene;
+use plm_impact::scene::Input;
 use serde::de::DeserializeOwned;
 
 /// The cells of a row that are not empty, by the names of their columns.
@@ -49,7 +49,7 @@ impl Row {
         self.0.iter().filter(|(name, _)| is_kept(name)).map(|(name, cell)| format!("{name}={cell}")).collect()
     }
 
-    pub fn scene(&self) -> Scene {
+    pub fn scene(&self) -> Input {
         super::scene("", &self.keys(&[]))
     }
 

@@ -4,11 +4,11 @@ use plm_impact::curve::Curve;
 use plm_impact::curve::piece::{Piece, Shape};
 use plm_impact::impact::closed_form::solve;
 
-use plm_impact::scene::Scene;
+use plm_impact::scene::Input;
 
 use crate::common::prelude::*;
 
-fn steel(tables: &str) -> Scene {
+fn steel(tables: &str) -> Input {
     let flow = "[half_space.flow_stress]\npower = { exponent = 0.15 }\n[impact]";
     scene(&(STEEL.replace("[impact]", flow) + tables), NONE)
 }
@@ -100,7 +100,7 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
         for (strength, e) in column(&table, name).iter().zip(column(&table, "restitution")) {
             let alone = STEEL.replace("\"345 MPa\"", strength);
             let scene = scene(&alone, NONE);
-            let impact = scene.contact().unwrap().closed_form(scene.speed).unwrap();
+            let impact = scene.contact().unwrap().closed_form(scene.speed()).unwrap();
             assert!(off(e.parse().unwrap(), impact.restitution) < 1e-14, "{strength}");
         }
         if tables.contains("40.8") {

@@ -45,7 +45,7 @@ fn twelve_impacts_are_those_of_the_reference() {
     assert_eq!(rows.len(), 12);
     for row in rows {
         let (scene, number) = (row.scene(), |name: &str| row.number(name));
-        let (contact, approach) = (scene.contact().unwrap(), scene.approach_at(scene.speed));
+        let (contact, approach) = (scene.contact().unwrap(), scene.approach_at(scene.speed()));
         let (impact, rebound) = impact(&contact, approach, Some(20));
         let (name, want) = (row.name(), number("contact_point_ratio_s1_over_s0"));
         assert_abs_diff_eq!(-rebound.contact_point_restitution, want, epsilon = 2e-6);
@@ -59,7 +59,7 @@ fn twelve_impacts_are_those_of_the_reference() {
         // the tangential spring of DEM codes, which the picture of the validation shows
         let (spring, want_of_spring) = (stepped(&contact, approach, 2e4), number("spring_contact_point_ratio"));
         assert!((spring - want_of_spring).abs() < 3e-4, "{name}: {spring} {want_of_spring}");
-        if scene.half_space.yield_strength.is_none() {
+        if scene.half_space().yield_strength.is_none() {
             let got = Motion::elastic().unwrap().run_on_one_spring(rebound.psi, contact.chi());
             assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }

@@ -78,11 +78,11 @@ fn every_way_to_an_impact_comes_to_the_references() {
         for row in references.rows() {
             let scene = row.scene();
             let contact = scene.contact().unwrap();
-            let impact = |solver: &Solver, samples| contact.impact(scene.speed, solver, samples).unwrap();
+            let impact = |solver: &Solver, samples| contact.impact(scene.speed(), solver, samples).unwrap();
             // the default tolerance is 1e-10; as a row of a table the impact has the closed form
             let mut row_allows = 1e-8;
             if row.maybe("half_space.thickness").is_none() {
-                assert_near(&row, &contact, &contact.closed_form(scene.speed).unwrap(), exact);
+                assert_near(&row, &contact, &contact.closed_form(scene.speed()).unwrap(), exact);
                 row_allows = 1e-12;
             }
             assert_near(&row, &contact, &impact(&Solver::default(), None), 1e-8);
@@ -92,7 +92,7 @@ fn every_way_to_an_impact_comes_to_the_references() {
                 assert_near(&row, &contact, &impact(&solver(method, 1e-12), None), allowed);
             }
             let keys =
-                [&row.keys(&["impact"])[..], &[format!("sweep={{\"impact.speed\"=[{}]}}", scene.speed)]].concat();
+                [&row.keys(&["impact"])[..], &[format!("sweep={{\"impact.speed\"=[{}]}}", scene.speed())]].concat();
             let of_table = rows_of("", &keys).results[0].unwrap();
             for (name, got, unit) in [
                 ("restitution", of_table.restitution, 1.0),
@@ -116,11 +116,11 @@ fn a_trace_begins_turns_and_ends_as_the_reference_says() {
         let (touch, peak, end) = (at(Event::Touch), at(Event::Peak), at(Event::Separation));
         let e = row.number("restitution");
         let speed = |row: &plm_impact::impact::TraceRow| row.sphere_speed.unwrap_or(row.speed);
-        assert!(touch.time == 0.0 && off(touch.speed, scene.speed) < 1e-15, "{}", row.name());
+        assert!(touch.time == 0.0 && off(touch.speed, scene.speed()) < 1e-15, "{}", row.name());
         assert!(off(peak.force, row.number("peak_force_N")) < 1e-8, "{}", row.name());
         assert!(off(peak.indentation, row.number("peak_indentation_m")) < 1e-8, "{}", row.name());
         assert!(off(end.time, row.number("contact_time_s")) < 1e-8, "{}", row.name());
-        assert!((-speed(&end) / scene.speed - e).abs() < 1e-8, "{}", row.name());
+        assert!((-speed(&end) / scene.speed() - e).abs() < 1e-8, "{}", row.name());
         assert!(impact.trace.iter().all(|at| at.force <= impact.peak_force && at.indentation <= peak.indentation));
         assert!(impact.energy.drift < 1e-9, "{}: {:e}", row.name(), impact.energy.drift);
         if let Some(want) = row.maybe("sphere_speed_at_peak_m_s") {
@@ -129,7 +129,7 @@ fn a_trace_begins_turns_and_ends_as_the_reference_says() {
         // the share of the sphere of what is elastic
         let compliance =
             |body: &plm_impact::material::Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
-        let [of_sphere, of_half_space] = [&scene.sphere.material, &scene.half_space.material].map(compliance);
+        let [of_sphere, of_half_space] = [&scene.sphere().material, &scene.half_space().material].map(compliance);
         if let Some(elastic) = row.maybe("elastic_approach_m") {
             let want = of_sphere / (of_sphere + of_half_space) * elastic;
             for got in [peak.sphere_indentation, impact.peak_sphere_indentation] {
@@ -174,7 +174,7 @@ fn a_spot_that_was_hit_remembers_its_dent() {
             let series = format!("repeat={{ spot = \"{spot}\", speeds = {speeds:?} }}");
             let scenario = read("", &[&row.keys(&["impact"])[..], &[series]].concat());
             let (scene, contact, repeat) = run::repeat::prepare_repeat(&scenario).unwrap();
-            let hits = repeat.run(&contact, &scene.solver, 10, None).unwrap().hits;
+            let hits = repeat.run(&contact, &scene.solver(), 10, None).unwrap().hits;
             assert!(off(hits[0].restitution, e) < 1e-11, "{}", row.name());
             if spot == "fresh" {
                 assert_eq!(hits[2].restitution, hits[0].restitution);

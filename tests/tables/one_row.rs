@@ -68,8 +68,7 @@ fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
             rest /= values.len();
         }
         let scene = scene(&text, &set);
-        let approach = scene.approach_at(scene.speed);
-        let single = scene.contact().and_then(|contact| contact.impact(approach, &scene.solver, None));
+        let single = scene.contact().and_then(|contact| contact.impact(scene.approach(), &scene.solver(), None));
         let single = single.map(|impact| impact.essentials).map_err(Failure::from);
         // with partial slip a row is within 1e-5 and a single run within 1e-7; all else has the same bits
         let slips = |of: &Result<Essentials, Failure>| {

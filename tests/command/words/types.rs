@@ -75,7 +75,7 @@ fn an_override_takes_the_place_of_the_law_of_the_file() {
         let scenario = Scenario::from_text("steel.toml", &format!("{STEEL}{own}"), &changes);
         scenario
             .and_then(|scenario| scenario.resolve())
-            .map(|scene| format!("{:?}", scene.law))
+            .map(|scene| format!("{:?}", scene.law()))
             .map_err(|e| e.to_string())
     };
     let in_file = |own: &str| law(own, &[]).unwrap();
