@@ -2,8 +2,10 @@
 
 mod bench;
 mod calibrate;
+mod drop;
 mod export;
 mod init;
+mod keys;
 mod materials;
 mod output;
 mod run;
@@ -47,6 +49,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Drop(drop::Arguments),
     Init(init::Arguments),
     Run(run::Arguments),
     Check(run::CheckArguments),
@@ -58,6 +61,7 @@ enum Command {
   plm-impact run impact.toml --set law=thornton")]
     Laws,
     Materials(materials::Arguments),
+    Keys(keys::Arguments),
     /// Print the JSON Schema of a scenario, for editors and for programs that write scenarios
     #[command(after_help = "Examples:
   plm-impact schema > scenario.schema.json
@@ -78,12 +82,14 @@ pub fn run() -> Result<(), Error> {
         return terminal::print(concat!(include_str!("../LICENSE"), "\n", include_str!("licenses.txt")));
     }
     match command.ok_or_else(|| Error::input("no command is given; `plm-impact --help` lists them"))? {
+        Command::Drop(arguments) => drop::drop(&arguments),
         Command::Init(arguments) => init::init(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => run::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Export(arguments) => export::export(&arguments),
         Command::Laws => terminal::print(&plm_impact::report::laws::list()),
+        Command::Keys(arguments) => keys::keys(&arguments),
         Command::Materials(arguments) => materials::materials(&arguments),
         Command::Schema => terminal::print(&format!("{:#}\n", schema())),
         Command::Validate(arguments) => validate::validate(&arguments),

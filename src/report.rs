@@ -1,5 +1,6 @@
 //! What is written about a run: files as text, and tables for the terminal. Nothing here opens a file or prints.
 
+pub mod brief;
 pub(crate) mod calibrate;
 pub(crate) mod indentation;
 pub mod inputs;

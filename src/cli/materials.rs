@@ -6,7 +6,7 @@ use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Command};
 use plm_impact::error::Error;
 use plm_impact::materials::{all, find};
-use plm_impact::report::materials::{list, one};
+use plm_impact::report::materials::{has, list, one};
 use plm_impact::units::nearest::did_you_mean;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
@@ -15,7 +15,7 @@ use plm_impact::units::nearest::did_you_mean;
   plm-impact materials
   plm-impact materials aluminium-6061-t6")]
 pub struct Arguments {
-    /// Name of one material, or the beginning of several
+    /// Name of one material, or a part of the names or descriptions of several
     #[arg(hide_possible_values = true, value_parser = Names)]
     name: Option<String>,
 }
@@ -40,7 +40,7 @@ pub fn materials(Arguments { name }: &Arguments) -> Result<(), Error> {
     let name = name.as_deref().unwrap_or_default();
     let text = match find(name) {
         Some(entry) => one(entry),
-        None if all().iter().any(|entry| entry.name.starts_with(name)) => list(name),
+        None if all().iter().any(|entry| has(entry, name)) => list(name),
         None => {
             let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
             let known = format!("materials are {}", names.join(", "));

@@ -216,7 +216,8 @@ impl Impact {
     }
 
     fn single(&self) -> Single<'_> {
-        Single { contact: &self.contact.get().inner, impact: &self.result }
+        let contact = self.contact.get();
+        Single { input: &contact.input, contact: &contact.inner, impact: &self.result }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

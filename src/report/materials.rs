@@ -7,11 +7,17 @@ use crate::strength::hardness::flow_stress;
 use crate::units::aligned::aligned;
 use crate::units::rounded::quantity;
 
-/// A head, and a row for every material whose name begins so.
-pub fn rows(begin: &str) -> Vec<[String; 7]> {
+/// Whether the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
+pub fn has(entry: &Entry, text: &str) -> bool {
+    let text = text.to_lowercase();
+    [&entry.name, &entry.title].into_iter().any(|words| words.to_lowercase().contains(&text))
+}
+
+/// A head, and a row for every material whose name or description has this text.
+pub fn rows(text: &str) -> Vec<[String; 7]> {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
-    rows.extend(all().iter().filter(|entry| entry.name.starts_with(begin)).map(|entry| {
+    rows.extend(all().iter().filter(|entry| has(entry, text)).map(|entry| {
         let text = |property| entry.of(property).map_or_else(|| "-".to_owned(), |known| known.taken.text.clone());
         let [density, modulus, ratio, hardness, exponent] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
@@ -19,9 +25,9 @@ pub fn rows(begin: &str) -> Vec<[String; 7]> {
     rows
 }
 
-/// The materials whose names begin so, one per line.
-pub fn list(begin: &str) -> String {
-    let table = aligned(&rows(begin), |column| column == 0 || column == 6);
+/// The materials whose name or description has this text, one per line.
+pub fn list(text: &str) -> String {
+    let table = aligned(&rows(text), |column| column == 0 || column == 6);
     format!(
         "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
          `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"

@@ -4,7 +4,6 @@ use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
 use crate::error::Error;
-use crate::impact::{Contact, Impact};
 use crate::provenance::Provenance;
 use crate::repeat::Drive;
 use crate::scene::results::impact::Single;
@@ -19,8 +18,8 @@ pub fn of(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provena
 }
 
 /// The summary of one impact.
-pub fn summary(contact: &Contact, impact: &Impact, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    of(fields(&impact::results(), &Single { contact, impact }), inputs, provenance)
+pub fn summary(single: &Single, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+    of(fields(&impact::results(), single), inputs, provenance)
 }
 
 /// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.

@@ -2,7 +2,6 @@
 
 use serde_json::Value;
 
-use crate::impact::{Contact, Impact};
 use crate::scene::results::impact::{Single, results};
 use crate::scene::results::{Reported, Shown};
 use crate::units::aligned::aligned;
@@ -10,9 +9,10 @@ use crate::units::four_digits;
 use crate::units::rounded::{percent, quantity};
 
 /// What came of one impact, in a few lines.
-pub fn impact(contact: &Contact, impact: &Impact) -> String {
+pub fn impact(single: &Single) -> String {
+    let impact = single.impact;
     let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, "m/s"), String::new()]];
-    lines.extend(self::lines(&results(), &Single { contact, impact }));
+    lines.extend(self::lines(&results(), single));
     if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
         value.push_str(" (outside the law)");
     }

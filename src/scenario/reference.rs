@@ -33,6 +33,25 @@ pub fn keys() -> String {
     text
 }
 
+/// What the registry says of the keys whose paths have this text; `None` if there is none.
+pub fn about_keys(text: &str) -> Option<String> {
+    let known: Vec<&AnyKey> = EVERY_KEY.iter().collect();
+    let exact: Vec<&AnyKey> = known.iter().copied().filter(|key| key.path == text).collect();
+    let some = known.into_iter().filter(|key| key.path.contains(text)).collect();
+    let found = if exact.is_empty() { some } else { exact };
+    let mut all = String::new();
+    for AnyKey { path, form, default, about, .. } in &found {
+        let _ = writeln!(all, "{path}\n  {about}\n  value: {}", written(form).replace('`', ""));
+        if !default.is_empty() {
+            let _ = writeln!(all, "  default: {default}");
+        }
+        if Key::find(path).is_some() {
+            let _ = writeln!(all, "  may be an axis of [sweep] or random in [monte_carlo]");
+        }
+    }
+    (!found.is_empty()).then_some(all)
+}
+
 /// The table that a key stands in, and its name there; `sweep` and `monte_carlo` are tables themselves.
 fn place(key: &AnyKey) -> (&'static str, &'static str) {
     key.path.rsplit_once('.').unwrap_or((key.path, key.path))

@@ -39,6 +39,8 @@ use Dimension::{
 pub(super) const UNITS: &[Unit] = &[
     shown("nm", Length, -9),
     shown("µm", Length, -6),
+    read("micron", Length, Scale::Ten(-6)),
+    read("mil", Length, Scale::Times(2.54e-5)), // a thousandth of an inch
     shown("mm", Length, -3),
     read("cm", Length, Scale::Ten(-2)),
     read("in", Length, Scale::Times(0.0254)), // international inch and foot, exact
@@ -83,6 +85,7 @@ pub(super) const UNITS: &[Unit] = &[
     read("bar", Pressure, Scale::Ten(5)),
     shown("MPa", Pressure, 6),
     read("N/mm^2", Pressure, Scale::Ten(6)),
+    read("kgf/mm^2", Pressure, Scale::Times(9.80665e6)),
     read("ksi", Pressure, Scale::Times(6_894_757.293_168_361)), // 1000 psi
     shown("GPa", Pressure, 9),
     shown("TPa", Pressure, 12),
@@ -91,6 +94,8 @@ pub(super) const UNITS: &[Unit] = &[
     shown("µN", Force, -6),
     shown("mN", Force, -3),
     shown("N", Force, 0),
+    read("lbf", Force, Scale::Times(4.448_221_615_260_5)), // 0.45359237 kg x 9.80665 m/s^2, exact
+    read("kgf", Force, Scale::Times(9.80665)),
     shown("kN", Force, 3),
     shown("MN", Force, 6),
     shown("nJ", Energy, -9),

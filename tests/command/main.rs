@@ -9,6 +9,7 @@ mod bench;
 mod calibrate;
 mod cli;
 mod doubts;
+mod drop;
 mod export;
 mod forces_output;
 mod hostile_input;

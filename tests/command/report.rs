@@ -42,7 +42,7 @@ fn every_number_of_the_summary_reads_back_to_the_same_bits() {
         ("/residual_indentation_m", impact.residual_indentation),
         ("/unloading_radius_m", impact.unloading_radius),
         ("/residual_radius_m", impact.residual_radius.unwrap()),
-        ("/dent_radius_m", impact.dent_radius.unwrap()),
+        ("/dent_diameter_m", 2.0 * impact.dent_radius.unwrap()),
         ("/yield_speed_m_per_s", contact.yield_speed().unwrap()),
         ("/yield_indentation_m", point.indentation),
         ("/yield_force_N", point.force),
@@ -80,7 +80,7 @@ fn every_number_of_the_summary_reads_back_to_the_same_bits() {
 fn a_summary_says_what_the_scene_is() {
     let elastic = ran(&["impact.speed=1e-3"]);
     // an impact below the yield speed has no dent, and says so
-    for key in ["residual_radius_m", "dent_radius_m"] {
+    for key in ["residual_radius_m", "dent_diameter_m"] {
         assert_eq!(elastic.summary.get(key), Some(&Value::Null), "{key}");
     }
     assert_eq!(

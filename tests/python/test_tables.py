@@ -95,7 +95,7 @@ def test_a_table_that_no_memory_holds_is_refused(contact: plm.Contact) -> None:
 def test_the_help_names_every_column() -> None:
     waves = plm.impacts(steel(half_space=dict(yield_strength="345 MPa", density=7850, youngs_modulus=210e9, poissons_ratio=0.3)), speed=[1.0])
     named = set(re.findall(r"`(\w+)`", plm.impacts.__doc__))
-    assert set(waves) <= named and {"impact_speed_m_per_s", "restitution_with_waves", "dent_radius_m"} <= set(waves)
+    assert set(waves) <= named and {"impact_speed_m_per_s", "restitution_with_waves", "dent_diameter_m"} <= set(waves)
 
 
 @pytest.mark.filterwarnings("ignore:at impact.speed:UserWarning")
@@ -136,7 +136,7 @@ def test_a_dataset_of_xarray_has_the_keys_as_dimensions(contact: plm.Contact) ->
     assert dict(data.sizes) == {"half_space_yield_strength_Pa": 2, "impact_speed_m_per_s": 3}
     one = data["restitution"].sel(impact_speed_m_per_s=speeds[1], half_space_yield_strength_Pa=9e8)
     assert float(one) == table["restitution"][1, 1] and float(data["sphere_radius_m"]) == 1e-3
-    assert np.array_equal(data["dent_radius_m"], table["dent_radius_m"], equal_nan=True) and "status" in data
+    assert np.array_equal(data["dent_diameter_m"], table["dent_diameter_m"], equal_nan=True) and "status" in data
     # two keys along one axis: the first of the registry names it, and the other is a coordinate
     paired = plm.impacts(contact, speed=speeds, yield_strength=[2e8, 3e8, 4e8]).to_xarray()
     assert paired.coords["impact_speed_m_per_s"].dims == ("half_space_yield_strength_Pa",)

@@ -15,7 +15,7 @@ def impacts(contact, /, **keys):
     The columns are those of table.csv. First the keys, with their units (`impact_speed_m_per_s`), then `restitution`,
     `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `contact_radius_over_R`, `is_outside_law`,
     `recovered_fraction`; if the half-space yields,
-    `residual_indentation_m`, `dent_radius_m`, `plastic_fraction`; if it has a density, `wave_loss_fraction` and
+    `residual_indentation_m`, `dent_diameter_m`, `plastic_fraction`; if it has a density, `wave_loss_fraction` and
     `restitution_with_waves`; on a plate, `plate_loss_fraction` and others; and `status`, which is "ok" or says why a row has
     no numbers (they are NaN then, and a ModelWarning says how many). scenarios/results.md says what each column is.
     """

@@ -111,6 +111,9 @@ pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &
 }
 
 pub(super) const YIELDS: &str = "the half-space has a yield strength";
+pub(super) const BAND: &str =
+    "the half-space yields under the law `plm`, with an exponent whose error against finite elements is known";
+pub(super) const HEIGHT: &str = "the sphere falls from a height, or there is gravity";
 pub(super) const WAVES: &str = "the half-space has a density; not under damping, on a plate, nor without a rebound";
 pub(super) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
 pub(super) const FORCES: &str = "there is gravity, damping or a plate";

@@ -30,7 +30,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
         "sphere_radius_m",
         "impact_speed_m_per_s",
         "contact_time_s",
-        "dent_radius_m",
+        "dent_diameter_m",
         "residual_indentation_m",
         "peak_force_N",
     ];
@@ -44,7 +44,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
         let [speed, time, dent, depth, force] = [1, 2, 3, 4, 5].map(|column: usize| table[column][row]);
         // the field is empty if the quantity was not measured
         let depth = if row == 3 { String::new() } else { (depth * 1e9).to_string() };
-        let (radius, speed, time, dent) = (radius * 1e3, speed * 1e2, time * 1e6, 2e6 * dent);
+        let (radius, speed, time, dent) = (radius * 1e3, speed * 1e2, time * 1e6, 1e6 * dent);
         writeln!(data, "a,{radius},{speed},{time},{dent},{depth},{}", force * 1e-3).unwrap();
     }
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ model = 0.02 }}"));

@@ -1,0 +1,60 @@
+//! The band of e: how far the hardness of a material by name and the error of the law leave it open.
+
+use crate::impact::Solver;
+use crate::law::{LawChoice, UnloadingExponent};
+use crate::math::functions::hypot;
+use crate::scene::Input;
+use crate::units::rounded::percent;
+
+/// The lowest and the highest e that are to be expected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    pub low: f64,
+    pub high: f64,
+    /// What it follows from, such as "hardness 104 HB to 154 HB, law 1 %".
+    pub because: String,
+}
+
+/// Root mean square deviation of e from the finite elements of this project, as `validate` prints it.
+const PRESSURE_SHAPE: f64 = 0.01;
+const PAPER: f64 = 0.032;
+
+impl Band {
+    /// Both ends with two digits, and what they follow from.
+    pub fn words(&self) -> String {
+        let Self { low, high, because } = self;
+        format!("{low:.2} to {high:.2}: {because}")
+    }
+}
+
+/// The band of the restitution of this input at a speed. `None` for elastic bodies, for an exponent or a law without a stated error, and
+/// without a rebound.
+///
+/// At both ends of the range of the material's hardness e is computed anew; its distance and the error of the law are added
+/// as squares, because they are independent.
+pub fn band(input: &Input, speed: f64, restitution: f64) -> Option<Band> {
+    let LawChoice::Plm(law) = input.law() else { return None };
+    let error = match law.exponent {
+        UnloadingExponent::PressureShape => PRESSURE_SHAPE,
+        UnloadingExponent::Paper => PAPER,
+        UnloadingExponent::Fixed(_) => return None,
+    };
+    if !input.can_yield() || !(restitution > 0.0 && restitution < 1.0) {
+        return None;
+    }
+    let (mut ends, mut because) = ([restitution; 2], Vec::new());
+    let hardness = input.taken().iter().flat_map(|taken| taken.values().map(move |(key, known)| (taken, key, known)));
+    for (taken, key, known) in hardness.filter(|(_, key, _)| key.path == "half_space.hardness") {
+        for (end, written) in ends.iter_mut().zip(&known.range) {
+            let mut input = input.clone();
+            key.set(&mut input, Some(taken.in_key(key, written.value)));
+            let row = input.contact().ok()?.essentials(input.approach_at(speed), &Solver::AUTO).ok()?;
+            *end = row.restitution;
+        }
+        because.push(format!("hardness {} to {}", known.range[0].text, known.range[1].text));
+    }
+    because.push(format!("law {}", percent(error)));
+    let reach = |end: f64| hypot(end - restitution, error * restitution);
+    let (low, high) = ((restitution - reach(ends[0])).max(0.0), (restitution + reach(ends[1])).min(1.0));
+    Some(Band { low, high, because: because.join(", ") })
+}

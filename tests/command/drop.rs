@@ -1,0 +1,102 @@
+//! `plm-impact drop`, and the words of the bench: rebound height, dent diameter, the band of e, and help on one key.
+
+use crate::common::prelude::*;
+
+const DROP: [&str; 9] =
+    ["drop", "--ball", "steel-52100-hardened", "--diameter", "10 mm", "--on", "aluminium-6061-t6", "--from", "1 m"];
+
+fn json(desk: &Desk, more: &[&str]) -> Value {
+    serde_json::from_str(&desk.ends(&[&DROP[..], &["--json"], more].concat(), 0).0).unwrap()
+}
+
+fn number(summary: &Value, name: &str) -> f64 {
+    summary[name].as_f64().unwrap_or_else(|| panic!("{name}: {summary}"))
+}
+
+#[test]
+fn a_drop_is_what_its_scenario_gives() {
+    let desk = Desk::with("");
+    let direct = json(&desk, &["--save", "d.toml"]);
+    desk.ends(&["run", "d.toml", "--out", "out", "--pictures", "none"], 0);
+    let run = desk.summary();
+    for name in ["restitution", "restitution_with_waves", "rebound_height_m", "dent_diameter_m", "peak_force_N"] {
+        assert_eq!(direct[name], run[name], "{name}");
+    }
+    // h = (e v)^2/(2 g) with v^2 = 2 g h_0, after the waves have taken their part
+    let e = number(&run, "restitution_with_waves");
+    assert!(off(number(&run, "rebound_height_m"), e * e) < 1e-12);
+    assert_eq!(number(&run, "dent_diameter_m"), 2.0 * number(&run, "peak_contact_radius_m"));
+    // a file that is there stays as it is
+    let before = desk.read("d.toml");
+    let (_, said) = desk.ends(&[&DROP[..], &["--save", "d.toml", "--thickness", "5 mm"]].concat(), 2);
+    assert!(said.contains("d.toml") && desk.read("d.toml") == before, "{said}");
+}
+
+#[test]
+fn a_drop_prints_what_people_ask_for_and_writes_nothing() {
+    let desk = Desk::with("");
+    let (printed, _) = desk.ends(&DROP, 0);
+    for name in ["restitution", "with waves", "rebound height", "dent diameter", "peak force", "contact time"] {
+        assert!(printed.lines().any(|line| line.starts_with(name)), "{name}: {printed}");
+    }
+    assert!(printed.contains("hardness 99 HV to 113 HV, law 1 %"), "{printed}");
+    assert_eq!(desk.files("."), ["s.toml"]);
+}
+
+/// The ends of the band are the restitutions at the ends of the range of the hardness, moved apart by the error of the law
+/// as squares.
+#[test]
+fn the_band_of_e_comes_from_hardness_and_law() {
+    let desk = Desk::with("");
+    let summary = json(&desk, &[]);
+    let e = number(&summary, "restitution");
+    for (name, hardness) in [("restitution_low", "99 HV"), ("restitution_high", "113 HV")] {
+        let at_end = json(&desk, &["--hardness", hardness]);
+        let want = (number(&at_end, "restitution") - e).hypot(0.01 * e);
+        assert!(off((number(&summary, name) - e).abs(), want) < 1e-9, "{name}");
+        // a hardness that is given leaves the error of the law alone
+        assert!(
+            off(
+                number(&at_end, "restitution") - number(&at_end, "restitution_low"),
+                0.01 * number(&at_end, "restitution")
+            ) < 1e-9
+        );
+    }
+    // an elastic contact has no band, and neither has a law or an exponent without a stated error
+    for change in ["law=thornton", "law.plm.unloading_exponent=1.7", "impact.speed=1e-3"] {
+        let desk = Desk::with(STEEL);
+        desk.ends(&["run", "s.toml", "--set", change, "--out", "out", "--pictures", "none"], 0);
+        assert!(desk.summary().get("restitution_low").is_none(), "{change}");
+    }
+}
+
+#[test]
+fn a_wrong_option_is_refused_with_the_way_out() {
+    let desk = Desk::with("");
+    for (arguments, want) in [
+        (&["drop", "--ball", "steel-5210", "--diameter", "1 mm", "--on", "lead", "--from", "1 m"][..], "did you mean"),
+        (&["drop", "--ball", "lead", "--diameter", "1 kg", "--on", "lead", "--from", "1 m"][..], "diameter"),
+        (&["drop", "--ball", "lead", "--diameter", "1 mm", "--on", "lead"][..], "--from"),
+        (&["keys", "impact.angel"][..], "impact.angle"),
+        (&["materials", "unobtainium"][..], "unknown material"),
+    ] {
+        let (_, said) = desk.ends(arguments, 2);
+        assert!(said.contains(want), "{arguments:?}: {said}");
+    }
+}
+
+#[test]
+fn keys_and_materials_are_found_by_a_part_of_their_names() {
+    let desk = Desk::with("");
+    let (angle, _) = desk.ends(&["keys", "impact.angle"], 0);
+    assert!(
+        angle.starts_with("impact.angle\n") && angle.contains("default: 0 deg") && angle.lines().count() == 5,
+        "{angle}"
+    );
+    let (all, _) = desk.ends(&["keys"], 0);
+    assert!(EVERY_KEY.iter().all(|key| all.contains(key.path)));
+    for (text, name) in [("304", "steel-304-annealed"), ("100cr6", "steel-52100-hardened"), ("1.4301", "steel-304")] {
+        let (found, _) = desk.ends(&["materials", text], 0);
+        assert!(found.contains(name) && !found.contains("nylon"), "{text}: {found}");
+    }
+}
