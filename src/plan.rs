@@ -34,6 +34,10 @@ pub struct Plan {
     pub cases: Cases,
     /// Names of the results that the table has; `None`: all.
     pub columns: Option<Vec<&'static str>>,
+    /// The results that are drawn.
+    pub pictures: Vec<Column>,
+    /// Whether the scenario names them.
+    pub has_chosen_pictures: bool,
 }
 
 /// The key of the yield strength, which may follow from a hardness.
@@ -47,7 +51,15 @@ pub const MOST_CASES: u64 = 1 << 63;
 impl Plan {
     /// These cases of an input, in which every key that varies has its first value or its median.
     pub fn new(input: &Input, cases: Cases) -> Self {
-        let mut plan = Self { input: input.clone(), warnings: Vec::new(), cases, columns: None };
+        let restitution = columns().into_iter().filter(|column| column.name == "restitution").collect();
+        let mut plan = Self {
+            input: input.clone(),
+            warnings: Vec::new(),
+            cases,
+            columns: None,
+            pictures: restitution,
+            has_chosen_pictures: false,
+        };
         plan.input = plan.input_at(&vec![0; plan.axes().len()]);
         plan
     }

@@ -1,4 +1,5 @@
-//! Pictures of a sweep: e against the first axis, a map of e over two long axes, or a histogram of e of random cases.
+//! Pictures of a sweep: e, or other results, along an axis of numbers, in columns by words, and as a map over two long axes;
+//! or a histogram of e of random cases.
 
 use super::axis::extremes;
 use super::caption::caption;
@@ -10,6 +11,7 @@ use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
 use crate::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
 use crate::reference::quasi_static;
+use crate::scene::results::Column;
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Tally, count};
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
@@ -31,11 +33,8 @@ const LONG: u64 = 8;
 /// Number of bars of a histogram.
 const BARS: usize = 60;
 
-/// Names of the pictures of a table, without their endings.
-pub const PICTURES: [&str; 4] = ["restitution", "restitution_map", "restitution_histogram", "rebound"];
-
 /// The pictures of a plan with their names.
-pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(&'static str, Chart)> {
+pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
     let varied = plan.paths();
     let mut pictures = charts(plan, tally);
     for (_, chart) in &mut pictures {
@@ -44,19 +43,24 @@ pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(&'static str, Chart)> {
     pictures
 }
 
-fn charts(plan: &Plan, tally: &Tally) -> Vec<(&'static str, Chart)> {
+fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
     let Cases::Grid(axes) = &plan.cases else {
-        return bars(tally).map(|drawn| (PICTURES[2], drawn)).into_iter().collect();
+        return bars(tally).map(|drawn| ("restitution_histogram".to_owned(), drawn)).into_iter().collect();
     };
     let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
-    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) {
-        pictures.push((PICTURES[3], rebounds(plan, axes)));
-    } else if is_drawable(&axes[0]) {
-        pictures.push((PICTURES[0], curves(plan, axes)));
+    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && !plan.has_chosen_pictures {
+        return vec![("rebound".to_owned(), rebounds(plan, axes))];
     }
-    if axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG) {
-        pictures.push((PICTURES[1], map(plan, axes)));
+    // the axis along which curves run: the first, unless only the second has numbers
+    let along = (0..axes.len().min(2)).find(|at| is_drawable(&axes[*at]));
+    let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG);
+    for result in &plan.pictures {
+        let over = Over { plan, evaluator: Evaluator::new(plan), axes, along, result: *result };
+        pictures.push((result.name.to_owned(), if along.is_some() { over.curves() } else { over.columns() }));
+        if has_map {
+            pictures.push((format!("{}_map", result.name), over.map()));
+        }
     }
     pictures
 }
@@ -66,14 +70,6 @@ fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
     let (last, count) = (axis.len() - 1, axis.len().min(most));
     #[allow(clippy::cast_possible_truncation)] // at most `last`
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
-}
-
-/// e of the case at these places of the first axes, and at the first place of all other axes; NaN if the case has no e.
-fn restitution(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> f64 {
-    match row(evaluator, axes, places).as_ref().map(count) {
-        Some(Ok(Some(e))) => e,
-        _ => f64::NAN,
-    }
 }
 
 /// The row of that case.
@@ -98,8 +94,7 @@ fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
             at.iter().filter_map(|place| Some((*place, row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
         let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
         let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
-        let name =
-            axes.get(1).map_or_else(String::new, |second| format!("{} {}", words(second), label(second, *curve)));
+        let name = axes.get(1).map_or_else(String::new, |second| label(second, *curve));
         angles.push(curve_of(name, points(|after| after.angle.to_degrees())).styled(number));
         spins.push(curve_of("", points(|after| after.spin)).styled(number));
     }
@@ -152,43 +147,123 @@ fn curve_of(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
     Series { look, ..Series::line(name, points) }
 }
 
-fn curves(plan: &Plan, axes: &[Axis]) -> Chart {
-    let evaluator = Evaluator::new(plan);
-    let first = &axes[0];
-    let at = some_places(first, MOST_POINTS);
-    let most = |axis: &Axis| if axis.words().is_empty() { MOST_CURVES } else { MOST_WORDS };
-    let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, most(second)));
-    // all laws yield at about the same speed, so one guide is enough
-    let is_by_law = axes.get(1).is_some_and(|second| matches!(second.words(), [Word::Law(_), ..]));
-    let (mut series, mut yielding) = (Vec::new(), Vec::new());
-    for (number, curve) in of.iter().enumerate() {
-        let points: Vec<(f64, f64)> =
-            at.iter().map(|place| (shown(first, *place), restitution(&evaluator, axes, &[*place, *curve]))).collect();
-        let name = axes.get(1).map_or_else(String::new, |second| label(second, *curve));
-        if first.path() == "impact.speed" && !(is_by_law && number > 0) {
-            yielding.extend(yield_speed(plan, axes, *curve).map(|at| (number, at)));
+/// A result over one or two axes of a grid.
+struct Over<'a> {
+    plan: &'a Plan,
+    evaluator: Evaluator<'a>,
+    axes: &'a [Axis],
+    /// The place of the axis along which curves run: 0 or 1.
+    along: Option<usize>,
+    result: Column,
+}
+
+impl Over<'_> {
+    /// The result of the case at these places of the first axes; not a number if the case has none.
+    fn value(&self, places: &[u64]) -> f64 {
+        let row = row(&self.evaluator, self.axes, places);
+        let value = match &row {
+            Some(row) if self.is_restitution() => count(row).ok().flatten(),
+            Some(Ok(row)) => (self.result.value)(row),
+            _ => None,
+        };
+        value.unwrap_or(f64::NAN)
+    }
+
+    fn is_restitution(&self) -> bool {
+        self.result.name == "restitution"
+    }
+
+    /// The name of the result, and its axis.
+    fn axis(&self) -> (String, plot::Axis) {
+        if self.is_restitution() {
+            return ("Restitution".to_owned(), plot::Axis::linear("Restitution e", ""));
         }
-        let drawn = curve_of(name, points);
-        // the law of this program is the widest line among laws
-        let is_first = is_by_law && number == 0;
-        series.push(if is_first { drawn.styled(Style::of(number).wide(7.0)) } else { drawn });
+        let suffixes = ["_m_per_s", "_rad_per_s", "_m", "_N", "_s", "_Pa", "_J"];
+        let unit = suffixes.into_iter().find(|suffix| self.result.name.ends_with(suffix)).unwrap_or("");
+        let title = capital(&self.result.name.trim_end_matches(unit).replace('_', " "));
+        let axis = plot::Axis::engineering(&title, &unit.trim_start_matches('_').replace("_per_", "/"));
+        (title, axis)
     }
-    // one guide in grey where all curves yield at the same speed
-    let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);
-    let guide = |(number, at): &(usize, f64)| {
-        let guide = Series::vertical(*at, "yield speed");
-        if is_same { guide } else { guide.colored(*number) }
-    };
-    let guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
-    if first.path() == "impact.speed" && is_by_law {
-        series.extend(finite_elements(plan, &series));
+
+    /// Curves along one axis, one for each value of the other.
+    fn curves(&self) -> Chart {
+        let (axes, along) = (self.axes, self.along.unwrap_or(0));
+        let first = &axes[along];
+        let other = if along == 0 { axes.get(1) } else { axes.first() };
+        let at = some_places(first, MOST_POINTS);
+        let most = |axis: &Axis| if axis.words().is_empty() { MOST_CURVES } else { MOST_WORDS };
+        let curves = other.map_or_else(|| vec![0], |other| some_places(other, most(other)));
+        // all laws yield at about the same speed, so one guide is enough
+        let is_by_law = other.is_some_and(|other| matches!(other.words(), [Word::Law(_), ..]));
+        let is_by_speed = first.path() == "impact.speed";
+        let (mut series, mut yielding) = (Vec::new(), Vec::new());
+        for (number, curve) in curves.iter().enumerate() {
+            let places = |place: u64| if along == 0 { [place, *curve] } else { [*curve, place] };
+            let points = at.iter().map(|place| (shown(first, *place), self.value(&places(*place)))).collect();
+            let name = other.map_or_else(String::new, |other| label(other, *curve));
+            if is_by_speed && !(is_by_law && number > 0) {
+                yielding.extend(yield_speed(self.plan, other, *curve).map(|at| (number, at)));
+            }
+            let drawn = curve_of(name, points);
+            // the law of this program is the widest line among laws
+            let is_first = is_by_law && number == 0;
+            series.push(if is_first { drawn.styled(Style::of(number).wide(7.0)) } else { drawn });
+        }
+        // one guide in grey where all curves yield at the same speed
+        let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);
+        let guide = |(number, at): &(usize, f64)| {
+            let guide = Series::vertical(*at, "yield speed");
+            if is_same { guide } else { guide.colored(*number) }
+        };
+        let guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
+        if is_by_speed && is_by_law && self.is_restitution() {
+            series.extend(finite_elements(self.plan, &series));
+        }
+        let (name, y) = self.axis();
+        let y = self.ranged(y, &series);
+        let title = match other {
+            Some(other) => format!("{name} by {}", words(other)),
+            None => format!("{name} against {}", words(first)),
+        };
+        Chart::new(title, [plot_axis(first), y], series).with_guides(guides).with_notes(notes(axes))
     }
-    let e = ranged(plot::Axis::linear("Restitution e", ""), &series);
-    let title = match axes.get(1) {
-        Some(second) => format!("Restitution by {}", words(second)),
-        None => format!("Restitution against {}", words(first)),
-    };
-    Chart::new(title, [plot_axis(first), e], series).with_guides(guides).with_notes(notes(axes))
+
+    /// A column for each word of the first axis, such as a law or a material, with its value in the key.
+    #[allow(clippy::cast_precision_loss)] // a handful of words
+    fn columns(&self) -> Chart {
+        let (name, y) = self.axis();
+        let column = |(number, place): (usize, u64)| {
+            let value = self.value(&[place]);
+            let (left, right) = (number as f64 + 0.6, number as f64 + 1.4);
+            let text = if y.unit.is_empty() { four_digits(value) } else { quantity(value, &y.unit) };
+            let outline = vec![(left, 0.0), (left, value), (right, value), (right, 0.0)];
+            Series::band(label(&self.axes[0], place), outline).and(text).styled(number)
+        };
+        let series: Vec<Series> = some_places(&self.axes[0], MOST_WORDS).into_iter().enumerate().map(column).collect();
+        let x = plot::Axis::linear(&capital(&words(&self.axes[0])), "").between(0.0, series.len() as f64 + 1.0);
+        let y = self.ranged(y.clone(), &series);
+        Chart::new(format!("{name} by {}", words(&self.axes[0])), [x, y], series).with_notes(notes(self.axes))
+    }
+
+    /// Colours over the first two axes.
+    fn map(&self) -> Chart {
+        let axes = self.axes;
+        let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
+        let (name, color) = self.axis();
+        let title = std::iter::once(name).chain(notes(axes)).collect::<Vec<_>>().join(", ");
+        let on = |axis: &Axis, places: &[u64]| -> Vec<f64> { places.iter().map(|place| shown(axis, *place)).collect() };
+        let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
+        let value = |column: usize, row: usize| self.value(&[columns[column], rows[row]]);
+        heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], value, color)
+    }
+
+    /// The axis with the range of the data, so that guides do not extend it.
+    fn ranged(&self, axis: plot::Axis, series: &[Series]) -> plot::Axis {
+        let values = series.iter().flat_map(|series| &series.points).map(|(_, value)| *value);
+        let (low, high) = extremes(values.filter(|value| value.is_finite()));
+        let high = if self.is_restitution() { high.max(1.0) } else { high };
+        if low < high && low >= 0.0 { axis.between(0.0, 1.05 * high) } else { axis }
+    }
 }
 
 /// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a
@@ -206,36 +281,18 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(Style::BLACK))
 }
 
-/// The axis with the range of the data, so that guides do not extend it.
-fn ranged(axis: plot::Axis, series: &[Series]) -> plot::Axis {
-    let values = series.iter().flat_map(|series| &series.points).map(|(_, e)| *e);
-    let (low, high) = extremes(values.filter(|e| e.is_finite()));
-    if low < high { axis.between(0.0, 1.05 * high.max(1.0)) } else { axis }
-}
-
 /// Notes on the axes after the second one, which stay at their first value.
 fn notes(axes: &[Axis]) -> Vec<String> {
     axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
 }
 
-/// The yield speed v_Y at a place of the second axis.
-fn yield_speed(plan: &Plan, axes: &[Axis], place: u64) -> Option<f64> {
+/// The yield speed v_Y at a place of an axis.
+fn yield_speed(plan: &Plan, axis: Option<&Axis>, place: u64) -> Option<f64> {
     let mut input = plan.input.clone();
-    if let Some(second) = axes.get(1) {
-        second.put(place, &mut input);
+    if let Some(axis) = axis {
+        axis.put(place, &mut input);
     }
     input.contact().ok()?.yield_speed()
-}
-
-fn map(plan: &Plan, axes: &[Axis]) -> Chart {
-    let evaluator = Evaluator::new(plan);
-    let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
-    let title = std::iter::once("Restitution".to_owned()).chain(notes(axes)).collect::<Vec<_>>().join(", ");
-    let on = |axis: &Axis, places: &[u64]| -> Vec<f64> { places.iter().map(|place| shown(axis, *place)).collect() };
-    let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
-    let value = |column: usize, row: usize| restitution(&evaluator, axes, &[columns[column], rows[row]]);
-    let color = plot::Axis::linear("Restitution e", "");
-    heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], value, color)
 }
 
 fn bars(tally: &Tally) -> Option<Chart> {

@@ -63,6 +63,10 @@ fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
     }
     if path == LAW {
         let find = |name: &str| LawChoice::from_name(name).filter(LawChoice::has_loading);
+        if matches!(node.get_ref(), DeValue::String(all) if all == "all") {
+            let laws = LawChoice::all().into_iter().filter(LawChoice::has_loading);
+            return Ok(Axis::of_words(LAW, laws.map(Word::Law).collect()));
+        }
         let law = |item: &Node| named(&AXIS_OF_LAWS, item, find).map(Word::Law);
         return words(LAW, node, "[\"plm\", \"thornton\"]", law);
     }

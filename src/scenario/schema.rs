@@ -166,7 +166,7 @@ fn axes() -> Value {
     let mut schema =
         varied(|value| json!({ "anyOf": [list_of(value, 1), space("linspace", value), space("logspace", value)] }));
     schema["properties"]["solver.method"] = list_of(&one_of(&METHODS), 1);
-    schema["properties"]["law"] = list_of(&json!({ "type": "string" }), 1);
+    schema["properties"]["law"] = json!({ "anyOf": [{ "const": "all" }, list_of(&json!({ "type": "string" }), 1)] });
     for body in Body::ALL {
         schema["properties"][body.material()] = list_of(&one_of(&MATERIALS), 1);
     }

@@ -35,6 +35,7 @@ impl Scenario {
         let mut plan = Plan::new(&input, cases);
         plan.warnings = self.without_effect(&plan.worded(), Use::Impact);
         self.choose_columns(&mut plan)?;
+        self.choose_pictures(&mut plan)?;
         if let Some((path, problem)) = plan.unused() {
             return refuse(path, problem);
         }
@@ -55,6 +56,26 @@ impl Scenario {
             );
         }
         Ok(Some(plan))
+    }
+
+    /// Draws the results that the scenario names, if it names any.
+    fn choose_pictures(&self, plan: &mut Plan) -> Result<(), Error> {
+        let Some(names) = self.input.words(at!("output.picture")) else { return Ok(()) };
+        if plan.is_monte_carlo() {
+            let message = "random cases have a histogram of the restitution: leave the key out, or draw the columns of the table with another tool";
+            return Err(self.document.refuse("output.picture", message));
+        }
+        let all = columns();
+        let mut chosen = Vec::new();
+        for name in names {
+            let Some(column) = all.iter().find(|column| column.name == name) else { continue };
+            if let Some(reason) = plan.missing(column.needs) {
+                return Err(self.document.refuse("output.picture", format!("\"{name}\" is not there: {reason}")));
+            }
+            chosen.push(*column);
+        }
+        (plan.pictures, plan.has_chosen_pictures) = (chosen, true);
+        Ok(())
     }
 
     /// Leaves in the table of a plan only the results that the scenario names, if it names any.
@@ -80,11 +101,10 @@ impl Scenario {
 
     /// Refuses columns for `scene`, which is no table.
     pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), Error> {
-        if self.input.words(at!("output.columns")).is_none() {
-            return Ok(());
-        }
+        let given = [("output.columns", at!("output.columns")), ("output.picture", at!("output.picture"))];
+        let Some((key, _)) = given.into_iter().find(|(_, at)| self.input.words(*at).is_some()) else { return Ok(()) };
         let message = format!("is for tables, and this scenario is {scene}: leave it out, or give an impact a [sweep]");
-        Err(self.document.refuse("output.columns", message))
+        Err(self.document.refuse(key, message))
     }
 }
 

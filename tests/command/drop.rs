@@ -100,3 +100,39 @@ fn keys_and_materials_are_found_by_a_part_of_their_names() {
         assert!(found.contains(name) && !found.contains("nylon"), "{text}: {found}");
     }
 }
+
+/// Any result can be drawn over the axes; a name as first axis gives curves by name, and one speed with all laws gives a column
+/// for each.
+#[test]
+fn pictures_are_those_that_are_chosen() {
+    let desk = Desk::with("");
+    let run = |sweep: &str| {
+        std::fs::write(desk.path("s.toml"), format!("{STEEL}{sweep}")).unwrap();
+        let _ = std::fs::remove_dir_all(desk.path("o"));
+        desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+        desk.files("o").into_iter().filter(|name| name.ends_with(".svg")).collect::<Vec<_>>()
+    };
+    let axes =
+        "[sweep]\n\"sphere.radius\" = { linspace = [\"1 mm\", \"5 mm\"], points = 9 }\n\"impact.speed\" = [1, 2]\n";
+    assert_eq!(run(axes), ["restitution.svg"]);
+    let chosen = format!("{axes}[output]\npicture = [\"dent_diameter_m\", \"peak_force_N\"]\n");
+    assert_eq!(run(&chosen), ["dent_diameter_m.svg", "peak_force_N.svg"]);
+    let drawn = desk.read("o/dent_diameter_m.svg");
+    assert!(drawn.contains("Dent diameter [µm]") && drawn.contains("Dent diameter by impact speed"), "{drawn}");
+    // a name as first axis: curves run along the second
+    assert_eq!(run("[sweep]\nlaw = [\"plm\", \"thornton\"]\n\"impact.speed\" = [1, 2, 3]\n"), ["restitution.svg"]);
+    assert!(desk.read("o/restitution.svg").contains("Restitution by law"));
+    // names alone: a column for each, with its value
+    assert_eq!(run("[sweep]\nlaw = \"all\"\n"), ["restitution.svg"]);
+    let (columns, table) = (desk.read("o/restitution.svg"), desk.read("o/table.csv"));
+    for law in ["plm", "thornton", "stronge", "kogut_etsion"] {
+        assert!(columns.contains(law), "{law}");
+    }
+    for e in numbers(&table, "restitution").into_iter().filter(|e| e.is_finite()) {
+        assert!(columns.contains(plm_impact::units::four_digits(e).as_str()), "{e}");
+    }
+    // one impact has no axes
+    std::fs::write(desk.path("s.toml"), format!("{STEEL}[output]\npicture = [\"restitution\"]\n")).unwrap();
+    let (_, said) = desk.ends(&["run", "s.toml", "--out", "one"], 2);
+    assert!(said.contains("output.picture"), "{said}");
+}
