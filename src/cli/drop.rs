@@ -71,8 +71,12 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     let Way::Once { run, .. } = way(scenario.kind()?) else {
         return Err(Error::input("a drop is one impact".to_owned()));
     };
-    let order =
-        Order { command: &super::output::command_line(), pictures: Pictures::None, progress: &Counter::default() };
+    let order = Order {
+        command: &super::output::command_line(),
+        is_verbose: false,
+        pictures: Pictures::None,
+        progress: &Counter::default(),
+    };
     let outcome = run(&scenario, &order)?;
     super::output::warn(&outcome.warnings);
     heed(&scenario, outcome.warnings.len(), arguments.strict)?;

@@ -27,6 +27,9 @@ pub struct Output {
     /// Take warnings for errors: write nothing, exit code 1
     #[arg(long)]
     pub strict: bool,
+    /// Print also how exact the integration was: closed form, steps, energy drift
+    #[arg(long, conflicts_with = "quiet")]
+    pub verbose: bool,
     /// Neither table nor progress; warnings and errors only
     #[arg(long)]
     pub quiet: bool,
@@ -56,9 +59,9 @@ impl Output {
         let signals = Signals::listen()?;
         let directory = self.prepare(file, &mut scenario)?;
         make_way(&directory)?;
-        let pictures = self.pictures.format;
+        let (pictures, is_verbose) = (self.pictures.format, self.verbose);
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(&signals, move |progress| {
-            let outcome = run(&scenario, &Order { command: &command_line(), pictures, progress })?;
+            let outcome = run(&scenario, &Order { command: &command_line(), is_verbose, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
         let Outcome { warnings, text, files, contradiction } = outcome;

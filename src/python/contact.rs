@@ -282,7 +282,7 @@ impl Impact {
     }
 
     fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", table(&self.contact.get().inner, &self.result).trim_end())
+        format!("<plm_impact.Impact>\n{}", table(&self.single(), false).trim_end())
     }
 
     /// The picture of the force against the indentation, as PNG.

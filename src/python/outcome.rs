@@ -113,7 +113,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
 }
 
 fn order<'a>(command: &'a str, progress: &'a Counter) -> Order<'a> {
-    Order { command, pictures: Pictures::Png, progress }
+    Order { command, is_verbose: false, pictures: Pictures::Png, progress }
 }
 
 /// A `plm_impact.Outcome`.

@@ -8,11 +8,15 @@ use crate::units::aligned::aligned;
 use crate::units::four_digits;
 use crate::units::rounded::{percent, quantity};
 
-/// What came of one impact, in a few lines.
-pub fn impact(single: &Single) -> String {
+/// What came of one impact, in a few lines. How exact the integration was is only shown if `is_verbose`.
+pub fn impact(single: &Single, is_verbose: bool) -> String {
     let impact = single.impact;
+    let is_of_the_integrator =
+        |name: &str| ["accuracy.", "work.", "energy.drift"].iter().any(|begin| name.starts_with(begin));
+    let mut results = results();
+    results.retain(|result| is_verbose || !is_of_the_integrator(result.name));
     let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, "m/s"), String::new()]];
-    lines.extend(self::lines(&results(), single));
+    lines.extend(self::lines(&results, single));
     if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
         value.push_str(" (outside the law)");
     }

@@ -61,5 +61,5 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
     })?);
     let single = Single { input: &input, contact: &contact, impact: &impact };
     let files = with_summary(files, provenance, |of| summary(&single, &Inputs::of(&input), of))?;
-    Ok(Outcome::done(texts(&impact.warnings), table(&single), files))
+    Ok(Outcome::done(texts(&impact.warnings), table(&single, order.is_verbose), files))
 }

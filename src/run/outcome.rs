@@ -15,6 +15,8 @@ use crate::scenario::Scenario;
 pub struct Order<'a> {
     /// The command line, for the provenance.
     pub command: &'a str,
+    /// Whether the text says how exact the integration was.
+    pub is_verbose: bool,
     /// The format of the pictures.
     pub pictures: Pictures,
     /// Counts how far the run is.

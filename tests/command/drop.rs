@@ -136,3 +136,14 @@ fn pictures_are_those_that_are_chosen() {
     let (_, said) = desk.ends(&["run", "s.toml", "--out", "one"], 2);
     assert!(said.contains("output.picture"), "{said}");
 }
+
+#[test]
+fn how_exact_the_integration_was_is_said_when_it_is_asked_for() {
+    let desk = Desk::with(STEEL);
+    let run = |more: &[&str]| desk.ends(&[&["run", "s.toml", "--out", "o", "--pictures", "none"], more].concat(), 0).0;
+    let (short, long) = (run(&[]), run(&["--verbose"]));
+    for words in ["steps  ", "closed form", "drift"] {
+        assert!(!short.contains(words) && long.contains(words), "{words}: {long}");
+    }
+    assert!(short.contains("recovered") && desk.json("o/summary.json")["work"]["steps"].is_u64());
+}

@@ -87,7 +87,8 @@ pub fn skip(what: &str, why: &str) {
 /// Runs the one impact of a scenario in memory, without pictures.
 pub fn outcome(scenario: &Scenario) -> Outcome {
     let Way::Once { run, .. } = way(Kind::Impact) else { panic!("one impact is no table") };
-    let order = Order { command: "plm-impact run", pictures: Pictures::None, progress: &Counter::default() };
+    let order =
+        Order { command: "plm-impact run", is_verbose: false, pictures: Pictures::None, progress: &Counter::default() };
     run(scenario, &order).unwrap()
 }
 
