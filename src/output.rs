@@ -70,9 +70,9 @@ struct Before {
 /// Which scenario the results are of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Whose {
-    /// The same text with the same overrides.
+    /// Results of this scenario: its text and overrides are unchanged.
     Same,
-    /// The same file with another text or other overrides.
+    /// Results of this file, whose text or overrides have changed since.
     Edited,
     /// Another file, which is replaced by force.
     Other,

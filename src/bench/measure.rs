@@ -51,9 +51,9 @@ pub struct Measurement {
     pub rung: Rung,
     /// |e/e_exact − 1|.
     pub restitution_error: f64,
-    /// The same for the contact time, which a fixed step interpolates within its last step.
+    /// The relative error of the contact time, which a fixed step interpolates within its last step.
     pub contact_time_error: f64,
-    /// The same for the time at which separation is seen: in whole steps with a fixed step, else the contact time.
+    /// The relative error of the time at which separation is seen: in whole steps with a fixed step, else the contact time.
     pub separation_error: f64,
     pub peak_force_error: f64,
     /// Cost of one impact.
@@ -86,7 +86,7 @@ impl Rung {
         }
     }
 
-    /// The same for its time alone. An exact outcome is not moved, because the move would show in its time.
+    /// Runs a setting for its time alone. An exact outcome is not moved, because the move would show in its time.
     fn spend(self, method: Method, problem: &Problem) {
         match self {
             Self::Exact => _ = black_box(&closed_form::solve(black_box(&problem.law), black_box(problem.speed))),

@@ -35,7 +35,7 @@ impl ScenarioArguments {
         self.load_with(&[])
     }
 
-    /// The same with more overrides.
+    /// Loads the scenario with more overrides than those of the command line.
     pub fn load_with(&self, more: &[String]) -> Result<Scenario, Error> {
         let overrides = [&self.overrides, more].concat();
         if self.is_standard_input() {

@@ -67,7 +67,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// That of work which writes no files.
+    /// The watch of work that writes no files.
     pub fn without_files(is_quiet: bool) -> Self {
         let bar = "{human_pos}/{human_len} done, {elapsed}";
         Self { is_quiet, bar, patience: Duration::ZERO, leaves: "nothing was written" }

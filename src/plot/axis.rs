@@ -56,13 +56,13 @@ impl Axis {
         Self::linear(title, unit).logarithmic()
     }
 
-    /// The same axis with a logarithmic scale.
+    /// Returns the axis with a logarithmic scale.
     #[must_use]
     pub fn logarithmic(self) -> Self {
         Self { scale: Scale::Log, ..self }
     }
 
-    /// The same axis from `low` to `high`.
+    /// Returns the axis from `low` to `high`.
     #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
         self.range = Some((low, high));

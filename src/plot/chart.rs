@@ -113,19 +113,19 @@ impl Chart {
         Self { title, caption, x, panels, side: None, entries: Vec::new(), colors: None }
     }
 
-    /// The same picture with a line below the title that names bodies and law.
+    /// Returns the picture with a line below the title that names bodies and law.
     #[must_use]
     pub fn with_caption(self, caption: impl Into<String>) -> Self {
         Self { caption: caption.into(), ..self }
     }
 
-    /// The same picture with these series in a box at the right of the first one.
+    /// Returns the picture with these series in a box at the right of the first one.
     #[must_use]
     pub fn with_side(self, x: Axis, series: Vec<Series>) -> Self {
         Self { side: Some(Side { x, series }), ..self }
     }
 
-    /// The same picture with these guides in every box.
+    /// Returns the picture with these guides in every box.
     #[must_use]
     pub fn with_guides(mut self, guides: impl Into<Vec<Series>>) -> Self {
         let guides = guides.into();
@@ -135,7 +135,7 @@ impl Chart {
         self
     }
 
-    /// The same picture with these texts at the end of the key.
+    /// Returns the picture with these texts at the end of the key.
     #[must_use]
     pub fn with_notes<T: Into<String>>(self, notes: impl IntoIterator<Item = T>) -> Self {
         self.with_entries(notes.into_iter().map(Series::text))
@@ -146,7 +146,7 @@ impl Chart {
         self
     }
 
-    /// The same picture with entries of the key, in grey, for what the dashes of all colours mean: the first name is that
+    /// Returns the picture with entries of the key, in grey, for what the dashes of all colours mean: the first name is that
     /// of solid lines, the second of dashed ones ([`Style::branch`]).
     #[must_use]
     pub fn with_branches(self, names: &[&str]) -> Self {

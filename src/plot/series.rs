@@ -86,20 +86,20 @@ impl Series {
         Self::guide(Look::Horizontal(at), label, &[22.0, 8.0])
     }
 
-    /// The same series in this style; a number is a place in the cycle of styles.
+    /// Returns the series in this style; a number is a place in the cycle of styles.
     #[must_use]
     pub fn styled(self, style: impl Into<Style>) -> Self {
         Self { style: Some(style.into()), ..self }
     }
 
-    /// The same series in this colour, with its width and dash.
+    /// Returns the series in this colour, with its width and dash.
     #[must_use]
     pub(super) fn colored(self, style: impl Into<Style>) -> Self {
         let own = self.style.unwrap_or(Style::BLACK);
         Self { style: Some(Style { color: style.into().color, ..own }), ..self }
     }
 
-    /// The same series with one more text in the key.
+    /// Returns the series with one more text in the key.
     #[must_use]
     pub fn and(mut self, text: impl Into<String>) -> Self {
         self.texts.push(text.into());

@@ -83,13 +83,13 @@ impl Style {
         }
     }
 
-    /// The same colour and marker with a solid line.
+    /// Returns the style with a solid line.
     #[must_use]
     pub fn solid(self) -> Self {
         self.dashed(SOLID)
     }
 
-    /// The same colour and marker, with a solid line for 0 and a dashed one for 1.
+    /// Returns the style with a solid line for 0 and a dashed one for 1.
     #[must_use]
     pub fn branch(self, which: usize) -> Self {
         self.dashed(if which == 0 { SOLID } else { DASHED })

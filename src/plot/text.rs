@@ -50,7 +50,7 @@ const WIDTHS: &[(char, &[u16])] = &[
     ('√', &[1305]),
 ];
 
-/// Of any other character.
+/// The width of any other character.
 const OTHER: u16 = 1400;
 
 fn width_of(letter: char) -> u16 {

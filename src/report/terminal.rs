@@ -75,7 +75,7 @@ pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>
     lines
 }
 
-/// The same as text.
+/// The columns as text.
 pub(super) fn table<T>(results: &[Reported<T>], rows: &[T]) -> String {
     aligned(&columns(results, rows), |_| true)
 }

@@ -14,7 +14,7 @@ pub fn count(result: &Result<Essentials, Failure>) -> Count {
     result.as_ref().map(|row| row.has_speed().then_some(row.restitution)).map_err(|failure| *failure)
 }
 
-/// The same of a written row; `None` for an unknown status.
+/// The count of a row that was read back; `None` for an unknown status.
 pub(super) fn written(status: &str, restitution: Option<f64>) -> Option<Count> {
     if status == OK {
         return Some(Ok(restitution));

@@ -19,7 +19,7 @@ pub struct OfLaw {
     pub name: String,
     /// Number of the impacts for which the law has an answer.
     pub impacts: usize,
-    /// Of restitution, peak force, dent depth (over the peak indentation) and contact time.
+    /// The values belong to restitution, peak force, dent depth (over the peak indentation) and contact time.
     pub rms: [f64; 4],
 }
 
