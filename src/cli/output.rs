@@ -88,6 +88,15 @@ impl Output {
         Ok(())
     }
 
+    /// Refuses one directory for the results of several files.
+    pub fn refuse_one_directory(&self) -> Result<(), Error> {
+        let Some(one) = &self.out else { return Ok(()) };
+        Err(Error::input(format!(
+            "--out {}: several files have a directory each; leave --out out, and they go to plots/NAME",
+            one.display()
+        )))
+    }
+
     /// The output directory.
     pub fn directory(&self, file: &Path) -> PathBuf {
         let default = || Path::new("plots").join(file.file_stem().unwrap_or(file.as_os_str()));

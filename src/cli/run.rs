@@ -1,5 +1,7 @@
 //! `plm-impact run` and `plm-impact check`
 
+use std::path::PathBuf;
+
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::run::{Way, way};
@@ -11,10 +13,13 @@ use super::scenario::ScenarioArguments;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact run impact.toml --set impact.speed=\"1 m/s\" --pictures svg
-  plm-impact run sweep.toml --set law=thornton --out thornton")]
+  plm-impact run scenarios/steel-on-steel.toml scenarios/leeb-d.toml --set law=thornton")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
+    /// More scenario files; each is run with the same options into a directory of its own
+    #[arg(value_name = "FILES")]
+    more: Vec<PathBuf>,
     #[command(flatten)]
     output: Output,
     #[command(flatten)]
@@ -22,13 +27,22 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
-    let mut scenario = arguments.scenario.load()?;
+    if !arguments.more.is_empty() {
+        arguments.output.refuse_one_directory()?;
+    }
+    one(arguments, &arguments.scenario)?;
+    arguments.more.iter().try_for_each(|file| one(arguments, &arguments.scenario.of(file)))
+}
+
+/// Runs one of the files.
+fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
+    let mut scenario = file.load()?;
     match way(scenario.kind()?) {
         Way::Once { what, run, .. } => {
             arguments.sweep.refuse_for(what)?;
-            arguments.output.once(arguments.scenario.name(), scenario, run)
+            arguments.output.once(file.name(), scenario, run)
         }
-        Way::Table => super::sweep::run(&arguments.sweep, &arguments.output, arguments.scenario.name(), &mut scenario),
+        Way::Table => super::sweep::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario),
     }
 }
 

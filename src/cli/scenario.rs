@@ -31,6 +31,11 @@ impl ScenarioArguments {
         self.scenario == Path::new(STANDARD_INPUT)
     }
 
+    /// Another file with the same overrides.
+    pub fn of(&self, file: &Path) -> Self {
+        Self { scenario: file.to_owned(), overrides: self.overrides.clone() }
+    }
+
     pub fn load(&self) -> Result<Scenario, Error> {
         self.load_with(&[])
     }

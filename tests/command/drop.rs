@@ -147,3 +147,15 @@ fn how_exact_the_integration_was_is_said_when_it_is_asked_for() {
     }
     assert!(short.contains("recovered") && desk.json("o/summary.json")["work"]["steps"].is_u64());
 }
+
+#[test]
+fn several_files_are_run_one_after_the_other() {
+    let desk = Desk::with(STEEL);
+    desk.put("t.toml", STEEL.replace("3 m/s", "2 m/s"));
+    let (printed, _) = desk.ends(&["run", "s.toml", "t.toml", "--pictures", "none", "--set", "sphere.radius=1 mm"], 0);
+    assert_eq!(printed.matches("impact speed").count(), 2, "{printed}");
+    let e = |name: &str| number(&desk.json(&format!("plots/{name}/summary.json")), "restitution");
+    assert!(e("s") < e("t"));
+    let (_, said) = desk.ends(&["run", "s.toml", "t.toml", "--out", "o"], 2);
+    assert!(said.contains("--out o") && !desk.path("o").exists(), "{said}");
+}

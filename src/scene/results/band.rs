@@ -4,6 +4,7 @@ use crate::impact::Solver;
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::math::functions::hypot;
 use crate::scene::Input;
+use crate::scene::at::at;
 use crate::units::rounded::percent;
 
 /// The lowest and the highest e that are to be expected.
@@ -14,6 +15,9 @@ pub struct Band {
     /// What it follows from, such as "hardness 104 HB to 154 HB, law 1 %".
     pub because: String,
 }
+
+/// The key whose value a material leaves open by its range.
+const HARDNESS: &str = "half_space.hardness";
 
 /// Root mean square deviation of e from the finite elements of this project, as `validate` prints it.
 const PRESSURE_SHAPE: f64 = 0.01;
@@ -44,10 +48,10 @@ pub fn band(input: &Input, speed: f64, restitution: f64) -> Option<Band> {
     }
     let (mut ends, mut because) = ([restitution; 2], Vec::new());
     let hardness = input.taken().iter().flat_map(|taken| taken.values().map(move |(key, known)| (taken, key, known)));
-    for (taken, key, known) in hardness.filter(|(_, key, _)| key.path == "half_space.hardness") {
+    for (taken, key, known) in hardness.filter(|(_, key, _)| *key == HARDNESS) {
         for (end, written) in ends.iter_mut().zip(&known.range) {
             let mut input = input.clone();
-            key.set(&mut input, Some(taken.in_key(key, written.value)));
+            input.set(at!("half_space.hardness"), Some(taken.in_key(key, written.value)));
             let row = input.contact().ok()?.essentials(input.approach_at(speed), &Solver::AUTO).ok()?;
             *end = row.restitution;
         }
