@@ -5,6 +5,7 @@ pub mod impact;
 pub mod indentation;
 mod outcome;
 pub mod repeat;
+pub mod single;
 pub mod table;
 
 use crate::error::{Error, ErrorKind};

@@ -22,7 +22,7 @@ use super::terminal::other;
 #[derive(Debug, Args)]
 #[command(group = ArgGroup::new("approach").required(true), after_help = "Examples:
   plm-impact drop --ball steel-52100-hardened --diameter \"10 mm\" --on aluminium-6061-t6 --from \"1 m\"
-  plm-impact drop --ball alumina-99.5 --diameter \"5 mm\" --on steel-s235 --speed \"2 m/s\" --save impact.toml")]
+  plm-impact drop --ball alumina-99.5 --diameter \"5 mm\" --on steel-s235 --speed \"2 m/s\" --save drop.toml")]
 pub struct Arguments {
     /// Material of the ball; `plm-impact materials` lists all
     #[arg(long, value_name = "MATERIAL")]

@@ -13,7 +13,7 @@ use super::scenario::ScenarioArguments;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact run impact.toml --set impact.speed=\"1 m/s\" --pictures svg
-  plm-impact run scenarios/steel-on-steel.toml scenarios/leeb-d.toml --set law=thornton")]
+  plm-impact run impact.toml sweep.toml --set law=thornton")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,

@@ -18,6 +18,7 @@ use crate::plan::Source;
 use crate::plot;
 use crate::report::overview::overview;
 use crate::report::{table, trace};
+use crate::run::single::single;
 use crate::run::{no_result, texts};
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Use;
@@ -217,7 +218,7 @@ impl Impact {
 
     fn single(&self) -> Single<'_> {
         let contact = self.contact.get();
-        Single { input: &contact.input, contact: &contact.inner, impact: &self.result }
+        single(&contact.input, &contact.inner, &self.result)
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

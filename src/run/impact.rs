@@ -1,6 +1,7 @@
 //! One impact.
 
 use super::outcome::{self, Order, Outcome, file, no_result, texts, with_summary};
+use super::single::single;
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::plot;
@@ -9,7 +10,6 @@ use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::{summary, table, trace};
 use crate::scenario::Scenario;
-use crate::scene::results::impact::Single;
 use crate::scene::{Input, Use};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
@@ -59,7 +59,7 @@ pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> 
         let caption = plot::caption::caption(&input, &[]);
         Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
     })?);
-    let single = Single { input: &input, contact: &contact, impact: &impact };
+    let single = single(&input, &contact, &impact);
     let files = with_summary(files, provenance, |of| summary(&single, &Inputs::of(&input), of))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&single, order.is_verbose), files))
 }

@@ -118,7 +118,7 @@ fn pictures_are_those_that_are_chosen() {
     let chosen = format!("{axes}[output]\npicture = [\"dent_diameter_m\", \"peak_force_N\"]\n");
     assert_eq!(run(&chosen), ["dent_diameter_m.svg", "peak_force_N.svg"]);
     let drawn = desk.read("o/dent_diameter_m.svg");
-    assert!(drawn.contains("Dent diameter [µm]") && drawn.contains("Dent diameter by impact speed"), "{drawn}");
+    assert!(drawn.contains("Dent diameter [mm]") && drawn.contains("Dent diameter by impact speed"), "{drawn}");
     // a name as first axis: curves run along the second
     assert_eq!(run("[sweep]\nlaw = [\"plm\", \"thornton\"]\n\"impact.speed\" = [1, 2, 3]\n"), ["restitution.svg"]);
     assert!(desk.read("o/restitution.svg").contains("Restitution by law"));

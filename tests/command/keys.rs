@@ -83,7 +83,7 @@ fn computed(input: &Input, of: Use) -> String {
     }
     let contact = input.contact().unwrap();
     if of == Use::Rows {
-        format!("{:?}", contact.essentials(input.approach(), &input.solver()))
+        format!("{:?}", contact.row(input.approach(), &input.solver()))
     } else {
         // a run writes a trace
         format!("{:?}", contact.impact(input.approach(), &input.solver(), Some(5)))

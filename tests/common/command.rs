@@ -88,7 +88,7 @@ pub fn skip(what: &str, why: &str) {
 pub fn outcome(scenario: &Scenario) -> Outcome {
     let Way::Once { run, .. } = way(Kind::Impact) else { panic!("one impact is no table") };
     let order =
-        Order { command: "plm-impact run", is_verbose: false, pictures: Pictures::None, progress: &Counter::default() };
+        Order { command: "plm-impact run", is_verbose: true, pictures: Pictures::None, progress: &Counter::default() };
     run(scenario, &order).unwrap()
 }
 

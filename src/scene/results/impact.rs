@@ -2,38 +2,40 @@
 
 use serde_json::Value;
 
-use super::band::{Band, band};
 use super::entry::{Needs, Reported, file, results};
 use crate::impact::{
     Contact, Essentials, Event, FixedSteps, Impact, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
 };
-use crate::scene::Input;
-use crate::scene::at::at;
 
 /// One impact.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Single<'a> {
-    pub input: &'a Input,
     pub contact: &'a Contact,
     pub impact: &'a Impact,
+    /// Where e is expected, if that is known.
+    pub band: Option<Band>,
+    /// How high the sphere rises \[m\], if it falls or is under gravity.
+    pub rebound_height: Option<f64>,
+}
+
+/// The lowest and the highest e that are to be expected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    pub low: f64,
+    pub high: f64,
+    /// What it follows from, such as "hardness 104 HB to 154 HB, law 1 %".
+    pub because: String,
+}
+
+impl Band {
+    /// Both ends with two digits, and what they follow from.
+    pub fn words(&self) -> String {
+        let Self { low, high, because } = self;
+        format!("{low:.2} to {high:.2}: {because}")
+    }
 }
 
 impl Single<'_> {
-    /// The height of the rebound, for a sphere that falls or is under gravity.
-    fn rebound_height(&self) -> Option<f64> {
-        let falls = self.input.number(at!("impact.drop_height")).is_some() || self.input.forces().gravity.is_some();
-        let row = &self.impact.essentials;
-        let waves =
-            row.restitution_with_waves().filter(|_| row.restitution > 0.0).map_or(1.0, |after| after / row.restitution);
-        let speed = waves * self.impact.rebound_speed;
-        falls.then(|| speed * speed / (2.0 * self.input.falling_gravity()))
-    }
-
-    /// The band of the restitution, where one is known.
-    fn band(&self) -> Option<Band> {
-        band(self.input, self.impact.speed, self.impact.restitution).filter(|_| self.impact.has_dent())
-    }
-
     /// The value of a column of tables, if the impact has it.
     fn of_row(&self, needs: Needs, value: fn(&Essentials) -> Option<f64>) -> Option<Value> {
         let row = &self.impact.essentials;
@@ -85,11 +87,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
         /// What the restitution may be, in words: from the range of the hardness of a material by name, and from the error of
         /// the law against finite elements, added as squares.
-        "restitution_band" as "({})" if BAND: of.band().map(|band| band.words());
+        "restitution_band" as "({})" if BAND: of.band.as_ref().map(Band::words);
         /// The lower end of that band.
-        "restitution_low" if BAND: of.band().map(|band| band.low);
+        "restitution_low" if BAND: of.band.as_ref().map(|band| band.low);
         /// The upper end of that band.
-        "restitution_high" if BAND: of.band().map(|band| band.high);
+        "restitution_high" if BAND: of.band.as_ref().map(|band| band.high);
         /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
         /// gravity it may exceed 1, as the weight does work too.
         "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
@@ -113,7 +115,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "rebound_speed_m_per_s" in Speed as "rebound speed": of.impact.rebound_speed;
         /// How high the sphere rises without air: the square of the rebound speed over 2 g, after elastic waves where their part
         /// is known.
-        "rebound_height_m" in Length as "rebound height" if HEIGHT: of.rebound_height();
+        "rebound_height_m" in Length as "rebound height" if HEIGHT: of.rebound_height;
         /// Angle of the rebound from the normal, in degrees; negative where the sphere is thrown back.
         "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound(row, |after| after.angle.to_degrees())];
         /// Tangential speed of the sphere's centre after the impact over that before; `null` without one before.

@@ -1,19 +1,26 @@
-//! The band of e: how far the hardness of a material by name and the error of the law leave it open.
+//! What is known of one impact beyond its motion: the band of e, and the height of the rebound.
 
-use crate::impact::Solver;
+use crate::impact::{Contact, Impact, Solver};
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::math::functions::hypot;
 use crate::scene::Input;
 use crate::scene::at::at;
+use crate::scene::results::impact::{Band, Single};
 use crate::units::rounded::percent;
 
-/// The lowest and the highest e that are to be expected.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Band {
-    pub low: f64,
-    pub high: f64,
-    /// What it follows from, such as "hardness 104 HB to 154 HB, law 1 %".
-    pub because: String,
+/// An impact of this input with all that is reported of it.
+pub fn single<'a>(input: &Input, contact: &'a Contact, impact: &'a Impact) -> Single<'a> {
+    let band = band(input, impact.speed, impact.restitution).filter(|_| impact.has_dent());
+    Single { contact, impact, band, rebound_height: rebound_height(input, impact) }
+}
+
+/// The height of the rebound \[m\] without air, for a sphere that falls or is under gravity: the square of the rebound speed
+/// over 2 g, after elastic waves where their part is known.
+fn rebound_height(input: &Input, impact: &Impact) -> Option<f64> {
+    let falls = input.number(at!("impact.drop_height")).is_some() || input.forces().gravity.is_some();
+    let after = impact.essentials.restitution_with_waves().filter(|_| impact.restitution > 0.0);
+    let speed = after.map_or(1.0, |after| after / impact.restitution) * impact.rebound_speed;
+    falls.then(|| speed * speed / (2.0 * input.falling_gravity()))
 }
 
 /// The key whose value a material leaves open by its range.
@@ -23,27 +30,19 @@ const HARDNESS: &str = "half_space.hardness";
 const PRESSURE_SHAPE: f64 = 0.01;
 const PAPER: f64 = 0.032;
 
-impl Band {
-    /// Both ends with two digits, and what they follow from.
-    pub fn words(&self) -> String {
-        let Self { low, high, because } = self;
-        format!("{low:.2} to {high:.2}: {because}")
-    }
-}
-
 /// The band of the restitution of this input at a speed. `None` for elastic bodies, for an exponent or a law without a stated error, and
 /// without a rebound.
 ///
 /// At both ends of the range of the material's hardness e is computed anew; its distance and the error of the law are added
 /// as squares, because they are independent.
-pub fn band(input: &Input, speed: f64, restitution: f64) -> Option<Band> {
+fn band(input: &Input, speed: f64, restitution: f64) -> Option<Band> {
     let LawChoice::Plm(law) = input.law() else { return None };
     let error = match law.exponent {
         UnloadingExponent::PressureShape => PRESSURE_SHAPE,
         UnloadingExponent::Paper => PAPER,
         UnloadingExponent::Fixed(_) => return None,
     };
-    if !input.can_yield() || !(restitution > 0.0 && restitution < 1.0) {
+    if !(input.can_yield() && restitution > 0.0 && restitution < 1.0) {
         return None;
     }
     let (mut ends, mut because) = ([restitution; 2], Vec::new());
@@ -52,7 +51,7 @@ pub fn band(input: &Input, speed: f64, restitution: f64) -> Option<Band> {
         for (end, written) in ends.iter_mut().zip(&known.range) {
             let mut input = input.clone();
             input.set(at!("half_space.hardness"), Some(taken.in_key(key, written.value)));
-            let row = input.contact().ok()?.essentials(input.approach_at(speed), &Solver::AUTO).ok()?;
+            let row = input.contact().ok()?.row(input.approach_at(speed), &Solver::AUTO).ok()?;
             *end = row.restitution;
         }
         because.push(format!("hardness {} to {}", known.range[0].text, known.range[1].text));
