@@ -110,7 +110,10 @@ fn pictures_are_those_that_are_chosen() {
         std::fs::write(desk.path("s.toml"), format!("{STEEL}{sweep}")).unwrap();
         let _ = std::fs::remove_dir_all(desk.path("o"));
         desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
-        desk.files("o").into_iter().filter(|name| name.ends_with(".svg")).collect::<Vec<_>>()
+        desk.files("o")
+            .into_iter()
+            .filter(|name| Path::new(name).extension().is_some_and(|end| end == "svg"))
+            .collect::<Vec<_>>()
     };
     let axes =
         "[sweep]\n\"sphere.radius\" = { linspace = [\"1 mm\", \"5 mm\"], points = 9 }\n\"impact.speed\" = [1, 2]\n";
