@@ -56,26 +56,26 @@ impl Curve {
         Self { pieces, crossings: None }
     }
 
-    /// The same curve, going on from `start` (beyond all starts so far) as a straight line.
+    /// Lets the curve go on from `start` (beyond all starts so far) as a straight line.
     #[must_use]
     pub fn then_straight(self, start: f64, slope: f64) -> Self {
         let force = self.pieces.last().map_or(0.0, |last| last.force_at(start));
         self.then_straight_from(start, force, slope)
     }
 
-    /// The same curve, going on from (`start`, `force`) as a straight line.
+    /// Lets the curve go on from (`start`, `force`) as a straight line.
     #[must_use]
     pub fn then_straight_from(self, start: f64, force: f64, slope: f64) -> Self {
         self.then(start, force, Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() })
     }
 
-    /// The same curve, going on from `start` as k x^n.
+    /// Lets the curve go on from `start` as k x^n.
     #[must_use]
     pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {
         self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
     }
 
-    /// The same curve, going on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:
+    /// Lets the curve go on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:
     /// a piece for every octave of the distance from there. The formula is also asked 3 % of that distance outside of both.
     #[must_use]
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few octaves
@@ -96,7 +96,7 @@ impl Curve {
         self
     }
 
-    /// The same curve with series for the time to its knots (see [`crossing::crossings`]).
+    /// Gives the curve series for the time to its knots (see [`crossing::crossings`]).
     #[must_use]
     pub(crate) fn with_crossings(mut self) -> Self {
         self.crossings = Some(Series::default());
@@ -114,7 +114,7 @@ impl Curve {
         self
     }
 
-    /// The same curve, going on from `start` along its tangent there.
+    /// Lets the curve go on from `start` along its tangent there.
     #[must_use]
     pub fn then_tangent(self, start: f64) -> Self {
         let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));

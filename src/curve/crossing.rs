@@ -17,7 +17,7 @@ use crate::math::quadrature::gauss;
 const TERMS: usize = 14;
 /// The largest w_i/E that the series is used for.
 const LARGEST_SHARE: f64 = 0.1;
-/// Of so many knots of a curve of straight pieces one has a series: series for all would take four times the room and save
+/// One of so many knots of a curve of straight pieces has a series: series for all would take four times the room and save
 /// little.
 const EVERY: usize = 4;
 

@@ -42,7 +42,7 @@ impl Shape {
         Self::Power { stiffness, exponent, lead: 0.0 }
     }
 
-    /// The same force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
+    /// Returns this force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
     #[must_use]
     pub(crate) fn later(&self, by: f64) -> Self {
         match self {
@@ -92,6 +92,7 @@ impl Piece {
     }
 
     /// f, df/dx and d²f/dx² at a distance from the start of the piece.
+    #[inline]
     pub fn jet(&self, distance: f64) -> [f64; 3] {
         match &self.shape {
             Shape::Power { exponent: n, lead, .. } => {
@@ -110,6 +111,7 @@ impl Piece {
     }
 
     /// df/dx at a distance from the start of the piece.
+    #[inline]
     pub fn slope_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, lead } => stiffness * exponent * power(distance + lead, exponent - 1.0),

@@ -118,7 +118,7 @@ impl Poly {
         Self { first, scale: 1.0 / half, force, work: quotient(&force, first), length: to - from }
     }
 
-    /// The same force on a stretch that starts so much later.
+    /// Returns this force on a stretch that starts so much later.
     #[must_use]
     pub fn later(&self, by: f64) -> Self {
         let first = self.first + by * self.scale;

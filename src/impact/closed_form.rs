@@ -78,13 +78,13 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
         Some(_) => Reached { piece: 0, work: 0.0, time: 0.0 },
     };
     let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
-    for index in first..last {
-        let (piece, next) = (ground.piece(index), index + 1);
-        let exit = (2.0 * ACCELERATION * (kinetic - ground.work_before(next))).sqrt();
-        loading_time += time_on(piece, ground.piece(next).start - piece.start, [entry, exit]);
+    let pieces = ground.pieces();
+    for pair in pieces[first..=last].windows(2) {
+        let exit = (2.0 * ACCELERATION * (kinetic - pair[1].work)).sqrt();
+        loading_time += time_on(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
         entry = exit;
     }
-    loading_time += time_on(ground.piece(last), distance, [entry, 0.0]);
+    loading_time += time_on(&pieces[last], distance, [entry, 0.0]);
     let peak = &unloading.peak;
     let unloading_time = unloading.quarter_period() * peak.elastic_approach / (restitution * speed);
     Outcome {

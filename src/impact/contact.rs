@@ -27,7 +27,7 @@ pub struct Contact {
     sphere: Sphere,
     half_space: HalfSpace,
     pair: Pair,
-    /// Of the sphere \[kg\].
+    /// m \[kg\].
     mass: f64,
     /// Whether the sphere is only the tip of a body, which has the mass.
     is_tip: bool,
@@ -40,7 +40,7 @@ pub struct Contact {
     under: Option<Result<Under, PlateError>>,
     /// How the half-space radiates, if its density is known.
     waves: Option<Waves>,
-    /// Of all that moves, about the sphere's centre \[kg m²\]; `None`: that of a solid sphere.
+    /// Moment of inertia of all that moves about the sphere's centre \[kg m²\]; `None` for a solid sphere.
     moment_of_inertia: Option<f64>,
     /// The materials of the bodies, if they have names.
     pub(super) named: Named,
@@ -80,7 +80,7 @@ impl Contact {
         })
     }
 
-    /// The same contact, where the body has this moment of inertia about the sphere's centre \[kg m²\].
+    /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].
     #[must_use]
     pub fn with_moment_of_inertia(self, moment: f64) -> Self {
         Self { moment_of_inertia: Some(moment), ..self }
@@ -91,7 +91,7 @@ impl Contact {
         self.moment_of_inertia
     }
 
-    /// The same contact with gravity and damping, or on a plate.
+    /// Returns this contact with gravity and damping, or on a plate.
     #[must_use]
     pub fn with_forces(self, forces: Forces) -> Self {
         let under = forces.plate.map(|plate| match forces.damping {
@@ -107,7 +107,7 @@ impl Contact {
         Self { named, ..self }
     }
 
-    /// The same contact, where the sphere is only the tip of the body that moves. The wave speed of that body is not known.
+    /// Returns this contact, where the sphere is only the tip of the body that moves. The wave speed of that body is not known.
     pub(crate) fn of_a_body(self) -> Self {
         Self { is_tip: true, ..self }
     }

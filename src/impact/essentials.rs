@@ -61,7 +61,7 @@ pub struct OnPlate {
 }
 
 impl OnPlate {
-    /// Of an outcome; `contact_time` \[s\] may be infinite.
+    /// Takes them from an outcome; `contact_time` \[s\] may be infinite.
     fn of(case: &Case, outcome: &Outcome, contact_time: f64) -> Option<Self> {
         let ScaledPlate { under, mobility: y, inelasticity, thinness } = case.plate?;
         let Case { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;

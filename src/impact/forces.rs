@@ -72,7 +72,7 @@ pub fn drop_speed(gravity: f64, height: f64) -> f64 {
     (2.0 * gravity * height).sqrt()
 }
 
-/// The same in the units of an impact.
+/// The forces in the units of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScaledForces {
     /// w = m g/Φ; 0 without gravity.
@@ -91,7 +91,6 @@ impl ScaledForces {
         self.weight == 0.0 && self.is_conservative()
     }
 
-    /// The same without damping and plate.
     pub(super) fn without_drag(&self) -> Self {
         Self { weight: self.weight, ..Self::NONE }
     }
@@ -133,7 +132,7 @@ impl ScaledForces {
         }
     }
 
-    /// The same on the unloading branch; at most its peak.
+    /// Where the unloading branch carries the weight; at most its peak.
     pub(super) fn static_on_unloading(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
         let distance = unloading.recovered_at(self.weight);
         let of_power = unloading.is_power().then(|| unloading.exponent * self.weight / distance);
@@ -163,8 +162,8 @@ impl ScaledForces {
     }
 }
 
-/// The same for a sphere that this rule did not stop, where the place of rest is at this distance of the leg. The integrator
-/// itself ends the leg there.
+/// The rule for a sphere that the first one did not stop, where the place of rest is at this distance of the leg. The
+/// integrator itself ends the leg there.
 pub(super) fn nearer(rest: Rest, distance: f64) -> Rest {
     Rest { distance, within: NEARER / NEAR * rest.within, below: NEARER / NEAR * rest.below }
 }
@@ -182,5 +181,5 @@ pub(super) struct StaticPoint {
 
 /// An overdamped sphere that is nearer to its static indentation than this share of the static depth counts as captured.
 const NEAR: f64 = 1e-3;
-/// The same for a sphere that this rule did not stop.
+/// A sphere that this rule did not stop counts as captured within this share.
 const NEARER: f64 = 1e-7;

@@ -26,7 +26,7 @@ pub struct FixedSteps {
 }
 
 impl FixedSteps {
-    /// The same in seconds, where this is the unit of time.
+    /// Returns the times in seconds, where this is the unit of time.
     pub(super) fn in_seconds(&self, time: f64) -> Self {
         Self {
             step: self.step * time,

@@ -36,7 +36,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// Of a motion on the loading curve, where the state of the law is `state`.
+    /// A point of a motion on the loading curve, where the state of the law is `state`.
     pub(super) fn loading(
         state: Peak,
         slope: impl FnOnce() -> f64,
@@ -50,7 +50,7 @@ impl Point {
         Self { at: *at, state, total_force, is_unloading: false, event }
     }
 
-    /// Of a motion on the unloading branch; distances count from the residual indentation.
+    /// A point of a motion on the unloading branch; distances count from the residual indentation.
     pub(super) fn unloading(unloading: &Unloading, drag: Drag, at: &State, event: Option<Event>) -> Self {
         let recovered = at.distance.max(0.0);
         let state = Peak {

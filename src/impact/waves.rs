@@ -27,7 +27,7 @@ pub struct Waves {
 }
 
 impl Waves {
-    /// Of a half-space of known density; `None` for one of unknown density.
+    /// Returns `None` for a half-space of unknown density.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where ρ c_s³ over- or underflows.
@@ -49,8 +49,8 @@ impl Waves {
         unloading: &Unloading,
     ) -> Result<f64, OutOfFloatRange> {
         let (peak, branch) = (unloading.peak.indentation, unloading.branch());
-        let of_loading = integral(|i| (ground.piece(i), ground.work_before(i)), ground.index_at(peak), peak);
-        let integral = of_loading + integral(|_| (&branch, 0.0), 0, peak);
+        let of_loading = integral(&ground.pieces()[..=ground.index_at(peak)], peak);
+        let integral = of_loading + integral(&[branch], peak);
         // ½ m v² = (2/5) q² Φ L
         let ratio = scales.speed / speed;
         let fraction = 2.5
@@ -72,18 +72,15 @@ pub fn restitution_with_waves(restitution: f64, loss_fraction: f64) -> f64 {
     (restitution * restitution - loss_fraction).max(0.0).sqrt()
 }
 
-/// ∫ f'² |u| dx along the pieces up to number `last` to a turn at x = `turn`, or from there back. Each piece comes with the
-/// work before it.
-fn integral<'a>(piece_at: impl Fn(usize) -> (&'a Piece, f64), last: usize, turn: f64) -> f64 {
-    let (turning, before) = piece_at(last);
-    let most = before + (turning.work_at(turn) - turning.work);
+/// ∫ f'² |u| dx along these pieces to a turn at x = `turn`, or from there back.
+fn integral(pieces: &[Piece], turn: f64) -> f64 {
+    let most = pieces.last().map_or(0.0, |last| last.work_at(turn));
     let speed_at = |work: f64| (2.0 * ACCELERATION * (most - work)).max(0.0).sqrt();
     let mut integral = 0.0;
     let mut entry = speed_at(0.0);
-    for i in 0..=last {
-        let (piece, before) = piece_at(i);
-        let next = (i < last).then(|| piece_at(i + 1));
-        let (end, exit) = next.map_or((turn, 0.0), |(next, work)| (next.start, speed_at(work)));
+    for (i, piece) in pieces.iter().enumerate() {
+        let next = pieces.get(i + 1);
+        let (end, exit) = next.map_or((turn, 0.0), |next| (next.start, speed_at(next.work)));
         integral += match &piece.shape {
             Shape::Power { exponent, lead: 0.0, .. } if next.is_none() => {
                 let run = end - piece.start;
@@ -92,7 +89,7 @@ fn integral<'a>(piece_at: impl Fn(usize) -> (&'a Piece, f64), last: usize, turn:
             Shape::Straight { slope, .. } => straight_integral(*slope, piece.force_at(end), piece.force, entry, exit),
             // no closed form here
             Shape::Power { .. } | Shape::Polynomial(_) | Shape::Branch(_) => {
-                integral_by_quadrature(piece, end, |work| speed_at(before + (work - piece.work)))
+                integral_by_quadrature(piece, end, speed_at)
             }
         };
         entry = exit;

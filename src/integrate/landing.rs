@@ -31,7 +31,7 @@ pub(super) struct Target {
 pub(super) struct Landed {
     /// The landed state; its g is that of the step, not that of the corrected y.
     pub(super) node: Node,
-    /// What the landing added to the step.
+    /// The landing added this to the step.
     pub(super) correction: f64,
     /// Square of the first term left out of the series. If it is small, the landing is good.
     pub(super) left_out_squared: f64,

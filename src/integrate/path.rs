@@ -134,11 +134,13 @@ impl Path<'_> {
     }
 
     /// g, g' and g'' at d.
+    #[inline]
     pub(super) fn jet(&self, distance: f64) -> [f64; 3] {
         self.piece.jet(distance - self.piece.shape.lead()).map(|part| self.factor * part)
     }
 
     /// √g'(d).
+    #[inline]
     pub(super) fn root_of_slope(&self, distance: f64) -> f64 {
         match self.piece.shape {
             Shape::Power { stiffness, exponent: 1.5, .. } => {

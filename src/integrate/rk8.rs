@@ -215,7 +215,7 @@ fn inverse_eighth_root(x: f64) -> f64 {
 /// Whether, by the balance of energy, the sphere comes back to the zero of the force. Rounding may deny it where just all of
 /// the energy is needed.
 fn comes_back<F: Variables>(field: F, path: &Path, state: &State) -> bool {
-    /// Of the depth of the potential.
+    /// A share of the depth of the potential.
     const LEAST: f64 = 1e-10;
     let y = field.y_at(state.distance);
     let left = 0.5 * state.speed * state.speed + field.potential(y);

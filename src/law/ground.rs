@@ -17,12 +17,14 @@
 //! The pieces on the way in are counted from 0: on fresh surface they are those of the law; in a dent they are the branch, the
 //! rest of the piece that the old peak lies on, and the pieces behind it.
 
+use std::borrow::Cow;
+
 use super::unloading::GRAZING;
 use super::{Law, OutsideLaw, Peak, Raised, Unloading};
 use crate::curve::piece::Piece;
 use crate::math::power::max_or_nan;
 
-/// What a spot remembers that was loaded before.
+/// The dent that a spot has which was loaded before.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dent {
     /// The unloading branch from the largest state so far.
@@ -37,7 +39,7 @@ pub struct Dent {
 }
 
 impl Law {
-    /// What a spot of this law remembers that was loaded to this peak.
+    /// The dent of a spot that was loaded to this peak.
     pub fn dented(&self, peak: Peak) -> Dent {
         let (unloading, x) = (self.unloading(peak), peak.indentation);
         let index = self.loading.index_at(x);
@@ -122,12 +124,22 @@ impl<'a> Ground<'a> {
 
     /// Work from first touch to the start of a piece.
     #[inline(always)]
-    pub fn work_before(&self, index: usize) -> f64 {
+    pub(crate) fn work_before(&self, index: usize) -> f64 {
         let work = self.piece(index).work;
         match self.dent {
             Some(dent) if index > 0 => dent.unloading.capacity() + (work - dent.spent),
             _ => work,
         }
+    }
+
+    /// All pieces on the way in, with their work from first touch on.
+    #[inline]
+    pub fn pieces(&self) -> Cow<'a, [Piece]> {
+        let in_dent = || {
+            let piece = |index| Piece { work: self.work_before(index), ..self.piece(index).clone() };
+            (0..self.count()).map(piece).collect()
+        };
+        self.dent.map_or(Cow::Borrowed(self.law.loading.pieces()), |_| in_dent())
     }
 
     /// Work from first touch to x on the way in.
@@ -238,12 +250,12 @@ impl<'a> Ground<'a> {
         self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.accept(unloading), |_| Ok(()))
     }
 
-    /// See [`Law::raised`]; nothing in a dent.
+    /// As of [`Law::raised`]; `None` in a dent.
     pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
         self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.raised(unloading), |_| None)
     }
 
-    /// See [`Law::outside_stated`]; nothing in a dent.
+    /// As of [`Law::outside_stated`]; `None` in a dent.
     pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
         self.branch_at(peak.indentation).map_or_else(|| self.law.outside_stated(peak), |_| None)
     }

@@ -55,7 +55,7 @@ pub enum UnloadingExponent {
 }
 
 impl UnloadingExponent {
-    /// That of a number: 1.5 is the paper's law.
+    /// Takes the number 1.5 for the paper's law.
     pub fn of(value: f64) -> Self {
         if value == 1.5 { Self::Paper } else { Self::Fixed(value) }
     }
@@ -167,7 +167,7 @@ impl Unloading {
         curve.time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
     }
 
-    /// The same branch from a lower point of it, where a reload turned.
+    /// Returns this branch from a lower point of it, where a reload turned.
     #[inline]
     #[must_use]
     pub fn below(&self, peak: Peak) -> Self {
@@ -237,7 +237,7 @@ impl Unloading {
         force / elastic_approach * self.slope_of(recovered.max(0.0)) / self.slope_of(elastic_approach)
     }
 
-    /// What is still to be recovered where the force is `force`; all of it from f_m on.
+    /// Returns x − x_r where the force is `force`; from f_m on it is ε_m.
     pub(crate) fn recovered_at(&self, force: f64) -> f64 {
         let whole = self.peak.elastic_approach;
         if force >= self.peak.force { whole } else { self.branch().distance_at_force(force).min(whole) }

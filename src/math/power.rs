@@ -39,7 +39,7 @@ pub(crate) fn power_time(exponent: f64, distance: f64, entry: f64, exit: f64) ->
     }
 }
 
-/// The same before the turning point.
+/// [`power_time`] to a place before the turning point.
 fn power_time_to_speed(exponent: f64, distance: f64, entry: f64, exit: f64) -> f64 {
     let a = work_share(exponent);
     let slowness = exit / entry;

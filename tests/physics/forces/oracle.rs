@@ -73,8 +73,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
     let (speeds, weight) = (Speeds { chi: forces.drag.chi }, forces.weight);
     assert!(forces.drag.eta == 0.0 && forces.drag.theta == 0.0 && (weight == 0.0 || forces.drag.chi == 0.0));
     let touch = ground.touch();
-    let with_work = |index| Piece { work: ground.work_before(index), ..ground.piece(index).clone() };
-    let pieces: Vec<Piece> = (0..ground.count()).map(with_work).collect();
+    let pieces = ground.pieces();
     let kinetic = speeds.energy(q) / C;
     // the turn: W(x) − w (x − touch) is convex, and not above the energy before it
     let missing = |piece: &Piece| piece.work - weight * (piece.start - touch) - kinetic;
