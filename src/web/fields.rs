@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::materials::{Entry, Known, Property, all};
+use crate::materials::{Entry, Property, all};
 use crate::plot::of_key::title_of;
 use crate::report::materials::one;
 use crate::scene::key::{Form, Words};
@@ -39,14 +39,13 @@ pub fn fields() -> Value {
 
 /// The materials: name, what each is, the keys that take a value from it, with that value as it is written, and its page.
 pub fn materials() -> Value {
-    let value = |body: Body, known: &Known| match (body, known.property) {
-        // the sphere takes a yield strength from it, which is another number
-        (Body::Sphere, Property::Hardness) => None,
-        (body, property) => Some((body.path(property)?.to_owned(), json!(known.taken.text))),
-    };
     let entry = |entry: &Entry| {
-        let of = |body| entry.known.iter().filter_map(move |known| value(body, known));
-        let values: Map<_, _> = Body::ALL.into_iter().flat_map(of).collect();
+        let defaults = Body::ALL.into_iter().flat_map(Body::defaults);
+        // where the sphere takes a yield strength from a hardness, it is another number
+        let defaults = defaults.filter(|(key, _)| *key != "sphere.yield_strength");
+        let written =
+            |(key, property): &(&str, Property)| Some(((*key).to_owned(), json!(entry.of(*property)?.taken.text)));
+        let values: Map<_, _> = defaults.filter_map(written).collect();
         json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
     };
     all().iter().map(entry).collect()
