@@ -14,39 +14,22 @@ use crate::scenario::{Kind, Scenario};
 use crate::scene::Input;
 pub use outcome::{Order, Outcome, no_result, texts};
 
-/// How scenarios of one kind are checked and run.
-#[derive(Debug, Clone, Copy)]
-pub enum Way {
-    /// At once: all files together.
-    Once {
-        /// What the scenario is, for messages: "one impact".
-        what: &'static str,
-        /// Checks a scenario; writes nothing.
-        check: fn(&Scenario) -> Result<Outcome, Error>,
-        run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
-    },
-    /// Row after row, by [`crate::sweep::Job`].
-    Table,
-}
-
-/// How scenarios of this kind are checked and run.
-pub fn way(kind: Kind) -> Way {
-    let once = |check, what, run| Way::Once { what, check, run };
-    match kind {
-        Kind::Impact => once(impact::check, "one impact", impact::run),
-        Kind::Sweep | Kind::MonteCarlo => Way::Table,
-        Kind::Repeat => once(repeat::check, "impacts one after the other", repeat::run),
-        Kind::Calibrate => once(calibrate::check, "a calibration", calibrate::run),
-        Kind::Indentation => once(indentation::check, "an indentation", indentation::run),
-    }
+/// What a scenario gives, with all its files as they are ordered, or what a check says without any; `None` for a table, which
+/// is made row after row by [`crate::sweep::Job`].
+pub fn at_once(scenario: &Scenario, order: Option<&Order>) -> Result<Option<Outcome>, Error> {
+    let outcome = match scenario.kind()? {
+        Kind::Sweep | Kind::MonteCarlo => return Ok(None),
+        Kind::Impact => impact::outcome,
+        Kind::Repeat => repeat::outcome,
+        Kind::Calibrate => calibrate::outcome,
+        Kind::Indentation => indentation::outcome,
+    };
+    outcome(scenario, order).map(Some)
 }
 
 /// Checks a scenario; nothing is written.
 pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    match way(scenario.kind()?) {
-        Way::Once { check, .. } => check(scenario),
-        Way::Table => table::check(scenario),
-    }
+    at_once(scenario, None)?.map_or_else(|| table::check(scenario), Ok)
 }
 
 /// What is of a sphere that moves, and not of its contact.

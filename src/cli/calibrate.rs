@@ -4,8 +4,6 @@ use std::path::{PathBuf, absolute};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::run::{Way, way};
-use plm_impact::scenario::Kind;
 use plm_impact::scene::words::LAWS;
 
 use super::output::Output;
@@ -54,10 +52,7 @@ pub struct Arguments {
 pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load_with(&arguments.settings()?)?;
     scenario.wanted()?;
-    match way(Kind::Calibrate) {
-        Way::Once { run, .. } => arguments.output.once(arguments.scenario.name(), scenario, run),
-        Way::Table => Ok(()),
-    }
+    arguments.output.once(arguments.scenario.name(), scenario)
 }
 
 fn all(law: &str) -> Result<(), String> {

@@ -11,7 +11,7 @@ use plm_impact::output::SUMMARY;
 use plm_impact::plot::Pictures;
 use plm_impact::progress::Counter;
 use plm_impact::report::brief::brief;
-use plm_impact::run::{Order, Way, heed, way};
+use plm_impact::run::{Order, heed};
 use plm_impact::scenario::Scenario;
 
 use super::terminal::other;
@@ -68,16 +68,13 @@ pub struct Arguments {
 pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     let text = arguments.scenario();
     let scenario = Scenario::from_text("the options of drop", &text, &[])?;
-    let Way::Once { run, .. } = way(scenario.kind()?) else {
-        return Err(Error::input("a drop is one impact".to_owned()));
-    };
     let order = Order {
         command: &super::output::command_line(),
         is_verbose: false,
         pictures: Pictures::None,
         progress: &Counter::default(),
     };
-    let outcome = run(&scenario, &order)?;
+    let outcome = super::output::outcome(&scenario, &order)?;
     super::output::warn(&outcome.warnings);
     heed(&scenario, outcome.warnings.len(), arguments.strict)?;
     let summary = outcome.files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);

@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, SUMMARY};
 use plm_impact::plot::Pictures;
-use plm_impact::run::{Order, Outcome, heed};
+use plm_impact::run::{Order, Outcome, at_once, heed};
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::parts::make_way;
 
@@ -50,18 +50,13 @@ pub fn warn(warnings: &[String]) {
 impl Output {
     /// Runs a scenario at once. The files go to the directory, the table to standard output, and warnings and the names
     /// of the files to standard error.
-    pub fn once(
-        &self,
-        file: &Path,
-        mut scenario: Scenario,
-        run: fn(&Scenario, &Order) -> Result<Outcome, Error>,
-    ) -> Result<(), Error> {
+    pub fn once(&self, file: &Path, mut scenario: Scenario) -> Result<(), Error> {
         let signals = Signals::listen()?;
         let directory = self.prepare(file, &mut scenario)?;
         make_way(&directory)?;
         let (pictures, is_verbose) = (self.pictures.format, self.verbose);
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(&signals, move |progress| {
-            let outcome = run(&scenario, &Order { command: &command_line(), is_verbose, pictures, progress })?;
+            let outcome = outcome(&scenario, &Order { command: &command_line(), is_verbose, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
         let Outcome { warnings, text, files, contradiction } = outcome;
@@ -110,6 +105,11 @@ impl Output {
         scenario.from_results = directory.seen(file);
         Ok(directory)
     }
+}
+
+/// What a scenario gives that is no table.
+pub fn outcome(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
+    at_once(scenario, Some(order))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
 }
 
 /// Notes that older results are gone, once the new ones are there.

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::run::{Way, way};
 
 use super::output::Output;
 use super::scenario::ScenarioArguments;
@@ -37,13 +36,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
 /// Runs one of the files.
 fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
     let mut scenario = file.load()?;
-    match way(scenario.kind()?) {
-        Way::Once { what, run, .. } => {
-            arguments.sweep.refuse_for(what)?;
-            arguments.output.once(file.name(), scenario, run)
-        }
-        Way::Table => super::sweep::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario),
+    let kind = scenario.kind()?;
+    if kind.is_table() {
+        return super::sweep::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);
     }
+    arguments.sweep.refuse_for(kind.what())?;
+    arguments.output.once(file.name(), scenario)
 }
 
 /// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing

@@ -14,7 +14,7 @@ use super::work::{append, interruptible, reserved};
 use crate::output::OutputFile;
 use crate::plot::Pictures;
 use crate::progress::Counter;
-use crate::run::{Order, Outcome, Way, table, way};
+use crate::run::{Order, Outcome, at_once, table};
 use crate::scenario::Scenario;
 
 /// The name of measurements that are arrays, in messages.
@@ -86,30 +86,25 @@ fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
 
 fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py, PyAny>> {
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
-    match way(scenario.kind().map_err(exception)?) {
-        Way::Once { run, .. } => {
-            let mut made =
-                interruptible(py, |progress| run(scenario, &order(&command, progress)))?.map_err(exception)?;
-            made.warnings.extend(made.contradiction.take());
-            warn(py, 1, &made.warnings)?;
-            outcome(py, made, None)
-        }
-        Way::Table => {
-            let plan = table::plan(scenario).map_err(exception)?;
-            let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
-            let named = of_plan(&plan);
-            let mut columns = reserved(rows, &vec![1; named.len()])?;
-            let made = interruptible(py, |progress| {
-                let take = |piece| append(&mut columns, piece);
-                let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
-                table::outcome(scenario, &plan, &tally, &order(&command, progress), None)
-            });
-            let made = made?.map_err(exception)?;
-            let failed = failures(columns.last().map_or(&[], Vec::as_slice));
-            warn(py, 1, &made.warnings.iter().cloned().chain(failed).collect::<Vec<_>>())?;
-            outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
-        }
+    let made = interruptible(py, |progress| at_once(scenario, Some(&order(&command, progress))))?.map_err(exception)?;
+    if let Some(mut made) = made {
+        made.warnings.extend(made.contradiction.take());
+        warn(py, 1, &made.warnings)?;
+        return outcome(py, made, None);
     }
+    let plan = table::plan(scenario).map_err(exception)?;
+    let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
+    let named = of_plan(&plan);
+    let mut columns = reserved(rows, &vec![1; named.len()])?;
+    let made = interruptible(py, |progress| {
+        let take = |piece| append(&mut columns, piece);
+        let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
+        table::outcome(scenario, &plan, &tally, &order(&command, progress), None)
+    });
+    let made = made?.map_err(exception)?;
+    let failed = failures(columns.last().map_or(&[], Vec::as_slice));
+    warn(py, 1, &made.warnings.iter().cloned().chain(failed).collect::<Vec<_>>())?;
+    outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
 }
 
 fn order<'a>(command: &'a str, progress: &'a Counter) -> Order<'a> {

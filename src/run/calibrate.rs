@@ -4,9 +4,10 @@ use std::path::absolute;
 
 use toml_edit::{DocumentMut, Item, value};
 
-use super::outcome::{self, Order, Outcome, file};
+use super::outcome::{Order, Outcome, file, provenance, with_summary};
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::error::Error;
+use crate::output::OutputFile;
 use crate::plot::calibrate::pictures;
 use crate::progress::Counter;
 use crate::provenance::PROGRAM;
@@ -15,32 +16,29 @@ use crate::scenario::Scenario;
 use crate::scenario::edit::{choose_law, merge, set};
 use crate::units::{Dimension, exact};
 
-pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
-    let progress = Counter::default();
-    let found = measured.calibrate(&progress)?;
-    Ok(Outcome {
-        contradiction: found.verdict().contradiction(),
-        ..Outcome::checked(warnings(&found), report::table(&found))
-    })
+    let unwatched = Counter::default();
+    let found = measured.calibrate(order.map_or(&unwatched, |order| order.progress))?;
+    let files = order.map_or_else(|| Ok(Vec::new()), |order| files(scenario, &measured, &found, order))?;
+    let contradiction = found.verdict().contradiction();
+    Ok(Outcome { contradiction, ..Outcome::done(warnings(&found), report::table(&found), files) })
 }
 
-pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let measured = Measurements::of(scenario)?;
-    let found = measured.calibrate(order.progress)?;
-    let provenance = outcome::provenance(scenario, &measured.wanted.input.law(), true, order.command);
-    let mut files = vec![file("residuals.csv", report::residuals(&found)?)];
+/// The files with these results.
+fn files(
+    scenario: &Scenario,
+    measured: &Measurements,
+    found: &Calibration,
+    order: &Order,
+) -> Result<Vec<OutputFile>, Error> {
+    let provenance = provenance(scenario, &measured.wanted.input.law(), true, order.command);
+    let mut files = vec![file("residuals.csv", report::residuals(found)?)];
     if !found.keys.is_empty() {
-        files.push(file("calibrated.toml", calibrated(scenario, &measured, &found)));
+        files.push(file("calibrated.toml", calibrated(scenario, measured, found)));
     }
-    files.extend(order.pictures.files(|| Ok(pictures(&found)))?);
-    let files = outcome::with_summary(files, provenance, |of| report::summary(&measured, &found, of))?;
-    Ok(Outcome {
-        warnings: warnings(&found),
-        text: report::table(&found),
-        files,
-        contradiction: found.verdict().contradiction(),
-    })
+    files.extend(order.pictures.files(|| Ok(pictures(found)))?);
+    with_summary(files, provenance, |of| report::summary(measured, found, of))
 }
 
 fn warnings(found: &Calibration) -> Vec<String> {

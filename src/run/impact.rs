@@ -43,13 +43,11 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
     Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
 }
 
-pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let (input, contact, impact) = compute(scenario, None)?;
-    Ok(Outcome::checked(texts(&impact.warnings), overview(&input, &contact)))
-}
-
-pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let (input, contact, impact) = compute(scenario, Some(scenario.input().samples()))?;
+pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+    let (input, contact, impact) = compute(scenario, order.map(|_| scenario.input().samples()))?;
+    let Some(order) = order else {
+        return Ok(Outcome::checked(texts(&impact.warnings), overview(&input, &contact)));
+    };
     let provenance = provenance(scenario, &input, impact.method, order.command);
     let mut files = vec![file("trace.csv", trace(&impact)?)];
     files.extend(order.pictures.files(|| {

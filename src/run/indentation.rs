@@ -39,13 +39,11 @@ pub fn compute(
     Ok((scene, tested, warnings))
 }
 
-pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let (scene, tested, warnings) = compute(scenario, None)?;
-    Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested)))
-}
-
-pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let (scene, tested, warnings) = compute(scenario, Some(scenario.input().samples()))?;
+pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+    let (scene, tested, warnings) = compute(scenario, order.map(|_| scenario.input().samples()))?;
+    let Some(order) = order else {
+        return Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested)));
+    };
     let inputs = report::inputs(scenario, &scene);
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);

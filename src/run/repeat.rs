@@ -6,22 +6,13 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Method};
 use crate::plot;
 use crate::progress::Counter;
-use crate::repeat::{Repeat, Sequence};
+use crate::repeat::Repeat;
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::{repeat as report, summary};
 use crate::scenario::Scenario;
 use crate::scene::results::series::Series;
 use crate::scene::{Input, Use};
-
-/// A series that was run.
-struct Computed {
-    input: Input,
-    contact: Contact,
-    repeat: Repeat,
-    sequence: Sequence,
-    warnings: Vec<String>,
-}
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), Error> {
@@ -32,9 +23,11 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), E
     Ok((input, contact, repeat))
 }
 
-fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
+pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
     let (input, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &input)?;
+    let unwatched = Counter::default();
+    let progress = order.map_or(&unwatched, |order| order.progress);
     let sequence = repeat.run(&contact, &input.solver(), input.samples(), Some(progress));
     let sequence = sequence.map_err(|reason| no_result(scenario, &reason))?;
     if progress.is_stopped() {
@@ -43,16 +36,9 @@ fn compute(scenario: &Scenario, progress: &Counter) -> Result<Computed, Error> {
     let idle = scenario.without_effect(std::slice::from_ref(&input), Use::Impact);
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
-    Ok(Computed { input, contact, repeat, sequence, warnings })
-}
-
-pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let Computed { input, contact, repeat, warnings, .. } = compute(scenario, &Counter::default())?;
-    Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&input, &contact)))
-}
-
-pub(super) fn run(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let Computed { input, contact, repeat, sequence, warnings } = compute(scenario, order.progress)?;
+    let Some(order) = order else {
+        return Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&input, &contact)));
+    };
     let provenance = provenance(scenario, &input, sequence.method, order.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![

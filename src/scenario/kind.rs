@@ -34,6 +34,24 @@ pub fn template(kind: Kind) -> &'static str {
     }
 }
 
+impl Kind {
+    /// What a scenario of this kind is, for messages.
+    pub fn what(self) -> &'static str {
+        match self {
+            Self::Impact => "one impact",
+            Self::Sweep | Self::MonteCarlo => "a table",
+            Self::Repeat => "impacts one after the other",
+            Self::Indentation => "an indentation",
+            Self::Calibrate => "a calibration",
+        }
+    }
+
+    /// Whether it is a table, which is made row after row.
+    pub fn is_table(self) -> bool {
+        matches!(self, Self::Sweep | Self::MonteCarlo)
+    }
+}
+
 impl Scenario {
     /// What kind of scene the file is.
     ///

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plot::Pictures;
 use crate::progress::Counter;
-use crate::run::{Order, Outcome, Way, table, way};
+use crate::run::{Order, Outcome, at_once, table};
 use crate::scenario::{Kind, Scenario};
 
 /// The most rows of a table, which is held in memory.
@@ -19,9 +19,9 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
     let order = Order { command: &command, is_verbose: false, pictures, progress: &Counter::default() };
-    let Outcome { warnings, text, files, contradiction } = match way(kind) {
-        Way::Once { run, .. } => run(scenario, &order)?,
-        Way::Table => of_table(scenario, &order)?,
+    let Outcome { warnings, text, files, contradiction } = match at_once(scenario, Some(&order))? {
+        Some(outcome) => outcome,
+        None => of_table(scenario, &order)?,
     };
     let curve = if kind == Kind::Impact { curve(scenario, pictures)? } else { None };
     Ok(json!({

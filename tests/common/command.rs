@@ -8,8 +8,8 @@ use std::process::Output;
 use assert_cmd::Command;
 use plm_impact::plot::Pictures;
 use plm_impact::progress::Counter;
-use plm_impact::run::{Order, Outcome, Way, way};
-use plm_impact::scenario::{Kind, Scenario};
+use plm_impact::run::{Order, Outcome, at_once};
+use plm_impact::scenario::Scenario;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -86,10 +86,9 @@ pub fn skip(what: &str, why: &str) {
 
 /// Runs the one impact of a scenario in memory, without pictures.
 pub fn outcome(scenario: &Scenario) -> Outcome {
-    let Way::Once { run, .. } = way(Kind::Impact) else { panic!("one impact is no table") };
     let order =
         Order { command: "plm-impact run", is_verbose: true, pictures: Pictures::None, progress: &Counter::default() };
-    run(scenario, &order).unwrap()
+    at_once(scenario, Some(&order)).unwrap().unwrap()
 }
 
 /// The text of one of its files.
