@@ -48,7 +48,6 @@ use crate::scene::at::at;
 use crate::scene::keys::partner;
 use crate::scene::read::{Reader, items};
 use crate::scene::taken::Taken;
-use crate::scene::written::add_places;
 use crate::scene::{EITHER, EVERY_KEY, Input, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 pub use kind::{Kind, template};
@@ -121,7 +120,7 @@ impl Scenario {
         directory: PathBuf,
         mut texts: BTreeMap<String, String>,
     ) -> Result<Self, Error> {
-        let mut document = Document::new(name, text, overrides)?;
+        let document = Document::new(name, text, overrides)?;
         let mut files = BTreeMap::new();
         let mut read = |key: &str, name: &str| {
             let path = directory.join(name);
@@ -141,10 +140,6 @@ impl Scenario {
         }
         let has_unknown = reader.has_unknown;
         let mut mistakes = document.refused(reader.refused);
-        let mut places = BTreeMap::new();
-        add_places("", &root, &mut places);
-        drop(root);
-        document.places = places;
         let taken = varied.take_materials(&input, &document).unwrap_or_else(|mistake| {
             mistakes.push(mistake);
             Vec::new()

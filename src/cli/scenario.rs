@@ -16,7 +16,7 @@ pub struct ScenarioArguments {
     /// Scenario file (TOML); - is standard input, and files that it names are then relative to the current directory
     #[arg(value_name = "FILE")]
     scenario: PathBuf,
-    /// Override a key: --set impact.speed="1 m/s", or choose a law: --set law=thornton
+    /// Override a key: --set impact.speed="1 m/s", choose a law: --set law=thornton, or take a key away: --set gravity=none
     #[arg(long = "set", value_name = "KEY=VALUE")]
     overrides: Vec<String>,
 }

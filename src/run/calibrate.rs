@@ -2,7 +2,7 @@
 
 use std::path::absolute;
 
-use toml_edit::{DocumentMut, Item, value};
+use toml_edit::{DocumentMut, Value};
 
 use super::outcome::{Order, Outcome, file, provenance, with_summary};
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
@@ -13,7 +13,7 @@ use crate::progress::Counter;
 use crate::provenance::PROGRAM;
 use crate::report::calibrate as report;
 use crate::scenario::Scenario;
-use crate::scenario::edit::{choose_law, merge, set};
+use crate::scenario::edit::set;
 use crate::units::{Dimension, exact};
 
 pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
@@ -58,21 +58,15 @@ fn warnings(found: &Calibration) -> Vec<String> {
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
 /// line says which keys are new.
 fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> String {
-    // file and overrides were parsed before
-    let mut document: DocumentMut = scenario.document.text().parse().unwrap_or_default();
-    for text in scenario.document.settings() {
-        if let Ok(change) = text.parse::<DocumentMut>() {
-            merge(document.as_table_mut(), change.as_table());
-        }
-    }
-    choose_law(&mut document, &measured.wanted.input.named_law.name());
+    // it was parsed before
+    let mut document: DocumentMut = scenario.document.edited().parse().unwrap_or_default();
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
         set(&mut document, free.key.path, quantity(*estimate, free.key.quantity.dimension));
     }
     for (key, path) in scenario.files().filter(|(key, _)| !key.starts_with("calibrate.")) {
         if let Ok(path) = absolute(path) {
-            set(&mut document, key, value(path.display().to_string()));
+            set(&mut document, key, path.display().to_string());
         }
     }
     let data = &measured.data;
@@ -80,7 +74,9 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
         let deepest = data.rows.iter().filter_map(|row| row.indentation).fold(0.0, f64::max);
         let steps = format!("[{{ indentation = {deepest:?} }}, {{ load = 0.0 }}]");
         document.remove("impact");
-        set(&mut document, "indentation.steps", steps.parse::<toml_edit::Value>().map_or(Item::None, value));
+        if let Ok(steps) = steps.parse::<Value>() {
+            set(&mut document, "indentation.steps", steps);
+        }
     } else if found.fit.problem.input.speed().is_nan() {
         let mut speeds = found.fit.problem.speeds();
         speeds.sort_by(f64::total_cmp);
@@ -95,6 +91,6 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
 }
 
 /// A number as people write it: with its unit, and all digits.
-fn quantity(number: f64, dimension: Dimension) -> Item {
-    if dimension == Dimension::Ratio { value(number) } else { value(exact(number, dimension)) }
+fn quantity(number: f64, dimension: Dimension) -> Value {
+    if dimension == Dimension::Ratio { number.into() } else { exact(number, dimension).into() }
 }

@@ -9,11 +9,13 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::edit::{self, Change};
 use super::mark::{Mark, shortened};
 use super::reference::{allowed, missing};
 use crate::error::{Details, Error, ErrorKind};
 use crate::scene::read::Fault;
-use crate::scene::written::{Node, choose_law, merge};
+use crate::scene::tables::is_at_or_below;
+use crate::scene::written::{Node, add_places};
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
@@ -59,15 +61,12 @@ const LONGEST_MESSAGE: usize = 1800;
 struct Override {
     /// As given.
     text: String,
-    /// As TOML, behind so many blanks that places in it are behind those of the file and of the overrides before it. So a
-    /// place tells its text.
-    toml: String,
-    /// How many blanks.
-    start: usize,
+    /// Its key, with dots.
+    key: String,
 }
 
 impl Override {
-    fn parse(text: &str, start: usize) -> Result<Self, Error> {
+    fn parse(text: &str) -> Result<(Self, Change), Error> {
         let refuse = |problem: String| {
             let (key, value) = text.split_once('=').unwrap_or((text, ""));
             let [key, value] = [key, value].map(|part| Some(part.to_owned()).filter(|part| !part.is_empty()));
@@ -83,15 +82,20 @@ impl Override {
                 "a line break or another control character is in it; write --set anew for every key".to_owned(),
             ));
         }
-        let blanks = " ".repeat(start);
-        let mut toml = blanks.clone() + text;
-        if DeTable::parse(&toml).is_err() {
-            // a bare word, whose quotes the shell has removed
-            toml = format!("{blanks}{key}={}", toml::Value::from(value.trim()));
-            DeTable::parse(&toml).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
-        }
-        Ok(Self { text: text.to_owned(), toml, start })
+        let change = Change::parse(key, value).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
+        Ok((Self { text: text.to_owned(), key: change.key() }, change))
     }
+}
+
+/// Where the values of a text are, by their keys.
+type Places = BTreeMap<String, Range<usize>>;
+
+/// The places of a text, which is a scenario.
+fn places(text: &str) -> Result<Places, toml::de::Error> {
+    let mut places = Places::new();
+    let root = DeTable::parse(text)?;
+    add_places("", &Spanned::new(0..0, DeValue::Table(root.into_inner())), &mut places);
+    Ok(places)
 }
 
 /// A scenario as text: the file and what the command line changes in it.
@@ -100,42 +104,40 @@ pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
-    /// Where the values are, by their keys.
-    pub(super) places: BTreeMap<String, Range<usize>>,
+    /// The text with the changes of the command line, which is what is read.
+    edited: String,
+    /// Where the values are in that text.
+    places: Places,
+    /// Where they are in the text of the file.
+    in_file: Places,
 }
 
 impl Document {
     /// The text of a scenario called `name` (in messages), with `key=value` overrides.
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, Error> {
-        let mut start = text.len() + 1;
-        let mut document = Self { name, text, overrides: Vec::new(), places: BTreeMap::new() };
-        for given in overrides {
-            let given = Override::parse(given, start)?;
-            start = given.toml.len() + 1;
-            document.overrides.push(given);
+        let parsed: Vec<_> = overrides.iter().map(|given| Override::parse(given)).collect::<Result<_, _>>()?;
+        let (overrides, changes): (Vec<_>, Vec<_>) = parsed.into_iter().unzip();
+        let mut document =
+            Self { name, edited: text.clone(), text, overrides, places: Places::new(), in_file: Places::new() };
+        let refuse = |span: Option<Range<usize>>, message: &str| {
+            document.told(span.map(Place::File), "", &message.trim_end().replace('\n', "; "))
+        };
+        let in_file = places(&document.text).map_err(|error| refuse(error.span(), error.message()))?;
+        if changes.is_empty() {
+            document.places.clone_from(&in_file);
+        } else {
+            let edited = edit::changed(&document.text, &changes).map_err(|error| refuse(None, error.message()))?;
+            document.places = places(&edited).map_err(|error| refuse(None, error.message()))?;
+            document.edited = edited;
         }
+        document.in_file = in_file;
         Ok(document)
     }
 
-    /// The tables of the file, with those of the overrides.
+    /// The tables that are read.
     pub(super) fn tables(&self) -> Result<Node<'_>, Error> {
-        let refuse = |error: toml::de::Error| {
-            let message = error.message().trim_end().replace('\n', "; ");
-            self.refusal(error.span(), "", &message)
-        };
-        let mut root = DeTable::parse(&self.text).map_err(refuse)?.into_inner();
-        for given in &self.overrides {
-            let mut changes = DeTable::parse(&given.toml).map_err(refuse)?.into_inner();
-            choose_law(&mut root, &mut changes);
-            // the keys to find are one value, which takes the place of that of the file
-            if given.text.split('=').next().is_some_and(|key| key.trim() == "calibrate.free")
-                && let Some(DeValue::Table(calibrate)) = root.get_mut("calibrate").map(Spanned::get_mut)
-            {
-                calibrate.remove("free");
-            }
-            merge(&mut root, changes);
-        }
-        Ok(Spanned::new(0..0, DeValue::Table(root)))
+        let root = DeTable::parse(&self.edited).map_err(|error| self.told(None, "", error.message()))?;
+        Ok(Spanned::new(0..0, DeValue::Table(root.into_inner())))
     }
 
     /// What the scenario is called in messages: its file.
@@ -153,21 +155,42 @@ impl Document {
         self.overrides.iter().map(|given| given.text.clone()).collect()
     }
 
-    /// The same as TOML.
-    pub fn settings(&self) -> impl Iterator<Item = &str> {
-        self.overrides.iter().map(|given| given.toml.trim_start())
+    /// The text with the changes of the command line.
+    pub fn edited(&self) -> &str {
+        &self.edited
     }
 
-    /// The refusals of the keys that were refused while they were read, in the order of the file.
-    pub(super) fn refused(&self, mut refused: Vec<(String, Fault)>) -> Vec<Error> {
-        refused.sort_by_key(|(_, fault)| fault.span.start);
-        let refusal = |(key, Fault { span, message }): (String, Fault)| self.refusal(Some(span), &key, &message);
-        refused.into_iter().map(refusal).collect()
+    /// The refusals of the keys that were refused while they were read: first in the order of the file, then in that of the
+    /// command line.
+    pub(super) fn refused(&self, refused: Vec<(String, Fault)>) -> Vec<Error> {
+        let mut placed: Vec<_> =
+            refused.into_iter().map(|(key, fault)| (self.place(&key, fault.span), key, fault.message)).collect();
+        placed.sort_by_key(|(place, ..)| match place {
+            Some(Place::File(span)) => (0, span.start),
+            Some(Place::Set(number)) => (1, *number),
+            None => (2, 0),
+        });
+        placed.into_iter().map(|(place, key, message)| self.told(place, &key, &message)).collect()
     }
 
     /// A refusal of the value at `key`, pointing at it.
     pub fn refuse(&self, key: &str, message: impl AsRef<str>) -> Error {
-        self.refusal(self.places.get(key).cloned(), key, message.as_ref())
+        let place = self.places.get(key).and_then(|span| self.place(key, span.clone()));
+        self.told(place, key, message.as_ref())
+    }
+
+    /// The place of a span of the text that is read, which belongs to a key: where the command line gives the key, or a table
+    /// that it stands in; else in the file; else where the command line gives the first key of a table.
+    fn place(&self, key: &str, span: Range<usize>) -> Option<Place> {
+        let by = |is_this: &dyn Fn(&str) -> bool| self.overrides.iter().rposition(|given| is_this(&given.key));
+        if let Some(number) = by(&|given| is_at_or_below(key, given)) {
+            return Some(Place::Set(number));
+        }
+        if let (Some(own), Some(read)) = (self.in_file.get(key), self.places.get(key)) {
+            let at = |byte: usize| (own.start + byte).saturating_sub(read.start);
+            return Some(Place::File(at(span.start)..at(span.end)));
+        }
+        by(&|given| is_at_or_below(given, key)).map(Place::Set)
     }
 
     /// Whether the scenario, or the command line, gives the key itself.
@@ -204,7 +227,7 @@ impl Document {
         self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
     }
 
-    fn refusal(&self, span: Option<Range<usize>>, key: &str, message: &str) -> Error {
+    fn told(&self, place: Option<Place>, key: &str, message: &str) -> Error {
         let (mut begin, mut excerpt) = (self.name.clone(), String::new());
         let mut details = Details {
             file: Some(self.name.clone()),
@@ -213,12 +236,14 @@ impl Document {
             message: Some(message.to_owned()),
             ..Details::default()
         };
-        if let Some(span) = span {
-            if let Some(Override { text, .. }) = self.overrides.iter().rfind(|given| given.start <= span.start) {
+        match place {
+            Some(Place::Set(number)) => {
+                let text = &self.overrides[number].text;
                 begin = format!("--set {text}");
                 details.file = None;
                 details.value = text.split_once('=').map(|(_, value)| value.to_owned());
-            } else {
+            }
+            Some(Place::File(span)) => {
                 let Mark { line, column, value, excerpt: marked } = Mark::of(&self.text, &span);
                 begin = format!("{begin}:{line}:{column}");
                 excerpt = marked;
@@ -227,9 +252,18 @@ impl Document {
                 let name = key.rsplit('.').next().unwrap_or(key);
                 details.value = Some(value).filter(|text| text != name && !text.starts_with('['));
             }
+            None => {}
         }
         let said = if key.is_empty() { String::new() } else { format!("{}: ", shortened(key, LONGEST_KEY)) };
         let text = format!("{begin}: {said}{}{excerpt}", shortened(message, LONGEST_MESSAGE));
         Error::input(text).with(details)
     }
+}
+
+/// A place that a message points at.
+enum Place {
+    /// A part of the text of the file, in bytes.
+    File(Range<usize>),
+    /// What the command line gives, by its number.
+    Set(usize),
 }

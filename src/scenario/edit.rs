@@ -1,12 +1,115 @@
-//! Changes in the text of a scenario. All that is not changed stays as it was written, with its comments.
+//! Changes in the text of a scenario: those of the command line, of the page, and the values that a calibration found. All
+//! that is not changed stays as it was written, with its comments.
 
-use toml_edit::{DocumentMut, Item, Table, TableLike, Value, value};
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::NEEDED;
-use crate::scene::written::below;
+use crate::scene::keys::partner;
+use crate::scene::tables::is_known;
+use crate::scene::written::{COMBINED, below, pattern};
 
 /// Why a text cannot be changed: it is no TOML.
 pub type NotToml = toml_edit::TomlError;
+
+/// A key and its new value.
+#[derive(Debug, Clone)]
+pub struct Change {
+    /// The names of the tables around the key, and its own.
+    path: Vec<String>,
+    /// Nothing takes the key or the table away.
+    value: Option<Value>,
+}
+
+impl Change {
+    /// Reads `key=value`. A value that is no TOML is a word, whose quotes the shell has removed; the word `none` takes the key
+    /// away.
+    ///
+    /// # Errors
+    /// [`NotToml`]
+    pub fn parse(key: &str, value: &str) -> Result<Self, NotToml> {
+        let as_word = || format!("{key}={}", toml::Value::from(value.trim()));
+        let given = shielded(&format!("{key}={value}"));
+        let document: DocumentMut = given.parse().or_else(|_| as_word().parse())?;
+        let (mut path, mut item) = (Vec::new(), document.as_item());
+        while let Some((name, inner)) = item.as_table().and_then(|table| table.iter().next()) {
+            path.push(name.to_owned());
+            item = inner;
+        }
+        let value = item.as_value().filter(|_| value.trim() != NONE).map(|value| value.clone().decorated(" ", ""));
+        Ok(Self { path, value })
+    }
+
+    /// The path of the key, with dots.
+    pub fn key(&self) -> String {
+        self.path.join(".")
+    }
+}
+
+/// The word that takes a key or a table away.
+const NONE: &str = "none";
+
+/// The text with these changes, one after the other. A key in place of another takes its place, unless a change gave that.
+///
+/// # Errors
+/// [`NotToml`]
+pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) -> Result<String, NotToml> {
+    let mut document: DocumentMut = shielded(text).parse()?;
+    let mut given: Vec<String> = Vec::new();
+    for change in changes {
+        let key = change.key();
+        let path: Vec<&str> = change.path.iter().map(String::as_str).collect();
+        match (&path[..], &change.value) {
+            // a name that is unknown is put there, so that it is refused as such
+            (_, None) if !remove(document.as_table_mut(), &path) && !is_known(&pattern(&key)) => {
+                put(&mut document, &path, NONE.into());
+            }
+            (_, None) => {}
+            (["law"], Some(Value::String(law))) => choose_law(&mut document, law.value()),
+            (_, Some(value)) => {
+                if let ["law", law, ..] = path[..] {
+                    choose_law(&mut document, law);
+                }
+                put(&mut document, &path, value.clone());
+                if let Some(other) = partner(&key).filter(|other| !given.iter().any(|given| given == other)) {
+                    remove(document.as_table_mut(), &parts(other));
+                }
+            }
+        }
+        given.push(key);
+    }
+    let [begin, end] = [format!("\"{SHIELD}"), format!("{SHIELD}\"")];
+    Ok(document.to_string().replace(&begin, "").replace(&end, ""))
+}
+
+/// Stands around a whole number that is written as a text. No text of a scenario has this character.
+const SHIELD: char = '\u{e000}';
+
+/// The text with whole numbers beyond 64 bits, which the editor does not take, as texts.
+fn shielded(text: &str) -> String {
+    let mut shielded = text.to_owned();
+    let Ok(root) = DeTable::parse(text) else { return shielded };
+    let mut large = Vec::new();
+    add_large(&DeValue::Table(root.get_ref().clone()), root.span(), &mut large);
+    large.sort_by_key(|span| span.start);
+    for span in large.into_iter().rev() {
+        let number = format!("\"{SHIELD}{}{SHIELD}\"", &text[span.clone()]);
+        shielded.replace_range(span, &number);
+    }
+    shielded
+}
+
+/// Adds where such numbers are.
+fn add_large(value: &DeValue, span: Range<usize>, into: &mut Vec<Range<usize>>) {
+    match value {
+        DeValue::Table(table) => table.values().for_each(|node| add_large(node.get_ref(), node.span(), into)),
+        DeValue::Array(items) => items.iter().for_each(|node| add_large(node.get_ref(), node.span(), into)),
+        DeValue::Integer(digits) if i64::from_str_radix(digits.as_str(), digits.radix()).is_err() => into.push(span),
+        _ => {}
+    }
+}
 
 /// The text with another value of a key, or of the law. The value is given as on the command line: a number, a word, or a number
 /// with its unit; nothing takes the key away.
@@ -16,11 +119,16 @@ pub type NotToml = toml_edit::TomlError;
 pub fn edited(text: &str, path: &str, given: &str) -> Result<String, NotToml> {
     let mut document: DocumentMut = text.parse()?;
     match (path, given.trim()) {
-        (path, "") => remove(document.as_table_mut(), path),
+        (path, "") => drop(remove(document.as_table_mut(), &parts(path))),
         ("law", law) => choose_law(&mut document, law),
-        (path, given) => set(&mut document, path, given.parse::<Value>().map_or_else(|_| value(given), Item::Value)),
+        (path, given) => put(&mut document, &parts(path), given.parse().unwrap_or_else(|_| given.into())),
     }
     Ok(document.to_string())
+}
+
+/// The names in a path.
+fn parts(path: &str) -> Vec<&str> {
+    path.split('.').collect()
 }
 
 /// The keys that a text gives, and their values as they are given on the command line; and the name of the law.
@@ -49,44 +157,49 @@ fn collect(path: &str, table: &dyn TableLike, all: &mut Vec<(String, String)>) {
     }
 }
 
-/// Takes a key away, and a table that is empty then, unless every impact needs that table.
-fn remove(table: &mut dyn TableLike, path: &str) {
-    let (first, rest) = path.split_once('.').map_or((path, None), |(first, rest)| (first, Some(rest)));
-    let inner = table.get_mut(first).and_then(Item::as_table_like_mut);
-    let is_empty = match (inner, rest) {
-        (Some(inner), Some(rest)) => {
-            remove(inner, rest);
-            inner.is_empty() && !NEEDED.iter().any(|key| key.split('.').next() == Some(first))
-        }
-        (None, Some(_)) => false,
-        (_, None) => true,
-    };
-    if is_empty {
+/// Takes a key or a table away, and a table that is empty then, unless every impact needs that table. Whether it was there.
+fn remove(table: &mut dyn TableLike, path: &[&str]) -> bool {
+    let Some((first, rest)) = path.split_first() else { return false };
+    if rest.is_empty() {
+        return table.remove(first).is_some();
+    }
+    let Some(inner) = table.get_mut(first).and_then(Item::as_table_like_mut) else { return false };
+    let was_there = remove(inner, rest);
+    if was_there && inner.is_empty() && !NEEDED.iter().any(|key| key.split('.').next() == Some(first)) {
         table.remove(first);
+    }
+    was_there
+}
+
+/// Sets the value of a key, which takes the place of another. Comments beside the old value and above it stay.
+pub fn set(document: &mut DocumentMut, path: &str, new: impl Into<Value>) {
+    put(document, &parts(path), new.into());
+    if let Some(other) = partner(path) {
+        remove(document.as_table_mut(), &parts(other));
     }
 }
 
-/// Sets the value of a key. Comments beside the old value and above it stay.
-pub fn set(document: &mut DocumentMut, path: &str, new: Item) {
-    let (tables, name) = path.rsplit_once('.').unwrap_or(("", path));
-    let mut table: &mut dyn TableLike = document.as_table_mut();
-    for part in tables.split('.').filter(|part| !part.is_empty()) {
-        let inner = table.entry(part).or_insert_with(|| Item::Table(tables_alone()));
+fn put(document: &mut DocumentMut, path: &[&str], mut new: Value) {
+    let Some((name, tables)) = path.split_last() else { return };
+    let (mut table, mut is_inline): (&mut dyn TableLike, bool) = (document.as_table_mut(), false);
+    for part in tables {
+        let empty = if is_inline { Item::Value(InlineTable::new().into()) } else { Item::Table(tables_alone()) };
+        if table.get(part).is_none_or(|inner| !inner.is_table_like()) {
+            table.insert(part, empty);
+        }
+        let Some(inner) = table.get_mut(part) else { return };
+        is_inline |= inner.is_inline_table();
         let Some(inner) = inner.as_table_like_mut() else { return };
         table = inner;
     }
-    replace(table, name, new);
-}
-
-/// Puts a value in the place of another, whose comments stay.
-fn replace(table: &mut dyn TableLike, name: &str, mut new: Item) {
-    let decor = table.get(name).and_then(Item::as_value).map(|old| old.decor().clone());
-    if let (Some(decor), Some(value)) = (decor, new.as_value_mut()) {
-        *value.decor_mut() = decor;
-    }
     match table.get_mut(name) {
-        Some(old) => *old = new,
-        None => drop(table.insert(name, new)),
+        Some(old) => {
+            if let Some(old) = old.as_value() {
+                *new.decor_mut() = old.decor().clone();
+            }
+            *old = Item::Value(new);
+        }
+        None => drop(table.insert(name, Item::Value(new))),
     }
 }
 
@@ -97,31 +210,30 @@ fn tables_alone() -> Table {
     table
 }
 
-/// Merges the changes of the command line. The name of a law is no table that could be merged.
-pub fn merge(into: &mut dyn TableLike, from: &dyn TableLike) {
-    for (name, item) in from.iter().filter(|(name, item)| *name != "law" || item.is_table_like()) {
-        match (into.get_mut(name).and_then(Item::as_table_like_mut), item.as_table_like()) {
-            (Some(old), Some(new)) => merge(old, new),
-            _ => replace(into, name, item.clone()),
+/// Leaves the law of this name as the only one, with the keys that the text gives to it.
+fn choose_law(document: &mut DocumentMut, law: &str) {
+    let halves = law.split_once('+').map(|(loading, unloading)| [loading.trim(), unloading.trim()]);
+    let chosen = halves.map_or(law.trim(), |_| COMBINED);
+    if document.get("law").is_none_or(|laws| !laws.is_table_like()) {
+        document.remove("law");
+        if chosen == "plm" {
+            return;
         }
-    }
-}
-
-/// Leaves the law of this name as the only one.
-pub fn choose_law(document: &mut DocumentMut, law: &str) {
-    let halves = law.split_once(" + ");
-    let chosen = halves.map_or(law, |_| "combined");
-    if chosen != "plm" && document.get("law").is_none() {
         document.insert("law", Item::Table(tables_alone()));
     }
-    let Some(laws) = document.get_mut("law").and_then(Item::as_table_like_mut) else { return };
+    let Some(laws) = document.get_mut("law") else { return };
+    let is_inline = laws.is_inline_table();
+    let Some(laws) = laws.as_table_like_mut() else { return };
     let others: Vec<String> = laws.iter().map(|(name, _)| name.to_owned()).filter(|name| name != chosen).collect();
     for other in others {
         laws.remove(&other);
     }
-    laws.entry(chosen).or_insert_with(|| Item::Table(Table::new()));
-    for (half, name) in halves.into_iter().flat_map(|(one, two)| [("loading", one), ("unloading", two)]) {
-        set(document, &format!("law.combined.{half}"), value(name));
+    if laws.get(chosen).is_none() {
+        let empty = if is_inline { Item::Value(InlineTable::new().into()) } else { Item::Table(Table::new()) };
+        laws.insert(chosen, empty);
+    }
+    for (half, name) in ["loading", "unloading"].into_iter().zip(halves.into_iter().flatten()) {
+        set(document, &format!("law.{COMBINED}.{half}"), name);
     }
 }
 
@@ -147,12 +259,55 @@ mod tests {
         assert_eq!(change("damping.viscous", ""), TEXT);
     }
 
+    /// The text with these changes of the command line.
+    fn with(text: &str, changes: &[&str]) -> String {
+        let parse = |change: &&str| {
+            let (key, value) = change.split_once('=').unwrap();
+            Change::parse(key, value).unwrap()
+        };
+        changed(text, &changes.iter().map(parse).collect::<Vec<_>>()).unwrap()
+    }
+
     #[test]
     fn a_change_of_the_command_line_leaves_comments_where_they_are() {
-        let mut document: DocumentMut = TEXT.parse().unwrap();
-        let change: DocumentMut = "sphere.radius=\"6 mm\"".parse().unwrap();
-        merge(document.as_table_mut(), change.as_table());
-        assert_eq!(document.to_string(), TEXT.replace("5 mm", "6 mm"));
+        assert_eq!(with(TEXT, &["sphere.radius=\"6 mm\""]), TEXT.replace("5 mm", "6 mm"));
+        assert_eq!(with(TEXT, &["sphere.radius=6 mm", "sphere.radius=7 mm"]), TEXT.replace("5 mm", "7 mm"));
+        assert_eq!(with(TEXT, &["impact={ drop_height = 1 }"]).matches('#').count(), 3);
+        // whole numbers beyond 64 bits, and those of other bases
+        let seed = "seed = 18446744073709551615 # all ones\n";
+        assert_eq!(
+            with(seed, &["samples=0x99999999999999999999"]),
+            format!("{seed}samples = 0x99999999999999999999\n")
+        );
+    }
+
+    #[test]
+    fn a_key_in_place_of_another_takes_its_place_and_none_takes_a_key_or_a_table_away() {
+        let radius = "# how large\nradius = \"5 mm\"  # not the diameter\n";
+        assert_eq!(with(TEXT, &["sphere.diameter=1 cm"]), TEXT.replace(radius, "diameter = \"1 cm\"\n"));
+        assert_eq!(with(TEXT, &["impact.drop_height=2"]), TEXT.replace("speed = 3", "drop_height = 2"));
+        let both = with(TEXT, &["sphere.diameter=1 cm", "sphere.radius=5 mm"]);
+        assert!(both.contains("radius") && both.contains("diameter"), "both are of the command line: {both}");
+        assert_eq!(with(TEXT, &["sphere.radius=none"]), TEXT.replace(radius, ""));
+        assert_eq!(with(TEXT, &["impact=none"]), TEXT.replace("[impact]\nspeed = 3\n", ""));
+        assert_eq!(with(TEXT, &["gravity.acceleration=9.81", "gravity=none", "damping.viscous=none"]), TEXT);
+        assert!(with(TEXT, &["sphere.raduis=none"]).contains("raduis = \"none\""), "it is refused then");
+    }
+
+    #[test]
+    fn a_table_of_the_command_line_replaces_that_of_the_file_and_an_inline_table_takes_keys() {
+        let inline = "sphere = { radius = 5 }\n";
+        assert_eq!(with(inline, &["sphere.density=7"]), "sphere = { radius = 5 , density = 7 }\n");
+        assert_eq!(with(inline, &["sphere={ density = 7 }"]), "sphere = { density = 7 }\n");
+        assert_eq!(with("law = { plm = {} }\n", &["law=hertz"]).replace(' ', ""), "law={hertz={}}\n");
+        assert_eq!(
+            with("[law.plm]\n", &["law=stronge+ brake"]),
+            "[law.combined]\nloading = \"stronge\"\nunloading = \"brake\"\n"
+        );
+        assert_eq!(
+            with("[law.thornton]\nyield_pressure = 1 # Pa\n", &["law=thornton"]),
+            "[law.thornton]\nyield_pressure = 1 # Pa\n"
+        );
     }
 
     #[test]

@@ -211,7 +211,7 @@ fn through(points: &[[f64; 2]]) -> Result<FlowCurve, String> {
 }
 
 /// Whether there is a key, or a table, of this path.
-fn is_known(path: &str) -> bool {
+pub fn is_known(path: &str) -> bool {
     path == "law" || EVERY_KEY.iter().any(|key| is_at_or_below(key.path, path))
 }
 

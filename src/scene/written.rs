@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use toml::Spanned;
-use toml::de::{DeInteger, DeString, DeTable, DeValue};
+use toml::de::{DeInteger, DeString, DeValue};
 
 /// A key, with its place in bytes.
 pub type Name<'t> = Spanned<DeString<'t>>;
@@ -13,47 +13,6 @@ pub type Node<'t> = Spanned<DeValue<'t>>;
 
 /// The law of two halves.
 pub const COMBINED: &str = "combined";
-
-/// Puts the keys of another table in place of those of the same name; tables are merged.
-pub fn merge<'t>(into: &mut DeTable<'t>, from: DeTable<'t>) {
-    for (name, node) in from {
-        let place = node.span();
-        match (into.get_mut(&**name.get_ref()).map(Spanned::get_mut), node.into_inner()) {
-            (Some(DeValue::Table(old)), DeValue::Table(new)) => merge(old, new),
-            (_, value) => drop(into.insert(name, Spanned::new(place, value))),
-        }
-    }
-}
-
-/// Prepares changes that name a law. A scenario has one law, so theirs replaces that of the file. A name alone stands for
-/// the law with its defaults, or with the keys that the file gives to that law.
-pub fn choose_law<'t>(root: &mut DeTable<'t>, changes: &mut DeTable<'t>) {
-    let Some(law) = changes.get_mut("law") else { return };
-    let place = law.span();
-    if let DeValue::String(name) = law.get_ref() {
-        let table = |keys: Vec<(&str, DeValue<'t>)>| {
-            let at = |(name, value): (&str, _)| {
-                (Spanned::new(place.clone(), name.trim().to_owned().into()), Spanned::new(place.clone(), value))
-            };
-            DeValue::Table(keys.into_iter().map(at).collect())
-        };
-        let half = |name: &str| DeValue::String(name.trim().to_owned().into());
-        let chosen = match name.split_once('+') {
-            None => table(vec![(name, table(Vec::new()))]),
-            Some((loading, unloading)) => {
-                let halves = vec![("loading", half(loading)), ("unloading", half(unloading))];
-                table(vec![(COMBINED, table(halves))])
-            }
-        };
-        *law.get_mut() = chosen;
-    }
-    if let (DeValue::Table(chosen), Some(DeValue::Table(laws))) =
-        (law.get_ref(), root.get_mut("law").map(Spanned::get_mut))
-    {
-        *laws =
-            std::mem::take(laws).into_iter().filter(|(law, _)| chosen.contains_key(law.get_ref().as_ref())).collect();
-    }
-}
 
 /// Adds where the values of a table are, by their paths with dots; behind the path of a list, `[2]` stands for an item.
 pub fn add_places(path: &str, node: &Node, into: &mut BTreeMap<String, Range<usize>>) {

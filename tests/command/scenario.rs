@@ -1,6 +1,6 @@
 //! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
-use plm_impact::scene::KEYS;
+use plm_impact::scene::{EITHER, KEYS};
 
 use crate::common::prelude::*;
 
@@ -64,6 +64,28 @@ fn overrides_change_keys_as_the_shell_hands_them_over() {
     for (value, exponent) in [paper, fixed, ("1.25", UnloadingExponent::Fixed(1.25))] {
         assert_eq!(plm(&set(format!("law.plm.unloading_exponent={value}"))).exponent, exponent);
     }
+}
+
+/// A value of the file, and a change of the command line that needs it no more.
+#[test]
+fn the_command_line_replaces_siblings_and_tables_and_takes_keys_away() {
+    let set = |set: &[&str]| resolve(STEEL, set).unwrap();
+    assert_eq!(set(&["sphere.diameter=1 cm"]), set(&["sphere.radius=none", "sphere.diameter=1 cm"]));
+    for [other, own] in EITHER {
+        let quantity = Key::find(own).unwrap().quantity;
+        let number = quantity.parse(quantity.example.trim_matches('"')).unwrap();
+        let need = if own == "impact.drop_height" { "gravity.acceleration=9.81" } else { "solver.method=auto" };
+        let input = set(&[need, &format!("{own}={number}")]);
+        assert_eq!((given(&input, own), given(&input, other)), (Some(number), None));
+    }
+    assert_eq!(set(&["half_space={ youngs_modulus = 7e10, poissons_ratio = 0.3 }"]).half_space().yield_strength, None);
+    assert_eq!(set(&["half_space.yield_strength=none"]).half_space().yield_strength, None);
+    assert_eq!(set(&["gravity.acceleration=9.81", "gravity=none"]), set(&[]));
+    // what is wrong in the file is told at its place there, though the command line has moved it
+    let text = STEEL.replace("\"3 m/s\"", "-3");
+    let message = resolve(&text, &["sphere.radius=none", "sphere.diameter=1 cm", "law=hertz"]).unwrap_err().to_string();
+    let place = 1 + text.lines().position(|line| line == "speed = -3").unwrap();
+    assert!(message.starts_with(&format!("steel.toml:{place}:9: impact.speed: -3 m/s is not allowed")), "{message}");
 }
 
 #[test]
