@@ -38,7 +38,7 @@ pub(crate) use bodies::{of_half_space, of_sphere, of_yielding_sphere};
 pub use contact::{Contact, Named};
 pub use error::ImpactError;
 pub use essentials::{Essentials, OnPlate};
-pub use forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces, drop_speed};
+pub use forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};
 pub use friction::Rub;
 pub use ledger::TraceRow;
 pub use oblique::{Approach, Incidence, Oblique, Rebound, Rubbing};

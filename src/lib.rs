@@ -134,6 +134,7 @@
 #![warn(clippy::disallowed_methods)]
 
 #[doc(hidden)]
+pub mod air;
 pub mod bench;
 pub mod calibrate;
 #[cfg(feature = "capi")]

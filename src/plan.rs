@@ -119,6 +119,9 @@ impl Plan {
             Needs::Incidence if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")
             }
+            Needs::Air if !input.forces().flying.is_some_and(|flying| flying.is_in_air()) => {
+                Some("without [air] a height is a speed")
+            }
             Needs::Density if input.number(at!("half_space.density")).is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }

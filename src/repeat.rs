@@ -19,6 +19,7 @@
 pub mod flight;
 pub mod sequence;
 
+use crate::air::Flying;
 use crate::impact::{Approach, Contact, Impact, ImpactError, Method, Solver, Spot};
 use crate::progress::Counter;
 use crate::units::names::named;
@@ -124,7 +125,8 @@ impl Repeat {
                 }
             }
             Drive::Bouncing { gravity, drop_height, approach, most, until } => {
-                sequence.fall = drop_height.map(|height| Flight::fall(gravity, height));
+                let flying = contact.forces().flying.unwrap_or(Flying::in_vacuum(gravity));
+                sequence.fall = drop_height.map(|height| Flight::fall(flying, height));
                 let mut time = sequence.fall.map_or(0.0, |fall| fall.duration);
                 let (mut approach, mut position) = (approach, 0.0);
                 sequence.end = loop {
@@ -135,7 +137,7 @@ impl Repeat {
                     }
                     let touch = if self.place == Place::Same { hit.residual_indentation } else { 0.0 };
                     let (begin, from) = (time + hit.contact_time, hit.end_indentation());
-                    let Some(flight) = Flight::between(gravity, begin, from, hit.rebound_speed, touch) else {
+                    let Some(flight) = Flight::between(flying, begin, from, hit.rebound_speed, touch) else {
                         // without a dent, or on the same spot, it falls back into the contact that it has left
                         let in_dent = self.place == Place::Fresh && hit.residual_indentation > 0.0;
                         break if in_dent { End::InDent } else { End::Captured };

@@ -46,11 +46,12 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         return Err(scenario.document.refuse(kind.name(), message));
     }
     let input = scenario.resolve_bodies()?;
-    let Forces { gravity, damping, plate } = input.forces();
+    let Forces { gravity, damping, plate, .. } = input.forces();
     let table = "leave this table out, and let the simulation add the force";
     let keys = [
         ("gravity", gravity.is_some(), table),
         ("damping", damping.is_some(), table),
+        ("air", scenario.document.has("air"), table),
         ("half_space.thickness", plate.is_some(), "leave this key out, and let the simulation move the plate"),
         ("impact.angle", scenario.document.has("impact.angle"), OF_THE_SPHERE),
         ("sphere.spin", scenario.document.has("sphere.spin"), OF_THE_SPHERE),

@@ -236,6 +236,7 @@ impl Scenario {
             return Err(self.refuse_varied("impact.drop_height", NO_FALL));
         }
         self.check_plate(&input)?;
+        self.check_air(&input)?;
         self.check_strength(&input)?;
         Ok(input)
     }

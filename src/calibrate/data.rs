@@ -9,6 +9,8 @@
 //!   `drop_height` are the keys of `[impact]`;
 //! * `indentation` or `force` of an indentation curve, point after point. The order of the points shows loading and
 //!   unloading;
+//! * `bounce_interval`: the time from this first touch to the next. The speed or drop height of the next line may then be empty:
+//!   it follows from the interval;
 //! * `note`, which is ignored.
 //!
 //! Lines that begin with `#` are comments.
@@ -43,6 +45,8 @@ pub struct Row {
     pub keys: Vec<f64>,
     /// Indentation of a point of an indentation curve \[m\].
     pub indentation: Option<f64>,
+    /// The interval before \[s\], which gives the speed of an impact whose own is empty: its key is not a number.
+    pub interval_before: Option<f64>,
 }
 
 /// The measurements.
@@ -205,7 +209,7 @@ impl Data {
 
     fn row(&mut self, line: u64, record: &csv::StringRecord, columns: &[Option<Column>]) -> Result<(), String> {
         let row = self.rows.len();
-        let mut read = Row { line, keys: Vec::with_capacity(self.keys.len()), indentation: None };
+        let mut read = Row { line, keys: Vec::with_capacity(self.keys.len()), ..Row::default() };
         let first = self.values.len();
         let mut deviations = Vec::new();
         for (number, (field, column)) in (1..).zip(record.iter().zip(columns)) {
@@ -213,6 +217,15 @@ impl Data {
             let refuse = |message: String| format!("column {number}, `{}`: {message}", column.name);
             if field.is_empty() {
                 match column.role {
+                    Role::Key(at) if KEYS[at].path.starts_with("impact.") => {
+                        let before = self.values.iter().rev().find(|value| value.row + 1 == row);
+                        let interval = before.filter(|value| value.quantity == Measured::BounceInterval);
+                        read.interval_before = Some(interval.map(|value| value.value).ok_or_else(|| {
+                            refuse("is empty, and the line before has no bounce_interval from which the speed follows; give a value".to_owned())
+                        })?);
+                        read.keys.push(f64::NAN);
+                        continue;
+                    }
                     Role::Deviation(_) => continue,
                     Role::Measured(quantity) if quantity != Measured::Force => continue,
                     _ => return Err(refuse("is empty; give a value, or leave the line out".to_owned())),

@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::data::{Data, Value};
+use super::data::{Data, Row, Value};
+use crate::air::Flying;
 use crate::impact::ImpactError;
 use crate::indentation::{IndentationError, Indenter, StaticContact, Target};
 use crate::math::functions::{ln, ln_1p};
@@ -135,7 +136,7 @@ impl<'a> Problem<'a> {
         }
         let of = |piece: &Vec<usize>| {
             let mut input = input.clone();
-            self.with_row(&mut input, piece[0]);
+            self.with_row(&mut input, piece[0], 0.0);
             if self.data.is_curve() { self.curve(&input, piece) } else { self.impacts(input, piece) }
         };
         let found: Result<Vec<Vec<f64>>, NoAnswer> = if self.pieces.len() > 1 {
@@ -160,7 +161,7 @@ impl<'a> Problem<'a> {
     pub fn speeds(&self) -> Vec<f64> {
         let mut input = self.filled.clone();
         let speed = |row| {
-            self.with_row(&mut input, row);
+            self.with_row(&mut input, row, 0.0);
             input.speed()
         };
         (0..self.data.rows.len()).map(speed).collect()
@@ -170,16 +171,25 @@ impl<'a> Problem<'a> {
     pub fn beyond_elastic(&self) -> Option<(&Value, f64)> {
         let mut input = self.filled.clone();
         self.data.values.iter().find_map(|value| {
-            self.with_row(&mut input, value.row);
+            self.with_row(&mut input, value.row, 0.0);
             let limit = value.quantity.of_rebound(1.0, &input)?;
             (value.value > limit * (1.0 + 1e-12)).then_some((value, limit))
         })
     }
 
-    /// Puts the keys of a row into an input.
-    fn with_row(&self, input: &mut Input, row: usize) {
-        for (key, value) in self.data.keys.iter().zip(&self.data.rows[row].keys) {
+    /// Puts the keys of a row into an input. The flight before it lasts as long as the interval less the time in contact.
+    fn with_row(&self, input: &mut Input, row: usize, in_contact: f64) {
+        let Row { keys, interval_before, .. } = &self.data.rows[row];
+        for (key, value) in self.data.keys.iter().zip(keys) {
             key.set(input, Some(*value));
+        }
+        if let Some(interval) = interval_before {
+            let flying = input.flying().unwrap_or(Flying::in_vacuum(input.falling_gravity()));
+            let height = flying.rise(flying.take_off_speed((interval - in_contact).max(0.0)));
+            for (key, _) in self.data.keys.iter().zip(keys).filter(|(_, value)| value.is_nan()) {
+                let is_height = key.path == "impact.drop_height";
+                key.set(input, Some(if is_height { height } else { flying.landing_speed(height) }));
+            }
         }
     }
 
@@ -189,7 +199,12 @@ impl<'a> Problem<'a> {
         let mut predicted = Vec::with_capacity(rows.len());
         for row in rows {
             self.go_on()?;
-            self.with_row(&mut input, *row);
+            self.with_row(&mut input, *row, 0.0);
+            if self.data.rows[*row].interval_before.is_some() {
+                // the contact before took about as long as this one
+                let first = contact.row(input.speed(), &input.solver())?;
+                self.with_row(&mut input, *row, first.contact_time);
+            }
             let result = contact.row(input.speed(), &input.solver())?;
             for value in &self.data.values[self.ranges[*row].clone()] {
                 let found = value.quantity.predict(&result, &input).filter(|value| value.is_finite());

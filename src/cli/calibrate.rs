@@ -14,7 +14,7 @@ use super::terminal::other;
 ///
 /// [calibrate] in the scenario says which keys are wanted and what is known of the noise. Without it, the yield strength
 /// of the half-space is. DATA is a CSV file whose columns name what they hold, with the unit: speed_m_per_s or
-/// drop_height_m; restitution, rebound_speed_m_per_s, rebound_height_m, leeb, dent_diameter_m, dent_depth_m,
+/// drop_height_m; restitution, rebound_speed_m_per_s, rebound_height_m, bounce_interval_s, leeb, dent_diameter_m, dent_depth_m,
 /// contact_time_s, peak_force_N, each with a column of standard deviations (restitution_sd) if known; other keys of the
 /// scenario that change from line to line (sphere_radius_mm); or indentation_m and force_N of an indentation curve.
 #[derive(Debug, Args)]

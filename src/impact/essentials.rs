@@ -41,6 +41,9 @@ pub struct Essentials {
     /// known, under damping or on a plate, and for a sphere that does not leave.
     pub wave_loss_fraction: Option<f64>,
     pub on_plate: Option<OnPlate>,
+    /// To which height the sphere rises \[m\], with waves and air where they are known; `None` without gravity and height, and
+    /// for a sphere that does not leave.
+    pub rebound_height: Option<f64>,
     /// What friction makes of an oblique impact. All else is then of the motion normal to the half-space.
     pub rebound: Option<Rebound>,
 }
@@ -131,6 +134,11 @@ impl Essentials {
             plastic_fraction: share,
             wave_loss_fraction: waves,
             on_plate: OnPlate::of(case, outcome, contact_time),
+            rebound_height: contact.forces().flying.filter(|_| outcome.fate == Fate::Separated).map(|flying| {
+                let restitution =
+                    waves.map_or(outcome.restitution, |loss| waves::restitution_with_waves(outcome.restitution, loss));
+                flying.rise(restitution * speed)
+            }),
             rebound: None,
         })
     }

@@ -18,6 +18,7 @@
 
 use super::plate::Plate;
 use super::scales::ACCELERATION;
+use crate::air::Flying;
 use crate::integrate::{Drag, Rest};
 use crate::law::unloading::GRAZING;
 use crate::law::{Ground, Unloading};
@@ -50,6 +51,8 @@ pub struct Forces {
     pub damping: Option<Damping>,
     /// The plate in place of the half-space.
     pub plate: Option<Plate>,
+    /// How the sphere flies before and after, if there is gravity or a height. It does not act in the contact.
+    pub flying: Option<Flying>,
 }
 
 impl Forces {
@@ -66,11 +69,6 @@ impl Forces {
 
 /// Gravity of a fall \[m/s²\] where none is given.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
-
-/// Speed of a body \[m/s\] that has fallen from rest through `height` \[m\] under `gravity` \[m/s²\]: √(2 g h).
-pub fn drop_speed(gravity: f64, height: f64) -> f64 {
-    (2.0 * gravity * height).sqrt()
-}
 
 /// The forces in the units of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -50,6 +50,8 @@ pub enum WarningKind {
     Ploughing,
     /// Bodies whose pressure and friction act on each other.
     Mismatch,
+    /// A fall that air would slow, or a ball so light that air moves with it.
+    InAir,
     /// A key or a table of the scenario that has no effect.
     Unused,
     /// An exponent of unloading that is not kept, because it would give back more than was spent.

@@ -65,7 +65,8 @@ impl Over {
     fn of(data: &Data) -> Self {
         match data.keys[..] {
             _ if data.is_curve() => Self::Indentation,
-            [key] => Self::Key(key),
+            // speeds that follow from intervals are not in the data
+            [key] if data.rows.iter().all(|row| row.interval_before.is_none()) => Self::Key(key),
             _ => Self::Prediction,
         }
     }
@@ -204,7 +205,7 @@ impl<'a> FittedQuantity<'a> {
             (1..=steps).map(move |i| from + (to - from) * f64::from(i) / f64::from(steps))
         };
         let at: Vec<f64> = points.first().copied().into_iter().chain(points.windows(2).flat_map(way)).collect();
-        let rows = at.iter().map(|at| Row { line: 0, keys: Vec::new(), indentation: Some(*at) }).collect();
+        let rows = at.iter().map(|at| Row { indentation: Some(*at), ..Row::default() }).collect();
         (Data { name: String::new(), keys: Vec::new(), rows, values: self.ones(at.len()) }, at)
     }
 
@@ -218,7 +219,7 @@ impl<'a> FittedQuantity<'a> {
         let (from, to) = extremes(self.points.iter().map(|point| point.0));
         let range = Free { key, from, to, is_logarithmic: is_wide(&self.points) };
         let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
-        let rows = at.iter().map(|value| Row { line: 0, keys: vec![*value], indentation: None }).collect();
+        let rows = at.iter().map(|value| Row { keys: vec![*value], ..Row::default() }).collect();
         (Data { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) }, at)
     }
 }

@@ -28,18 +28,25 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
         sequence.fall.iter().chain(sequence.hits.iter().filter_map(|hit| hit.flight.as_ref())).collect();
     let points = (MOST_POINTS / flights.len().max(1)).clamp(2, FLIGHT_POINTS as usize);
     let points = u32::try_from(points).unwrap_or(FLIGHT_POINTS);
-    let mut curve: Vec<(f64, f64)> = Vec::new();
-    for flight in flights {
-        curve.extend((0..=points).map(|i| {
-            let time = flight.duration * f64::from(i) / f64::from(points);
-            (flight.begin + time, flight.height_at(time))
-        }));
-    }
+    let along = |flight: &Flight| -> Vec<(f64, f64)> {
+        let time = |i: u32| flight.duration * f64::from(i) / f64::from(points);
+        (0..=points).map(|i| (flight.begin + time(i), flight.height_at(time(i)))).collect()
+    };
+    let mut curve: Vec<(f64, f64)> = flights.iter().flat_map(|flight| along(flight)).collect();
     curve.extend(last.time.map(|time| (time, 0.0)));
+    // where the air takes more than 1 % of a height
+    let free = flights.iter().map(|flight| (flight.top(), flight.without_air()));
+    let free = free.filter(|(top, free)| free.top() > 1.01 * top).map(|(_, free)| along(&free));
+    let mut without_air: Vec<Series> =
+        free.map(|points| Series::line("", points).styled(Style::line(GREY, 1.5))).collect();
+    if let Some(first) = without_air.first_mut() {
+        first.texts.push("Same take-off without air".to_owned());
+    }
     let path = Series::line("Lowest point of the sphere", curve);
-    let highest = path.points.iter().map(|at| at.1).fold(0.0, f64::max);
+    let drawn: Vec<Series> = [path].into_iter().chain(without_air).collect();
+    let highest = drawn.iter().flat_map(|one| &one.points).map(|at| at.1).fold(0.0, f64::max);
     let y = Axis::engineering("Height", "m").between(0.0, 1.06 * highest);
-    let mut panels = vec![Panel { share: 2.0, ..Panel::new(y, vec![path]) }];
+    let mut panels = vec![Panel { share: 2.0, ..Panel::new(y, drawn) }];
     let shallowest = sequence.hits.iter().map(|hit| hit.residual_indentation).fold(f64::INFINITY, f64::min);
     // a dent that only the first impact makes is a number, not a curve
     let is_constant = sequence.deepest_dent() <= 1.001 * shallowest;

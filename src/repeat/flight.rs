@@ -1,5 +1,7 @@
-//! Free flight under gravity, in closed form. Heights are those of the sphere's lowest point over the original surface,
+//! Free flight under gravity, in closed form or in air ([`Flying`]). Heights are those of the sphere's lowest point over the original surface,
 //! −δ while in contact.
+
+use crate::air::Flying;
 
 /// From leaving a place until touching another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,8 +16,8 @@ pub struct Flight {
     pub speed: f64,
     /// Speed downwards at the next touch \[m/s\].
     pub landing_speed: f64,
-    /// g \[m/s²\].
-    pub gravity: f64,
+    /// Gravity and air.
+    pub flying: Flying,
     /// Where it begins along the surface \[m\].
     pub position: f64,
     /// Speed along the surface \[m/s\], which stays.
@@ -24,35 +26,54 @@ pub struct Flight {
 
 impl Flight {
     /// The fall from rest at `height` to the surface.
-    pub fn fall(gravity: f64, height: f64) -> Self {
-        let landing_speed = crate::impact::drop_speed(gravity, height);
-        Self {
-            begin: 0.0,
-            duration: landing_speed / gravity,
-            height,
-            speed: 0.0,
-            landing_speed,
-            gravity,
-            position: 0.0,
-            speed_along: 0.0,
-        }
+    pub fn fall(flying: Flying, height: f64) -> Self {
+        let landing_speed = flying.landing_speed(height);
+        let duration = if flying.is_in_air() { flying.fall_time(height) } else { landing_speed / flying.gravity };
+        Self { begin: 0.0, duration, height, speed: 0.0, landing_speed, flying, position: 0.0, speed_along: 0.0 }
     }
 
     /// Upwards at `speed` from the depth `from` until the next touch at the depth `to`, both below the original surface;
-    /// `None` if it does not rise that far.
+    /// `None` if it does not rise that far. Without air:
     ///
     /// ```text
     /// u² = v² − 2 g (from − to),   duration = (v + u)/g
     /// ```
-    pub fn between(gravity: f64, begin: f64, from: f64, speed: f64, to: f64) -> Option<Self> {
+    pub fn between(flying: Flying, begin: f64, from: f64, speed: f64, to: f64) -> Option<Self> {
+        let gravity = flying.gravity;
+        let way = |[duration, landing_speed]: [f64; 2]| Self {
+            begin,
+            duration,
+            height: -from,
+            speed,
+            landing_speed,
+            flying,
+            position: 0.0,
+            speed_along: 0.0,
+        };
+        if flying.is_in_air() {
+            let fall = flying.rise(speed) - (from - to);
+            return (fall > 0.0)
+                .then(|| way([flying.rise_time(speed) + flying.fall_time(fall), flying.landing_speed(fall)]));
+        }
         let square = speed * speed - 2.0 * gravity * (from - to);
         let reaches = square > 0.0 || (from == to && speed > 0.0);
         reaches.then(|| {
             // there and back to the same height: the same speed, to the last bit
             let landing_speed = if from == to { speed } else { square.sqrt() };
-            let duration = (speed + landing_speed) / gravity;
-            Self { begin, duration, height: -from, speed, landing_speed, gravity, position: 0.0, speed_along: 0.0 }
+            way([(speed + landing_speed) / gravity, landing_speed])
         })
+    }
+
+    /// The same take-off without air.
+    #[must_use]
+    pub fn without_air(&self) -> Self {
+        let flying = Flying::in_vacuum(self.flying.gravity);
+        let begun = if self.speed > 0.0 {
+            Self::between(flying, self.begin, -self.height, self.speed, -self.height)
+        } else {
+            Some(Self { begin: self.begin, ..Self::fall(flying, self.height) })
+        };
+        begun.unwrap_or(*self)
     }
 
     /// The same flight of a ball that begins here along the surface, and moves along it at this speed.
@@ -68,16 +89,22 @@ impl Flight {
 
     /// Height over the original surface \[m\] at a time since the beginning \[s\].
     pub fn height_at(&self, time: f64) -> f64 {
-        self.height + time * (self.speed - 0.5 * self.gravity * time)
+        if self.flying.is_in_air() {
+            return self.height + self.flying.height_at(self.speed, -self.speed_at(time));
+        }
+        self.height + time * (self.speed - 0.5 * self.flying.gravity * time)
     }
 
     /// Speed downwards \[m/s\], as δ' is.
     pub fn speed_at(&self, time: f64) -> f64 {
-        self.gravity * time - self.speed
+        if self.flying.is_in_air() {
+            return -self.flying.speed_after(self.speed, time);
+        }
+        self.flying.gravity * time - self.speed
     }
 
     /// The highest point \[m\].
     pub fn top(&self) -> f64 {
-        self.height + 0.5 * self.speed * self.speed / self.gravity
+        self.height + self.flying.rise(self.speed)
     }
 }

@@ -221,8 +221,12 @@ pub fn residuals(calibration: &Calibration) -> Result<Vec<u8>, Error> {
         };
         let numbers =
             [value.value, calibration.fit.problem.deviations[i], calibration.predicted[i], calibration.residuals[i]];
-        let fields =
-            [row.line.to_string()].into_iter().chain(row.keys.iter().chain(&row.indentation).map(f64::to_string));
+        let fields = [row.line.to_string()].into_iter().chain(
+            row.keys
+                .iter()
+                .chain(&row.indentation)
+                .map(|key| if key.is_nan() { String::new() } else { key.to_string() }),
+        );
         let fields = fields.chain([value.quantity.name().to_owned()]).chain(numbers.map(|number| number.to_string()));
         writer.write_record(fields.chain((0..calibration.keys.len()).map(shift)))?;
     }

@@ -20,6 +20,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let impact = contact.impact(input.approach(), &input.solver(), samples);
     let mut impact = impact.map_err(|reason| no_result(scenario, &reason))?;
     impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Use::Impact));
+    impact.warnings.extend(input.doubts_of_air());
     Ok((input, contact, impact))
 }
 

@@ -33,7 +33,8 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
     if progress.is_stopped() {
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
-    let idle = scenario.without_effect(std::slice::from_ref(&input), Use::Impact);
+    let mut idle = scenario.without_effect(std::slice::from_ref(&input), Use::Impact);
+    idle.extend(input.doubts_of_air());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
     let Some(order) = order else {

@@ -1,4 +1,4 @@
-//! What is known of one impact beyond its motion: the band of e, and the height of the rebound.
+//! What is known of one impact beyond its motion: the band of e.
 
 use crate::impact::{Contact, Impact, Solver};
 use crate::law::{LawChoice, UnloadingExponent};
@@ -11,16 +11,7 @@ use crate::units::rounded::percent;
 /// An impact of this input with all that is reported of it.
 pub fn single<'a>(input: &Input, contact: &'a Contact, impact: &'a Impact) -> Single<'a> {
     let band = band(input, impact.speed, impact.restitution).filter(|_| impact.has_dent());
-    Single { contact, impact, band, rebound_height: rebound_height(input, impact) }
-}
-
-/// The height of the rebound \[m\] without air, for a sphere that falls or is under gravity: the square of the rebound speed
-/// over 2 g, after elastic waves where their part is known.
-fn rebound_height(input: &Input, impact: &Impact) -> Option<f64> {
-    let falls = input.number(at!("impact.drop_height")).is_some() || input.forces().gravity.is_some();
-    let after = impact.essentials.restitution_with_waves().filter(|_| impact.restitution > 0.0);
-    let speed = after.map_or(1.0, |after| after / impact.restitution) * impact.rebound_speed;
-    falls.then(|| speed * speed / (2.0 * input.falling_gravity()))
+    Single { contact, impact, band }
 }
 
 /// The key whose value a material leaves open by its range.

@@ -2,10 +2,13 @@
 //! only whether a key or table is given, or varies.
 
 use super::Scenario;
+use crate::air::Flying;
 use crate::error::Error;
 use crate::impact::PlateError;
+use crate::scene::at::at;
 use crate::scene::tables::is_at_or_below;
 use crate::scene::{EITHER, Input, KEYS};
+use crate::units::four_digits;
 
 /// Keys that are refused beside others.
 struct Rule {
@@ -50,6 +53,16 @@ const RULES: &[Rule] = &[
         unless: &["sphere.moment_of_inertia"],
         why: "needs sphere.moment_of_inertia beside {}, as the body is no plain sphere",
     },
+    without(
+        &["air"],
+        &["gravity.acceleration", "impact.drop_height", "calibrate"],
+        "nothing flies: add [gravity] with acceleration = \"9.81 m/s^2\", or give impact.drop_height, or leave [air] out",
+    ),
+    beside(
+        OBLIQUE,
+        &["air"],
+        "[{}] would slow the ball along its path too, which is not computed: leave one of them out",
+    ),
     Rule {
         keys: OBLIQUE,
         beside: &["repeat"],
@@ -91,7 +104,7 @@ const RULES: &[Rule] = &[
         "is for bouncing: without [gravity] every shot has its given speed; leave it out",
     ),
     beside(
-        &["impact", "gravity", "damping"],
+        &["impact", "gravity", "damping", "air"],
         &["indentation"],
         "[{}] is given too, and there is no motion in it; write only one of the two",
     ),
@@ -162,6 +175,32 @@ impl Scenario {
             self.document.refuse("half_space.thickness", error.to_string()).needing(needed)
         };
         contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
+    }
+
+    /// Refuses air that is described in part, and a ball that floats in it.
+    pub(super) fn check_air(&self, input: &Input) -> Result<(), Error> {
+        if !self.has("air") {
+            return Ok(());
+        }
+        for (key, is_missing) in [
+            ("density", input.number(at!("air.density")).is_none()),
+            ("drag", input.number(at!("air.drag")).is_none()),
+            ("viscosity", input.air().is_some_and(|air| air.drag.is_none() && air.viscosity.is_nan())),
+        ] {
+            if is_missing {
+                return Err(self.document.missing("air", key));
+            }
+        }
+        let (Some(air), Some(radius), Some(mass)) = (input.air(), input.radius(), input.mass()) else { return Ok(()) };
+        let lift = Flying::buoyancy(air.density, radius, mass);
+        if lift >= 1.0 {
+            let message = format!(
+                "the sphere floats: its buoyancy is {} times its weight; look at density and radius, and give a hollow ball its sphere.mass",
+                four_digits(lift)
+            );
+            return Err(self.refuse_varied("air.density", message));
+        }
+        Ok(())
     }
 
     /// A key that cannot vary, because the key in place of which it stands is given, or varies too.

@@ -40,6 +40,10 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
         "half_space.thickness" | "half_space.plate" => {
             (!is_moving, "a large plate gives way only to what moves; leave the key out")
         }
+        "air.viscosity" => (
+            all(|input| input.air().is_none_or(|air| air.drag.is_some())),
+            "only drag = \"sphere\" needs it; leave the key out",
+        ),
         "half_space.edge_distance" => (of != Use::Impact, "it only warns of single impacts; leave the key out"),
         "solver.tolerance" if inputs.iter().any(is_verlet) => (
             inputs.iter().all(|input| is_verlet(input) || !has_steps(input)),

@@ -6,10 +6,10 @@ use super::key::Form::{
 };
 use super::key::{AnyKey, Part};
 use super::quantity::{
-    ACCELERATION, ANGLE, AREA_FACTOR, DENSITY, DEVIATION, DROP_HEIGHT, EXPONENT, FACTOR, FORCE, FRICTION,
+    ACCELERATION, ANGLE, AREA_FACTOR, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT, FACTOR, FORCE, FRICTION,
     HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS, INDENTATION, LEEB, LENGTH,
     LOAD, MASS, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, RESTITUTION, SAMPLES, SATURATION, SHARE,
-    SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN, STEPS, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOUS,
+    SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN, STEPS, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOSITY, VISCOUS,
 };
 use super::words::{
     COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, ROBUSTS, SPOTS, UNLOADINGS,
@@ -96,6 +96,13 @@ keys! {
     "friction.coefficient" of Approach: Number(&FRICTION);
     /// Gravity, towards the half-space, that acts during contact and flight. A drop height alone does not need it.
     "gravity.acceleration" of Forces: Number(&ACCELERATION);
+    /// Density of the air in which the sphere falls and rises; 1.2 kg/m^3 is usual. It lifts the sphere too.
+    "air.density" of Forces: Number(&DENSITY);
+    /// Drag coefficient in flight; about 0.5 for a smooth sphere. Or "sphere": by its Reynolds number (Schiller and Naumann),
+    /// which needs the viscosity.
+    "air.drag" of Forces: NumberOr(&DRAG, "sphere");
+    /// Viscosity of the air, for drag = "sphere".
+    "air.viscosity" of Forces: Number(&VISCOSITY);
     /// Coefficient chi of the force F (1 + chi v).
     "damping.hunt_crossley" of Forces: Number(&HUNT_CROSSLEY);
     /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
@@ -179,6 +186,8 @@ keys! {
     /// Standard deviation of this measurement, where the data have no column for it.
     "calibrate.noise.rebound_height" of Kind: Number(&LENGTH);
     /// Standard deviation of this measurement, where the data have no column for it.
+    "calibrate.noise.bounce_interval" of Kind: Number(&TIME);
+    /// Standard deviation of this measurement, where the data have no column for it.
     "calibrate.noise.leeb" of Kind: Number(&DEVIATION);
     /// Standard deviation of this measurement, where the data have no column for it.
     "calibrate.noise.dent_diameter" of Kind: Number(&LENGTH);
@@ -196,6 +205,8 @@ keys! {
     "calibrate.measured.rebound_speed" of Kind: Number(&SPEED);
     /// Height of the rebound, measured in the impact of the scenario: in place of data.
     "calibrate.measured.rebound_height" of Kind: Number(&LENGTH);
+    /// Time from this first touch to the next, measured in the impact of the scenario: in place of data.
+    "calibrate.measured.bounce_interval" of Kind: Number(&TIME);
     /// Leeb hardness: 1000 times the restitution, measured in the impact of the scenario: in place of data.
     "calibrate.measured.leeb" of Kind: Number(&LEEB);
     /// Diameter of the dent's rim, measured in the impact of the scenario: in place of data.

@@ -2,6 +2,7 @@
 
 use super::Input;
 use super::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, TIME};
+use crate::air::Flying;
 use crate::impact::Essentials;
 use crate::units::names::named;
 
@@ -15,6 +16,8 @@ named! {
         ReboundSpeed = "rebound_speed",
         /// Height of the rebound.
         ReboundHeight = "rebound_height",
+        /// Time from one first touch to the next: the clicks of a bouncing ball.
+        BounceInterval = "bounce_interval",
         /// Leeb hardness: 1000 times the restitution.
         Leeb = "leeb",
         /// Diameter of the dent's rim.
@@ -38,7 +41,7 @@ impl Measured {
             Self::ReboundSpeed => &SPEED,
             Self::Leeb => &LEEB,
             Self::ReboundHeight | Self::DentDiameter | Self::DentDepth => &LENGTH,
-            Self::ContactTime => &TIME,
+            Self::ContactTime | Self::BounceInterval => &TIME,
             Self::PeakForce | Self::Force => &FORCE,
         }
     }
@@ -55,6 +58,7 @@ impl Measured {
             Self::DentDepth => Some(row.residual_indentation),
             Self::ContactTime => Some(row.contact_time),
             Self::PeakForce => Some(row.peak_force),
+            Self::BounceInterval => Some(row.contact_time + self.of_rebound(row.measured_restitution(), input)?),
             // what is measured is less by the energy of elastic waves, if the half-space has a density
             _ => self.of_rebound(row.measured_restitution(), input),
         }
@@ -63,10 +67,13 @@ impl Measured {
     /// The value after a rebound with this restitution; `None` if the quantity does not follow from that.
     pub fn of_rebound(self, restitution: f64, input: &Input) -> Option<f64> {
         let speed = restitution * input.speed();
+        let flying = || input.flying().unwrap_or(Flying::in_vacuum(input.falling_gravity()));
         match self {
             Self::Restitution => Some(restitution),
             Self::ReboundSpeed => Some(speed),
-            Self::ReboundHeight => Some(0.5 * speed * speed / input.falling_gravity()),
+            Self::ReboundHeight => Some(flying().rise(speed)),
+            // without the contact time
+            Self::BounceInterval => Some(flying().rise_time(speed) + flying().fall_time(flying().rise(speed))),
             Self::Leeb => Some(1000.0 * restitution),
             _ => None,
         }

@@ -165,6 +165,13 @@ pub const SPIN: Quantity =
 pub const MOMENT_OF_INERTIA: Quantity = positive("a moment of inertia", Dimension::MomentOfInertia, "\"1e-6 kg m^2\"");
 /// A coefficient of friction.
 pub const FRICTION: Quantity = not_negative("a coefficient of friction", Dimension::Ratio, "0.1");
+/// A drag coefficient.
+pub const DRAG: Quantity = Quantity {
+    too_high: "it is about 0.5 for a sphere",
+    ..number("a drag coefficient", Included(0.0), Included(100.0), "0.5")
+};
+/// The viscosity of air.
+pub const VISCOSITY: Quantity = positive("a viscosity", Dimension::Viscosity, "\"1.8e-5 Pa s\"");
 /// A measured time.
 pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
 /// The standard deviation of a plain number.

@@ -9,14 +9,17 @@ use super::input::{Input, Value};
 use super::key::Part;
 use super::keys::Key;
 use super::taken::{Body, Taken};
+use crate::air::{Flying, Medium};
 use crate::impact::{
     Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
-    Solver, drop_speed,
+    Solver, Warning, WarningKind,
 };
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere};
 use crate::materials::all;
+use crate::math::functions::powi;
 use crate::strength::hardness::strength_of_hardness;
+use crate::units::rounded::percent;
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
 pub const DEFAULT_SAMPLES: usize = 400;
@@ -82,7 +85,62 @@ impl Input {
                 .word(at!("half_space.plate"))
                 .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
         });
-        Forces { gravity: number(at!("gravity.acceleration")), damping, plate }
+        Forces { gravity: number(at!("gravity.acceleration")), damping, plate, flying: self.flying() }
+    }
+
+    /// How the sphere flies, if there is gravity or a height.
+    pub fn flying(&self) -> Option<Flying> {
+        let falls = self.number(at!("gravity.acceleration")).or(self.number(at!("impact.drop_height"))).is_some();
+        let gravity = self.falling_gravity();
+        let in_vacuum = Flying::in_vacuum(gravity);
+        let in_air = || {
+            let medium = self.air()?;
+            Some(Flying::in_air(gravity, &medium, self.radius()?, self.mass()?))
+        };
+        falls.then(|| in_air().unwrap_or(in_vacuum))
+    }
+
+    /// Whether a fall is computed as if there were no air although air would slow it, and whether the ball is so light that the
+    /// air that moves with it counts.
+    pub fn doubts_of_air(&self) -> Option<Warning> {
+        /// Air of a room, and the drag of a smooth sphere.
+        const USUAL: Medium = Medium { density: 1.2, drag: Some(0.47), viscosity: f64::NAN };
+        let (radius, mass) = (self.radius()?, self.mass()?);
+        if let Some(air) = self.air() {
+            let added = 0.5 * Flying::buoyancy(air.density, radius, mass);
+            return (added > 0.003).then(|| {
+                let text = format!(
+                    "the air that moves with so light a ball has {} of its mass, which is neglected: heights and times may be off by as much",
+                    percent(added)
+                );
+                Warning::new(WarningKind::InAir, added, text)
+            });
+        }
+        let height = self.number(at!("impact.drop_height")).filter(|height| *height > 0.0)?;
+        // a body with a tip falls in a guide
+        let is_ball = self.number(at!("sphere.mass")).is_none();
+        let flying = Flying::in_air(self.falling_gravity(), &USUAL, radius, mass);
+        let slower = 1.0 - flying.landing_speed(height) / self.speed();
+        (is_ball && slower > 0.005).then(|| {
+            let text = format!(
+                "in air the ball arrives {} slower: add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
+                percent(slower)
+            );
+            Warning::new(WarningKind::InAir, slower, text)
+        })
+    }
+
+    /// The air, if it is given.
+    pub fn air(&self) -> Option<Medium> {
+        let density = self.number(at!("air.density"))?;
+        let drag = self.number(at!("air.drag")).filter(|drag| drag.is_finite());
+        Some(Medium { density, drag, viscosity: self.number(at!("air.viscosity")).unwrap_or(f64::NAN) })
+    }
+
+    /// The mass of all that moves \[kg\], by itself or by the sphere's density.
+    pub fn mass(&self) -> Option<f64> {
+        let of_density = || Some(self.number(at!("sphere.density"))? * (4.0 / 3.0 * PI * powi(self.radius()?, 3)));
+        self.number(at!("sphere.mass")).or_else(of_density)
     }
 
     /// The bodies paired under the law.
@@ -115,7 +173,8 @@ impl Input {
 
     /// The impact speed \[m/s\]: that of the fall where a height is given.
     pub fn speed(&self) -> f64 {
-        let fallen = self.number(at!("impact.drop_height")).map(|height| drop_speed(self.falling_gravity(), height));
+        let fallen =
+            self.number(at!("impact.drop_height")).and_then(|height| Some(self.flying()?.landing_speed(height)));
         fallen.or(self.number(at!("impact.speed"))).unwrap_or(f64::NAN)
     }
 

@@ -34,6 +34,7 @@ dimensions! {
     Angle: "an angle", "rad", "_rad", "\"30 deg\"";
     AngularSpeed: "an angular speed", "rad/s", "_rad_per_s", "\"100 rad/s\"";
     MomentOfInertia: "a moment of inertia", "kg m^2", "_kg_m2", "\"1e-6 kg m^2\"";
+    Viscosity: "a viscosity", "Pa s", "_Pa_s", "\"1.8e-5 Pa s\"";
     Ratio: "a plain number", "", "", "0.3";
 }
 

@@ -33,7 +33,7 @@ const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
 
 use Dimension::{
     Acceleration, Angle, AngularSpeed, Density, Energy, Force, InverseSpeed, Length, Mass, MomentOfInertia, Pressure,
-    Ratio, Speed, Stiffness, Time,
+    Ratio, Speed, Stiffness, Time, Viscosity,
 };
 
 pub(super) const UNITS: &[Unit] = &[
@@ -73,6 +73,10 @@ pub(super) const UNITS: &[Unit] = &[
     shown("g", Mass, -3),
     shown("kg", Mass, 0),
     shown("t", Mass, 3),
+    shown("µPa s", Viscosity, -6),
+    shown("mPa s", Viscosity, -3),
+    read("cP", Viscosity, Scale::Ten(-3)),
+    shown("Pa s", Viscosity, 0),
     shown("kg/m^3", Density, 0),
     shown("g/cm^3", Density, 3),
     read("g/cc", Density, Scale::Ten(3)),

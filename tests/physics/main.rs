@@ -6,6 +6,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod air;
 mod damped;
 mod dense;
 mod exponent;

@@ -1,5 +1,6 @@
 //! Series of impacts: bouncing under gravity and repeated shots.
 
+use plm_impact::air::Flying;
 use plm_impact::repeat::flight::Flight;
 use plm_impact::repeat::{End, Hit, Sequence};
 
@@ -239,7 +240,7 @@ fn a_ball_that_falls_back_into_its_contact_is_captured_and_not_in_a_dent() {
 #[test]
 fn a_drop_starts_the_clock_at_the_release() {
     let contact = contact(Scene::steel(), None);
-    let speed = drop_speed(GRAVITY, 0.5);
+    let speed = (2.0 * GRAVITY * 0.5).sqrt();
     let drive =
         Drive::Bouncing { gravity: GRAVITY, drop_height: Some(0.5), approach: speed.into(), most: 2, until: None };
     let sequence = Repeat { place: Place::Same, drive }.run(&contact, &auto(), 10, None).unwrap();
@@ -314,7 +315,7 @@ proptest! {
 #[test]
 fn a_fall_takes_the_time_of_galilei() {
     // t = √(2 h/g): 2 s from 19.62 m at 9.81 m/s²
-    let fall = Flight::fall(9.81, 19.62);
+    let fall = Flight::fall(Flying::in_vacuum(9.81), 19.62);
     approx::assert_relative_eq!(fall.duration, 2.0, max_relative = 1e-15);
     approx::assert_relative_eq!(fall.landing_speed, 19.62, max_relative = 1e-15);
     approx::assert_abs_diff_eq!(fall.height_at(2.0), 0.0, epsilon = 1e-14);
@@ -324,10 +325,10 @@ fn a_fall_takes_the_time_of_galilei() {
 #[test]
 fn a_flight_out_of_a_dent_loses_its_depth() {
     // from 1 m below at 6 m/s under 10 m/s²: 0.8 m above the surface, back on it at 4 m/s after 1 s
-    let flight = Flight::between(10.0, 3.0, 1.0, 6.0, 0.0).unwrap();
+    let flight = Flight::between(Flying::in_vacuum(10.0), 3.0, 1.0, 6.0, 0.0).unwrap();
     assert_eq!((flight.landing_speed, flight.duration, flight.top()), (4.0, 1.0, 0.8));
     assert_eq!(flight.height_at(1.0), 0.0);
     // a flight that only reaches the rim does not land on a fresh surface; on the same spot every flight comes back
-    assert_eq!(Flight::between(10.0, 0.0, 1.0, 20_f64.sqrt() * (1.0 - 1e-15), 0.0), None);
-    assert_eq!(Flight::between(10.0, 0.0, 1.0, 0.1, 1.0).unwrap().landing_speed, 0.1);
+    assert_eq!(Flight::between(Flying::in_vacuum(10.0), 0.0, 1.0, 20_f64.sqrt() * (1.0 - 1e-15), 0.0), None);
+    assert_eq!(Flight::between(Flying::in_vacuum(10.0), 0.0, 1.0, 0.1, 1.0).unwrap().landing_speed, 0.1);
 }

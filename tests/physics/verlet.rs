@@ -8,7 +8,7 @@ const CONTACT_TIME: f64 = 2.943_275_184_324_704_7;
 
 const NUMBERS_OF_STEPS: [u32; 6] = [50, 77, 100, 333, 1000, 3000];
 
-const NONE: Forces = Forces { gravity: None, damping: None, plate: None };
+const NONE: Forces = Forces { gravity: None, damping: None, plate: None, flying: None };
 
 fn verlet(steps_per_contact: u32) -> Solver {
     Solver { method: Method::Verlet, steps_per_contact, ..Solver::default() }

@@ -66,6 +66,8 @@ pub enum Needs {
     Thickness,
     /// An angle or a spin: without them nothing slides.
     Incidence,
+    /// Air: without it heights follow from speeds.
+    Air,
 }
 
 /// A column of a table.
@@ -88,6 +90,7 @@ impl Needs {
             Self::Density => WAVES,
             Self::Thickness => PLATE,
             Self::Incidence => OBLIQUE,
+            Self::Air => FLIES,
         }
     }
 }
@@ -113,9 +116,10 @@ pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &
 pub(super) const YIELDS: &str = "the half-space has a yield strength";
 pub(super) const BAND: &str =
     "the half-space yields under the law `plm`, with an exponent whose error against finite elements is known";
-pub(super) const HEIGHT: &str = "the sphere falls from a height, or there is gravity";
 pub(super) const WAVES: &str = "the half-space has a density; not under damping, on a plate, nor without a rebound";
 pub(super) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
+pub(super) const FLIES: &str = "there is gravity or a drop height; in tables only with air";
+pub(super) const AIR: &str = "there is air";
 pub(super) const FORCES: &str = "there is gravity, damping or a plate";
 pub(super) const PLATE: &str = "a plate is hit";
 pub(super) const GRAVITY: &str = "there is gravity";

@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use super::entry::{Needs, Reported, file, results};
+use crate::air::Flying;
 use crate::impact::{
     Contact, Essentials, Event, FixedSteps, Impact, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
 };
@@ -14,8 +15,6 @@ pub struct Single<'a> {
     pub impact: &'a Impact,
     /// Where e is expected, if that is known.
     pub band: Option<Band>,
-    /// How high the sphere rises \[m\], if it falls or is under gravity.
-    pub rebound_height: Option<f64>,
 }
 
 /// The lowest and the highest e that are to be expected.
@@ -45,6 +44,7 @@ impl Single<'_> {
             Needs::Density => row.wave_loss_fraction.is_some(),
             Needs::Thickness => row.on_plate.is_some(),
             Needs::Incidence => row.rebound.is_some(),
+            Needs::Air => row.rebound_height.is_some(),
         };
         is_there.then(|| value(row).into())
     }
@@ -67,6 +67,11 @@ impl Single<'_> {
     /// The value, if the sphere came in at an angle, or spinning.
     fn oblique(&self, value: fn(&Oblique) -> f64) -> Option<f64> {
         self.impact.oblique.as_ref().map(value)
+    }
+
+    /// The flight, if there is air.
+    fn in_air(&self) -> Option<Flying> {
+        self.contact.forces().flying.filter(Flying::is_in_air)
     }
 
     /// The value, if the steps are fixed.
@@ -113,9 +118,16 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "restitution_with_waves" as "with waves" [Density: Essentials::restitution_with_waves];
         /// Speed of the sphere when it separates, normal to the half-space.
         "rebound_speed_m_per_s" in Speed as "rebound speed": of.impact.rebound_speed;
-        /// How high the sphere rises without air: the square of the rebound speed over 2 g, after elastic waves where their part
-        /// is known.
-        "rebound_height_m" in Length as "rebound height" if HEIGHT: of.rebound_height;
+        /// Height to which the sphere rises, with waves and air where they are known.
+        "rebound_height_m" in Length as "rebound height" [Air: |row| row.rebound_height];
+        /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
+        "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: of.in_air().and_then(|flying| {
+            let height = flying.drop_height(of.impact.speed);
+            let fallen = 1.0 - of.impact.speed * of.impact.speed / (2.0 * flying.gravity * height);
+            height.is_finite().then_some(fallen)
+        });
+        /// Speed at which the drag of the air carries the weight.
+        "terminal_speed_m_per_s" in Speed if AIR: of.in_air().map(|flying| flying.terminal_speed());
         /// Angle of the rebound from the normal, in degrees; negative where the sphere is thrown back.
         "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound(row, |after| after.angle.to_degrees())];
         /// Tangential speed of the sphere's centre after the impact over that before; `null` without one before.
