@@ -1,6 +1,7 @@
 //! `plm-impact calibrate`: compares the found keys with independent fits, with data of known strength, and with
 //! measured hardness.
 
+mod clicks;
 mod compared;
 mod coverage;
 mod files;
