@@ -65,5 +65,8 @@ fn a_fall_that_air_slows_says_so() {
     assert!(said.contains("in air the ball arrives 2.642 % slower") && said.contains("add [air]"), "{said}");
     assert!(!of("1 m", &[]).1.contains("in air"));
     let (shown, said) = of("10 m", &["--set", "air.density=1.2", "--set", "air.drag=0.5"]);
-    assert!(!said.contains("in air") && shown.contains("rebound height") && shown.contains("air took"), "{shown}{said}");
+    assert!(
+        !said.contains("in air") && shown.contains("rebound height") && shown.contains("air took"),
+        "{shown}{said}"
+    );
 }
