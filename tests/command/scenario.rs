@@ -109,6 +109,10 @@ fn beside(path: &str) -> (&'static [&'static str], &'static str) {
         "half_space.thickness" | "half_space.edge_distance" => {
             (&["half_space.density=7", "half_space.thickness=7"], "")
         }
+        // what flies falls from a height
+        path if path.starts_with("air.") => {
+            (&["impact.drop_height=7", "air.density=1", "air.drag=0.5"], "speed = \"3 m/s\"\n")
+        }
         // a key of a flow curve needs a curve of its form
         path if path.contains(".power.") => (&["half_space.flow_stress.power.exponent=0.1"], ""),
         path if path.contains(".voce.") => {
