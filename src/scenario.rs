@@ -45,6 +45,7 @@ use crate::error::Error;
 use crate::impact::Warning;
 use crate::plan::axis::Setting;
 use crate::scene::at::at;
+use crate::scene::keys::NEEDED;
 use crate::scene::keys::partner;
 use crate::scene::read::{Reader, items};
 use crate::scene::taken::Taken;
@@ -68,17 +69,6 @@ pub struct Scenario {
     /// The way to its file from the folder of its results, where there is one.
     pub from_results: Option<String>,
 }
-
-/// The keys that an impact needs. Another key may stand in place of one of them (see [`EITHER`]). The speed is the last.
-const NEEDED: [&str; 7] = [
-    "sphere.radius",
-    "sphere.youngs_modulus",
-    "sphere.poissons_ratio",
-    "half_space.youngs_modulus",
-    "half_space.poissons_ratio",
-    "sphere.density",
-    "impact.speed",
-];
 
 const NO_FALL: &str = "a sphere that is released at first touch needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0";
 

@@ -1,7 +1,7 @@
 //! `[calibrate]`: keys that are found from measurements.
 
 use super::document::read_text;
-use super::{DATA, LARGEST_DATA, NEEDED, Scenario};
+use super::{DATA, LARGEST_DATA, Scenario};
 use crate::error::Error;
 use crate::impact::Method;
 use crate::law::LawChoice;
@@ -9,6 +9,7 @@ use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scene::at::at;
+use crate::scene::keys::NEEDED;
 use crate::scene::words::STUDENT_T;
 use crate::scene::{Input, Key};
 use crate::strength::hardness::CONSTRAINT;

@@ -6,8 +6,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use super::NEEDED;
-use crate::scene::keys::partner;
+use crate::scene::keys::{NEEDED, partner};
 use crate::scene::tables::is_known;
 use crate::scene::written::{COMBINED, below, pattern};
 
@@ -297,7 +296,7 @@ mod tests {
     #[test]
     fn a_table_of_the_command_line_replaces_that_of_the_file_and_an_inline_table_takes_keys() {
         let inline = "sphere = { radius = 5 }\n";
-        assert_eq!(with(inline, &["sphere.density=7"]), "sphere = { radius = 5 , density = 7 }\n");
+        assert_eq!(with(inline, &["sphere.density=7"]).replace(' ', ""), "sphere={radius=5,density=7}\n");
         assert_eq!(with(inline, &["sphere={ density = 7 }"]), "sphere = { density = 7 }\n");
         assert_eq!(with("law = { plm = {} }\n", &["law=hertz"]).replace(' ', ""), "law={hertz={}}\n");
         assert_eq!(

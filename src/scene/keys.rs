@@ -78,3 +78,14 @@ impl Key {
 pub fn varied(path: &str) -> &str {
     ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
 }
+
+/// The keys that an impact needs. Another key may stand in place of one of them (see [`EITHER`]). The speed is the last.
+pub const NEEDED: [&str; 7] = [
+    "sphere.radius",
+    "sphere.youngs_modulus",
+    "sphere.poissons_ratio",
+    "half_space.youngs_modulus",
+    "half_space.poissons_ratio",
+    "sphere.density",
+    "impact.speed",
+];
