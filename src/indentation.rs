@@ -13,9 +13,9 @@ mod specimen;
 
 use thiserror::Error;
 
-use crate::impact::{Warning, WarningKind, of_dent, of_exponent, of_peak, of_yielding_sphere};
+use crate::impact::{Warning, WarningKind, has_its_part, of_dent, of_exponent, of_flow, of_peak, of_yielding_sphere};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
-use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, normal};
+use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, Sphere, normal};
 use crate::math::functions::pow;
 use machine::{Machine, Stroke};
 pub use specimen::{Specimen, Tested};
@@ -162,7 +162,6 @@ struct Units {
 pub struct StaticContact {
     indenter: Indenter,
     /// Yield strength of the half-space \[Pa\], if it has one.
-    strength: Option<f64>,
     pair: Pair,
     units: Units,
     law: Law,
@@ -176,8 +175,9 @@ impl StaticContact {
     /// has no loading or no unloading.
     pub fn try_new(indenter: Indenter, half_space: &HalfSpace, law: &dyn ContactLaw) -> Result<Self, IndentationError> {
         let radius = indenter.radius;
-        let pair = Pair::try_new(radius, &indenter.material, half_space)?;
-        let law = law.of_pair(&pair, half_space)?;
+        let Indenter { material, yield_strength, .. } = indenter;
+        let pair = Pair::try_new(&Sphere { radius, material, density: f64::NAN, yield_strength }, half_space)?;
+        let law = law.of_pair(&pair)?;
         let (units, law) = if let (Some(point), Some(law)) = (pair.yield_point, law) {
             (Units { length: point.indentation, force: point.force, contact_radius: point.contact_radius }, law)
         } else {
@@ -185,7 +185,7 @@ impl StaticContact {
             let force = normal("force of a Hertz contact one radius deep (N)", deep)?;
             (Units { length: radius, force, contact_radius: radius }, Law::hertz())
         };
-        Ok(Self { indenter, strength: half_space.yield_strength, pair, units, law })
+        Ok(Self { indenter, pair, units, law })
     }
 
     pub fn pair(&self) -> &Pair {
@@ -287,11 +287,12 @@ impl StaticContact {
 
     /// Adds the warnings that no step before this one had.
     fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
-        let (radius, strength) = (self.indenter.radius, self.indenter.yield_strength);
+        let radius = self.indenter.radius;
+        let strength = self.indenter.yield_strength.filter(|_| !has_its_part(&self.pair, &self.law));
         let of_step = |step: &Step| {
             let Memory { contact_radius, mean_pressure, .. } = step.memory;
-            let yields = of_yielding_sphere(mean_pressure, strength, self.strength, "less comes back than computed");
-            of_dent(&self.law, contact_radius / radius).into_iter().chain(yields)
+            let yields = of_yielding_sphere(mean_pressure, strength, "less comes back than computed");
+            of_dent(&self.law, contact_radius / radius).into_iter().chain(yields).chain(of_flow(&self.pair))
         };
         let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| warning.kind).collect();
         let gain = (step.plastic_work < 0.0).then(|| {

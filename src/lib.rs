@@ -21,7 +21,7 @@
 //! | E* | `effective_modulus` | Pa | 1/E* = 1/E_s* + 1/E_h*; E/(2 (1 − ν²)) for equal bodies |
 //! | κ | `sphere_compliance` | 1 | E*/E_s*, the sphere's share of the elastic approach; 0 is a rigid sphere |
 //! | ρ_E | `half_space_compliance` | 1 | E*/E_h* = 1 − κ |
-//! | σ_Y | `yield_strength` | Pa | of the half-space (von Mises), not the contact pressure at which it yields |
+//! | σ_Y | `yield_strength` | Pa | of a body (von Mises), not the contact pressure at which it yields |
 //! | C_ν | `yield_factor` | 1 | largest Hertz pressure at first yield over σ_Y |
 //! | δ, δ_s, δ_h | `indentation`, `sphere_indentation`, `half_space_indentation` | m | approach, δ = δ_s + δ_h |
 //! | δ_Y, F_Y, v_Y | `yield_point` | m, N, m/s | first yield |

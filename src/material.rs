@@ -4,6 +4,7 @@
 use thiserror::Error;
 
 use crate::error::ErrorKind;
+use crate::math::functions::exp;
 use crate::units::number;
 
 /// An isotropic elastic material.
@@ -30,7 +31,7 @@ pub struct Sphere {
     pub material: Material,
     /// Density ρ \[kg/m³\], > 0.
     pub density: f64,
-    /// The sphere's own yield strength \[Pa\], if known: only used to warn where the sphere would yield too.
+    /// Yield strength σ_Y \[Pa\] (von Mises); `None`: the sphere stays elastic.
     pub yield_strength: Option<f64>,
 }
 
@@ -56,10 +57,16 @@ pub struct HalfSpace {
     pub density: Option<f64>,
 }
 
-/// First yield of the half-space under the sphere (Xie et al. 2024, Eqs. 17-18).
+/// First yield of the softer body (Xie et al. 2024, Eqs. 17-18).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldPoint {
-    /// C_ν \[1\]: largest Hertz pressure over yield strength at first yield.
+    /// Who flows.
+    pub flow: Flow,
+    /// σ_Y of the softer body \[Pa\].
+    pub strength: f64,
+    /// ν of the softer body.
+    pub poissons_ratio: f64,
+    /// C_ν \[1\] of the softer body: largest Hertz pressure over yield strength at first yield.
     pub factor: f64,
     /// δ_Y = (π C_ν σ_Y / 2E*)² R \[m\].
     pub indentation: f64,
@@ -102,6 +109,64 @@ pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFlo
     if value.is_normal() && value > 0.0 { Ok(value) } else { Err(OutOfFloatRange { quantity, value }) }
 }
 
+/// How the flow is shared between the bodies.
+///
+/// A body yields where the largest Hertz pressure is P = C_ν σ_Y, infinite for one that stays elastic. With P_b of the softer
+/// body b and P_o of the other
+///
+/// ```text
+/// q = P_o/P_b,   w = min(1, (q − 1)/0.25)        0: both flow alike, 1: only the softer flows
+/// κ = w E*/E_o*                                  share of what stays elastic beside the flow in the compliance
+/// β = 1 − (1 − w) E*/E_h*   (the sphere is the softer, or q = 1),   (1 − w) E*/E_s*   (the half-space is)
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flow {
+    /// q; infinite beside a body that stays elastic.
+    pub ratio: f64,
+    /// Whether the sphere is the softer body. At equal strengths it counts as that.
+    pub is_sphere: bool,
+    /// w.
+    pub alone: f64,
+    /// κ.
+    pub elastic_share: f64,
+    /// 1 − κ.
+    pub plastic_share: f64,
+    /// β: the share of the flow that goes into the sphere.
+    pub sphere_share: f64,
+    /// The share of the residual indentation that is a flat on the sphere; the rest is a dent. Of the harder body it is
+    /// (E*/E_o*) exp(−(q − 1)/0.27) below q = 2 and nothing from there on: an estimate from finite elements up to a/R = 0.11.
+    pub flat_share: f64,
+}
+
+impl Flow {
+    /// Of the pressures of sphere and half-space at first yield, and their compliances E*/E_i*.
+    fn of([of_sphere, of_half_space]: [f64; 2], [sphere, half_space]: [f64; 2]) -> Self {
+        let is_sphere = of_sphere <= of_half_space;
+        let (ratio, softer, harder) = if is_sphere {
+            (of_half_space / of_sphere, sphere, half_space)
+        } else {
+            (of_sphere / of_half_space, half_space, sphere)
+        };
+        let alone = ((ratio - 1.0) / 0.25).min(1.0);
+        let of_harder = (1.0 - alone) * harder;
+        let kept = if ratio < 2.0 { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
+        Self {
+            ratio,
+            is_sphere,
+            alone,
+            elastic_share: alone * harder,
+            plastic_share: softer + of_harder,
+            sphere_share: if is_sphere { 1.0 - of_harder } else { of_harder },
+            flat_share: if is_sphere { 1.0 - kept } else { kept },
+        }
+    }
+
+    /// Whether both bodies flow.
+    pub fn is_of_both(&self) -> bool {
+        self.alone < 1.0
+    }
+}
+
 /// What the pairing of sphere and half-space fixes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
@@ -113,38 +178,52 @@ pub struct Pair {
     pub sphere_compliance: f64,
     /// ρ_E = E*/E_h* = 1 − κ: share of the half-space.
     pub half_space_compliance: f64,
-    /// First yield, if the half-space has a yield strength.
+    /// First yield, if a body has a yield strength.
     pub yield_point: Option<YieldPoint>,
 }
 
 impl Pair {
-    /// Pairs a sphere of this radius \[m\] and material with a half-space.
+    /// Pairs a sphere with a half-space. The sphere's density does not matter.
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where effective modulus or yield point over- or underflow.
-    pub fn try_new(radius: f64, sphere: &Material, half_space: &HalfSpace) -> Result<Self, OutOfFloatRange> {
-        let of_sphere = 1.0 / sphere.plane_strain_modulus();
+    pub fn try_new(sphere: &Sphere, half_space: &HalfSpace) -> Result<Self, OutOfFloatRange> {
+        let radius = sphere.radius;
+        let of_sphere = 1.0 / sphere.material.plane_strain_modulus();
         let of_half_space = 1.0 / half_space.material.plane_strain_modulus();
         let effective_modulus = normal("effective modulus (Pa)", 1.0 / (of_sphere + of_half_space))?;
-        let yield_point = half_space
-            .yield_strength
+        let compliances = [of_sphere, of_half_space].map(|compliance| compliance * effective_modulus);
+        let bodies = [(sphere.yield_strength, sphere.material), (half_space.yield_strength, half_space.material)];
+        let pressures = bodies.map(|(strength, material)| {
+            strength.map_or(f64::INFINITY, |strength| yield_factor(material.poissons_ratio) * strength)
+        });
+        let flow = Flow::of(pressures, compliances);
+        let (strength, material) = bodies[usize::from(!flow.is_sphere)];
+        let yield_point = strength
             .map(|strength| {
-                let factor = yield_factor(half_space.material.poissons_ratio);
+                let poissons_ratio = material.poissons_ratio;
+                let factor = yield_factor(poissons_ratio);
                 let pressure = std::f64::consts::PI * factor * strength;
                 let a_over_r = pressure / (2.0 * effective_modulus);
                 let indentation = normal("yield indentation (m)", a_over_r * a_over_r * radius)?;
                 let a_y = a_over_r * radius;
                 let force = normal("yield force (N)", 2.0 / 3.0 * pressure * a_y * a_y)?;
-                Ok(YieldPoint { factor, indentation, force, contact_radius: a_y })
+                Ok(YieldPoint { flow, strength, poissons_ratio, factor, indentation, force, contact_radius: a_y })
             })
             .transpose()?;
         Ok(Self {
             radius,
             effective_modulus,
-            sphere_compliance: of_sphere * effective_modulus,
-            half_space_compliance: of_half_space * effective_modulus,
+            sphere_compliance: compliances[0],
+            half_space_compliance: compliances[1],
             yield_point,
         })
+    }
+
+    /// [κ, 1 − κ] of the law: see [`Flow`]; for bodies that stay elastic the shares of sphere and half-space.
+    pub(crate) fn shares(&self) -> [f64; 2] {
+        let of_bodies = [self.sphere_compliance, self.half_space_compliance];
+        self.yield_point.map_or(of_bodies, |point| [point.flow.elastic_share, point.flow.plastic_share])
     }
 
     /// Hertz stiffness K = (4/3) E* √R \[N/m^1.5\], F = K δ^1.5.

@@ -116,6 +116,9 @@ impl Plan {
         let is_on_plate = input.forces().plate.is_some();
         match needs {
             Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
+            Needs::Flat if input.number(at!("sphere.yield_strength")).is_none() => {
+                Some("without sphere.yield_strength there is no flat")
+            }
             Needs::Incidence if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")
             }

@@ -54,8 +54,8 @@ impl Contact {
     /// loading or no unloading (see [`Combined`](crate::law::Combined)).
     pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
-        let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space)?;
-        let (scales, law) = match (&pair.yield_point, law.of_pair(&pair, &half_space)?) {
+        let pair = Pair::try_new(&sphere, &half_space)?;
+        let (scales, law) = match (&pair.yield_point, law.of_pair(&pair)?) {
             (Some(point), Some(law)) => (Scales::of_yield(point, point.speed(mass)?), law),
             _ => (Scales::of_radius(&pair, mass), Law::hertz()),
         };

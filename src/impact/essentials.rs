@@ -24,8 +24,10 @@ pub struct Essentials {
     pub peak_force: f64,
     /// δ_m \[m\].
     pub peak_indentation: f64,
-    /// δ_r \[m\]: depth of the dent; 0 without one.
+    /// δ_r \[m\]: how much closer the bodies stay, by a dent in the half-space and a flat on the sphere; 0 without both.
     pub residual_indentation: f64,
+    /// The part of it that is a flat on the sphere \[m\].
+    pub flat_depth: f64,
     /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::law::Law::contact_radius). If there is a dent, this
     /// is the radius of its rim.
     pub peak_contact_radius: f64,
@@ -127,6 +129,9 @@ impl Essentials {
             peak_force: normal("peak force (N)", outcome.largest_force * scales.force)?,
             peak_indentation: peak.indentation * scales.length,
             residual_indentation: residual * scales.length,
+            flat_depth: contact.pair().yield_point.map_or(0.0, |point| point.flow.flat_share)
+                * residual
+                * scales.length,
             peak_contact_radius,
             radius_ratio,
             is_outside_law: radius_ratio > ground.law.limits.widest || ground.outside_stated(&peak).is_some(),
@@ -143,7 +148,17 @@ impl Essentials {
         })
     }
 
-    /// Whether the impact left a dent.
+    /// Depth of the dent in the half-space \[m\].
+    pub fn dent_depth(&self) -> f64 {
+        self.residual_indentation - self.flat_depth
+    }
+
+    /// Whether the impact left a flat on the sphere.
+    pub fn has_flat(&self) -> bool {
+        self.flat_depth > 0.0
+    }
+
+    /// Whether the impact left a dent or a flat.
     pub fn has_dent(&self) -> bool {
         self.residual_indentation > 0.0
     }

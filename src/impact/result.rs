@@ -186,13 +186,13 @@ impl Impact {
             elastic_approach: peak.elastic_approach * scales.length,
             unloading_exponent: outcome.unloading.exponent,
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
-            residual_radius: (has_dent && radius_ratio > 1.0)
+            residual_radius: (essentials.dent_depth() > 0.0 && radius_ratio > 1.0)
                 .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
             force_at_peak_indentation: peak.force * scales.force,
             peak_mean_pressure: peak.force * scales.force
                 / (std::f64::consts::PI * peak_contact_radius)
                 / peak_contact_radius,
-            dent_radius: has_dent.then(|| scales.contact_radius * ground.contact_radius(&dent)),
+            dent_radius: (essentials.dent_depth() > 0.0).then(|| scales.contact_radius * ground.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),

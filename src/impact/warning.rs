@@ -25,6 +25,8 @@ pub enum WarningKind {
     BeyondFlowCurve,
     /// The sphere would yield as well.
     SphereYields,
+    /// A sphere that flows at a strength below those of the finite elements.
+    WeakSphere,
     /// A body that cracks or creeps where a metal would yield.
     NoMetal,
     /// The hardness of a metal that hardens, without its exponent.

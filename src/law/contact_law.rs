@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use super::Law;
 use super::published::{OutsideLaw, Rules};
-use crate::material::{HalfSpace, Pair, YieldPoint};
+use crate::material::{Pair, YieldPoint};
 
 /// Where a law comes from and what it is good for, in words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,28 +38,25 @@ impl About {
     }
 }
 
-/// What laws are built for: a yielding half-space and the sphere on it.
+/// What laws are built for: two bodies of which at least one yields.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bodies {
     /// Effective modulus, shares of compliance.
     pub pair: Pair,
     /// First yield by C_ν: the unit of x and f.
     pub yield_point: YieldPoint,
-    /// σ_Y of the half-space \[Pa\].
+    /// σ_Y of the softer body \[Pa\].
     pub yield_strength: f64,
-    /// ν of the half-space.
+    /// ν of the softer body.
     pub poissons_ratio: f64,
 }
 
 impl Bodies {
-    /// `None` for a half-space without a yield strength: there is only Hertz.
-    pub fn new(pair: &Pair, half_space: &HalfSpace) -> Option<Self> {
-        Some(Self {
-            pair: *pair,
-            yield_point: pair.yield_point?,
-            yield_strength: half_space.yield_strength?,
-            poissons_ratio: half_space.material.poissons_ratio,
-        })
+    /// `None` for bodies without a yield strength: there is only Hertz.
+    pub fn new(pair: &Pair) -> Option<Self> {
+        let yield_point = pair.yield_point?;
+        let YieldPoint { strength, poissons_ratio, .. } = yield_point;
+        Some(Self { pair: *pair, yield_point, yield_strength: strength, poissons_ratio })
     }
 
     /// δ_y/δ_Y of a law that yields where the largest Hertz pressure is `factor` σ_Y: (C/C_ν)².
@@ -78,9 +75,11 @@ impl Bodies {
         self.yield_point.contact_radius / self.pair.radius
     }
 
-    /// E of the half-space \[Pa\].
-    pub fn half_space_modulus(&self) -> f64 {
-        let plane_strain = self.pair.effective_modulus / self.pair.half_space_compliance;
+    /// E of the softer body \[Pa\].
+    pub fn modulus(&self) -> f64 {
+        let Pair { sphere_compliance, half_space_compliance, .. } = self.pair;
+        let compliance = if self.yield_point.flow.is_sphere { sphere_compliance } else { half_space_compliance };
+        let plane_strain = self.pair.effective_modulus / compliance;
         plane_strain * (1.0 - self.poissons_ratio * self.poissons_ratio)
     }
 
@@ -104,11 +103,11 @@ pub trait ContactLaw: Debug {
         Ok(Law::published(loading?, recovery))
     }
 
-    /// The whole law of a pair of bodies; `None` for a half-space without a yield strength, on which every contact is Hertz's.
+    /// The whole law of a pair of bodies; `None` for bodies without a yield strength, whose every contact is Hertz's.
     ///
     /// # Errors
     /// As of [`ContactLaw::law`].
-    fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {
-        Bodies::new(pair, half_space).map(|bodies| self.law(&bodies)).transpose()
+    fn of_pair(&self, pair: &Pair) -> Result<Option<Law>, OutsideLaw> {
+        Bodies::new(pair).map(|bodies| self.law(&bodies)).transpose()
     }
 }

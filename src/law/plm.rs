@@ -15,6 +15,7 @@
 
 pub mod coefficients;
 pub mod contact_radius;
+pub mod flattening;
 pub mod hardening;
 pub mod lines;
 pub mod rule;
@@ -25,9 +26,10 @@ use super::contact_law::{Bodies, ContactLaw};
 use super::published::{Loading, PeakState, Recovered, Rules};
 use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
 use crate::curve::Curve;
-use crate::material::{HalfSpace, Pair};
+use crate::material::Pair;
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
+pub use flattening::Flattening;
 pub use hardening::Hardening;
 pub use lines::ElasticLine;
 pub use rule::PlmRule;
@@ -61,17 +63,34 @@ impl Plm {
     }
 
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
-        let (loading, rule) = self.halves(bodies);
+        let (loading, rule) = self.flattened(bodies);
         Law::plm(loading, rule)
     }
 
     fn halves(&self, bodies: &Bodies) -> (Curve, PlmRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
         let (perfect, rule) = self.coefficients.halves(pair, ratio, self.exponent);
-        let Some(flow) = &self.flow else { return (perfect, rule) };
-        let rise = flow.rise(bodies.yield_strength, bodies.half_space_modulus());
+        let Some(flow) = self.flow.as_ref().filter(|_| !bodies.yield_point.flow.is_sphere) else {
+            return (perfect, rule);
+        };
+        let rise = flow.rise(bodies.yield_strength, bodies.modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
         (hardening.loading(&perfect), PlmRule { hardening: Some(hardening), ..rule })
+    }
+
+    /// The halves with the flat of a sphere that flows.
+    fn flattened(&self, bodies: &Bodies) -> (Curve, PlmRule) {
+        let (plain, rule) = self.halves(bodies);
+        let Bodies { pair, yield_point, .. } = bodies;
+        if yield_point.flow.sphere_share == 0.0 {
+            return (plain, rule);
+        }
+        let (ratio, compliance) = (bodies.yield_radius_ratio(), pair.sphere_compliance);
+        let plastic_from = self.coefficients.line_slopes(pair).plastic_from;
+        let approach = |x: f64, force: f64| rule.plain_approach(x, force);
+        let (curve, flattening) =
+            Flattening::of(yield_point, compliance, ratio, plastic_from, plain, &rule.radius, approach);
+        (curve, PlmRule { flattening: Some(flattening), ..rule })
     }
 }
 
@@ -101,10 +120,16 @@ impl ContactLaw for Plm {
         Ok(self.of_bodies(bodies))
     }
 
-    fn of_pair(&self, pair: &Pair, half_space: &HalfSpace) -> Result<Option<Law>, OutsideLaw> {
-        let Some(bodies) = Bodies::new(pair, half_space) else { return Ok(None) };
+    fn of_pair(&self, pair: &Pair) -> Result<Option<Law>, OutsideLaw> {
+        let Some(bodies) = Bodies::new(pair) else { return Ok(None) };
+        let flows = bodies.yield_point.flow;
         if let Some(flow) = &self.flow {
-            flow.is_flatter_than(half_space.material.youngs_modulus, bodies.yield_strength)?;
+            if flows.is_of_both() {
+                return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
+            }
+            if !flows.is_sphere {
+                flow.is_flatter_than(bodies.modulus(), bodies.yield_strength)?;
+            }
         }
         Ok(Some(self.of_bodies(&bodies)))
     }

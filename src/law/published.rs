@@ -178,6 +178,15 @@ pub enum OutsideLaw {
     /// A flow curve that is none.
     #[error("the flow curve of the half-space: {0}")]
     Flow(#[from] FlowError),
+    /// A flow curve of one of two bodies that both flow.
+    #[error(
+        "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: leave half_space.flow_stress out and give its strength at the strain of the impact, or strengths at least 1.25 to 1",
+        four_digits(*.ratio)
+    )]
+    BothFlow {
+        /// The strength of the harder body over that of the softer, as pressures at first yield.
+        ratio: f64,
+    },
     #[error(
         "the law \"{name}\" lacks its loading or its unloading, so that an impact has no answer; combine it with a law that has that half"
     )]

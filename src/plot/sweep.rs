@@ -270,7 +270,7 @@ impl Over<'_> {
 /// point is the impact speed with the same energy as the loading.
 fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     let contact = plan.input.contact().ok()?;
-    let bodies = Bodies::new(contact.pair(), contact.half_space())?;
+    let bodies = Bodies::new(contact.pair())?;
     let energy = bodies.yield_point.force * bodies.yield_point.indentation;
     let (low, high) = extremes(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
     let points: Vec<_> = quasi_static::unloadings(contact.sphere().material.youngs_modulus, &bodies)

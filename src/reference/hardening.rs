@@ -4,7 +4,7 @@ use super::rows;
 use super::unloading::Unloaded;
 use crate::error::Error;
 use crate::law::Bodies;
-use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair};
+use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, Sphere};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 
 rows! {
@@ -38,7 +38,7 @@ impl Materials {
     pub fn bodies(&self) -> Result<Option<Bodies>, OutOfFloatRange> {
         // the law in units of the yield point does not depend on the radius
         let half_space = self.half_space();
-        Ok(Bodies::new(&Pair::try_new(1.0, &self.sphere(), &half_space)?, &half_space))
+        Ok(Bodies::new(&Pair::try_new(&Sphere::elastic(1.0, self.sphere(), f64::NAN), &half_space)?))
     }
 
     /// The flow curve; `None` if the words name none.

@@ -2,7 +2,7 @@
 
 use super::{damaged, quasi_static};
 use crate::error::Error;
-use crate::material::Pair;
+use crate::material::{Pair, Sphere};
 
 rows! {
     /// A point of a loading curve.
@@ -49,7 +49,7 @@ pub fn curves() -> Result<Vec<LoadingCurve>, Error> {
 
 fn curve(case: &'static str, text: &str) -> Result<LoadingCurve, Error> {
     let (sphere, half_space) = quasi_static::bodies(case).ok_or_else(|| damaged(case, "has no materials"))?;
-    let pair = Pair::try_new(1.0, &sphere, &half_space)?;
+    let pair = Pair::try_new(&Sphere::elastic(1.0, sphere, f64::NAN), &half_space)?;
     let yield_radius_ratio = pair.yield_point.map_or(f64::NAN, |point| point.contact_radius);
     Ok(LoadingCurve { case, pair, yield_radius_ratio, points: super::rows(case, text)? })
 }

@@ -37,7 +37,7 @@ fn unloaded() -> Result<Vec<Unloaded>, Error> {
 /// The unloadings of the case that has these materials, by rising depth; none for other materials. Quasi-static results in
 /// units of the yield point do not depend on the radius.
 pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded> {
-    let materials = [sphere_modulus, bodies.half_space_modulus(), bodies.yield_strength];
+    let materials = [sphere_modulus, bodies.modulus(), bodies.yield_strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;
     let case = MATERIALS.iter().find(|(_, of_case)| of_case.iter().copied().zip(materials).all(is_near));
     let Some((case, _)) = case.filter(|_| (bodies.poissons_ratio - 0.3).abs() <= 1e-9) else { return Vec::new() };

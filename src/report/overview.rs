@@ -4,7 +4,7 @@
 use super::inputs::Inputs;
 use crate::impact::Contact;
 use crate::law::LawChoice;
-use crate::material::Pair;
+use crate::material::{Flow, Pair};
 use crate::plan::HARDNESS;
 use crate::scene::Input;
 use crate::scene::at::at;
@@ -71,10 +71,25 @@ pub(super) fn paired(pair: &Pair) -> Vec<Row> {
         Some(point) => {
             row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
             row("yield force F_Y", describe(point.force, Dimension::Force));
+            row("who yields", who(&point.flow));
         }
         None => row("yield point", ELASTIC.to_owned()),
     }
     rows
 }
 
-const ELASTIC: &str = "none: the half-space has no yield_strength and stays elastic";
+/// Which body flows, and by what ratio of strengths.
+fn who(flow: &Flow) -> String {
+    let Flow { ratio, is_sphere, .. } = *flow;
+    let [softer, harder] = if is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
+    let times = four_digits(ratio);
+    match () {
+        () if ratio.is_infinite() => format!("the {softer}; the {harder} stays elastic"),
+        () if flow.is_of_both() => {
+            format!("both: the {harder} is {times} times as strong, and the {softer} flows more")
+        }
+        () => format!("the {softer}, as the {harder} is {times} times as strong"),
+    }
+}
+
+const ELASTIC: &str = "none: no body has a yield_strength, and the contact stays elastic";

@@ -108,7 +108,7 @@ impl Varied {
 /// The values of a material as random keys: even between the ends of their ranges.
 fn drawn(input: &Input, taken: &Taken) -> Vec<Variable> {
     let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
-    // the sphere's strength only serves to warn, and a rigid sphere needs no Poisson's ratio
+    // the sphere keeps its strength, and a rigid sphere needs no Poisson's ratio
     let is_used = |path: &str| path != "sphere.yield_strength" && !(path == "sphere.poissons_ratio" && is_rigid);
     let drawn = |(path, known): (&'static str, &Known)| {
         let [from, to] = [0, 1].map(|end| taken.in_key(path, known.range[end].value));

@@ -26,9 +26,10 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
         "sphere.poissons_ratio" => {
             (all(|input| input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY)), "the sphere is rigid")
         }
-        "sphere.yield_strength" => {
-            (of == Use::Rows, "it only warns of single impacts and of indentations; leave the key out")
-        }
+        "sphere.yield_strength" => (
+            all(Input::has_a_far_harder_sphere),
+            "the half-space yields alone, as it has less than half of that strength; leave the key out",
+        ),
         "sphere.density" | "sphere.mass" => (!is_moving, "nothing moves here; leave the key out"),
         "sphere.moment_of_inertia" | "friction.coefficient" => (
             !is_moving || all(|input| input.incidence().is_none()),
@@ -62,8 +63,16 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
         "law.hertz" | "law.plm" => (false, ""),
         _ => (
             all(|input| !input.can_yield()),
-            "the half-space has no yield_strength, so the contact stays elastic; give it one, or leave the key out",
+            "no body has a yield_strength, so the contact stays elastic; give one, or leave the key out",
         ),
     };
     is_idle.then_some(why)
+}
+
+impl Input {
+    /// Whether the half-space yields alone and keeps all of the dent, at one strength.
+    fn has_a_far_harder_sphere(&self) -> bool {
+        let flow = self.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow));
+        self.law().flow().is_none() && flow.is_some_and(|flow| !flow.is_sphere && flow.ratio >= 2.0)
+    }
 }

@@ -46,7 +46,8 @@ keys! {
     "sphere.moment_of_inertia" of Motion: Number(&MOMENT_OF_INERTIA) => "of a solid sphere";
     /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Needs friction.
     "sphere.spin" of Approach: Number(&SPIN) => "0";
-    /// Yield strength of the sphere. It only serves to warn where the sphere would yield too.
+    /// Uniaxial yield strength of the sphere. The softer body yields; within a factor of 1.25 of the pressures at first yield
+    /// both do. Without it the sphere stays elastic.
     "sphere.yield_strength" of Sphere: Number(&STRENGTH);
     /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
     "sphere.material" of Sphere: Word(&MATERIALS);
@@ -54,7 +55,7 @@ keys! {
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
     /// Poisson's ratio of the half-space.
     "half_space.poissons_ratio" of HalfSpace: Number(&POISSONS_RATIO);
-    /// Uniaxial yield strength of the half-space; without it the contact is elastic and nothing plastic is reported.
+    /// Uniaxial yield strength of the half-space; without it the half-space stays elastic.
     "half_space.yield_strength" of HalfSpace: Number(&STRENGTH);
     /// Hardness of the half-space in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
     /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield

@@ -54,8 +54,8 @@ impl Measured {
     /// The value in an impact of an input; `None` if the impact has no such value.
     pub fn predict(self, row: &Essentials, input: &Input) -> Option<f64> {
         match self {
-            Self::DentDiameter => Some(if row.has_dent() { 2.0 * row.peak_contact_radius } else { 0.0 }),
-            Self::DentDepth => Some(row.residual_indentation),
+            Self::DentDiameter => Some(if row.dent_depth() > 0.0 { 2.0 * row.peak_contact_radius } else { 0.0 }),
+            Self::DentDepth => Some(row.dent_depth()),
             Self::ContactTime => Some(row.contact_time),
             Self::PeakForce => Some(row.peak_force),
             Self::BounceInterval => Some(row.contact_time + self.of_rebound(row.measured_restitution(), input)?),

@@ -63,7 +63,7 @@ impl Input {
 
     /// Whether the half-space has a strength, without which nothing yields.
     pub fn can_yield(&self) -> bool {
-        let of = [at!("half_space.yield_strength"), at!("half_space.hardness")];
+        let of = [at!("half_space.yield_strength"), at!("half_space.hardness"), at!("sphere.yield_strength")];
         of.into_iter().any(|strength| self.number(strength).is_some())
     }
 

@@ -44,7 +44,6 @@ impl Body {
                 ("sphere.density", Property::Density),
                 ("sphere.youngs_modulus", Property::YoungsModulus),
                 ("sphere.poissons_ratio", Property::PoissonsRatio),
-                // the strength of the sphere only serves to warn
                 ("sphere.yield_strength", Property::Hardness),
             ],
             Self::HalfSpace => &[

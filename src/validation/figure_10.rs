@@ -5,7 +5,7 @@ use super::cases::{Case, Cycle};
 use crate::error::Error;
 use crate::law::published::PeakState;
 use crate::law::{Bodies, LawChoice, Unloading};
-use crate::material::{HalfSpace, Material, Pair};
+use crate::material::{HalfSpace, Material, Pair, Sphere};
 use crate::plot::{Axis, Chart, Series, Style};
 use crate::units::four_digits;
 use crate::units::rounded::quantity;
@@ -28,8 +28,8 @@ const POINTS: u32 = 200;
 fn bodies() -> Result<Bodies, Error> {
     let [sphere, material] = MODULI.map(|youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 });
     let half_space = HalfSpace { material, yield_strength: Some(STRENGTH), density: None };
-    let pair = Pair::try_new(RADIUS, &sphere, &half_space)?;
-    Bodies::new(&pair, &half_space).ok_or_else(|| Error::failed("the half-space of case 3 does not yield"))
+    let pair = Pair::try_new(&Sphere::elastic(RADIUS, sphere, f64::NAN), &half_space)?;
+    Bodies::new(&pair).ok_or_else(|| Error::failed("the half-space of case 3 does not yield"))
 }
 
 /// The peak of an unloading, and how each law unloads from it. A law without an answer there is left out.

@@ -101,9 +101,9 @@ fn a_key_has_an_effect_on_every_use_or_a_reason_why_not() {
         &["half_space.density=7850", "half_space.thickness=0.02", "half_space.edge_distance=0.01"],
         &["damping.viscous=0.1", "solver.method=auto", "solver.tolerance=1e-9"],
         &["friction.coefficient=0.1", "impact.angle=30 deg", "sphere.spin=10", "sphere.moment_of_inertia=5e-8"],
-        &["gravity.acceleration=9.81", "law.thornton.yield_pressure=1e9", "sphere.yield_strength=3e8"],
+        &["gravity.acceleration=9.81", "law.thornton.yield_pressure=1e9"],
         &["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20", "output.samples=9"],
-        &["half_space.flow_stress.power.exponent=0.1", "law.plm.unloading_exponent=1.6", "sphere.yield_strength=3e8"],
+        &["half_space.flow_stress.power.exponent=0.1", "law.plm.unloading_exponent=1.6"],
     ];
     let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
     let elastic = read(&elastic, &["law.plm.unloading_exponent=1.6", "solver.tolerance=1e-9"]);

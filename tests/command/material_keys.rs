@@ -39,8 +39,8 @@ fn every_material_makes_an_impact_as_ball_and_as_plate() {
             } else if sphere == "alumina-99.5" {
                 assert!(restitution > 0.02 && restitution < 1.0, "{sphere} on {half_space}: {restitution}");
             } else {
-                // under a soft and light ball, steel may stay elastic
-                assert!(restitution > 0.5 && restitution <= 1.0, "{sphere} on {half_space}: {restitution}");
+                // a soft ball yields, and under a light one steel may stay elastic
+                assert!(restitution > 0.05 && restitution <= 1.0, "{sphere} on {half_space}: {restitution}");
             }
         }
     }

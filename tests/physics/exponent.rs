@@ -147,7 +147,7 @@ fn indentation_obeys_the_same_rule() {
     let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     let exponent = UnloadingExponent::Fixed(1.4);
     let contact = StaticContact::try_new(indenter, &half_space, &Plm { exponent, ..Plm::default() }).unwrap();
-    let (bodies, law) = (Bodies::new(contact.pair(), &half_space).unwrap(), self::steel(1.4).law());
+    let (bodies, law) = (Bodies::new(contact.pair()).unwrap(), self::steel(1.4).law());
     let depth = |x: f64| Target::Indentation(x * bodies.yield_point.indentation);
     let done = contact.indent(&[depth(1.05), depth(0.0), depth(1.1), depth(0.0), depth(1.15)], Some(20)).unwrap();
     assert_eq!(done.doubts.iter().map(|doubt| doubt.step).collect::<Vec<_>>(), [1, 3, 5]);

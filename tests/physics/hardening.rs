@@ -72,9 +72,9 @@ fn hardening_law(ratio: f64, yield_strength: f64, flow: FlowCurve, exponent: Unl
     let half_space = Material { youngs_modulus: MODULUS, poissons_ratio: 0.3 };
     let sphere = Material { youngs_modulus: MODULUS * 10_f64.powf(ratio), poissons_ratio: 0.3 };
     let half_space = HalfSpace { material: half_space, yield_strength: Some(yield_strength), density: None };
-    let pair = Pair::try_new(1.0, &sphere, &half_space).unwrap();
-    let law = Plm { exponent, flow: Some(flow), ..Plm::default() }.of_pair(&pair, &half_space).unwrap().unwrap();
-    (law, Bodies::new(&pair, &half_space).unwrap())
+    let pair = Pair::try_new(&Sphere::elastic(1.0, sphere, 1.0), &half_space).unwrap();
+    let law = Plm { exponent, flow: Some(flow), ..Plm::default() }.of_pair(&pair).unwrap().unwrap();
+    (law, Bodies::new(&pair).unwrap())
 }
 
 const MODULUS: f64 = 2e11;
@@ -230,7 +230,8 @@ fn e_is_as_far_off_as_the_table_of_strengths_says() {
             let ratio = strain.map_or(1.0, |strain| rise.at(strain));
             let half_space = HalfSpace { yield_strength: Some(ratio * strength), ..half_space };
             let bodies =
-                Bodies::new(&Pair::try_new(1.0, &materials.sphere(), &half_space).unwrap(), &half_space).unwrap();
+                Bodies::new(&Pair::try_new(&Sphere::elastic(1.0, materials.sphere(), 1.0), &half_space).unwrap())
+                    .unwrap();
             let flow = strain.is_none().then_some(curve);
             let law = Plm { exponent, flow, ..Plm::default() }.law(&bodies).unwrap();
             // F_Y δ_Y is proportional to the fifth power of the strength

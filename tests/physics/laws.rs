@@ -14,8 +14,8 @@ use crate::common::prelude::*;
 
 fn bodies(scene: &Scene) -> Bodies {
     let (sphere, half_space) = scene.parts();
-    let pair = Pair::try_new(sphere.radius, &sphere.material, &half_space).unwrap();
-    Bodies::new(&pair, &half_space).unwrap()
+    let pair = Pair::try_new(&sphere, &half_space).unwrap();
+    Bodies::new(&pair).unwrap()
 }
 
 fn case_3() -> Bodies {

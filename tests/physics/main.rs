@@ -28,3 +28,4 @@ mod repeat;
 mod verlet;
 mod waves;
 mod work;
+mod yielding;

@@ -169,27 +169,29 @@ impl PlmCoefficients {
         }
     }
 
-    /// The law for a pair whose half-space yields at `a_Y` / R = `yield_radius_ratio`.
+    /// The law, without the flat of a sphere, for a pair that yields at `a_Y` / R = `yield_radius_ratio`.
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
         let (loading, rule) = self.halves(pair, yield_radius_ratio, exponent);
         Law::plm(loading, rule)
     }
 
     pub(super) fn halves(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> (Curve, PlmRule) {
-        let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
+        let [kappa, _] = pair.shares();
+        let kappa_squared = kappa * kappa;
         let line = ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio);
         let radius = self.contact_radius.of(kappa_squared, yield_radius_ratio);
-        (self.force.curve(kappa_squared), PlmRule { line, hardening: None, radius, exponent })
+        (self.force.curve(kappa_squared), PlmRule { line, hardening: None, flattening: None, radius, exponent })
     }
 
     /// The slopes and knots of the polyline of the elastic approach.
     pub(super) fn line_slopes(&self, pair: &Pair) -> LineSlopes {
-        let kappa_squared = pair.sphere_compliance * pair.sphere_compliance;
+        let [kappa, rho] = pair.shares();
+        let kappa_squared = kappa * kappa;
         let table = &self.elastic_approach;
         let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
         LineSlopes {
             first,
-            plastic_from: 1.0 + table.plastic_from_rho * pair.half_space_compliance,
+            plastic_from: 1.0 + table.plastic_from_rho * rho,
             plastic: table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared,
             geometry: table.geometry_from.iter().copied().zip(table.geometry_factor.iter().copied()).collect(),
         }

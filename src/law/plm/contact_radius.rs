@@ -54,6 +54,11 @@ impl RadiusTable {
         }
     }
 
+    /// a/a_Y = A/(Λ G) at A, of a table in units of a_Y.
+    pub fn true_radius(&self, equivalent_radius: f64) -> f64 {
+        equivalent_radius / (self.ratio_at(equivalent_radius) * self.geometry_at(equivalent_radius))
+    }
+
     /// G at A, of a table in units of a_Y.
     pub fn geometry_at(&self, equivalent_radius: f64) -> f64 {
         1.0 + self.geometry_slope * (equivalent_radius - self.geometry_from).max(0.0)

@@ -97,7 +97,7 @@ impl Hardening {
         let end = 1.0 / (self.yield_radius_ratio * self.yield_radius_ratio);
         let mut curve = Curve::hertz();
         let (mut start, mut from) = (first, force(first));
-        for x in points(&knots, end) {
+        for x in points(&knots, |x| x >= end) {
             let to = force(x).max(from * (1.0 + LEAST_GROWTH * (x - start) / start));
             curve = curve.then_straight_from(start, from, (to - from) / (x - start));
             (start, from) = (x, to);
@@ -136,18 +136,19 @@ impl Shape<'_> {
 }
 
 /// Where straight pieces end: the knots after the first, points between them in equal ratios, and points beyond the last
-/// until one is at `end` or beyond.
-fn points(knots: &[f64], end: f64) -> Vec<f64> {
+/// until one is far enough.
+pub(super) fn points(knots: &[f64], is_far: impl Fn(f64) -> bool) -> Vec<f64> {
     let mut points = Vec::with_capacity(128);
     for pair in knots.windows(2) {
         let whole = pair[1] / pair[0];
-        let ratio = pow(whole, 1.0 / (ln(whole) / LN_RATIO).ceil());
+        // less a rounding, as points of another curve are just so far apart
+        let ratio = pow(whole, 1.0 / (ln(whole) / LN_RATIO - 1e-12).ceil().max(1.0));
         // half a step before the end, so that rounding neither adds nor loses a point
         let is_between = |x: &f64| x * ratio.sqrt() < pair[1];
         points.extend(successors(Some(pair[0] * ratio), |x| Some(x * ratio)).take_while(is_between));
         points.push(pair[1]);
     }
-    let first = knots.last().map_or(end, |last| RATIO * last);
-    points.extend(successors(Some(first), |x| (*x < end).then_some(x * RATIO)));
+    let last = knots.last().copied().unwrap_or(1.0);
+    points.extend(successors(Some(RATIO * last), |x| (!is_far(*x)).then_some(x * RATIO)));
     points
 }

@@ -1,6 +1,7 @@
 //! How the PLM unloads: elastic approach, exponent and contact radius at a point of its loading curve.
 
 use super::contact_radius::RadiusTable;
+use super::flattening::Flattening;
 use super::hardening::Hardening;
 use super::lines::ElasticLine;
 use crate::law::published::Limits;
@@ -13,6 +14,8 @@ pub struct PlmRule {
     pub line: ElasticLine,
     /// How a half-space that hardens changes it.
     pub hardening: Option<Hardening>,
+    /// How a sphere that flows changes it.
+    pub flattening: Option<Flattening>,
     /// The contact radius, in units of a_Y.
     pub radius: RadiusTable,
     pub exponent: UnloadingExponent,
@@ -21,16 +24,38 @@ pub struct PlmRule {
 impl PlmRule {
     /// Where loading holds.
     pub(crate) fn limits(&self) -> Limits {
-        Limits::of(1.0, if self.hardening.is_some() { 0.32 } else { 0.45 })
+        let widest = if self.hardening.is_some() { 0.32 } else { 0.45 };
+        Limits::of(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.widest))
     }
 
     /// ε at a point (x, f) of the loading curve.
     #[inline(always)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match &self.hardening {
+        match &self.flattening {
             _ if x <= 1.0 => x,
+            None => self.plain_approach(x, force),
+            Some(flattening) => (self.line.at(force) * flattening.recovered(x)).min(x),
+        }
+    }
+
+    /// ε without the flat of a sphere, for x > 1.
+    #[inline(always)]
+    pub(super) fn plain_approach(&self, x: f64, force: f64) -> f64 {
+        match &self.hardening {
             None => self.line.at(force).min(x),
             Some(hardening) => hardening.elastic_approach(x, force),
+        }
+    }
+
+    /// A = f/ε at a peak, without the flat of a sphere.
+    #[inline(always)]
+    fn equivalent(&self, peak: &Peak) -> f64 {
+        match &self.flattening {
+            Some(flattening) if peak.indentation > 1.0 => {
+                let force = flattening.plain_force(peak.indentation);
+                force / self.plain_approach(peak.indentation, force)
+            }
+            _ => peak.force / peak.elastic_approach,
         }
     }
 
@@ -53,7 +78,7 @@ impl PlmRule {
     /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
     #[inline(always)]
     pub(super) fn pressure_shape(&self, peak: &Peak) -> f64 {
-        let equivalent = peak.force / peak.elastic_approach;
+        let equivalent = self.equivalent(peak);
         match &self.hardening {
             None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
             Some(hardening) => {
@@ -65,12 +90,12 @@ impl PlmRule {
 
     /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.
     pub(crate) fn contact_radius(&self, peak: &Peak) -> f64 {
-        let equivalent = peak.force / peak.elastic_approach;
-        let geometry = self.radius.geometry_at(equivalent);
+        let equivalent = self.equivalent(peak);
         match &self.hardening {
-            None => equivalent / (self.radius.ratio_at(equivalent) * geometry),
+            None => self.radius.true_radius(equivalent),
             Some(hardening) => {
                 let shape = hardening.shape(peak.indentation, equivalent);
+                let geometry = self.radius.geometry_at(equivalent);
                 equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
             }
         }

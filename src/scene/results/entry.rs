@@ -58,8 +58,10 @@ pub(crate) fn file<T>(title: &str, results: &[Reported<T>]) -> String {
 pub enum Needs {
     /// Nothing: the column is in every table.
     Nothing,
-    /// The yield strength of the half-space: without it nothing is plastic.
+    /// A yield strength: without one nothing is plastic.
     Strength,
+    /// The yield strength of the sphere: without it there is no flat.
+    Flat,
     /// The density of a half-space that is no plate: without it nothing is known of elastic waves.
     Density,
     /// The thickness of a plate.
@@ -87,6 +89,7 @@ impl Needs {
         match self {
             Self::Nothing => "",
             Self::Strength => YIELDS,
+            Self::Flat => FLATTENS,
             Self::Density => WAVES,
             Self::Thickness => PLATE,
             Self::Incidence => OBLIQUE,
@@ -113,7 +116,8 @@ pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &
     all.into_iter().map(|one| fields(results, one)).collect()
 }
 
-pub(super) const YIELDS: &str = "the half-space has a yield strength";
+pub(super) const YIELDS: &str = "a body has a yield strength";
+pub(super) const FLATTENS: &str = "the sphere has a yield strength";
 pub(super) const BAND: &str =
     "the half-space yields under the law `plm`, with an exponent whose error against finite elements is known";
 pub(super) const WAVES: &str = "the half-space has a density; not under damping, on a plate, nor without a rebound";

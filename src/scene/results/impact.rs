@@ -7,6 +7,7 @@ use crate::air::Flying;
 use crate::impact::{
     Contact, Essentials, Event, FixedSteps, Impact, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
 };
+use crate::material::Flow;
 
 /// One impact.
 #[derive(Debug, Clone)]
@@ -41,6 +42,7 @@ impl Single<'_> {
         let is_there = match needs {
             Needs::Nothing => true,
             Needs::Strength => self.contact.pair().yield_point.is_some(),
+            Needs::Flat => self.contact.sphere().yield_strength.is_some(),
             Needs::Density => row.wave_loss_fraction.is_some(),
             Needs::Thickness => row.on_plate.is_some(),
             Needs::Incidence => row.rebound.is_some(),
@@ -49,7 +51,24 @@ impl Single<'_> {
         is_there.then(|| value(row).into())
     }
 
-    /// The value, if the half-space can yield.
+    /// The value, if the sphere can yield.
+    fn flat<V>(&self, value: V) -> Option<V> {
+        self.contact.sphere().yield_strength.map(|_| value)
+    }
+
+    /// Which body flows.
+    fn yields(&self) -> &'static str {
+        match self.contact.pair().yield_point.map(|point| point.flow) {
+            Some(flow) if self.impact.has_dent() => match flow {
+                _ if flow.is_of_both() => "both",
+                Flow { is_sphere: true, .. } => "sphere",
+                _ => "half_space",
+            },
+            _ => "none",
+        }
+    }
+
+    /// The value, if a body can yield.
     fn plastic<V>(&self, value: V) -> Option<V> {
         self.contact.pair().yield_point.map(|_| value)
     }
@@ -182,16 +201,25 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "peak_mean_pressure_Pa" in Pressure as "mean pressure {}": of.impact.peak_mean_pressure;
         /// The part of the largest indentation that is recovered on unloading.
         "elastic_approach_m" in Length: of.impact.elastic_approach;
-        /// Depth of the dent; 0 without one.
+        /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere; 0 without both.
         "residual_indentation_m" in Length as "dent depth" [Strength: |row| Some(row.residual_indentation)];
+        /// The part of it that is a dent in the half-space. Where both bodies flow the parts are an estimate, backed up to a contact
+        /// radius of 0.11 of the sphere's.
+        "dent_depth_m" in Length as "of it in the half-space {}" [Flat: |row| Some(row.dent_depth())];
+        /// The part of it that is a flat on the sphere.
+        "flat_depth_m" in Length as "flat on the sphere {}" [Flat: |row| Some(row.flat_depth)];
+        /// Diameter of the flat on the sphere: that of the contact at the peak; `null` without one.
+        "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
+        /// Which body flows: `half_space`, `sphere`, `both`, or `none`.
+        "yields" as "yields" if FLATTENS: of.flat(of.yields());
         /// Effective radius of the contact on unloading.
         "unloading_radius_m" in Length if YIELDS: of.plastic(of.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
         "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: of.plastic(of.impact.residual_radius);
         /// Diameter of the dent's rim: twice the contact radius at the peak that shaped it; `null` without a dent.
         "dent_diameter_m" in Length as "dent diameter"
-            [Strength: |row| row.has_dent().then_some(2.0 * row.peak_contact_radius)];
-        /// Impact speed above which the half-space yields.
+            [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
+        /// Impact speed above which a body yields.
         "yield_speed_m_per_s" in Speed as "yield speed" if YIELDS: of.plastic(of.contact.yield_speed());
         /// Indentation at first yield.
         "yield_indentation_m" in Length if YIELDS: of.plastic(of.contact.yields_at().map(|(indentation, _)| indentation));
