@@ -290,9 +290,9 @@ impl Impact {
     #[getter]
     fn picture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let picture = py.detach(|| {
-            Ok::<_, PyErr>(
-                plot::force_indentation(&*self.traced()?).and_then(|drawn| drawn.to_png()).map_err(exception),
-            )
+            let caption = plot::caption::caption(&self.contact.get().input, &[]);
+            let drawn = plot::force_indentation(&*self.traced()?).map_err(exception)?;
+            Ok::<_, PyErr>(drawn.with_caption(caption).to_png().map_err(exception))
         });
         Ok(PyBytes::new(py, &picture??))
     }

@@ -39,15 +39,12 @@ pub struct ForceTable {
 impl ForceTable {
     pub fn curve(&self, kappa_squared: f64) -> Curve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
-        let curve = pieces.fold(Curve::with_capacity(self.from.len()), |curve, ((from, slope), per_kappa)| {
+        // no series for the time to knots: a table of random bodies makes a contact for every row, and would pay for it each time
+        pieces.fold(Curve::with_capacity(self.from.len()), |curve, ((from, slope), per_kappa)| {
             curve.then_straight(*from, slope + per_kappa * kappa_squared)
-        });
-        if self.from.len() >= MANY { curve.with_crossings() } else { curve }
+        })
     }
 }
-
-/// From so many pieces on a series for the time to some knots pays for itself.
-const MANY: usize = 12;
 
 /// The polyline of ε in A.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -105,6 +105,7 @@ fn rebound(row: &Essentials, value: fn(&Rebound) -> f64) -> Option<f64> {
 }
 
 /// The results of one impact, in the order of `summary.json`.
+#[allow(clippy::too_many_lines)] // one list, which is read from top to bottom
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |of: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
