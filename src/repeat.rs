@@ -6,7 +6,7 @@
 //!
 //! Bouncing ends by rule ([`End`]). What would come after the end is estimated, not computed.
 //!
-//! What a spot remembers, and when an impact on it is elastic, is said in [`law::reloading`](crate::law::reloading). So a second
+//! What a spot remembers, and when an impact on it is elastic, is said in [`law::Ground`](crate::law::Ground). So a second
 //! equal shot is not elastic: it goes as deep as one impact of √(2 − e²) times the speed. Equal shots deepen the dent less and
 //! less, up to the one whose branch holds their whole energy.
 //!

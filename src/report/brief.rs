@@ -8,12 +8,13 @@ use crate::units::rounded::quantity;
 
 /// The results that are shown, by their names in `summary.json`.
 /// Each with its label and its unit.
-const SHOWN: [(&str, &str, &str); 9] = [
+const SHOWN: [(&str, &str, &str); 10] = [
     ("impact speed", "impact_speed_m_per_s", "m/s"),
     ("restitution", "restitution", ""),
     ("with waves", "restitution_with_waves", ""),
     ("rebound height", "rebound_height_m", "m"),
     ("rebound angle (deg)", "rebound_angle_deg", ""),
+    ("flat diameter", "flat_diameter_m", "m"),
     ("dent diameter", "dent_diameter_m", "m"),
     ("dent depth", "residual_indentation_m", "m"),
     ("peak force", "peak_force_N", "N"),

@@ -2,7 +2,7 @@
 
 use crate::impact::{Contact, Impact, Solver};
 use crate::law::{LawChoice, UnloadingExponent};
-use crate::math::functions::hypot;
+use crate::math::functions::powi;
 use crate::scene::Input;
 use crate::scene::at::at;
 use crate::scene::results::impact::{Band, Single};
@@ -14,8 +14,8 @@ pub fn single<'a>(input: &Input, contact: &'a Contact, impact: &'a Impact) -> Si
     Single { contact, impact, band }
 }
 
-/// The key whose value a material leaves open by its range.
-const HARDNESS: &str = "half_space.hardness";
+/// A smaller change of e, as a share of it, is rounding.
+const LEAST: f64 = 1e-9;
 
 /// Root mean square deviation of e from the finite elements of this project, as `validate` prints it.
 const PRESSURE_SHAPE: f64 = 0.01;
@@ -36,19 +36,28 @@ fn band(input: &Input, speed: f64, restitution: f64) -> Option<Band> {
     if !(input.can_yield() && restitution > 0.0 && restitution < 1.0) {
         return None;
     }
-    let (mut ends, mut because) = ([restitution; 2], Vec::new());
+    let (mut squares, mut because) = ([powi(error * restitution, 2); 2], Vec::new());
     let hardness = input.taken().iter().flat_map(|taken| taken.values().map(move |(key, known)| (taken, key, known)));
-    for (taken, key, known) in hardness.filter(|(_, key, _)| *key == HARDNESS) {
+    for (taken, key, known) in hardness {
+        let (at, body) = match key {
+            "half_space.hardness" => (at!("half_space.hardness"), "hardness"),
+            "sphere.yield_strength" => (at!("sphere.yield_strength"), "hardness of the sphere"),
+            _ => continue,
+        };
+        let mut ends = [restitution; 2];
         for (end, written) in ends.iter_mut().zip(&known.range) {
             let mut input = input.clone();
-            input.set(at!("half_space.hardness"), Some(taken.in_key(key, written.value)));
-            let row = input.contact().ok()?.row(input.approach_at(speed), &Solver::AUTO).ok()?;
-            *end = row.restitution;
+            input.set(at, Some(taken.in_key(key, written.value)));
+            *end = input.contact().ok()?.row(input.approach_at(speed), &Solver::AUTO).ok()?.restitution;
         }
-        because.push(format!("hardness {} to {}", known.range[0].text, known.range[1].text));
+        // a body that does not flow leaves e as it is
+        if ends.iter().any(|end| (end - restitution).abs() > LEAST * restitution) {
+            squares.iter_mut().zip(ends).for_each(|(sum, end)| *sum += powi(end - restitution, 2));
+            because.push(format!("{body} {} to {}", known.range[0].text, known.range[1].text));
+        }
     }
     because.push(format!("law {}", percent(error)));
-    let reach = |end: f64| hypot(end - restitution, error * restitution);
-    let (low, high) = ((restitution - reach(ends[0])).max(0.0), (restitution + reach(ends[1])).min(1.0));
+    let [below, above] = squares.map(f64::sqrt);
+    let (low, high) = ((restitution - below).max(0.0), (restitution + above).min(1.0));
     Some(Band { low, high, because: because.join(", ") })
 }

@@ -62,6 +62,14 @@ fn the_band_of_e_comes_from_hardness_and_law() {
             ) < 1e-9
         );
     }
+    // the band of a ball that yields is that of its own hardness
+    let lead =
+        ["drop", "--ball", "lead", "--diameter", "10 mm", "--on", "steel-wear-450", "--speed", "3 m/s", "--json"];
+    let lead: Value = serde_json::from_str(&desk.ends(&lead, 0).0).unwrap();
+    let words = lead["restitution_band"].as_str().unwrap();
+    assert!(
+        words.contains("hardness of the sphere") && !words.contains("475 HB") && number(&lead, "restitution") < 0.25
+    );
     // an elastic contact has no band, and neither has a law or an exponent without a stated error
     for change in ["law=thornton", "law.plm.unloading_exponent=1.7", "impact.speed=1e-3"] {
         let desk = Desk::with(STEEL);
