@@ -24,11 +24,14 @@ export const call = (...words) => callWith("", ...words);
 /** What the command writes and says of a scenario, with pictures as SVG. */
 export function runByCommand(name, ...words) {
   const folder = mkdtempSync(join(tmpdir(), "plm-impact-"));
-  const said = call("run", name, "--pictures", "svg", "--out", folder, ...words);
+  const said = call("run", name, "--verbose", "--pictures", "svg", "--out", folder, ...words);
   const files = Object.fromEntries(readdirSync(folder).map((file) => [file, readFileSync(join(folder, file), "utf8")]));
   rmSync(folder, { recursive: true });
   return { ...said, files };
 }
+
+/** The scenario that the page begins with, as an example with one change. */
+export const FIRST = ["steel-on-steel.toml", "--set", 'law.plm.unloading_exponent="pressure-shape"'];
 
 /** A scenario as text. */
 export const read = (name) => readFileSync(join(SCENARIOS, name), "utf8");

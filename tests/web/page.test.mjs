@@ -4,17 +4,17 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, test } from "node:test";
 
-import { SCENARIOS, call, read, runByCommand } from "./command.mjs";
+import { FIRST, SCENARIOS, call, read, runByCommand } from "./command.mjs";
 import { LINKED, SHOWN, agrees, cells, choose, end, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
 
 after(end);
 
 const picture = (name) => page.value(`document.querySelector("#picture-${name} svg").outerHTML`);
 
-test("the first page shows the example of README.md", async () => {
+test("the first page shows the first scenario of `init`", async () => {
   await open();
-  await page.until(`${SHOWN}.includes("0.4906")`);
-  await agrees(runByCommand("steel-on-steel.toml").stdout);
+  await page.until(`${SHOWN}.includes("0.5064")`);
+  await agrees(runByCommand(...FIRST).stdout);
   assert.equal(await text(), call("init", "impact", "--out", "-").stdout);
   assert.equal(await valueOf("sphere.radius"), "5 mm");
   for (const name of ["force-indentation", "history", "restitution"]) assert.match(await picture(name), /<polyline/);
@@ -25,7 +25,7 @@ test("a changed speed changes number, pictures, text and address", async () => {
   const names = ["force-indentation", "history", "restitution"];
   const old = await Promise.all(names.map(picture));
   await page.type(field("impact.speed"), "1 m/s");
-  await agrees(runByCommand("steel-on-steel.toml", "--set", "impact.speed=1 m/s").stdout);
+  await agrees(runByCommand(...FIRST, "--set", "impact.speed=1 m/s").stdout);
   for (const [at, name] of names.entries()) assert.notEqual(await picture(name), old[at]);
   const template = call("init", "impact", "--out", "-").stdout;
   assert.equal(await text(), template.replace('speed = "3 m/s"', 'speed = "1 m/s"'));
@@ -107,7 +107,7 @@ test("light and dark have contrast, and a narrow page is not wider than its wind
   for (const [width, isDark] of [[360, false], [1400, false], [360, true], [1400, true]]) {
     await page.look(width, 900, isDark);
     await open();
-    await page.until(`${SHOWN}.includes("0.4906")`);
+    await page.until(`${SHOWN}.includes("0.5064")`);
     assert.equal(await page.value('matchMedia("(prefers-color-scheme: dark)").matches'), isDark);
     assert.ok((await page.value(contrast)) > 4.5, `${width} ${isDark}`);
     assert.ok((await page.value("document.documentElement.scrollWidth")) <= width, `${width}`);
@@ -118,7 +118,7 @@ test("no request leaves the page, and nothing is complained about", async () => 
   await page.log("browser");
   await page.log("performance");
   await open();
-  await page.until(`${SHOWN}.includes("0.4906")`);
+  await page.until(`${SHOWN}.includes("0.5064")`);
   const events = (await page.log("performance")).map((entry) => JSON.parse(entry.message).message);
   const sent = events.filter((event) => event.method === "Network.requestWillBeSent").map((event) => event.params.request.url);
   assert.ok(sent.some((url) => url.endsWith("plm_impact_bg.wasm")), `${sent}`);
@@ -172,9 +172,9 @@ test("on a phone and a tablet e stays in view, and pictures fit", async () => {
   for (const width of [390, 800]) {
     await page.look(width, 844, false);
     await open();
-    await page.until(`${SHOWN}.includes("0.4906")`);
+    await page.until(`${SHOWN}.includes("0.5064")`);
     await page.type(field("impact.speed"), "1 m/s");
-    await page.until('document.getElementById("state").textContent.includes("0.6067")');
+    await page.until('document.getElementById("state").textContent.includes("0.6225")');
     const seen = (css) => page.value(`(() => {
       const { top, bottom } = document.querySelector(${JSON.stringify(css)}).getBoundingClientRect();
       return top >= 0 && bottom <= innerHeight;
@@ -208,7 +208,7 @@ test("a bad link at the first load says that it is refused, and of no results", 
 
 test("how exact the numbers are is folded, and e against speed can be had as CSV", async () => {
   await open();
-  await page.until(`${SHOWN}.includes("0.4906")`);
+  await page.until(`${SHOWN}.includes("0.5064")`);
   assert.deepEqual([await isSeen("#numbers details"), await isSeen("#numbers details dl")], [true, false]);
   assert.match(await page.value('document.querySelector("#numbers details").textContent'), /closed form.*steps/s);
   assert.ok((await cells("#files button")).includes("restitution.csv"));
