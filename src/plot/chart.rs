@@ -261,7 +261,9 @@ impl Chart {
             fill(&side.series, &[], frame, number, pen)?;
         }
         let right = layout.frames.last().map_or(layout.all.right, |frame| frame.bounds.right);
-        draw_titles(pen, Bounds { right, ..layout.all }, [&self.title, &self.caption])?;
+        // in a narrow picture the letters of a caption would be too small to read
+        let caption = if layout.sheet.0 < SIZE.0 { "" } else { &self.caption };
+        draw_titles(pen, Bounds { right, ..layout.all }, [&self.title, caption])?;
         layout.key.draw(pen, layout.key_at)?;
         self.draw_colors(pen, layout.all)
     }

@@ -37,7 +37,8 @@ test("a material takes the place of numbers, and leaves its own when it is taken
   await choose(field("half_space.material"), "");
   assert.equal(await valueOf("half_space.youngs_modulus"), "68.9 GPa");
   assert.doesNotMatch(await text(), /material/);
-  await agrees(of('material = "aluminium-6061-t6"'));
+  // the same numbers; without its name the band of e no longer knows the range of its hardness
+  await agrees(runText(await text()));
 });
 
 test("a wrong unit is refused at its field, in the words of the command", async () => {
