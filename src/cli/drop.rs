@@ -1,8 +1,6 @@
 //! `plm-impact drop`
 
 use std::fmt::Write as _;
-use std::fs::File;
-use std::io::Write as _;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
@@ -14,7 +12,7 @@ use plm_impact::report::brief::brief;
 use plm_impact::run::{Order, heed};
 use plm_impact::scenario::Scenario;
 
-use super::terminal::other;
+use super::scenario::write_new;
 
 /// One impact of a ball by the names of two materials: its e with a band, rebound height, dent, force and time
 ///
@@ -83,7 +81,7 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     } else {
         super::terminal::print(&brief(&serde_json::from_slice(summary)?))?;
     }
-    arguments.save(&text)
+    arguments.save.as_ref().map_or(Ok(()), |path| write_new(path, &text, "--save"))
 }
 
 impl Arguments {
@@ -112,18 +110,5 @@ impl Arguments {
         );
         key(&mut text, "unloading_exponent", Some("pressure-shape"));
         text
-    }
-
-    /// Writes the scenario, never over a file that is there.
-    fn save(&self, text: &str) -> Result<(), Error> {
-        let Some(path) = &self.save else { return Ok(()) };
-        let name = path.display();
-        let mut file = File::create_new(path).map_err(|reason| {
-            Error::input(format!("{name}: cannot be written: {reason}; name another file with --save"))
-        })?;
-        let written = file.write_all(text.as_bytes()).inspect_err(|_| std::mem::drop(std::fs::remove_file(path)));
-        written.map_err(other(format!("{name}: cannot be written")))?;
-        super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
-        Ok(())
     }
 }

@@ -1,7 +1,5 @@
 //! `plm-impact init`
 
-use std::fs::File;
-use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -9,8 +7,7 @@ use plm_impact::error::Error;
 use plm_impact::scenario::{Kind, template};
 
 use super::output::one_of;
-use super::scenario::STANDARD_INPUT;
-use super::terminal::other;
+use super::scenario::{STANDARD_INPUT, write_new};
 
 /// Write a scenario to begin with, in which a comment explains every key
 ///
@@ -34,13 +31,5 @@ pub fn init(Arguments { kind, out }: &Arguments) -> Result<(), Error> {
     if out == Path::new(STANDARD_INPUT) {
         return super::terminal::print(text);
     }
-    let name = out.display();
-    let mut file = File::create_new(&out).map_err(|reason| match reason.kind() {
-        ErrorKind::AlreadyExists => Error::input(format!("{name}: is there already; name another file with --out")),
-        _ => Error::input(format!("{name}: cannot be written: {reason}; name another file with --out")),
-    })?;
-    let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(&out)));
-    written.map_err(other(format!("{name}: cannot be written")))?;
-    super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
-    Ok(())
+    write_new(&out, text, "--out")
 }

@@ -1,14 +1,30 @@
 //! The scenario among the arguments of a command.
 
-use std::io::stdin;
+use std::fs::File;
+use std::io::{ErrorKind, Write as _, stdin};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::{LARGEST_SCENARIO, Scenario, text_of};
 
+use super::terminal::other;
+
 /// What stands for standard input in place of a file.
 pub const STANDARD_INPUT: &str = "-";
+
+/// Writes a scenario to a file, never over one that is there. `option` is the one that names another file.
+pub fn write_new(path: &Path, text: &str, option: &str) -> Result<(), Error> {
+    let name = path.display();
+    let mut file = File::create_new(path).map_err(|reason| match reason.kind() {
+        ErrorKind::AlreadyExists => Error::input(format!("{name}: is there already; name another file with {option}")),
+        _ => Error::input(format!("{name}: cannot be written: {reason}; name another file with {option}")),
+    })?;
+    let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(path)));
+    written.map_err(other(format!("{name}: cannot be written")))?;
+    super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
+    Ok(())
+}
 
 /// A scenario and what the command line changes in it.
 #[derive(Debug, Args)]
