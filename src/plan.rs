@@ -34,10 +34,8 @@ pub struct Plan {
     pub cases: Cases,
     /// Names of the results that the table has; `None`: all.
     pub columns: Option<Vec<&'static str>>,
-    /// The results that are drawn.
-    pub pictures: Vec<Column>,
-    /// Whether the scenario names them.
-    pub has_chosen_pictures: bool,
+    /// Names of the results that are drawn; `None`: those that suit the first axis.
+    pub pictures: Option<Vec<&'static str>>,
 }
 
 /// The key of the yield strength, which may follow from a hardness.
@@ -51,15 +49,7 @@ pub const MOST_CASES: u64 = 1 << 63;
 impl Plan {
     /// These cases of an input, in which every key that varies has its first value or its median.
     pub fn new(input: &Input, cases: Cases) -> Self {
-        let restitution = columns().into_iter().filter(|column| column.name == "restitution").collect();
-        let mut plan = Self {
-            input: input.clone(),
-            warnings: Vec::new(),
-            cases,
-            columns: None,
-            pictures: restitution,
-            has_chosen_pictures: false,
-        };
+        let mut plan = Self { input: input.clone(), warnings: Vec::new(), cases, columns: None, pictures: None };
         plan.input = plan.input_at(&vec![0; plan.axes().len()]);
         plan
     }
@@ -210,11 +200,6 @@ impl Plan {
                 }
         };
         self.worded().iter().map(of).fold(0.25, f64::max)
-    }
-
-    /// Whether the half-space can yield. If not, nothing plastic is reported.
-    pub fn is_plastic(&self) -> bool {
-        self.input.can_yield()
     }
 
     /// Whether values are random.

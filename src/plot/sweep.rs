@@ -11,7 +11,7 @@ use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
 use crate::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
 use crate::reference::quasi_static;
-use crate::scene::results::Column;
+use crate::scene::results::{Column, columns};
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Tally, count};
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
@@ -30,6 +30,8 @@ const MOST_WORDS: u64 = 13;
 const MOST_CELLS: u64 = 200;
 /// A map is drawn if both axes have at least this number of values.
 const LONG: u64 = 8;
+/// The result that is drawn unless the scenario names others.
+const RESTITUTION: &str = "restitution";
 /// Number of bars of a histogram.
 const BARS: usize = 60;
 
@@ -47,22 +49,22 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
     let Cases::Grid(axes) = &plan.cases else {
         return bars(tally).map(|drawn| ("restitution_histogram".to_owned(), drawn)).into_iter().collect();
     };
-    let mut pictures = Vec::new();
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
-    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && !plan.has_chosen_pictures {
+    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
         return vec![("rebound".to_owned(), rebounds(plan, axes))];
     }
     // the axis along which curves run: the first, unless only the second has numbers
     let along = (0..axes.len().min(2)).find(|at| is_drawable(&axes[*at]));
     let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG);
-    for result in &plan.pictures {
-        let over = Over { plan, evaluator: Evaluator::new(plan), axes, along, result: *result };
-        pictures.push((result.name.to_owned(), if along.is_some() { over.curves() } else { over.columns() }));
-        if has_map {
-            pictures.push((format!("{}_map", result.name), over.map()));
-        }
-    }
-    pictures
+    let evaluator = &Evaluator::new(plan);
+    let is_drawn = |name| plan.pictures.as_deref().unwrap_or(&[RESTITUTION]).contains(&name);
+    let drawn = columns().into_iter().filter(|column| is_drawn(column.name)).flat_map(|result| {
+        let over = Over { plan, evaluator, axes, along, result };
+        let lines = if along.is_some() { over.curves() } else { over.columns() };
+        let map = has_map.then(|| (format!("{}_map", result.name), over.map()));
+        [(result.name.to_owned(), lines)].into_iter().chain(map)
+    });
+    drawn.collect()
 }
 
 /// At most `most` of the places of an axis, at even steps, including both ends.
@@ -150,7 +152,7 @@ fn curve_of(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
 /// A result over one or two axes of a grid.
 struct Over<'a> {
     plan: &'a Plan,
-    evaluator: Evaluator<'a>,
+    evaluator: &'a Evaluator<'a>,
     axes: &'a [Axis],
     /// The place of the axis along which curves run: 0 or 1.
     along: Option<usize>,
@@ -160,7 +162,7 @@ struct Over<'a> {
 impl Over<'_> {
     /// The result of the case at these places of the first axes; not a number if the case has none.
     fn value(&self, places: &[u64]) -> f64 {
-        let row = row(&self.evaluator, self.axes, places);
+        let row = row(self.evaluator, self.axes, places);
         let value = match &row {
             Some(row) if self.is_restitution() => count(row).ok().flatten(),
             Some(Ok(row)) => (self.result.value)(row),
@@ -170,7 +172,7 @@ impl Over<'_> {
     }
 
     fn is_restitution(&self) -> bool {
-        self.result.name == "restitution"
+        self.result.name == RESTITUTION
     }
 
     /// The name of the result, and its axis.

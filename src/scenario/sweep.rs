@@ -6,8 +6,8 @@ use crate::error::Error;
 use crate::impact::{ImpactError, Method};
 use crate::plan::{Cases, MOST_CASES, Plan};
 use crate::scene::Use;
-use crate::scene::at::at;
-use crate::scene::results::columns;
+use crate::scene::at::{At, OTHER, at};
+use crate::scene::results::{Column, columns};
 
 impl Scenario {
     /// The sweep that the scenario asks for, if it does.
@@ -35,7 +35,10 @@ impl Scenario {
         let mut plan = Plan::new(&input, cases);
         plan.warnings = self.without_effect(&plan.worded(), Use::Impact);
         self.choose_columns(&mut plan)?;
-        self.choose_pictures(&mut plan)?;
+        plan.pictures = self.chosen("output.picture", at!("output.picture"), &plan)?;
+        if plan.pictures.is_some() && plan.is_monte_carlo() {
+            return refuse("output.picture", HISTOGRAM.to_owned());
+        }
         if let Some((path, problem)) = plan.unused() {
             return refuse(path, problem);
         }
@@ -58,45 +61,29 @@ impl Scenario {
         Ok(Some(plan))
     }
 
-    /// Draws the results that the scenario names, if it names any.
-    fn choose_pictures(&self, plan: &mut Plan) -> Result<(), Error> {
-        let Some(names) = self.input.words(at!("output.picture")) else { return Ok(()) };
-        if plan.is_monte_carlo() {
-            let message = "random cases have a histogram of the restitution: leave the key out, or draw the columns of the table with another tool";
-            return Err(self.document.refuse("output.picture", message));
-        }
-        let all = columns();
-        let mut chosen = Vec::new();
-        for name in names {
-            let Some(column) = all.iter().find(|column| column.name == name) else { continue };
-            if let Some(reason) = plan.missing(column.needs) {
-                return Err(self.document.refuse("output.picture", format!("\"{name}\" is not there: {reason}")));
-            }
-            chosen.push(*column);
-        }
-        (plan.pictures, plan.has_chosen_pictures) = (chosen, true);
+    /// Leaves in the table of a plan only the results that the scenario names, if it names any.
+    pub(super) fn choose_columns(&self, plan: &mut Plan) -> Result<(), Error> {
+        let chosen = self.chosen("output.columns", at!("output.columns"), plan)?;
+        plan.columns = chosen.map(|chosen| [chosen, vec![RESTITUTION]].concat());
         Ok(())
     }
 
-    /// Leaves in the table of a plan only the results that the scenario names, if it names any.
-    pub(super) fn choose_columns(&self, plan: &mut Plan) -> Result<(), Error> {
-        let Some(names) = self.input.words(at!("output.columns")) else {
-            return Ok(());
-        };
-        let refuse = |message: String| Err(self.document.refuse("output.columns", message));
-        let mut chosen = vec![RESTITUTION];
-        for column in columns().iter().filter(|column| names.iter().any(|name| name == column.name)) {
-            let name = column.name;
-            if let Some(reason) = plan.missing(column.needs) {
-                return refuse(format!("\"{name}\" is not there: {reason}"));
+    /// The results that this key names, in the order of the columns; `None` where it is not given.
+    fn chosen(&self, key: &str, at: At<OTHER>, plan: &Plan) -> Result<Option<Vec<&'static str>>, Error> {
+        let Some(names) = self.input.words(at) else { return Ok(None) };
+        let mut chosen = Vec::new();
+        for Column { name, needs, .. } in columns() {
+            let count = names.iter().filter(|given| *given == name).count();
+            let missing = plan.missing(needs).filter(|_| count > 0);
+            if let Some(reason) = missing {
+                return Err(self.document.refuse(key, format!("\"{name}\" is not there: {reason}")));
             }
-            if names.iter().filter(|other| *other == name).count() > 1 {
-                return refuse(format!("\"{name}\" is named twice"));
+            if count > 1 {
+                return Err(self.document.refuse(key, format!("\"{name}\" is named twice")));
             }
-            chosen.push(column.name);
+            chosen.extend((count > 0).then_some(name));
         }
-        plan.columns = Some(chosen);
-        Ok(())
+        Ok(Some(chosen))
     }
 
     /// Refuses columns for `scene`, which is no table.
@@ -110,6 +97,8 @@ impl Scenario {
 
 /// A distribution with a smaller share in the allowed range is taken for a mistake.
 const LEAST_KEPT: f64 = 1e-3;
+
+const HISTOGRAM: &str = "random cases have a histogram of the restitution: leave the key out, or draw the columns of the table with another tool";
 
 /// A table always has this result: a resumed run reads it back.
 const RESTITUTION: &str = "restitution";

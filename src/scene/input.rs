@@ -87,12 +87,6 @@ impl Input {
         self.given(at.place()).map(|number| number as u64)
     }
 
-    /// Puts a whole number there.
-    #[allow(clippy::cast_precision_loss)] // no key counts so far
-    pub fn set_count(&mut self, at: At<COUNT>, count: u64) {
-        self.numbers[at.place()] = count as f64;
-    }
-
     /// The place of a word in the list of the words that the key takes.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a place in a list

@@ -250,11 +250,6 @@ impl Quantity {
         }
     }
 
-    /// The value of its example, in SI; `None` where that is on a scale of hardness.
-    pub fn example_value(&self) -> Option<f64> {
-        units::parse(self.example.trim_matches('"'), self.dimension).ok()
-    }
-
     /// The ends of the allowed range.
     pub fn range(&self) -> (f64, f64) {
         let end = |bound| match bound {

@@ -142,6 +142,14 @@ fn pictures_are_those_that_are_chosen() {
     for e in numbers(&table, "restitution").into_iter().filter(|e| e.is_finite()) {
         assert!(columns.contains(plm_impact::units::four_digits(e).as_str()), "{e}");
     }
+    // a picture that is named twice would be one file twice
+    std::fs::write(
+        desk.path("s.toml"),
+        format!("{STEEL}{}", chosen.replace("\"peak_force_N\"", "\"dent_diameter_m\"")),
+    )
+    .unwrap();
+    let (_, said) = desk.ends(&["run", "s.toml", "--out", "twice"], 2);
+    assert!(said.contains("output.picture") && said.contains("named twice"), "{said}");
     // one impact has no axes
     std::fs::write(desk.path("s.toml"), format!("{STEEL}[output]\npicture = [\"restitution\"]\n")).unwrap();
     let (_, said) = desk.ends(&["run", "s.toml", "--out", "one"], 2);
