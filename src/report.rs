@@ -1,6 +1,5 @@
 //! What is written about a run: files as text, and tables for the terminal. Nothing here opens a file or prints.
 
-pub mod brief;
 pub(crate) mod calibrate;
 pub(crate) mod indentation;
 pub mod inputs;
@@ -17,4 +16,4 @@ mod terminal;
 
 pub use rows::trace;
 pub use summary::summary;
-pub use terminal::impact as table;
+pub use terminal::{Detail, impact as table};

@@ -1,11 +1,11 @@
 //! From a scenario to its files and its text on the terminal: one way for every kind of scene.
 
+pub mod band;
 mod calibrate;
 pub mod impact;
 pub mod indentation;
 mod outcome;
 pub mod repeat;
-pub mod single;
 pub mod table;
 
 use crate::error::{Error, ErrorKind};

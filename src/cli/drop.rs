@@ -5,10 +5,9 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
 use plm_impact::error::Error;
-use plm_impact::output::SUMMARY;
 use plm_impact::plot::Pictures;
 use plm_impact::progress::Counter;
-use plm_impact::report::brief::brief;
+use plm_impact::report::Detail;
 use plm_impact::run::{Order, heed};
 use plm_impact::scenario::Scenario;
 
@@ -68,18 +67,17 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     let scenario = Scenario::from_text("the options of drop", &text, &[])?;
     let order = Order {
         command: &super::output::command_line(),
-        is_verbose: false,
+        detail: Detail::Brief,
         pictures: Pictures::None,
         progress: &Counter::default(),
     };
     let outcome = super::output::outcome(&scenario, &order)?;
     super::output::warn(&outcome.warnings);
     heed(&scenario, outcome.warnings.len(), arguments.strict)?;
-    let summary = outcome.files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
     if arguments.json {
-        super::terminal::print_json(&String::from_utf8_lossy(summary))?;
+        super::output::print_summary(&outcome.files)?;
     } else {
-        super::terminal::print(&brief(&serde_json::from_slice(summary)?))?;
+        super::terminal::print(&outcome.text)?;
     }
     arguments.save.as_ref().map_or(Ok(()), |path| write_new(path, &text, "--save"))
 }

@@ -8,6 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::output::{Origin, OutputDirectory, OutputFile, SUMMARY};
 use plm_impact::plot::Pictures;
+use plm_impact::report::Detail;
 use plm_impact::run::{Order, Outcome, at_once, heed};
 use plm_impact::scenario::Scenario;
 use plm_impact::sweep::parts::make_way;
@@ -40,6 +41,12 @@ pub struct Output {
     pub pictures: PictureArguments,
 }
 
+/// Prints the summary among these files.
+pub fn print_summary(files: &[OutputFile]) -> Result<(), Error> {
+    let summary = files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
+    super::terminal::print_json(&String::from_utf8_lossy(summary))
+}
+
 /// Warnings to standard error.
 pub fn warn(warnings: &[String]) {
     for warning in warnings {
@@ -54,9 +61,10 @@ impl Output {
         let signals = Signals::listen()?;
         let directory = self.prepare(file, &mut scenario)?;
         make_way(&directory)?;
-        let (pictures, is_verbose) = (self.pictures.format, self.verbose);
+        let pictures = self.pictures.format;
+        let detail = if self.verbose { Detail::Whole } else { Detail::Usual };
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(&signals, move |progress| {
-            let outcome = outcome(&scenario, &Order { command: &command_line(), is_verbose, pictures, progress })?;
+            let outcome = outcome(&scenario, &Order { command: &command_line(), detail, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
         let Outcome { warnings, text, files, contradiction } = outcome;
@@ -74,8 +82,7 @@ impl Output {
     /// Prints the table of a run and notes where its files are, or prints the summary alone.
     pub fn report(&self, text: &str, files: &[OutputFile], where_to: impl Display) -> Result<(), Error> {
         if self.json {
-            let summary = files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
-            super::terminal::print_json(&String::from_utf8_lossy(summary))?;
+            print_summary(files)?;
         } else if !self.quiet {
             super::terminal::print(text)?;
             super::terminal::note(where_to);

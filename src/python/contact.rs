@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -17,15 +17,15 @@ use crate::impact;
 use crate::plan::Source;
 use crate::plot;
 use crate::report::overview::overview;
-use crate::report::{table, trace};
-use crate::run::single::single;
+use crate::report::{Detail, table, trace};
+use crate::run::band::band;
 use crate::run::{no_result, texts};
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Use;
 use crate::scene::at::at;
 use crate::scene::quantity::SAMPLES;
 use crate::scene::results::fields;
-use crate::scene::results::impact::{Single, results};
+use crate::scene::results::impact::{Band, Single, results};
 use crate::units::nearest::did_you_mean;
 
 /// The name of the contact in messages.
@@ -208,17 +208,20 @@ pub struct Impact {
     contact: Py<Contact>,
     result: impact::Impact,
     samples: Option<usize>,
+    /// It is computed when the first result is asked for, and then serves all.
+    band: OnceLock<Option<Band>>,
 }
 
 impl Impact {
     fn of(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
         let result = py.detach(|| contact.get().computed(speed, samples)).map_err(exception)?;
-        Ok(Self { contact, result, samples })
+        Ok(Self { contact, result, samples, band: OnceLock::new() })
     }
 
     fn single(&self) -> Single<'_> {
         let contact = self.contact.get();
-        single(&contact.input, &contact.inner, &self.result)
+        let band = self.band.get_or_init(|| band(&contact.input, &self.result));
+        Single { contact: &contact.inner, impact: &self.result, band: band.as_ref() }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.
@@ -250,7 +253,7 @@ impl Impact {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<Contact>, f64, Option<usize>)> {
-        let Self { contact, result, samples } = slf.get();
+        let Self { contact, result, samples, .. } = slf.get();
         Ok((slf.get_type().getattr("_of_speed")?, (contact.clone_ref(slf.py()), result.speed, *samples)))
     }
 
@@ -283,7 +286,7 @@ impl Impact {
     }
 
     fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", table(&self.single(), false).trim_end())
+        format!("<plm_impact.Impact>\n{}", table(&self.single(), Detail::Usual).trim_end())
     }
 
     /// The picture of the force against the indentation, as PNG.

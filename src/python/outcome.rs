@@ -14,6 +14,7 @@ use super::work::{append, interruptible, reserved};
 use crate::output::OutputFile;
 use crate::plot::Pictures;
 use crate::progress::Counter;
+use crate::report::Detail;
 use crate::run::{Order, Outcome, at_once, table};
 use crate::scenario::Scenario;
 
@@ -108,7 +109,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
 }
 
 fn order<'a>(command: &'a str, progress: &'a Counter) -> Order<'a> {
-    Order { command, is_verbose: false, pictures: Pictures::Png, progress }
+    Order { command, detail: Detail::Usual, pictures: Pictures::Png, progress }
 }
 
 /// A `plm_impact.Outcome`.

@@ -8,18 +8,57 @@ use crate::units::aligned::aligned;
 use crate::units::four_digits;
 use crate::units::rounded::{percent, quantity};
 
-/// What came of one impact, in a few lines. How exact the integration was is only shown if `is_verbose`.
-pub fn impact(single: &Single, is_verbose: bool) -> String {
+/// How much the terminal shows of an impact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// The few results that most people ask for.
+    Brief,
+    /// All results but how exact the integration was.
+    Usual,
+    /// All results.
+    Whole,
+}
+
+/// The results of a brief answer, in its order.
+const BRIEF: [&str; 8] = [
+    "restitution_with_waves",
+    "rebound_height_m",
+    "rebound_angle_deg",
+    "flat_diameter_m",
+    "dent_diameter_m",
+    "residual_indentation_m",
+    "peak_force_N",
+    "contact_time_s",
+];
+
+/// The text of an impact.
+pub fn impact(single: &Single, detail: Detail) -> String {
     let impact = single.impact;
     let is_of_the_integrator =
         |name: &str| ["accuracy.", "work.", "energy.drift"].iter().any(|begin| name.starts_with(begin));
     let mut results = results();
-    results.retain(|result| is_verbose || !is_of_the_integrator(result.name));
+    if detail == Detail::Brief {
+        return brief(&results, single);
+    }
+    results.retain(|result| detail == Detail::Whole || !is_of_the_integrator(result.name));
     let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, "m/s"), String::new()]];
     lines.extend(self::lines(&results, single));
     if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
         value.push_str(" (outside the law)");
     }
+    aligned(&lines, |_| true)
+}
+
+/// A line for the restitution with its band, and for each of the other results of a brief answer that has a value.
+fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
+    let first: Vec<_> =
+        results.iter().filter(|result| ["restitution", "restitution_band"].contains(&result.name)).copied().collect();
+    let mut lines = lines(&first, single);
+    lines.extend(BRIEF.into_iter().filter_map(|name| {
+        let Reported { label, shown, value, .. } = results.iter().find(|result| result.name == name)?;
+        let text = text(*shown, &value(single)?)?;
+        Some([label.split('{').next()?.trim_end().to_owned(), text, String::new()])
+    }));
     aligned(&lines, |_| true)
 }
 

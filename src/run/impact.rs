@@ -1,7 +1,7 @@
 //! One impact.
 
+use super::band::band;
 use super::outcome::{self, Order, Outcome, file, no_result, texts, with_summary};
-use super::single::single;
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::plot;
@@ -10,6 +10,7 @@ use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::{summary, table, trace};
 use crate::scenario::Scenario;
+use crate::scene::results::impact::Single;
 use crate::scene::{Input, Use};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
@@ -58,7 +59,8 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
         let caption = plot::caption::caption(&input, &[]);
         Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
     })?);
-    let single = single(&input, &contact, &impact);
+    let band = band(&input, &impact);
+    let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };
     let files = with_summary(files, provenance, |of| summary(&single, &Inputs::of(&input), of))?;
-    Ok(Outcome::done(texts(&impact.warnings), table(&single, order.is_verbose), files))
+    Ok(Outcome::done(texts(&impact.warnings), table(&single, order.detail), files))
 }

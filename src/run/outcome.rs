@@ -8,6 +8,7 @@ use crate::output::{OutputFile, SUMMARY};
 use crate::plot::Pictures;
 use crate::progress::Counter;
 use crate::provenance::{LawOf, Provenance};
+use crate::report::Detail;
 use crate::scenario::Scenario;
 
 /// The options of a run, besides its scenario.
@@ -15,8 +16,8 @@ use crate::scenario::Scenario;
 pub struct Order<'a> {
     /// The command line, for the provenance.
     pub command: &'a str,
-    /// Whether the text says how exact the integration was.
-    pub is_verbose: bool,
+    /// How much the text says of an impact.
+    pub detail: Detail,
     /// The format of the pictures.
     pub pictures: Pictures,
     /// Counts how far the run is.

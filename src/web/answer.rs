@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::output::OutputFile;
 use crate::plot::Pictures;
 use crate::progress::Counter;
+use crate::report::Detail;
 use crate::run::{Order, Outcome, at_once, table};
 use crate::scenario::{Kind, Scenario};
 
@@ -18,7 +19,7 @@ const MOST_ROWS: u64 = 100_000;
 pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
-    let order = Order { command: &command, is_verbose: true, pictures, progress: &Counter::default() };
+    let order = Order { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
     let Outcome { warnings, text, files, contradiction } = match at_once(scenario, Some(&order))? {
         Some(outcome) => outcome,
         None => of_table(scenario, &order)?,

@@ -8,6 +8,7 @@ use std::process::Output;
 use assert_cmd::Command;
 use plm_impact::plot::Pictures;
 use plm_impact::progress::Counter;
+use plm_impact::report::Detail;
 use plm_impact::run::{Order, Outcome, at_once};
 use plm_impact::scenario::Scenario;
 use serde_json::Value;
@@ -86,8 +87,12 @@ pub fn skip(what: &str, why: &str) {
 
 /// Runs the one impact of a scenario in memory, without pictures.
 pub fn outcome(scenario: &Scenario) -> Outcome {
-    let order =
-        Order { command: "plm-impact run", is_verbose: true, pictures: Pictures::None, progress: &Counter::default() };
+    let order = Order {
+        command: "plm-impact run",
+        detail: Detail::Whole,
+        pictures: Pictures::None,
+        progress: &Counter::default(),
+    };
     at_once(scenario, Some(&order)).unwrap().unwrap()
 }
 

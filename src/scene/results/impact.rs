@@ -10,12 +10,12 @@ use crate::impact::{
 use crate::material::Flow;
 
 /// One impact.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct Single<'a> {
     pub contact: &'a Contact,
     pub impact: &'a Impact,
     /// Where e is expected, if that is known.
-    pub band: Option<Band>,
+    pub band: Option<&'a Band>,
 }
 
 /// The lowest and the highest e that are to be expected.
@@ -112,11 +112,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
         /// What the restitution may be, in words: from the range of the hardness of a material by name, and from the error of
         /// the law against finite elements, added as squares.
-        "restitution_band" as "({})" if BAND: of.band.as_ref().map(Band::words);
+        "restitution_band" as "({})" if BAND: of.band.map(Band::words);
         /// The lower end of that band.
-        "restitution_low" if BAND: of.band.as_ref().map(|band| band.low);
+        "restitution_low" if BAND: of.band.map(|band| band.low);
         /// The upper end of that band.
-        "restitution_high" if BAND: of.band.as_ref().map(|band| band.high);
+        "restitution_high" if BAND: of.band.map(|band| band.high);
         /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
         /// gravity it may exceed 1, as the weight does work too.
         "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"

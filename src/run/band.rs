@@ -1,18 +1,12 @@
-//! What is known of one impact beyond its motion: the band of e.
+//! The band of e: how far the hardness of a material by name, and the error of the law, leave it open.
 
-use crate::impact::{Contact, Impact, Solver};
+use crate::impact::{Impact, Solver};
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::math::functions::powi;
 use crate::scene::Input;
 use crate::scene::at::at;
-use crate::scene::results::impact::{Band, Single};
+use crate::scene::results::impact::Band;
 use crate::units::rounded::percent;
-
-/// An impact of this input with all that is reported of it.
-pub fn single<'a>(input: &Input, contact: &'a Contact, impact: &'a Impact) -> Single<'a> {
-    let band = band(input, impact.speed, impact.restitution).filter(|_| impact.has_dent());
-    Single { contact, impact, band }
-}
 
 /// A smaller change of e, as a share of it, is rounding.
 const LEAST: f64 = 1e-9;
@@ -21,19 +15,20 @@ const LEAST: f64 = 1e-9;
 const PRESSURE_SHAPE: f64 = 0.01;
 const PAPER: f64 = 0.032;
 
-/// The band of the restitution of this input at a speed. `None` for elastic bodies, for an exponent or a law without a stated error, and
-/// without a rebound.
+/// The band of the restitution of an impact of this input. `None` without a dent, for an exponent or a law without a stated error,
+/// and without a rebound.
 ///
 /// At both ends of the range of the material's hardness e is computed anew; its distance and the error of the law are added
 /// as squares, because they are independent.
-fn band(input: &Input, speed: f64, restitution: f64) -> Option<Band> {
+pub fn band(input: &Input, impact: &Impact) -> Option<Band> {
+    let (speed, restitution) = (impact.speed, impact.restitution);
     let LawChoice::Plm(law) = input.law() else { return None };
     let error = match law.exponent {
         UnloadingExponent::PressureShape => PRESSURE_SHAPE,
         UnloadingExponent::Paper => PAPER,
         UnloadingExponent::Fixed(_) => return None,
     };
-    if !(input.can_yield() && restitution > 0.0 && restitution < 1.0) {
+    if !(impact.has_dent() && restitution > 0.0 && restitution < 1.0) {
         return None;
     }
     let (mut squares, mut because) = ([powi(error * restitution, 2); 2], Vec::new());
