@@ -2,7 +2,7 @@
 
 use std::path::absolute;
 
-use toml_edit::{DocumentMut, Value};
+use toml_edit::Value;
 
 use super::outcome::{Order, Outcome, file, provenance, with_summary};
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
@@ -13,7 +13,7 @@ use crate::progress::Counter;
 use crate::provenance::PROGRAM;
 use crate::report::calibrate as report;
 use crate::scenario::Scenario;
-use crate::scenario::edit::set;
+use crate::scenario::edit::{parsed, set, written};
 use crate::units::{Dimension, exact};
 
 pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
@@ -59,7 +59,7 @@ fn warnings(found: &Calibration) -> Vec<String> {
 /// line says which keys are new.
 fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> String {
     // it was parsed before
-    let mut document: DocumentMut = scenario.document.edited().parse().unwrap_or_default();
+    let mut document = parsed(scenario.document.edited()).unwrap_or_default();
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
         set(&mut document, free.key.path, quantity(*estimate, free.key.quantity.dimension));
@@ -84,9 +84,10 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     }
     let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
     format!(
-        "# {}: found by {PROGRAM}. The other comments are those of {}.\n{document}",
+        "# {}: found by {PROGRAM}. The other comments are those of {}.\n{}",
         keys.join(", "),
-        scenario.document.name()
+        scenario.document.name(),
+        written(&document)
     )
 }
 

@@ -30,8 +30,7 @@ impl Change {
     /// [`NotToml`]
     pub fn parse(key: &str, value: &str) -> Result<Self, NotToml> {
         let as_word = || format!("{key}={}", toml::Value::from(value.trim()));
-        let given = shielded(&format!("{key}={value}"));
-        let document: DocumentMut = given.parse().or_else(|_| as_word().parse())?;
+        let document = parsed(&format!("{key}={value}")).or_else(|_| as_word().parse())?;
         let (mut path, mut item) = (Vec::new(), document.as_item());
         while let Some((name, inner)) = item.as_table().and_then(|table| table.iter().next()) {
             path.push(name.to_owned());
@@ -55,7 +54,7 @@ const NONE: &str = "none";
 /// # Errors
 /// [`NotToml`]
 pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) -> Result<String, NotToml> {
-    let mut document: DocumentMut = shielded(text).parse()?;
+    let mut document = parsed(text)?;
     let mut given: Vec<String> = Vec::new();
     for change in changes {
         let key = change.key();
@@ -79,12 +78,25 @@ pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) ->
         }
         given.push(key);
     }
-    let [begin, end] = [format!("\"{SHIELD}"), format!("{SHIELD}\"")];
-    Ok(document.to_string().replace(&begin, "").replace(&end, ""))
+    Ok(written(&document))
 }
 
 /// Stands around a whole number that is written as a text. No text of a scenario has this character.
 const SHIELD: char = '\u{e000}';
+
+/// The text as a document that can be changed. [`written`] is the way back.
+///
+/// # Errors
+/// [`NotToml`]
+pub fn parsed(text: &str) -> Result<DocumentMut, NotToml> {
+    shielded(text).parse()
+}
+
+/// The text of a document.
+pub fn written(document: &DocumentMut) -> String {
+    let [begin, end] = [format!("\"{SHIELD}"), format!("{SHIELD}\"")];
+    document.to_string().replace(&begin, "").replace(&end, "")
+}
 
 /// The text with whole numbers beyond 64 bits, which the editor does not take, as texts.
 fn shielded(text: &str) -> String {
@@ -116,13 +128,13 @@ fn add_large(value: &DeValue, span: Range<usize>, into: &mut Vec<Range<usize>>) 
 /// # Errors
 /// [`NotToml`]
 pub fn edited(text: &str, path: &str, given: &str) -> Result<String, NotToml> {
-    let mut document: DocumentMut = text.parse()?;
+    let mut document = parsed(text)?;
     match (path, given.trim()) {
         (path, "") => drop(remove(document.as_table_mut(), &parts(path))),
         ("law", law) => choose_law(&mut document, law),
         (path, given) => put(&mut document, &parts(path), given.parse().unwrap_or_else(|_| given.into())),
     }
-    Ok(document.to_string())
+    Ok(written(&document))
 }
 
 /// The names in a path.
@@ -135,7 +147,7 @@ fn parts(path: &str) -> Vec<&str> {
 /// # Errors
 /// [`NotToml`]
 pub fn given(text: &str) -> Result<Vec<(String, String)>, NotToml> {
-    let document: DocumentMut = text.parse()?;
+    let document = parsed(text)?;
     let mut all = Vec::new();
     collect("", document.as_table(), &mut all);
     let laws = document.get("law").and_then(Item::as_table_like);
@@ -148,7 +160,7 @@ fn collect(path: &str, table: &dyn TableLike, all: &mut Vec<(String, String)>) {
         let path = below(path, name);
         match (item.as_table_like(), item.as_value()) {
             (Some(table), _) => collect(&path, table, all),
-            (None, Some(Value::String(text))) => all.push((path, text.value().clone())),
+            (None, Some(Value::String(text))) => all.push((path, text.value().replace(SHIELD, ""))),
             // without the comment behind it
             (None, Some(other)) => all.push((path, other.clone().decorated("", "").to_string())),
             (None, None) => {}
@@ -256,6 +268,10 @@ mod tests {
         assert_eq!(change("impact.speed", ""), TEXT.replace("speed = 3\n", ""));
         assert_eq!(edited(&change("gravity.acceleration", "9.81"), "gravity.acceleration", "").unwrap(), TEXT);
         assert_eq!(change("damping.viscous", ""), TEXT);
+        // a whole number beyond 64 bits stays as it is written
+        let large = format!("{TEXT}[monte_carlo]\nseed = 36893488147419103232\n");
+        assert_eq!(edited(&large, "impact.speed", "0.5").unwrap(), large.replace("= 3\n", "= 0.5\n"));
+        assert!(given(&large).unwrap().contains(&("monte_carlo.seed".to_owned(), "36893488147419103232".to_owned())));
     }
 
     /// The text with these changes of the command line.
