@@ -20,6 +20,7 @@
 
 use std::f64::consts::PI;
 
+use crate::material::sphere_volume;
 use crate::math::functions::{atan, exp, exp_m1, ln_1p, pow, sin_cos, tanh};
 use crate::math::quadrature::integrate;
 use crate::math::root::bracketed;
@@ -35,7 +36,7 @@ pub struct Medium {
     pub viscosity: f64,
 }
 
-/// What slows a sphere in flight.
+/// The drag of a sphere in flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Drag {
     None,
@@ -101,7 +102,7 @@ impl Flying {
 
     /// ρ V/m: the buoyancy over the weight.
     pub fn buoyancy(density: f64, radius: f64, mass: f64) -> f64 {
-        density * (4.0 / 3.0) * PI * radius * radius * radius / mass
+        density * sphere_volume(radius) / mass
     }
 
     /// Whether air is computed.
@@ -130,7 +131,7 @@ impl Flying {
     /// The time \[s\] of that fall.
     pub fn fall_time(&self, height: f64) -> f64 {
         match self.drag {
-            Drag::None => (2.0 * height / self.pull).sqrt(),
+            Drag::None => self.landing_speed(height) / self.pull,
             // acosh(e^x) = x + ln(1 + √(1 − e^(−2x)))
             Drag::Constant(k) => {
                 let x = k * height;
@@ -194,12 +195,11 @@ impl Flying {
                 bracketed((0.0, speed), self.pull * left, is_near, |v| (left - self.risen(0.0, v, |_| 1.0), slope(v)))
             }
             Drag::Sphere { terminal, .. } => {
-                let (mut low, mut high) = (0.0, 50.0);
-                for _ in 0..60 {
-                    let middle = 0.5 * (low + high);
-                    *(if self.fallen(middle, |_| 1.0) < -left { &mut low } else { &mut high }) = middle;
-                }
-                terminal * exp_m1(-low)
+                let rate = |depth: f64| -self.falling(depth.min(DEEPEST)).1;
+                let first = (-left * self.pull / terminal).min(DEEPEST);
+                let depth =
+                    bracketed((0.0, 50.0), first, is_near, |depth| (-left - self.fallen(depth, |_| 1.0), rate(depth)));
+                terminal * exp_m1(-depth)
             }
         }
     }

@@ -43,8 +43,13 @@ impl Sphere {
 
     /// Mass (4/3) π R³ ρ \[kg\].
     pub fn mass(&self) -> f64 {
-        4.0 / 3.0 * std::f64::consts::PI * self.radius * self.radius * self.radius * self.density
+        sphere_volume(self.radius) * self.density
     }
+}
+
+/// Volume (4/3) π R³ \[m³\] of a sphere of this radius \[m\].
+pub fn sphere_volume(radius: f64) -> f64 {
+    4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]

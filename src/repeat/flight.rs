@@ -1,5 +1,5 @@
-//! Free flight under gravity, in closed form or in air ([`Flying`]). Heights are those of the sphere's lowest point over the original surface,
-//! −δ while in contact.
+//! Free flight under gravity, in closed form or in air ([`Flying`]). Heights are those of the sphere's lowest point over the
+//! original surface, −δ while in contact.
 
 use crate::air::Flying;
 
@@ -28,7 +28,7 @@ impl Flight {
     /// The fall from rest at `height` to the surface.
     pub fn fall(flying: Flying, height: f64) -> Self {
         let landing_speed = flying.landing_speed(height);
-        let duration = if flying.is_in_air() { flying.fall_time(height) } else { landing_speed / flying.gravity };
+        let duration = flying.fall_time(height);
         Self { begin: 0.0, duration, height, speed: 0.0, landing_speed, flying, position: 0.0, speed_along: 0.0 }
     }
 

@@ -1,7 +1,6 @@
 //! From what is written to bodies, contact and motion: the only place where a mass becomes a density, a hardness a strength,
 //! and a height a speed. A number that is missing is not a number here; the scenario asks before whether all are given.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::at::at;
@@ -15,9 +14,8 @@ use crate::impact::{
     Solver, Warning, WarningKind,
 };
 use crate::law::LawChoice;
-use crate::material::{HalfSpace, Material, Sphere};
+use crate::material::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::materials::all;
-use crate::math::functions::powi;
 use crate::strength::hardness::strength_of_hardness;
 use crate::units::rounded::percent;
 
@@ -28,7 +26,7 @@ impl Input {
     /// The bodies. With a flow curve, which the law has, a hardness is another yield strength.
     pub fn bodies(&self, law: &LawChoice) -> (Sphere, HalfSpace) {
         let radius = self.radius().unwrap_or(f64::NAN);
-        let of_mass = |mass: f64| mass / (4.0 / 3.0 * PI * radius * radius * radius);
+        let of_mass = |mass: f64| mass / sphere_volume(radius);
         let number = |at| self.number(at);
         let modulus = number(at!("half_space.youngs_modulus")).unwrap_or(f64::NAN);
         let strength = match number(at!("half_space.hardness")) {
@@ -61,7 +59,7 @@ impl Input {
         self.bodies(&self.law()).1
     }
 
-    /// Whether the half-space has a strength, without which nothing yields.
+    /// Whether a body has a strength, without which nothing yields.
     pub fn can_yield(&self) -> bool {
         let of = [at!("half_space.yield_strength"), at!("half_space.hardness"), at!("sphere.yield_strength")];
         of.into_iter().any(|strength| self.number(strength).is_some())
@@ -139,7 +137,7 @@ impl Input {
 
     /// The mass of all that moves \[kg\], by itself or by the sphere's density.
     pub fn mass(&self) -> Option<f64> {
-        let of_density = || Some(self.number(at!("sphere.density"))? * (4.0 / 3.0 * PI * powi(self.radius()?, 3)));
+        let of_density = || Some(self.number(at!("sphere.density"))? * sphere_volume(self.radius()?));
         self.number(at!("sphere.mass")).or_else(of_density)
     }
 

@@ -3,14 +3,13 @@
 //! The strength of each test block is found from device D alone. Then the rebound of the other devices, which have
 //! other masses, speeds and tips, is predicted with the exponent "pressure-shape" and elastic waves.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::comparison::{Comparison, Group};
 use crate::error::Error;
 use crate::impact::Contact;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
-use crate::material::{HalfSpace, Material, Sphere};
+use crate::material::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::math::functions::{exp, ln};
 use crate::math::root;
 use crate::reference::measured::{self, Device};
@@ -26,7 +25,7 @@ const GROUP: Group = Group::of("measured: rebound of Leeb devices", REFERENCE, "
 
 /// Restitution by a device on steel of this yield strength \[Pa\].
 pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, Error> {
-    let sphere = Sphere::elastic(TIP, device.tip(), device.mass / (4.0 / 3.0 * PI * TIP * TIP * TIP));
+    let sphere = Sphere::elastic(TIP, device.tip(), device.mass / sphere_volume(TIP));
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
     let law = Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: None };
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
