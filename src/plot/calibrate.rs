@@ -2,7 +2,7 @@
 //! laws.
 
 use super::axis::extremes;
-use super::caption::caption;
+use super::caption::{caption, captioned};
 use super::of_key::{axis_of, title_of};
 use super::style::Style;
 use super::{Axis, Chart, Scale, Series, posterior};
@@ -45,8 +45,7 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     }
     let sought = calibration.keys.iter().map(|key| key.free.key.path);
     let varied: Vec<&str> = sought.chain(data.keys.iter().map(|key| key.path)).collect();
-    let line = caption(&calibration.fit.problem.input, &varied);
-    pictures.into_iter().map(|(name, chart)| (name, chart.with_caption(line.as_str()))).collect()
+    captioned(pictures, &caption(&calibration.fit.problem.input, &varied))
 }
 
 fn is_wide(points: &[(f64, f64)]) -> bool {

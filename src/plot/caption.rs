@@ -1,6 +1,7 @@
 //! The line below the title of a picture: who hits whom, and the law that was used. A picture that has left its folder
 //! still says what it shows.
 
+use super::Chart;
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::material::Material;
 use crate::scenario::indentation::IndentationScene;
@@ -32,6 +33,11 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
         strength.map(|strength| format!("yields at {}", quantity(strength, "Pa"))),
     ];
     line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&own_law))])])
+}
+
+/// These pictures with this line below their titles.
+pub fn captioned<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
+    pictures.into_iter().map(|(name, chart)| (name, chart.with_caption(line))).collect()
 }
 
 /// The sphere and the law of an indentation; its half-spaces have names in the key.

@@ -2,7 +2,7 @@
 //! or a histogram of e of random cases.
 
 use super::axis::extremes;
-use super::caption::caption;
+use super::caption::{caption, captioned};
 use super::of_key;
 use super::style::Style;
 use crate::impact::{Essentials, Rebound};
@@ -11,7 +11,8 @@ use crate::plan::axis::{Axis, Setting, Word};
 use crate::plan::{Cases, Plan};
 use crate::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
 use crate::reference::quasi_static;
-use crate::scene::results::{Column, columns};
+use crate::scene::results::impact::results;
+use crate::scene::results::{Column, Shown, columns};
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Tally, count};
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
@@ -37,12 +38,7 @@ const BARS: usize = 60;
 
 /// The pictures of a plan with their names.
 pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
-    let varied = plan.paths();
-    let mut pictures = charts(plan, tally);
-    for (_, chart) in &mut pictures {
-        chart.caption = caption(&plan.input, &varied);
-    }
-    pictures
+    captioned(charts(plan, tally), &caption(&plan.input, &plan.paths()))
 }
 
 fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
@@ -180,10 +176,13 @@ impl Over<'_> {
         if self.is_restitution() {
             return ("Restitution".to_owned(), plot::Axis::linear("Restitution e", ""));
         }
-        let suffixes = ["_m_per_s", "_rad_per_s", "_m", "_N", "_s", "_Pa", "_J"];
-        let unit = suffixes.into_iter().find(|suffix| self.result.name.ends_with(suffix)).unwrap_or("");
-        let title = capital(&self.result.name.trim_end_matches(unit).replace('_', " "));
-        let axis = plot::Axis::engineering(&title, &unit.trim_start_matches('_').replace("_per_", "/"));
+        let name = self.result.name;
+        let dimension = match results().iter().find(|result| result.name == name).map(|result| result.shown) {
+            Some(Shown::In(dimension)) => dimension,
+            _ => Dimension::Ratio,
+        };
+        let title = of_key::title_of(name.trim_end_matches(dimension.suffix()));
+        let axis = plot::Axis::engineering(&title, dimension.si_unit());
         (title, axis)
     }
 

@@ -5,6 +5,7 @@ use super::outcome::{self, Order, Outcome, file, no_result, texts, with_summary}
 use crate::error::Error;
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::plot;
+use crate::plot::caption::{caption, captioned};
 use crate::provenance::{MethodOf, Provenance};
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
@@ -56,8 +57,7 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
         let mut drawn =
             vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)];
         drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
-        let caption = plot::caption::caption(&input, &[]);
-        Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
+        Ok(captioned(drawn, &caption(&input, &[])))
     })?);
     let band = band(&input, &impact);
     let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };

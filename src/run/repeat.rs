@@ -5,6 +5,7 @@ use super::outcome::{Order, Outcome, file, no_result, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Method};
 use crate::plot;
+use crate::plot::caption::{caption, captioned};
 use crate::progress::Counter;
 use crate::repeat::Repeat;
 use crate::report::inputs::Inputs;
@@ -51,8 +52,7 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
         let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence))];
         drawn.extend(plot::repeat::height(&repeat, &sequence).map(|height| ("height", height)));
         drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
-        let caption = plot::caption::caption(&input, &["impact.speed"]);
-        Ok(drawn.into_iter().map(|(name, chart)| (name, chart.with_caption(caption.as_str()))).collect())
+        Ok(captioned(drawn, &caption(&input, &["impact.speed"])))
     })?);
     let files = with_summary(files, provenance, |of| summary::of_series(&series, &Inputs::of(&input), of))?;
     let text = report::table(&series);
