@@ -65,7 +65,7 @@ pub struct Flying {
 /// e^−40 is below the last bit of 1.
 const DEEPEST: f64 = 40.0;
 
-/// Where a state of flight is near to another one: the last bits are rounding.
+/// Whether two values differ by no more than rounding.
 fn is_near(x: f64, next: f64) -> bool {
     (x - next).abs() <= 4.0 * f64::EPSILON * next.abs()
 }

@@ -1,9 +1,9 @@
 //! Finds keys of a scenario from measurements: the values for which the law gives what was measured, their uncertainty,
 //! and whether the law fits at all.
 //!
-//! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. The profile of −2 ln of the likelihood along the first
-//! key, minimised over the second, gives every basin and its minimum. If the standard deviations of the
-//! noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
+//! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. The
+//! profile of −2 ln of the likelihood along the first key, minimised over the second, gives every basin and its minimum. If
+//! the standard deviations of the noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
 //! of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
 //! the noise in quadrature, and is independent from value to value. If the noise is not known, it is taken as the same
 //! share of every value that the law gives, and estimated from the scatter.

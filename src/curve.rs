@@ -25,7 +25,7 @@ pub struct Curve {
     crossings: Option<Series>,
 }
 
-/// They are made when the first closed form asks for them, as a contact that is stepped along needs none.
+/// The series of a curve. They are made when the first closed form asks for them; a contact that is integrated needs none.
 #[derive(Debug, Clone, Default)]
 struct Series(OnceLock<Vec<Crossing>>);
 

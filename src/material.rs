@@ -144,7 +144,8 @@ pub struct Flow {
 }
 
 impl Flow {
-    /// Of the pressures of sphere and half-space at first yield, and their compliances E*/E_i*.
+    /// Shares the flow between two bodies. It takes the pressures of sphere and half-space at first yield, and their compliances
+    /// E*/E_i*.
     fn of([of_sphere, of_half_space]: [f64; 2], [sphere, half_space]: [f64; 2]) -> Self {
         let is_sphere = of_sphere <= of_half_space;
         let (ratio, softer, harder) = if is_sphere {

@@ -14,7 +14,7 @@ use crate::scenario::{Kind, Scenario};
 use crate::scene::Input;
 pub use outcome::{Order, Outcome, no_result, texts};
 
-/// What a scenario gives, with all its files as they are ordered, or what a check says without any; `None` for a table, which
+/// The outcome of a scenario: with an order it has all files, and without one it has the text of a check. `None` for a table, which
 /// is made row after row by [`crate::sweep::Job`].
 pub fn at_once(scenario: &Scenario, order: Option<&Order>) -> Result<Option<Outcome>, Error> {
     let outcome = match scenario.kind()? {

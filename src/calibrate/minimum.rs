@@ -153,7 +153,8 @@ fn basins(sums: &[f64]) -> Vec<[usize; 2]> {
 }
 
 /// The minimum between two shares by the method of Brent (1973): parabolas, and the golden section where they do not help.
-/// Of equal sums that farther from the start is taken, so a search that starts on a plateau ends where the plateau ends.
+/// If two sums are equal, the share that is farther from the start is taken. So a search that starts on a plateau ends where the
+/// plateau ends.
 fn brent([mut low, mut high]: [f64; 2], start: f64, exact: f64, place: impl Fn(f64) -> Place) -> Place {
     const GOLDEN: f64 = 0.381_966_011_250_105_1;
     let mut best = (start, place(start));

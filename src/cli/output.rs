@@ -114,7 +114,7 @@ impl Output {
     }
 }
 
-/// What a scenario gives that is no table.
+/// The outcome of a scenario that is not a table.
 pub fn outcome(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
     at_once(scenario, Some(order))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
 }

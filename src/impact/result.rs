@@ -156,6 +156,7 @@ impl Impact {
         }
         drop_twin_of_end(&mut trace);
         let has_dent = essentials.has_dent();
+        let is_in_half_space = essentials.dent_depth() > 0.0;
         let dent = ground.dent(peak);
         let radius_ratio = dent.unloading_radius_ratio();
         let is_captured = outcome.fate == Fate::Captured;
@@ -186,13 +187,13 @@ impl Impact {
             elastic_approach: peak.elastic_approach * scales.length,
             unloading_exponent: outcome.unloading.exponent,
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
-            residual_radius: (essentials.dent_depth() > 0.0 && radius_ratio > 1.0)
+            residual_radius: (is_in_half_space && radius_ratio > 1.0)
                 .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
             force_at_peak_indentation: peak.force * scales.force,
             peak_mean_pressure: peak.force * scales.force
                 / (std::f64::consts::PI * peak_contact_radius)
                 / peak_contact_radius,
-            dent_radius: (essentials.dent_depth() > 0.0).then(|| scales.contact_radius * ground.contact_radius(&dent)),
+            dent_radius: is_in_half_space.then(|| scales.contact_radius * ground.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
                 recovered: kinetic_in * essentials.recovered_fraction(),

@@ -82,7 +82,8 @@ fn given(tolerance: f64, delivers: f64) -> f64 {
     (tolerance / delivers).max(1e-14)
 }
 
-/// What a run is of: the ground, q = v/V, the forces; and the samples of its trace with the contact time, where it is known.
+/// The arguments of a run: the ground, q = v/V and the forces; the number of samples of its trace; and the contact time, where it
+/// is known.
 type Run<'a> = (Ground<'a>, f64, &'a ScaledForces, Option<usize>, Option<f64>);
 
 /// An impact along the legs of its course, with its trace.

@@ -44,7 +44,7 @@ impl<'a> Machine<'a> {
 #[derive(Debug, Clone)]
 pub(super) struct Stroke<'a> {
     law: &'a Law,
-    /// What the contact remembered before.
+    /// The memory of the contact before this step.
     before: Option<Dent>,
     from: f64,
     to: f64,

@@ -38,7 +38,7 @@ impl About {
     }
 }
 
-/// What laws are built for: two bodies of which at least one yields.
+/// Two bodies of which at least one yields. A law is built for them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bodies {
     /// Effective modulus, shares of compliance.

@@ -250,12 +250,12 @@ impl<'a> Ground<'a> {
         self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.accept(unloading), |_| Ok(()))
     }
 
-    /// As of [`Law::raised`]; `None` in a dent.
+    /// Returns [`Law::raised`] of the peak; `None` where the impact turned in a dent.
     pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
         self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.raised(unloading), |_| None)
     }
 
-    /// As of [`Law::outside_stated`]; `None` in a dent.
+    /// Returns [`Law::outside_stated`] of the peak; `None` where the impact turned in a dent.
     pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
         self.branch_at(peak.indentation).map_or_else(|| self.law.outside_stated(peak), |_| None)
     }
@@ -274,7 +274,7 @@ impl<'a> Ground<'a> {
         if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }
     }
 
-    /// Like [`Ground::plastic`], with its rounding.
+    /// Returns [`Ground::plastic`] without setting rounding to 0.
     pub fn spent(&self, unloading: &Unloading) -> f64 {
         let x = unloading.peak.indentation;
         if self.branch_at(x).is_some() { 0.0 } else { self.work(x) - unloading.capacity() }

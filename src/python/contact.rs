@@ -208,7 +208,7 @@ pub struct Impact {
     contact: Py<Contact>,
     result: impact::Impact,
     samples: Option<usize>,
-    /// It is computed when the first result is asked for, and then serves all.
+    /// The band of e. It is computed when the first result is asked for, and then serves all results.
     band: OnceLock<Option<Band>>,
 }
 

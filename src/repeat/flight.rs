@@ -18,7 +18,7 @@ pub struct Flight {
     pub landing_speed: f64,
     /// Gravity and air.
     pub flying: Flying,
-    /// Where it begins along the surface \[m\].
+    /// The place along the surface at which it begins \[m\].
     pub position: f64,
     /// Speed along the surface \[m/s\], which stays.
     pub speed_along: f64,
@@ -64,7 +64,7 @@ impl Flight {
         })
     }
 
-    /// The same take-off without air.
+    /// Returns the flight with the same take-off, without air.
     #[must_use]
     pub fn without_air(&self) -> Self {
         let flying = Flying::in_vacuum(self.flying.gravity);
@@ -76,7 +76,7 @@ impl Flight {
         begun.unwrap_or(*self)
     }
 
-    /// The same flight of a ball that begins here along the surface, and moves along it at this speed.
+    /// Returns the flight of a ball that starts at this place along the surface, and moves along the surface at this speed.
     #[must_use]
     pub fn along(self, position: f64, speed_along: f64) -> Self {
         Self { position, speed_along, ..self }

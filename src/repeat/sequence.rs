@@ -29,7 +29,7 @@ named! {
 pub struct Hit {
     /// First touch \[s\]; `None` for shots.
     pub time: Option<f64>,
-    /// Where it is along the surface \[m\]; 0 for the first.
+    /// The place of this impact along the surface \[m\]; 0 for the first.
     pub position: f64,
     /// Impact speed \[m/s\], normal to the half-space.
     pub speed: f64,

@@ -78,7 +78,7 @@ pub(super) fn paired(pair: &Pair) -> Vec<Row> {
     rows
 }
 
-/// Which body flows, and by what ratio of strengths.
+/// A line on the body that flows, and on the ratio of the strengths.
 fn who(flow: &Flow) -> String {
     let Flow { ratio, is_sphere, .. } = *flow;
     let [softer, harder] = if is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };

@@ -21,7 +21,7 @@ pub struct AnyKey {
 pub enum Part {
     Sphere,
     HalfSpace,
-    /// Of the bodies what only counts where they move: masses, and the plate.
+    /// Numbers of the bodies that only count where something moves: masses, and the plate.
     Motion,
     /// The flow stress of the half-space.
     Flow,

@@ -144,7 +144,8 @@ impl<'a> Evaluator<'a> {
         Self { plan, derives_strength: plan.derives_strength(), contacts, strides }
     }
 
-    /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid; `contact` is that of the plan, if no key changes it.
+    /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
+    /// changes it.
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let strength = plan.input.half_space().yield_strength;
         let known = |contact: &Contact| (plan.input.clone(), Known { strength, contact: Ok(contact.clone()) });

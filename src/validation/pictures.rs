@@ -64,7 +64,7 @@ fn depths() -> Axis {
     Axis::log("Peak indentation over that at yield", "")
 }
 
-/// What the cases are.
+/// The caption that says where the cases come from.
 const CASES: &str = "cases are pairs of bodies of Table 1 of Xie et al. (2024)";
 
 /// The deviation of the restitution of all load cycles: a box for each exponent, a marker for each pair of materials.

@@ -19,7 +19,7 @@ use super::hardening::points;
 use crate::curve::Curve;
 use crate::material::YieldPoint;
 
-/// Of the force, and of the recovery.
+/// The constants 5 and 0.8 of the formulas above, which make the flat softer and let it recover less.
 const SOFTENING: f64 = 5.0;
 const RECOVERY: f64 = 0.8;
 

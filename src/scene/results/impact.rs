@@ -14,7 +14,7 @@ use crate::material::Flow;
 pub struct Single<'a> {
     pub contact: &'a Contact,
     pub impact: &'a Impact,
-    /// Where e is expected, if that is known.
+    /// The range in which e is expected, if it is known.
     pub band: Option<&'a Band>,
 }
 
