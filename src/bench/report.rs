@@ -117,7 +117,7 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotErr
     });
     let x = Axis::log("Larger relative error of restitution and contact time", "").between(ROUNDING, 1.0);
     let y = Axis::log("Time per impact, one core", "µs");
-    let lines = Chart::new(format!("{}: {}", problem.name, problem.about), [x, y], series.collect());
+    let lines = Chart::new(problem.name, [x, y], series.collect()).with_caption(problem.about);
     let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));
     Ok(OutputFile { name, bytes: lines.to_png()? })
 }
