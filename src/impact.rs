@@ -34,7 +34,7 @@ mod warning;
 pub mod waves;
 
 pub use bodies::TOO_HIGH;
-pub(crate) use bodies::{has_its_part, of_flow, of_half_space, of_sphere, of_yielding_sphere};
+pub(crate) use bodies::{left_out, of_flow, of_half_space, of_sphere, of_yielding};
 pub use contact::{Contact, Named};
 pub use error::ImpactError;
 pub use essentials::{Essentials, OnPlate};

@@ -13,7 +13,7 @@ mod specimen;
 
 use thiserror::Error;
 
-use crate::impact::{Warning, WarningKind, has_its_part, of_dent, of_exponent, of_flow, of_peak, of_yielding_sphere};
+use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
 use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, Sphere, normal};
 use crate::math::functions::pow;
@@ -162,6 +162,7 @@ struct Units {
 pub struct StaticContact {
     indenter: Indenter,
     /// Yield strength of the half-space \[Pa\], if it has one.
+    strength: Option<f64>,
     pair: Pair,
     units: Units,
     law: Law,
@@ -185,7 +186,7 @@ impl StaticContact {
             let force = normal("force of a Hertz contact one radius deep (N)", deep)?;
             (Units { length: radius, force, contact_radius: radius }, Law::hertz())
         };
-        Ok(Self { indenter, pair, units, law })
+        Ok(Self { indenter, strength: half_space.yield_strength, pair, units, law })
     }
 
     pub fn pair(&self) -> &Pair {
@@ -288,10 +289,10 @@ impl StaticContact {
     /// Adds the warnings that no step before this one had.
     fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
         let radius = self.indenter.radius;
-        let strength = self.indenter.yield_strength.filter(|_| !has_its_part(&self.pair, &self.law));
+        let left_out = left_out(&self.pair, &self.law, [self.indenter.yield_strength, self.strength]);
         let of_step = |step: &Step| {
             let Memory { contact_radius, mean_pressure, .. } = step.memory;
-            let yields = of_yielding_sphere(mean_pressure, strength, "less comes back than computed");
+            let yields = of_yielding(mean_pressure, left_out, "less comes back than computed");
             of_dent(&self.law, contact_radius / radius).into_iter().chain(yields).chain(of_flow(&self.pair))
         };
         let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| warning.kind).collect();

@@ -140,7 +140,7 @@ impl Law {
         self.limits.stated.filter(|(from, to)| x > self.limits.elastic_until && !(*from..=*to).contains(&x))
     }
 
-    /// How a half-space that hardens changes the law.
+    /// How a body that hardens changes the law.
     pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
         if let Rule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
     }

@@ -167,6 +167,11 @@ impl Flow {
         }
     }
 
+    /// The one of the softer body, of what sphere and half-space have.
+    pub fn of_softer<T>(&self, [sphere, half_space]: [T; 2]) -> T {
+        if self.is_sphere { sphere } else { half_space }
+    }
+
     /// Whether both bodies flow.
     pub fn is_of_both(&self) -> bool {
         self.alone < 1.0
@@ -204,7 +209,7 @@ impl Pair {
             strength.map_or(f64::INFINITY, |strength| yield_factor(material.poissons_ratio) * strength)
         });
         let flow = Flow::of(pressures, compliances);
-        let (strength, material) = bodies[usize::from(!flow.is_sphere)];
+        let (strength, material) = flow.of_softer(bodies);
         let yield_point = strength
             .map(|strength| {
                 let poissons_ratio = material.poissons_ratio;

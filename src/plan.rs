@@ -75,22 +75,27 @@ impl Plan {
         input
     }
 
-    /// The columns of the swept values, and of a yield strength that follows from them.
+    /// The columns of the swept values, and of yield strengths that follow from them.
     pub fn columns(&self) -> Vec<String> {
-        let strength = self.derives_strength().then_some(YIELD_STRENGTH);
+        let derived = self.derived().map(|body| body.strength_keys().yield_strength.path());
         let column = |path: &str| Key::find(path).map_or_else(|| path.replace('.', "_"), Key::column);
-        self.paths().into_iter().chain(strength).map(column).collect()
+        self.paths().into_iter().chain(derived).map(column).collect()
     }
 
-    /// Whether the yield strength of the half-space follows from values that vary: from a hardness, its own or that of its
-    /// material, and with it from the numbers of a flow curve.
-    pub fn derives_strength(&self) -> bool {
-        let paths = self.paths();
+    /// The bodies whose yield strength follows from values that vary.
+    pub fn derived(&self) -> impl Iterator<Item = Body> {
+        Body::ALL.into_iter().filter(|body| self.derives_strength(*body))
+    }
+
+    /// Whether the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
+    /// with it from the numbers of a flow curve.
+    pub fn derives_strength(&self, of: Body) -> bool {
+        let (paths, keys) = (self.paths(), of.strength_keys());
         let varies = |path: &str| paths.contains(&path);
-        let of_curve = || varies("half_space.youngs_modulus") || varies("half_space.flow_stress.power.exponent");
-        let has_curve = self.input.flow_curve().is_some();
-        let of_metal = || varies(HARDNESS) || varies(Body::HalfSpace.material());
-        self.input.number(at!("half_space.hardness")).is_some() && (of_metal() || has_curve && of_curve())
+        let of_curve = || varies(keys.modulus.path()) || varies(keys.exponent.path());
+        let has_curve = self.input.flow_curve(of).is_some();
+        let of_metal = || varies(keys.hardness.path()) || varies(of.material());
+        self.input.number(keys.hardness).is_some() && (of_metal() || has_curve && of_curve())
     }
 
     /// The results that the table has.
@@ -106,9 +111,7 @@ impl Plan {
         let is_on_plate = input.forces().plate.is_some();
         match needs {
             Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
-            Needs::Flat if input.number(at!("sphere.yield_strength")).is_none() => {
-                Some("without sphere.yield_strength there is no flat")
-            }
+            Needs::Flat if !input.has_strength(Body::Sphere) => Some("without sphere.yield_strength there is no flat"),
             Needs::Incidence if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")
             }

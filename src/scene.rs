@@ -13,6 +13,7 @@ pub mod quantity;
 pub(crate) mod read;
 mod resolve;
 pub(crate) mod results;
+mod strength;
 pub(crate) mod tables;
 pub(crate) mod taken;
 pub mod words;

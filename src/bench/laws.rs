@@ -34,7 +34,7 @@ const ROWS: u32 = 1000;
 /// [`ImpactError`], which none of the numbers is near.
 pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
     let shaped = Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() };
-    let hardened = Plm { flow: Some(FlowCurve::Power { exponent: 0.2 }), ..Plm::default() };
+    let hardened = Plm { flow: [None, Some(FlowCurve::Power { exponent: 0.2 })], ..Plm::default() };
     let named = LawChoice::all().into_iter().filter(LawChoice::has_loading).map(|law| (law.name(), law, None));
     let more = [
         ("plm, pressure-shape", shaped, None),

@@ -86,7 +86,7 @@ pub fn steel_on_steel(law: &dyn ContactLaw) -> Result<Contact, ImpactError> {
 
 /// That ball at this speed on a half-space of 345 MPa that hardens by this power of the strain.
 fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactError> {
-    let plm = Plm { flow: exponent.map(|exponent| FlowCurve::Power { exponent }), ..Plm::default() };
+    let plm = Plm { flow: [None, exponent.map(|exponent| FlowCurve::Power { exponent })], ..Plm::default() };
     let contact = steel_on_steel(&plm)?;
     let (_, law, q) = contact.scaled(speed)?;
     Ok((law.clone(), q))

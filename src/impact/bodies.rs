@@ -37,40 +37,49 @@ pub(super) fn of_materials(contact: &Contact, impact: &Impact, law: &Law) -> imp
     let is_weak = |entry: &&Entry| matches!(entry.class, Class::Glass | Class::Polymer);
     let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
     let hardens = |entry: &&Entry| entry.lacks_exponent || entry.hardens();
-    let flows_itself = contact.pair().yield_point.is_some_and(|point| point.flow.sphere_share < 1.0);
-    let is_too_high = named.is_by_hardness && law.hardening().is_none() && impact.has_dent() && flows_itself;
-    let metal = named.half_space.filter(|entry| is_too_high && hardens(entry)).map(|entry| {
+    let share = contact.pair().yield_point.map_or(0.0, |point| point.flow.sphere_share);
+    let metal = |place: usize, body: &str, entry: Option<&'static Entry>, share: f64| {
+        let is_too_high = named.is_by_hardness[place] && law.hardening().is_none() && impact.has_dent() && share > 0.0;
+        let entry = entry.filter(|entry| is_too_high && hardens(entry))?;
         let text = format!(
-            "half_space.material = {} hardens, and its hardness is used without an exponent N: e is {TOO_HIGH}; give half_space.flow_stress.power.exponent under the law plm",
+            "{body}.material = {} hardens, and its hardness is used without an exponent N: e is {TOO_HIGH}; give {body}.flow_stress.power.exponent under the law plm",
             entry.name
         );
-        Warning::new(WarningKind::NoExponent, 0.0, text)
-    });
+        Some(Warning::new(WarningKind::NoExponent, 0.0, text))
+    };
+    let metals = [metal(0, "sphere", named.sphere, share), metal(1, "half_space", named.half_space, 1.0 - share)];
     let brittle = [half_space.map(|entry| brittle("half_space", entry)), sphere.map(|entry| brittle("sphere", entry))];
-    brittle.into_iter().flatten().chain(metal)
+    brittle.into_iter().chain(metals).flatten()
 }
 
-/// Whether the strength of the sphere has its part in the law of a contact: it may flow there, or is hard enough not to. It has
-/// none where nothing yields by the law, and where the half-space hardens, as nothing says how hard it will be.
-pub(crate) fn has_its_part(pair: &Pair, law: &Law) -> bool {
-    let is_hardening = law.hardening().is_some();
-    law.limits.elastic_until.is_finite() && pair.yield_point.is_some_and(|point| point.flow.is_sphere || !is_hardening)
+/// The body whose strength has no part in the law of a contact, its partner, and that strength: of the sphere where nothing yields by
+/// the law, and of the harder body where the other one hardens, as nothing says how hard that will be.
+pub(crate) fn left_out(
+    pair: &Pair,
+    law: &Law,
+    [sphere, half_space]: [Option<f64>; 2],
+) -> Option<([&'static str; 2], f64)> {
+    let flow = pair.yield_point.map(|point| point.flow).filter(|_| law.limits.elastic_until.is_finite());
+    let of_sphere = || Some((["sphere", "half-space"], sphere?));
+    let Some(flow) = flow else { return of_sphere() };
+    law.hardening()?;
+    if flow.is_sphere { Some((["half-space", "sphere"], half_space?)) } else { of_sphere() }
 }
 
-/// The warning for a sphere of this strength under a mean pressure, where its strength has no part in the law. `so` says what is
+/// The warning for a body of this strength under a mean pressure, where its strength has no part in the law. `so` says what is
 /// then wrong with the results.
-pub(crate) fn of_yielding_sphere(pressure: f64, strength: Option<f64>, so: &str) -> Option<Warning> {
-    let strength = strength.filter(|strength| pressure > 1.1 * strength)?;
+pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
+    let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > 1.1 * strength)?;
     let ratio = pressure / strength;
     let [peak, own] = [pressure, strength].map(|pressure| quantity(pressure, "Pa"));
     let text = if ratio > FULLY {
         format!(
-            "the sphere yields, which is left out here: {so}; the law plm lets it yield beside a half-space that does not harden (peak mean pressure {peak}, {} times the sphere's yield strength {own})",
+            "the {body} yields, which is left out here: {so}; the law plm lets it yield beside a {other} that does not harden (peak mean pressure {peak}, {} times the {body}'s yield strength {own})",
             four_digits(ratio)
         )
     } else {
         format!(
-            "peak mean pressure {peak} is above 1.1 x the sphere's yield strength {own}: the sphere would yield too, and less would come back"
+            "peak mean pressure {peak} is above 1.1 x the {body}'s yield strength {own}: the {body} would yield too, and less would come back"
         )
     };
     Some(Warning::new(WarningKind::SphereYields, ratio, text))

@@ -17,8 +17,8 @@ pub struct Named {
     pub sphere: Option<&'static Entry>,
     /// The material of the half-space, if it has a name.
     pub half_space: Option<&'static Entry>,
-    /// Whether the strength of the half-space is its hardness, without an exponent of hardening.
-    pub is_by_hardness: bool,
+    /// Whether the strengths of sphere and half-space are their hardness, without an exponent of hardening.
+    pub is_by_hardness: [bool; 2],
 }
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.

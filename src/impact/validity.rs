@@ -4,7 +4,7 @@ mod of_run;
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::bodies::{has_its_part, of_flow, of_half_space, of_materials, of_sphere, of_yielding_sphere};
+use super::bodies::{left_out, of_flow, of_half_space, of_materials, of_sphere, of_yielding};
 use super::contact::Contact;
 use super::essentials::OnPlate;
 use super::forces::Damping;
@@ -93,8 +93,9 @@ pub(super) fn warnings(
 ) -> Vec<Warning> {
     let (law, peak) = (ground.law, &unloading.peak);
     let sphere = contact.sphere();
-    let strength = sphere.yield_strength.filter(|_| !has_its_part(contact.pair(), law));
-    let yielding = of_yielding_sphere(impact.peak_mean_pressure, strength, "e is far too high");
+    let strengths = [sphere.yield_strength, contact.half_space().yield_strength];
+    let left_out = left_out(contact.pair(), law, strengths);
+    let yielding = of_yielding(impact.peak_mean_pressure, left_out, "e is far too high");
     let mut warnings: Vec<Warning> = yielding.into_iter().chain(of_flow(contact.pair())).collect();
     warnings.extend(of_materials(contact, impact, law));
     warnings.extend(of_peak(ground, peak));

@@ -95,10 +95,11 @@ impl LawChoice {
         Self::all().iter().map(|law| law.about().name).collect()
     }
 
-    pub fn flow(&self) -> Option<&FlowCurve> {
+    /// The flow curves of sphere and half-space.
+    pub fn flow(&self) -> [Option<&FlowCurve>; 2] {
         match self {
-            Self::Plm(plm) => plm.flow.as_ref(),
-            _ => None,
+            Self::Plm(plm) => plm.flow.each_ref().map(Option::as_ref),
+            _ => [None, None],
         }
     }
 

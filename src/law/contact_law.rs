@@ -78,7 +78,7 @@ impl Bodies {
     /// E of the softer body \[Pa\].
     pub fn modulus(&self) -> f64 {
         let Pair { sphere_compliance, half_space_compliance, .. } = self.pair;
-        let compliance = if self.yield_point.flow.is_sphere { sphere_compliance } else { half_space_compliance };
+        let compliance = self.yield_point.flow.of_softer([sphere_compliance, half_space_compliance]);
         let plane_strain = self.pair.effective_modulus / compliance;
         plane_strain * (1.0 - self.poissons_ratio * self.poissons_ratio)
     }

@@ -44,22 +44,22 @@ pub struct Plm {
     pub coefficients: Arc<PlmCoefficients>,
     /// n of the unloading branch.
     pub exponent: UnloadingExponent,
-    /// How the half-space hardens; `None` for a constant strength.
-    pub flow: Option<FlowCurve>,
+    /// How sphere and half-space harden; `None` for a constant strength.
+    pub flow: [Option<FlowCurve>; 2],
 }
 
 impl Default for Plm {
     fn default() -> Self {
         static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
             LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
-        Self { coefficients: Arc::clone(&BUILT_IN), exponent: UnloadingExponent::Paper, flow: None }
+        Self { coefficients: Arc::clone(&BUILT_IN), exponent: UnloadingExponent::Paper, flow: [None, None] }
     }
 }
 
 impl Plm {
     /// The PLM of these coefficients, with this exponent.
     pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
-        Self { coefficients: Arc::new(coefficients.clone()), exponent, flow: None }
+        Self { coefficients: Arc::new(coefficients.clone()), exponent, flow: [None, None] }
     }
 
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
@@ -70,9 +70,8 @@ impl Plm {
     fn halves(&self, bodies: &Bodies) -> (Curve, PlmRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
         let (perfect, rule) = self.coefficients.halves(pair, ratio, self.exponent);
-        let Some(flow) = self.flow.as_ref().filter(|_| !bodies.yield_point.flow.is_sphere) else {
-            return (perfect, rule);
-        };
+        let [sphere, half_space] = &self.flow;
+        let Some(flow) = bodies.yield_point.flow.of_softer([sphere, half_space]) else { return (perfect, rule) };
         let rise = flow.rise(bodies.yield_strength, bodies.modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
         (hardening.loading(&perfect), PlmRule { hardening: Some(hardening), ..rule })
@@ -87,9 +86,8 @@ impl Plm {
         }
         let (ratio, compliance) = (bodies.yield_radius_ratio(), pair.sphere_compliance);
         let plastic_from = self.coefficients.line_slopes(pair).plastic_from;
-        let approach = |x: f64, force: f64| rule.plain_approach(x, force);
         let (curve, flattening) =
-            Flattening::of(yield_point, compliance, ratio, plastic_from, plain, &rule.radius, approach);
+            Flattening::of(yield_point, compliance, ratio, plastic_from, plain, |x, force| rule.radii(x, force));
         (curve, PlmRule { flattening: Some(flattening), ..rule })
     }
 }
@@ -123,13 +121,12 @@ impl ContactLaw for Plm {
     fn of_pair(&self, pair: &Pair) -> Result<Option<Law>, OutsideLaw> {
         let Some(bodies) = Bodies::new(pair) else { return Ok(None) };
         let flows = bodies.yield_point.flow;
-        if let Some(flow) = &self.flow {
-            if flows.is_of_both() {
-                return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
-            }
-            if !flows.is_sphere {
-                flow.is_flatter_than(bodies.modulus(), bodies.yield_strength)?;
-            }
+        let [sphere, half_space] = &self.flow;
+        if flows.is_of_both() && (sphere.is_some() || half_space.is_some()) {
+            return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
+        }
+        if let Some(flow) = flows.of_softer([sphere, half_space]) {
+            flow.is_flatter_than(bodies.modulus(), bodies.yield_strength)?;
         }
         Ok(Some(self.of_bodies(&bodies)))
     }

@@ -176,11 +176,11 @@ pub enum OutsideLaw {
         gain: f64,
     },
     /// A flow curve that is none.
-    #[error("the flow curve of the half-space: {0}")]
+    #[error("the flow curve of the body that yields: {0}")]
     Flow(#[from] FlowError),
     /// A flow curve of one of two bodies that both flow.
     #[error(
-        "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: leave half_space.flow_stress out and give its strength at the strain of the impact, or strengths at least 1.25 to 1",
+        "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: leave flow_stress out and give the strength at the strain of the impact, or strengths at least 1.25 to 1",
         four_digits(*.ratio)
     )]
     BothFlow {

@@ -18,11 +18,11 @@ pub fn of_plan(plan: &Plan) -> Named {
     plan.column_names().into_iter().zip(columns(plan)).skip(1).collect()
 }
 
-/// Those of them that do not stand for the values of an axis: a yield strength that follows from these, and results.
+/// Those of them that do not stand for the values of an axis: yield strengths that follow from these, and results.
 pub fn without_axes(plan: &Plan) -> Named {
     let mut named = of_plan(plan).split_off(plan.axes().len());
-    if plan.derives_strength() {
-        named[0].1 = Column::Plain(0);
+    for (place, _) in plan.derived().enumerate() {
+        named[place].1 = Column::Plain(place);
     }
     named
 }

@@ -15,6 +15,7 @@ use crate::scene::at::at;
 use crate::scene::key::Part;
 use crate::scene::results::indentation::{self as results, stepped};
 use crate::scene::results::{fields, lists};
+use crate::scene::taken::Body;
 use crate::units::aligned::aligned;
 use crate::units::{self, Dimension, describe};
 
@@ -97,7 +98,7 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
             row(&name, value);
         }
     }
-    let is_precise = scene.law.flow().is_some() || scenario.input().number(at!("half_space.hardness")).is_some();
-    let strength = tested.iter().find_map(|one| one.specimen.half_space.yield_strength);
-    aligned(&rows, |_| true) + overview::which_strength(strength, is_precise)
+    let softer = |one: &Tested| one.pair.yield_point.map(|point| point.flow.of_softer(Body::ALL));
+    let is_vague = |body: Body| !scenario.input().has_flow(body);
+    aligned(&rows, |_| true) + overview::which_strength(tested.iter().filter_map(softer).any(is_vague))
 }

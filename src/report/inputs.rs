@@ -4,8 +4,8 @@
 use serde::ser::{Serialize, Serializer};
 
 use crate::impact::Method;
+use crate::plan::Plan;
 use crate::plan::axis::{Axis, Word};
-use crate::plan::{Plan, YIELD_STRENGTH};
 use crate::scene::Input;
 use crate::scene::at::at;
 use crate::scene::input::Held;
@@ -34,13 +34,13 @@ impl Inputs {
             _ => !held.value.is_null(),
         };
         let mut entries: Vec<Held> = input.filled().held().into_iter().filter(is_used).collect();
-        if input.number(at!("half_space.hardness")).is_some() {
-            let rule = if input.flow_curve().is_some() {
+        for body in Body::ALL.into_iter().filter(|body| input.number(body.strength_keys().hardness).is_some()) {
+            let rule = if input.flow_curve(body).is_some() {
                 "hardness and flow_stress: at a plastic strain of 0.08 the flow stress is the mean pressure over 2.9"
             } else {
                 "hardness: mean pressure over 2.9"
             };
-            entries.push(Held::word("half_space.yield_strength_from", Part::Flow, rule));
+            entries.push(Held::word(&strength_from(body), Part::Flow, rule));
         }
         for taken in input.taken() {
             let part = if taken.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
@@ -70,9 +70,10 @@ impl Inputs {
             let mut materials = Body::ALL.map(Body::material).into_iter().filter(|material| varies(material));
             materials.any(|material| path.starts_with(material))
         };
+        let is_derived = |body: &Body, path: &str| body.strength_keys().yield_strength.path() == path;
         let is_shared = |held: &Held| match held.path.as_str() {
-            YIELD_STRENGTH => !plan.derives_strength(),
-            "half_space.yield_strength_from" => !varies(Body::HalfSpace.material()),
+            path if Body::ALL.iter().any(|body| is_derived(body, path) && plan.derives_strength(*body)) => false,
+            path if Body::ALL.iter().any(|body| strength_from(*body) == path && varies(body.material())) => false,
             "impact.speed" => plan.input.number(at!("impact.drop_height")).is_none() || !varies("gravity.acceleration"),
             path => !of_material(path),
         };
@@ -81,4 +82,9 @@ impl Inputs {
         entries.retain(|held| is_kept(held) && !partner(&held.path).is_some_and(varies));
         Self(entries)
     }
+}
+
+/// What says where the yield strength of a body comes from.
+fn strength_from(body: Body) -> String {
+    format!("{}_from", body.strength_keys().yield_strength.path())
 }

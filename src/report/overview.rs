@@ -5,9 +5,8 @@ use super::inputs::Inputs;
 use crate::impact::Contact;
 use crate::law::LawChoice;
 use crate::material::{Flow, Pair};
-use crate::plan::HARDNESS;
 use crate::scene::Input;
-use crate::scene::at::at;
+use crate::scene::taken::Body;
 use crate::strength::hardness;
 use crate::units::aligned::aligned;
 use crate::units::{Dimension, describe, four_digits, number};
@@ -29,11 +28,13 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
                 rows.push(["law.validity".to_owned(), about.validity.to_owned()]);
                 rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
             }
-            HARDNESS => {
-                let vickers = input.number(at!("half_space.hardness")).map_or(f64::NAN, hardness::vickers);
-                rows.push([key, format!("{text}, {} HV", four_digits(vickers))]);
+            _ => {
+                let hardness =
+                    Body::ALL.into_iter().map(|body| body.strength_keys().hardness).find(|at| at.path() == key);
+                let vickers = hardness.and_then(|at| input.number(at)).map(hardness::vickers);
+                let vickers = vickers.map_or_else(String::new, |vickers| format!(", {} HV", four_digits(vickers)));
+                rows.push([key, text + &vickers]);
             }
-            _ => rows.push([key, text]),
         }
     }
     rows.push([String::new(), String::new()]);
@@ -44,12 +45,15 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
         rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
         rows.push(["yield speed v_Y".to_owned(), speed]);
     }
-    aligned(&rows, |_| true) + which_strength(contact.half_space().yield_strength, input.has_flow())
+    let strengths = [contact.sphere().yield_strength, contact.half_space().yield_strength];
+    let is_precise = |body: Body| body.of(strengths).is_none() || input.has_flow(body);
+    let softer = contact.pair().yield_point.map(|point| point.flow.of_softer(Body::ALL));
+    aligned(&rows, |_| true) + which_strength(softer.is_some_and(|softer| !is_precise(softer)))
 }
 
-/// A line on the yield strength, unless the scenario says more of the flow stress (`is_precise`).
-pub(super) fn which_strength(yield_strength: Option<f64>, is_precise: bool) -> &'static str {
-    if yield_strength.is_none() || is_precise { "" } else { WHICH_STRENGTH }
+/// A line on the yield strength, where the scenario says nothing more of the flow stress of the body that yields.
+pub(super) fn which_strength(is_vague: bool) -> &'static str {
+    if is_vague { WHICH_STRENGTH } else { "" }
 }
 
 const WHICH_STRENGTH: &str = "

@@ -4,7 +4,6 @@ use crate::impact::{Impact, Solver};
 use crate::law::{LawChoice, UnloadingExponent};
 use crate::math::functions::powi;
 use crate::scene::Input;
-use crate::scene::at::at;
 use crate::scene::results::impact::Band;
 use crate::units::rounded::percent;
 
@@ -34,15 +33,15 @@ pub fn band(input: &Input, impact: &Impact) -> Option<Band> {
     let (mut squares, mut because) = ([powi(error * restitution, 2); 2], Vec::new());
     let hardness = input.taken().iter().flat_map(|taken| taken.values().map(move |(key, known)| (taken, key, known)));
     for (taken, key, known) in hardness {
-        let (at, body) = match key {
-            "half_space.hardness" => (at!("half_space.hardness"), "hardness"),
-            "sphere.yield_strength" => (at!("sphere.yield_strength"), "hardness of the sphere"),
-            _ => continue,
-        };
+        let at = taken.body.strength_keys().hardness;
+        if at.path() != key {
+            continue;
+        }
+        let body = taken.body.of(["hardness of the sphere", "hardness"]);
         let mut ends = [restitution; 2];
         for (end, written) in ends.iter_mut().zip(&known.range) {
             let mut input = input.clone();
-            input.set(at, Some(taken.in_key(key, written.value)));
+            input.set(at, Some(written.value));
             *end = input.contact().ok()?.row(input.approach_at(speed), &Solver::AUTO).ok()?.restitution;
         }
         // a body that does not flow leaves e as it is

@@ -30,8 +30,6 @@ const fn beside(keys: &'static [&'static str], beside: &'static [&'static str], 
     Rule { keys, beside, unless: &[], why }
 }
 
-/// The table of the flow curve.
-pub(super) const FLOW: &str = "half_space.flow_stress";
 const OBLIQUE: &[&str] = &["impact.angle", "sphere.spin"];
 const ONE_OF_TWO: &str = "[{}] is given too; write only one of the two";
 

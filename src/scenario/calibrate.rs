@@ -10,6 +10,7 @@ use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scene::at::at;
 use crate::scene::keys::NEEDED;
+use crate::scene::taken::Body;
 use crate::scene::words::STUDENT_T;
 use crate::scene::{Input, Key};
 use crate::strength::hardness::CONSTRAINT;
@@ -66,8 +67,11 @@ impl Scenario {
         }
         let laws = self.input.words(at!("calibrate.laws")).unwrap_or_default();
         let laws: Vec<LawChoice> = laws.iter().filter_map(|name| LawChoice::from_name(name)).collect();
-        if input.flow_curve().is_some() && laws.iter().any(|law| law.name() != input.named_law.name()) {
-            let message = "only the law plm has hardening: leave out half_space.flow_stress, or the other laws";
+        let hardens = Body::ALL.into_iter().find(|body| input.flow_curve(*body).is_some());
+        let has_others = laws.iter().any(|law| law.name() != input.named_law.name());
+        if let Some(body) = hardens.filter(|_| has_others) {
+            let table = body.strength_keys().flow_stress;
+            let message = format!("only the law plm has hardening: leave out {table}, or the other laws");
             return Err(self.document.refuse("calibrate.laws", message));
         }
         let mut deviations = self.input.numbers_of("calibrate.noise");

@@ -1,11 +1,11 @@
-//! `[half_space.flow_stress]`: how the half-space hardens, and which keys may stand beside it.
+//! `flow_stress` of a body: how it hardens, and which keys may stand beside that.
 
 use super::Scenario;
-use super::beside::FLOW;
 use crate::error::Error;
 use crate::law::LawChoice;
-use crate::plan::{HARDNESS, YIELD_STRENGTH};
+use crate::scene::at::At;
 use crate::scene::tables::names;
+use crate::scene::taken::Body;
 use crate::scene::{Input, KEYS};
 use crate::strength::flow::FlowCurve;
 
@@ -15,11 +15,15 @@ const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, ra
 impl Scenario {
     /// Refuses two forms of a flow curve, none, and one that lacks a number.
     pub(super) fn check_flow(&self, input: &Input) -> Result<(), Error> {
-        let path = |form: &str| format!("{FLOW}.{form}");
-        let mut forms = names(FLOW).into_iter().filter(|form| self.gives(&path(form)));
+        Body::ALL.into_iter().try_for_each(|body| self.check_curve(input, body.strength_keys().flow_stress))
+    }
+
+    fn check_curve(&self, input: &Input, table: &str) -> Result<(), Error> {
+        let path = |form: &str| format!("{table}.{form}");
+        let mut forms = names(table).into_iter().filter(|form| self.gives(&path(form)));
         let Some(form) = forms.next() else {
-            return if self.has(FLOW) {
-                Err(self.document.refuse(FLOW, format!("has no curve; write one of {EXAMPLE}")))
+            return if self.has(table) {
+                Err(self.document.refuse(table, format!("has no curve; write one of {EXAMPLE}")))
             } else {
                 Ok(())
             };
@@ -37,9 +41,15 @@ impl Scenario {
 
     /// Refuses laws and keys that cannot stand beside a flow curve.
     pub(super) fn check_strength(&self, input: &Input) -> Result<(), Error> {
+        Body::ALL.into_iter().try_for_each(|body| self.check_strength_of(input, body))
+    }
+
+    fn check_strength_of(&self, input: &Input, body: Body) -> Result<(), Error> {
         let varies = |key: &str| self.varies(key);
-        let Some(flow) = input.flow_curve() else { return Ok(()) };
-        let refuse = |message: &str| Err(self.document.refuse(FLOW, message));
+        let Some(flow) = input.flow_curve(body) else { return Ok(()) };
+        let keys = body.strength_keys();
+        let [yield_strength, hardness] = [keys.yield_strength, keys.hardness].map(At::path);
+        let refuse = |message: &str| Err(self.document.refuse(keys.flow_stress, message));
         if !matches!(input.named_law, LawChoice::Plm(_)) {
             let name = input.named_law.name();
             return refuse(&format!("the law {name} has no hardening: leave the table out, or take the law plm"));
@@ -47,23 +57,23 @@ impl Scenario {
         if varies("law") {
             return refuse("only the law plm has hardening: leave the table out, or the axis \"law\"");
         }
-        let half_space = input.half_space();
-        let Some(strength) = half_space.yield_strength else {
+        let (sphere, half_space) = input.bodies(&input.law());
+        let Some(strength) = body.of([sphere.yield_strength, half_space.yield_strength]) else {
             return refuse(
-                "a flow curve begins at a strength: give the half-space its yield_strength, the stress at plastic strain 0",
+                "a flow curve begins at a strength: give the body its yield_strength, the stress at plastic strain 0",
             );
         };
-        if (self.has(HARDNESS) || varies(HARDNESS)) && !matches!(flow, FlowCurve::Power { .. }) {
+        if (self.has(hardness) || varies(hardness)) && !matches!(flow, FlowCurve::Power { .. }) {
             return refuse(
                 "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness",
             );
         }
-        if flow.last_strain().is_some() && (varies(YIELD_STRENGTH) || varies(HARDNESS)) {
+        if flow.last_strain().is_some() && (varies(yield_strength) || varies(hardness)) {
             return refuse(
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
             );
         }
-        let modulus = half_space.material.youngs_modulus;
+        let modulus = body.of([sphere.material, half_space.material]).youngs_modulus;
         let sound = flow.starts_from(strength).and_then(|()| flow.is_flatter_than(modulus, strength));
         sound.or_else(|error| refuse(&error.to_string()))
     }

@@ -1,7 +1,6 @@
 //! `material`: the values that a named material gives to its body, where the scenario does not give them itself.
 
 use super::Scenario;
-use super::beside::FLOW;
 use super::document::Document;
 use super::varied::Varied;
 use crate::error::Error;
@@ -29,12 +28,12 @@ impl Varied {
                 if !is_drawn {
                     continue;
                 }
-                let table = body.material().trim_end_matches(".material");
+                let table = body.table();
                 return Err(refuse(format!(
                     "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
                 )));
             };
-            let is_left = |path| Key::find(path).is_some_and(|key| self.is_left(input, document, key));
+            let is_left = |path| Key::find(path).is_some_and(|key| self.is_left(input, document, body, key));
             let left = body.defaults().iter().copied().filter(|(path, _)| is_left(path)).collect();
             let taken = Taken { body, material, left };
             for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
@@ -79,7 +78,7 @@ impl Varied {
     }
 
     /// Whether a key takes its value from the material: it has a use, and neither the key nor another in its place is given.
-    fn is_left(&self, input: &Input, document: &Document, key: &Key) -> bool {
+    fn is_left(&self, input: &Input, document: &Document, body: Body, key: &Key) -> bool {
         let has = |path: &str| document.has(path);
         let varied = self.paths();
         let is_given = |path: &str| {
@@ -97,7 +96,8 @@ impl Varied {
             // no other law has hardening, and a curve needs its own yield strength, or the hardness
             Part::Flow => {
                 let is_plm = matches!(input.named_law, LawChoice::Plm(_)) && !varied.contains(&"law");
-                is_plm && !is_given(YIELD_STRENGTH) && !is_given(FLOW)
+                let keys = body.strength_keys();
+                is_plm && !is_given(keys.yield_strength.path()) && !is_given(keys.flow_stress)
             }
             _ => true,
         };
@@ -108,10 +108,10 @@ impl Varied {
 /// The values of a material as random keys: even between the ends of their ranges.
 fn drawn(input: &Input, taken: &Taken) -> Vec<Variable> {
     let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
-    // the sphere keeps its strength, and a rigid sphere needs no Poisson's ratio
-    let is_used = |path: &str| path != "sphere.yield_strength" && !(path == "sphere.poissons_ratio" && is_rigid);
+    // a rigid sphere needs no Poisson's ratio
+    let is_used = |path: &str| path != "sphere.poissons_ratio" || !is_rigid;
     let drawn = |(path, known): (&'static str, &Known)| {
-        let [from, to] = [0, 1].map(|end| taken.in_key(path, known.range[end].value));
+        let [from, to] = [0, 1].map(|end| known.range[end].value);
         let key = Key::find(path).filter(|_| from < to && is_used(path))?;
         Some(Variable::of(key, Distribution::Uniform { from, to }))
     };

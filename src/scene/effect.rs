@@ -2,6 +2,7 @@
 
 use super::Input;
 use super::at::at;
+use super::taken::Body;
 use crate::impact::Method;
 
 /// What is computed of a scene.
@@ -26,9 +27,19 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
         "sphere.poissons_ratio" => {
             (all(|input| input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY)), "the sphere is rigid")
         }
-        "sphere.yield_strength" => (
-            all(Input::has_a_far_harder_sphere),
+        _ if path.starts_with("sphere.flow_stress") && all(|input| input.is_harder(Body::Sphere, 1.25)) => {
+            (true, "the half-space yields alone; leave it out")
+        }
+        _ if path.starts_with("half_space.flow_stress") && all(|input| input.is_harder(Body::HalfSpace, 1.25)) => {
+            (true, "the sphere yields alone; leave it out")
+        }
+        "sphere.yield_strength" | "sphere.hardness" => (
+            all(|input| input.is_harder(Body::Sphere, 2.0)),
             "the half-space yields alone, as it has less than half of that strength; leave the key out",
+        ),
+        "half_space.yield_strength" | "half_space.hardness" => (
+            all(|input| input.is_harder(Body::HalfSpace, 2.0)),
+            "the sphere yields alone, as it has less than half of that strength; leave the key out",
         ),
         "sphere.density" | "sphere.mass" => (!is_moving, "nothing moves here; leave the key out"),
         "sphere.moment_of_inertia" | "friction.coefficient" => (
@@ -70,9 +81,12 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
 }
 
 impl Input {
-    /// Whether the half-space yields alone and keeps all of the dent, at one strength.
-    fn has_a_far_harder_sphere(&self) -> bool {
+    /// Whether the other body yields at a strength that this ratio keeps below that of this one, and does not harden.
+    fn is_harder(&self, body: Body, least: f64) -> bool {
         let flow = self.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow));
-        self.law().flow().is_none() && flow.is_some_and(|flow| !flow.is_sphere && flow.ratio >= 2.0)
+        let law = self.law();
+        flow.is_some_and(|flow| {
+            flow.of_softer(Body::ALL) != body && flow.ratio >= least && flow.of_softer(law.flow()).is_none()
+        })
     }
 }

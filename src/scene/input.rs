@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::at::{At, COUNT, NUMBER, OTHER, WORD, at};
+use super::at::{At, COUNT, NUMBER, OTHER, WORD};
 use super::key::{AnyKey, Form, Part};
 use super::list::EVERY_KEY;
 use super::quantity::Quantity;
@@ -183,24 +183,6 @@ impl Input {
         let mut all: Vec<_> = all.filter_map(|(key, number)| Some((name(key.path)?.to_owned(), number))).collect();
         all.sort_by(|a, b| a.0.cmp(&b.0));
         all
-    }
-
-    /// The flow curve, if all its numbers are given.
-    pub fn flow_curve(&self) -> Option<FlowCurve> {
-        let number = |at| self.number(at);
-        if let Some(exponent) = number(at!("half_space.flow_stress.power.exponent")) {
-            return Some(FlowCurve::Power { exponent });
-        }
-        let saturation = number(at!("half_space.flow_stress.voce.saturation"));
-        if let Some((saturation, rate)) = saturation.zip(number(at!("half_space.flow_stress.voce.rate"))) {
-            return Some(FlowCurve::Voce { saturation, rate });
-        }
-        if let Some(slope) = number(at!("half_space.flow_stress.linear.slope")) {
-            return Some(FlowCurve::Linear { slope });
-        }
-        let points = self.value(at!("half_space.flow_stress.points"));
-        let table = || self.value(at!("half_space.flow_stress.table"));
-        if let Some(Value::Curve(curve)) = points.or_else(table) { Some(curve.clone()) } else { None }
     }
 
     /// The keys of one impact that have a value, for reports: in the order of the list, with the name of the law before its

@@ -30,9 +30,10 @@ pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
 });
 
 /// Keys that stand in place of each other: a scene takes one of the two.
-pub const EITHER: [[&str; 2]; 5] = [
+pub const EITHER: [[&str; 2]; 6] = [
     ["sphere.radius", "sphere.diameter"],
     ["sphere.density", "sphere.mass"],
+    ["sphere.yield_strength", "sphere.hardness"],
     ["half_space.yield_strength", "half_space.hardness"],
     ["impact.speed", "impact.drop_height"],
     ["damping.hunt_crossley", "damping.viscous"],

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use super::at::{At, NUMBER, at};
 use super::input::{Input, Value};
+use super::taken::Body;
 use crate::law::catalogue::jackson_green::Hardness;
 use crate::law::{LawChoice, UnloadingExponent};
 
 impl Input {
-    /// The law, with its parameters and with the flow curve of the half-space.
+    /// The law, with its parameters and with the flow curves of the bodies.
     pub fn law(&self) -> LawChoice {
         let mut law = self.named_law.clone();
         let number = |at: At<NUMBER>| self.number(at);
@@ -23,7 +24,7 @@ impl Input {
                 if let Some(Value::Coefficients(table)) = self.value(at!("law.plm.coefficients")) {
                     law.coefficients = Arc::clone(table);
                 }
-                law.flow = self.flow_curve();
+                law.flow = Body::ALL.map(|body| self.flow_curve(body));
             }
             LawChoice::Thornton(law) => law.yield_pressure = number(at!("law.thornton.yield_pressure")),
             LawChoice::Stronge(law) => {

@@ -16,19 +16,77 @@ use super::words::{
 };
 
 macro_rules! keys {
+    // the keys of a table
+    ($table:literal; $($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr;)+) => {
+        [$(AnyKey {
+            path: concat!($table, ".", $path),
+            part: Part::$part,
+            form: $form,
+            default: "",
+            about: concat!($($about),+).trim_ascii_start(),
+        }),+]
+    };
     ($($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr $(=> $default:literal)?;)+) => {
-        /// In the order of the reference page.
-        pub const EVERY_KEY: &[AnyKey] = &[$(AnyKey {
+        [$(AnyKey {
             path: $path,
             part: Part::$part,
             form: $form,
             default: concat!($($default)?),
             about: concat!($($about),+).trim_ascii_start(),
-        }),+];
+        }),+]
     };
 }
 
-keys! {
+/// The strength of a body, by the same keys for both bodies.
+macro_rules! strength {
+    ($table:literal, $part:ident) => {
+        keys! {
+            $table;
+            /// Uniaxial yield strength of the body; without it the body stays elastic. The softer body yields; within a factor of
+            /// 1.25 of the pressures at first yield both do.
+            "yield_strength" of $part: Number(&STRENGTH);
+            /// Hardness of the body in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
+            /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
+            /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
+            "hardness" of $part: Number(&HARDNESS);
+            /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a body that hardens; finite elements
+            /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
+            "flow_stress.power.exponent" of Flow: Number(&HARDENING_EXPONENT);
+            /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
+            "flow_stress.voce.saturation" of Flow: Number(&SATURATION);
+            /// Rate c of that flow stress: how fast it rises with plastic strain.
+            "flow_stress.voce.rate" of Flow: Number(&HARDENING_RATE);
+            /// Slope of a flow stress that rises in a straight line with plastic strain.
+            "flow_stress.linear.slope" of Flow: Number(&HARDENING_SLOPE);
+            /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after
+            /// the last.
+            "flow_stress.points" of Flow: Points;
+            /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
+            "flow_stress.table" of Flow: File("flow.csv");
+        }
+    };
+}
+
+/// All keys, in the order of the reference page.
+pub const EVERY_KEY: &[AnyKey] = &{
+    let parts: [&[AnyKey]; 5] =
+        [&SPHERE, &strength!("sphere", Sphere), &HALF_SPACE, &strength!("half_space", HalfSpace), &OTHERS];
+    let mut all = [SPHERE[0]; SPHERE.len() + HALF_SPACE.len() + 16 + OTHERS.len()];
+    let (mut part, mut place, mut next) = (0, 0, 0);
+    while part < parts.len() {
+        if place == parts[part].len() {
+            (part, place) = (part + 1, 0);
+        } else {
+            all[next] = parts[part][place];
+            (place, next) = (place + 1, next + 1);
+        }
+    }
+    assert!(next == all.len());
+    all
+};
+
+/// The sphere but for its strength.
+const SPHERE: [AnyKey; 9] = keys! {
     /// Radius of the sphere (not its diameter).
     "sphere.radius" of Sphere: Number(&LENGTH);
     /// Diameter of the sphere, in place of the radius.
@@ -46,21 +104,16 @@ keys! {
     "sphere.moment_of_inertia" of Motion: Number(&MOMENT_OF_INERTIA) => "of a solid sphere";
     /// Spin of the sphere before the impact, about the axis across its path; positive for rolling forward. Needs friction.
     "sphere.spin" of Approach: Number(&SPIN) => "0";
-    /// Uniaxial yield strength of the sphere. The softer body yields; within a factor of 1.25 of the pressures at first yield
-    /// both do. Without it the sphere stays elastic.
-    "sphere.yield_strength" of Sphere: Number(&STRENGTH);
     /// Material whose numbers the sphere takes; a key that is given too replaces the number. It can be an axis.
     "sphere.material" of Sphere: Word(&MATERIALS);
+};
+
+/// The half-space but for its strength.
+const HALF_SPACE: [AnyKey; 7] = keys! {
     /// Young's modulus of the half-space.
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
     /// Poisson's ratio of the half-space.
     "half_space.poissons_ratio" of HalfSpace: Number(&POISSONS_RATIO);
-    /// Uniaxial yield strength of the half-space; without it the half-space stays elastic.
-    "half_space.yield_strength" of HalfSpace: Number(&STRENGTH);
-    /// Hardness of the half-space in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
-    /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
-    /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
-    "half_space.hardness" of HalfSpace: Number(&HARDNESS);
     /// Density of the half-space; with it the energy that is radiated as elastic waves is reported, and bouncing loses it.
     "half_space.density" of Motion: Number(&DENSITY);
     /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.
@@ -71,20 +124,10 @@ keys! {
     "half_space.edge_distance" of Motion: Number(&LENGTH);
     /// How the plate gives way: as a thin one, or with the first term of a thick one.
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
-    /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a half-space that hardens; finite elements
-    /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
-    "half_space.flow_stress.power.exponent" of Flow: Number(&HARDENING_EXPONENT);
-    /// Factor b of the flow stress sigma_Y (1 + b (1 - exp(-c strain))), which rises by b yield strengths in the end.
-    "half_space.flow_stress.voce.saturation" of Flow: Number(&SATURATION);
-    /// Rate c of that flow stress: how fast it rises with plastic strain.
-    "half_space.flow_stress.voce.rate" of Flow: Number(&HARDENING_RATE);
-    /// Slope of a flow stress that rises in a straight line with plastic strain.
-    "half_space.flow_stress.linear.slope" of Flow: Number(&HARDENING_SLOPE);
-    /// Points of a measured flow curve: plastic strain and true stress; straight lines between them, constant after the
-    /// last.
-    "half_space.flow_stress.points" of Flow: Points;
-    /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
-    "half_space.flow_stress.table" of Flow: File("flow.csv");
+};
+
+/// All else.
+const OTHERS: [AnyKey; 70] = keys! {
     /// Speed of the sphere at first touch, towards the half-space.
     "impact.speed" of Approach: Number(&SPEED);
     /// Height that the sphere falls from, in place of the speed: v = sqrt(2 g h), with g = 9.80665 m/s^2 unless gravity is
@@ -230,4 +273,4 @@ keys! {
     "indentation.half_space[].poissons_ratio" of Kind: Number(&POISSONS_RATIO);
     /// Yield strength of this half-space; without the key it stays elastic.
     "indentation.half_space[].yield_strength" of Kind: Number(&STRENGTH);
-}
+};

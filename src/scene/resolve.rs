@@ -16,7 +16,6 @@ use crate::impact::{
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::materials::all;
-use crate::strength::hardness::strength_of_hardness;
 use crate::units::rounded::percent;
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
@@ -28,11 +27,9 @@ impl Input {
         let radius = self.radius().unwrap_or(f64::NAN);
         let of_mass = |mass: f64| mass / sphere_volume(radius);
         let number = |at| self.number(at);
-        let modulus = number(at!("half_space.youngs_modulus")).unwrap_or(f64::NAN);
-        let strength = match number(at!("half_space.hardness")) {
-            Some(mean_pressure) => Some(strength_of_hardness(mean_pressure, law.flow(), modulus)),
-            None => number(at!("half_space.yield_strength")),
-        };
+        let [of_sphere, of_half_space] = law.flow();
+        let yield_strength = self.yield_strength(Body::Sphere, of_sphere);
+        let strength = self.yield_strength(Body::HalfSpace, of_half_space);
         let material = |youngs_modulus, poissons_ratio: Option<f64>| Material {
             youngs_modulus,
             poissons_ratio: poissons_ratio.unwrap_or(f64::NAN),
@@ -41,8 +38,8 @@ impl Input {
         let density = number(at!("sphere.mass")).map_or(density, of_mass);
         let of_sphere = number(at!("sphere.youngs_modulus")).unwrap_or(f64::NAN);
         let of_sphere = material(of_sphere, number(at!("sphere.poissons_ratio")));
-        let of_half_space = material(modulus, number(at!("half_space.poissons_ratio")));
-        let yield_strength = number(at!("sphere.yield_strength"));
+        let of_half_space = number(at!("half_space.youngs_modulus")).unwrap_or(f64::NAN);
+        let of_half_space = material(of_half_space, number(at!("half_space.poissons_ratio")));
         (
             Sphere { radius, material: of_sphere, density, yield_strength },
             HalfSpace { material: of_half_space, yield_strength: strength, density: number(at!("half_space.density")) },
@@ -59,16 +56,11 @@ impl Input {
         self.bodies(&self.law()).1
     }
 
-    /// Whether a body has a strength, without which nothing yields.
-    pub fn can_yield(&self) -> bool {
-        let of = [at!("half_space.yield_strength"), at!("half_space.hardness"), at!("sphere.yield_strength")];
-        of.into_iter().any(|strength| self.number(strength).is_some())
-    }
-
-    /// Whether more than a yield strength describes the flow stress, or the law does not use it.
-    pub fn has_flow(&self) -> bool {
+    /// Whether more than a yield strength describes the flow stress of a body, or the law does not use it.
+    pub fn has_flow(&self, of: Body) -> bool {
         let law = self.law();
-        self.number(at!("half_space.hardness")).is_some() || law.flow().is_some() || matches!(law, LawChoice::Hertz(_))
+        let is_hard = self.number(of.strength_keys().hardness).is_some();
+        is_hard || of.of(law.flow()).is_some() || matches!(law, LawChoice::Hertz(_))
     }
 
     /// Gravity, damping and the plate.
@@ -164,7 +156,9 @@ impl Input {
         };
         let [sphere, half_space] =
             Body::ALL.map(|body| self.word(body.material_key()).and_then(|place| all().get(place)));
-        let is_by_hardness = self.number(at!("half_space.hardness")).is_some() && law.flow().is_none();
+        let flow = law.flow();
+        let is_by_hardness =
+            Body::ALL.map(|body| self.number(body.strength_keys().hardness).is_some() && body.of(flow).is_none());
         let named = Named { sphere, half_space, is_by_hardness };
         Ok(contact.with_forces(self.forces()).of_materials(named))
     }
@@ -245,7 +239,7 @@ impl Input {
     pub fn take(&mut self, taken: &Taken) {
         self.choose(taken.body.material_key(), all().iter().position(|known| known.name == taken.material.name));
         for &(path, property) in &taken.left {
-            let number = taken.material.of(property).map(|known| taken.in_key(path, known.taken.value));
+            let number = taken.material.of(property).map(|known| known.taken.value);
             if let Some(key) = Key::find(path) {
                 key.set(self, number);
             }
@@ -261,12 +255,10 @@ impl Input {
         for body in Body::ALL {
             input.choose(body.material_key(), None);
         }
-        input.set(at!("half_space.yield_strength"), self.half_space().yield_strength);
+        let (sphere, half_space) = self.bodies(&self.law());
+        input.fill_strength(Body::Sphere, sphere.yield_strength);
+        input.fill_strength(Body::HalfSpace, half_space.yield_strength);
         input.set(at!("impact.speed"), Some(self.speed()));
-        if let Some(curve) = self.value(at!("half_space.flow_stress.table")).cloned() {
-            input.put_value(at!("half_space.flow_stress.points"), Some(curve));
-            input.put_value(at!("half_space.flow_stress.table"), None);
-        }
         if let Some(Incidence { angle, spin, .. }) = self.incidence() {
             input.set(at!("impact.angle"), Some(angle));
             input.set(at!("sphere.spin"), Some(spin));

@@ -154,7 +154,7 @@ fn other(form: Form, path: &str, node: &Node, reader: &mut Reader) -> Result<Opt
             Value::Curve(through(&points).map_err(|message| Fault::at(node, message))?)
         }
         Form::WordOrTable(words) => return word(words, node).map(|_| None),
-        Form::File(example) if path == "half_space.flow_stress.table" => {
+        Form::File(example) if path.ends_with(".flow_stress.table") => {
             let [path, text] = reader.file(node, example)?;
             let at = |line: Option<u64>| line.map(|line| format!(":{line}")).unwrap_or_default();
             let curve = points(&text).and_then(|points| through(&points).map_err(|message| (None, message)));

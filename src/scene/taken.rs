@@ -16,6 +16,19 @@ impl Body {
     /// Both of them.
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
+    /// Its one, of what sphere and half-space have.
+    pub fn of<T>(self, [sphere, half_space]: [T; 2]) -> T {
+        match self {
+            Self::Sphere => sphere,
+            Self::HalfSpace => half_space,
+        }
+    }
+
+    /// Its table.
+    pub fn table(self) -> &'static str {
+        self.of(["sphere", "half_space"])
+    }
+
     /// The key that names its material.
     pub fn material(self) -> &'static str {
         match self {
@@ -44,7 +57,8 @@ impl Body {
                 ("sphere.density", Property::Density),
                 ("sphere.youngs_modulus", Property::YoungsModulus),
                 ("sphere.poissons_ratio", Property::PoissonsRatio),
-                ("sphere.yield_strength", Property::Hardness),
+                ("sphere.hardness", Property::Hardness),
+                ("sphere.flow_stress.power.exponent", Property::HardeningExponent),
             ],
             Self::HalfSpace => &[
                 ("half_space.density", Property::Density),
@@ -73,11 +87,6 @@ impl Taken {
     pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
         let material = self.material;
         self.left.iter().filter_map(move |(key, property)| Some((*key, material.of(*property)?)))
-    }
-
-    /// A number of the material, SI, as the key takes it: from a hardness the sphere takes the yield strength.
-    pub fn in_key(&self, key: &str, number: f64) -> f64 {
-        if key == "sphere.yield_strength" { self.material.strength(number) } else { number }
     }
 
     /// The taken values for a summary, each with its name: the value as it is written, its range, and the kind of number.

@@ -90,7 +90,7 @@ pub enum FlowError {
     },
     /// The curve is steeper than the elastic line.
     #[error(
-        "between plastic strain {} and {} the flow stress rises by {} per strain, more than Young's modulus of the half-space, {}: no metal hardens so; give {}",
+        "between plastic strain {} and {} the flow stress rises by {} per strain, more than Young's modulus of the body, {}: no metal hardens so; give {}",
         number(*.from),
         number(*.to),
         describe(*.slope, Dimension::Pressure),

@@ -33,7 +33,7 @@ pub(crate) fn columns(plan: &Plan) -> Vec<Column> {
             })
             .collect(),
     };
-    if plan.derives_strength() {
+    for _ in plan.derived() {
         swept.push(Column::Plain(swept.len()));
     }
     let results = plan.results().into_iter().map(Column::Result);

@@ -72,7 +72,7 @@ impl Csv {
                     }
                     Column::Result(column) => result.as_ref().ok().and_then(column.value),
                     Column::Number(place, values) => Some(values.at(swept[*place] as u64)),
-                    Column::Plain(place) => Some(swept[*place]),
+                    Column::Plain(place) => Some(swept[*place]).filter(|number| !number.is_nan()),
                 };
                 if let Some(number) = number {
                     text.extend_from_slice(floats.format(number).as_bytes());

@@ -9,6 +9,7 @@ use crate::plan::axis::Axis;
 use crate::plan::random::{Draws, Variable};
 use crate::plan::{Cases, Plan, places};
 use crate::scene::at::at;
+use crate::scene::taken::Body;
 use crate::scene::{Input, Key};
 use crate::units::names::named;
 
@@ -56,8 +57,8 @@ impl From<ImpactError> for Failure {
 pub struct Rows {
     /// Case numbers.
     pub cases: Vec<u64>,
-    /// Swept values, case after case. On a grid it is the place of each value on its axis, not the value. If the yield
-    /// strength follows from the swept values ([`Plan::derives_strength`]), it is the last value of a case.
+    /// Swept values, case after case. On a grid it is the place of each value on its axis, not the value. Yield strengths that
+    /// follow from the swept values ([`Plan::derives_strength`]) are the last values of a case.
     pub swept: Vec<f64>,
     /// The result of each case.
     pub results: Vec<Result<Essentials, Failure>>,
@@ -85,8 +86,8 @@ impl Rows {
 /// The bodies of a row and their law.
 #[derive(Debug)]
 struct Known {
-    /// The yield strength of the half-space.
-    strength: Option<f64>,
+    /// The yield strengths of sphere and half-space.
+    strengths: [Option<f64>; 2],
     contact: Result<Contact, Failure>,
 }
 
@@ -94,7 +95,7 @@ impl Known {
     fn of(input: &Input, law: &LawChoice) -> Self {
         let (sphere, half_space) = input.bodies(law);
         let contact = input.pair(sphere, half_space, law).map_err(Failure::from);
-        Self { strength: half_space.yield_strength, contact }
+        Self { strengths: [sphere.yield_strength, half_space.yield_strength], contact }
     }
 }
 
@@ -102,8 +103,8 @@ impl Known {
 #[derive(Debug)]
 pub struct Evaluator<'a> {
     plan: &'a Plan,
-    /// Whether the yield strength follows from the swept values ([`Plan::derives_strength`]).
-    derives_strength: bool,
+    /// Whether the yield strengths of sphere and half-space follow from the swept values ([`Plan::derives_strength`]).
+    derives: [bool; 2],
     /// Input and contact of every combination of the axes that change the contact. Empty if there are too many
     /// combinations.
     contacts: Vec<(Input, Known)>,
@@ -141,21 +142,22 @@ impl<'a> Evaluator<'a> {
         };
         let contacts =
             if combinations <= MOST_CONTACTS { (0..combinations).map(combination).collect() } else { Vec::new() };
-        Self { plan, derives_strength: plan.derives_strength(), contacts, strides }
+        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), contacts, strides }
     }
 
     /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
     /// changes it.
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
-        let strength = plan.input.half_space().yield_strength;
-        let known = |contact: &Contact| (plan.input.clone(), Known { strength, contact: Ok(contact.clone()) });
+        let (sphere, half_space) = plan.input.bodies(&plan.input.law());
+        let strengths = [sphere.yield_strength, half_space.yield_strength];
+        let known = |contact: &Contact| (plan.input.clone(), Known { strengths, contact: Ok(contact.clone()) });
         let contacts = contact.map(known).into_iter().collect();
-        Self { plan, derives_strength: plan.derives_strength(), contacts, strides: Vec::new() }
+        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), contacts, strides: Vec::new() }
     }
 
     /// How many swept values a row has.
     pub fn n_swept(&self) -> usize {
-        self.plan.paths().len() + usize::from(self.derives_strength)
+        self.plan.paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
     }
 
     /// The input at these places. It is made from that of the plan or of its combination, never from that of the row before,
@@ -190,8 +192,11 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Appends the row of an input with this contact.
-    fn row(&self, input: &Input, Known { strength, contact }: &Known, rows: &mut Rows) {
-        rows.swept.extend(strength.filter(|_| self.derives_strength));
+    fn row(&self, input: &Input, Known { strengths, contact }: &Known, rows: &mut Rows) {
+        for (strength, is_derived) in strengths.iter().zip(self.derives) {
+            // a body that stays elastic has none
+            rows.swept.extend(is_derived.then(|| strength.unwrap_or(f64::NAN)));
+        }
         let row = contact.as_ref().map_err(|error| *error);
         let row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
         rows.results.push(row);
@@ -256,7 +261,7 @@ impl<'a> Evaluator<'a> {
 
     /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
-    /// values only a yield strength that follows from the keys is appended.
+    /// values only yield strengths that follow from the keys are appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
         let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
         let mut input = self.plan.input.clone();

@@ -56,7 +56,7 @@ pub(super) fn law(
     let plm = Plm {
         coefficients: Arc::new(coefficients.clone()),
         exponent: UnloadingExponent::PressureShape,
-        flow: materials.curve().filter(|_| hardens),
+        flow: [None, materials.curve().filter(|_| hardens)],
     };
     Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
 }

@@ -27,7 +27,8 @@ const GROUP: Group = Group::of("measured: rebound of Leeb devices", REFERENCE, "
 pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, Error> {
     let sphere = Sphere::elastic(TIP, device.tip(), device.mass / sphere_volume(TIP));
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
-    let law = Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: None };
+    let law =
+        Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: [None, None] };
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
     Ok(impact.measured_restitution())
 }

@@ -41,8 +41,6 @@ pub fn fields() -> Value {
 pub fn materials() -> Value {
     let entry = |entry: &Entry| {
         let defaults = Body::ALL.into_iter().flat_map(Body::defaults);
-        // where the sphere takes a yield strength from a hardness, it is another number
-        let defaults = defaults.filter(|(key, _)| *key != "sphere.yield_strength");
         let written =
             |(key, property): &(&str, Property)| Some(((*key).to_owned(), json!(entry.of(*property)?.taken.text)));
         let values: Map<_, _> = defaults.filter_map(written).collect();

@@ -99,6 +99,7 @@ fn beside(path: &str) -> (&'static [&'static str], &'static str) {
     match path {
         "sphere.mass" => (&["sphere.mass=7"], "density = \"7850 kg/m^3\"\n"),
         "half_space.hardness" => (&["half_space.hardness=7e9"], "yield_strength = \"345 MPa\"\n"),
+        "sphere.hardness" => (&["sphere.hardness=7e9"], ""),
         "impact.drop_height" => (&["impact.drop_height=7"], "speed = \"3 m/s\"\n"),
         // without an angle nothing slides
         "sphere.moment_of_inertia" | "friction.coefficient" => {
@@ -114,6 +115,16 @@ fn beside(path: &str) -> (&'static [&'static str], &'static str) {
             (&["impact.drop_height=7", "air.density=1", "air.drag=0.5"], "speed = \"3 m/s\"\n")
         }
         // a key of a flow curve needs a curve of its form
+        path if path.starts_with("sphere.flow_stress.power") => {
+            (&["sphere.yield_strength=9e8", "sphere.flow_stress.power.exponent=0.1"], "")
+        }
+        path if path.starts_with("sphere.flow_stress.voce") => (
+            &["sphere.yield_strength=9e8", "sphere.flow_stress.voce.saturation=2", "sphere.flow_stress.voce.rate=20"],
+            "",
+        ),
+        path if path.starts_with("sphere.flow_stress.linear") => {
+            (&["sphere.yield_strength=9e8", "sphere.flow_stress.linear.slope=1e9"], "")
+        }
         path if path.contains(".power.") => (&["half_space.flow_stress.power.exponent=0.1"], ""),
         path if path.contains(".voce.") => {
             (&["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"], "")
@@ -131,7 +142,7 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         // a value inside of the range of the key
         let value = match key.path {
             "solver.tolerance" => 1e-3,
-            "half_space.hardness" => 1.25e9,
+            "half_space.hardness" | "sphere.hardness" => 1.25e9,
             _ if is_share => 0.25,
             _ => 1.25,
         };

@@ -78,7 +78,7 @@ fn a_hardness_and_an_exponent_meet_at_a_strain_of_0_08() {
 #[test]
 fn every_form_of_a_flow_curve_is_read() {
     let flow = |text: &str| match scene(&with_flow(text)).law() {
-        LawChoice::Plm(plm) => plm.flow,
+        LawChoice::Plm(plm) => plm.flow[1].clone(),
         _ => None,
     };
     assert_eq!(flow("power = { exponent = 0.1 }"), Some(FlowCurve::Power { exponent: 0.1 }));

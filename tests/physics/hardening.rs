@@ -11,7 +11,7 @@ const EXPONENTS: [UnloadingExponent; 3] =
     [UnloadingExponent::Paper, UnloadingExponent::PressureShape, UnloadingExponent::Fixed(1.4)];
 
 fn steel(flow: Option<FlowCurve>, exponent: UnloadingExponent) -> Contact {
-    Scene::steel().contact_by(&Plm { exponent, flow, ..Plm::default() })
+    Scene::steel().contact_by(&Plm { exponent, flow: [None, flow], ..Plm::default() })
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn hardening_law(ratio: f64, yield_strength: f64, flow: FlowCurve, exponent: Unl
     let sphere = Material { youngs_modulus: MODULUS * 10_f64.powf(ratio), poissons_ratio: 0.3 };
     let half_space = HalfSpace { material: half_space, yield_strength: Some(yield_strength), density: None };
     let pair = Pair::try_new(&Sphere::elastic(1.0, sphere, 1.0), &half_space).unwrap();
-    let law = Plm { exponent, flow: Some(flow), ..Plm::default() }.of_pair(&pair).unwrap().unwrap();
+    let law = Plm { exponent, flow: [None, Some(flow)], ..Plm::default() }.of_pair(&pair).unwrap().unwrap();
     (law, Bodies::new(&pair).unwrap())
 }
 
@@ -179,7 +179,7 @@ fn a_curve_steeper_than_youngs_modulus_is_refused_with_its_place() {
         (points(&[[0.001, 556e6], [0.1, 700e6]]), Some("between plastic strain 0 and 0.001 ")),
         (points(&[[0.0, 345e6 * (1.0 + 1e-12)], [0.1, 700e6]]), None),
     ] {
-        let plm = Plm { flow: Some(curve.clone()), ..Plm::default() };
+        let plm = Plm { flow: [None, Some(curve.clone())], ..Plm::default() };
         let (sphere, half_space) = Scene::steel().parts();
         let got = Contact::try_new(sphere, half_space, &plm).map(|_| ()).map_err(|error| error.to_string());
         match place {
@@ -198,7 +198,7 @@ fn an_exponent_that_no_branch_can_have_has_no_answer() {
     let (sphere, half_space, yield_strength) = (material(1.6e9), material(437e9), Some(130e6));
     let scene = Scene { sphere, half_space, yield_strength, ..Scene::steel() };
     for flow in [FlowCurve::Voce { saturation: 22.7, rate: 148.0 }, FlowCurve::Power { exponent: 0.5 }] {
-        let plm = Plm { exponent: UnloadingExponent::PressureShape, flow: Some(flow), ..Plm::default() };
+        let plm = Plm { exponent: UnloadingExponent::PressureShape, flow: [None, Some(flow)], ..Plm::default() };
         let contact = scene.contact_by(&plm);
         let yields = contact.yield_speed().unwrap();
         let mut refused = 0;
@@ -233,7 +233,7 @@ fn e_is_as_far_off_as_the_table_of_strengths_says() {
                 Bodies::new(&Pair::try_new(&Sphere::elastic(1.0, materials.sphere(), 1.0), &half_space).unwrap())
                     .unwrap();
             let flow = strain.is_none().then_some(curve);
-            let law = Plm { exponent, flow, ..Plm::default() }.law(&bodies).unwrap();
+            let law = Plm { exponent, flow: [None, flow], ..Plm::default() }.law(&bodies).unwrap();
             // F_Y δ_Y is proportional to the fifth power of the strength
             let spent = want.spent / ratio.powi(5);
             let x = law.loading.pieces()[law.loading.index_at_work(spent)].indentation_at_work(spent);

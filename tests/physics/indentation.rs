@@ -110,7 +110,7 @@ fn doubts_are_raised_once_by_the_step_that_gives_them() {
     // nothing says how hard a half-space will be that hardens
     let strong = Indenter { yield_strength: Some(1.2e9), ..indenter() };
     let half_space = alloy(77e9, Some(630e6));
-    let plm = Plm { flow: Some(FlowCurve::Power { exponent: 0.01 }), ..Plm::default() };
+    let plm = Plm { flow: [None, Some(FlowCurve::Power { exponent: 0.01 })], ..Plm::default() };
     let contact = StaticContact::try_new(strong, &half_space, &plm).unwrap();
     let doubts = |targets: &[Target]| contact.indent(targets, None).unwrap().doubts;
     assert!(doubts(&[Load(1.0), Load(0.0)]).is_empty());

@@ -147,26 +147,48 @@ fn a_lead_ball_on_steel_hardly_rebounds() {
 }
 
 /// The law in units of first yield does not know which of two bodies flows, but for the flat. So with a sphere that is large beside
-/// its contact an exchange of the bodies changes nothing.
+/// its contact an exchange of the bodies changes nothing, and none of their flow curves.
 #[test]
 fn sphere_and_half_space_change_places_where_the_contact_is_small() {
     let [stiff, soft] = [210e9, 70e9].map(|youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 });
-    let law = |strengths: [Option<f64>; 2], materials: [Material; 2]| {
+    let law = |strengths: [Option<f64>; 2], materials: [Material; 2], flow: [Option<FlowCurve>; 2]| {
         let sphere = Sphere { yield_strength: strengths[0], ..Sphere::elastic(1.0, materials[0], 1.0) };
         let half_space = HalfSpace { material: materials[1], yield_strength: strengths[1], density: None };
-        let contact = Contact::try_new(sphere, half_space, &Plm::default()).unwrap();
+        let contact = Contact::try_new(sphere, half_space, &Plm { flow, ..Plm::default() }).unwrap();
         let (_, law, _) = contact.scaled(100.0 * contact.yield_speed().unwrap()).unwrap();
         law.clone()
     };
-    for strength in [1e3, 1e4] {
-        let dented = law([None, Some(strength)], [stiff, soft]);
-        let flattened = law([Some(strength), None], [soft, stiff]);
+    let curves = [None, Some(FlowCurve::Power { exponent: 0.2 })];
+    for (strength, curve) in [1e3, 1e4].into_iter().flat_map(|strength| curves.clone().map(|curve| (strength, curve))) {
+        let dented = law([None, Some(strength)], [stiff, soft], [None, curve.clone()]);
+        let flattened = law([Some(strength), None], [soft, stiff], [curve, None]);
         for x in [1.5, 3.0, 30.0, 300.0] {
             let [one, two] = [&dented, &flattened].map(|law| law.loaded_to(x));
             assert!(off(two.force, one.force) < 1e-3, "{strength} {x}: {} {}", one.force, two.force);
             assert!(off(two.elastic_approach, one.elastic_approach) < 1e-3, "{strength} {x}");
         }
     }
+}
+
+/// A flow curve that does not rise is the law of one strength, and one that rises lets more come back. A flow curve is known of a body
+/// that flows alone.
+#[test]
+fn a_ball_that_hardens_is_the_softer_body_with_a_flow_curve() {
+    let of = |ratio: f64, flow: [Option<FlowCurve>; 2]| {
+        let (sphere, half_space) = Scene::steel().parts();
+        let sphere = Sphere { yield_strength: Some(ratio * 345e6), ..sphere };
+        Contact::try_new(sphere, half_space, &Plm { flow, ..Plm::default() })
+    };
+    let power = |exponent| Some(FlowCurve::Power { exponent });
+    for speed in [0.05, 0.5, 3.0, 10.0] {
+        let e = |flow| of(0.5, [flow, None]).unwrap().closed_form(speed).unwrap().restitution;
+        assert!(off(e(power(0.0)), e(None)) < 1e-12, "{speed}");
+        assert!(e(power(0.1)) > e(None) && e(power(0.3)) > e(power(0.1)), "{speed}");
+    }
+    assert!(matches!(of(1.1, [power(0.1), None]), Err(plm_impact::impact::ImpactError::Law(_))));
+    // the curve of a body that stays elastic has no part in the law
+    let [with, without] = [power(0.1), None].map(|curve| of(2.0, [curve, None]).unwrap().closed_form(3.0).unwrap());
+    assert_eq!(with.restitution, without.restitution);
 }
 
 proptest! {

@@ -8,13 +8,13 @@
 //!
 //! β is the share of the flow that goes into the sphere ([`Flow`](crate::material::Flow)). f_P, ε_P and A_P = f_P/ε_P are those
 //! of the law without φ, and A_fp is where its approach is fully plastic. The contact radius and the exponent "pressure-shape"
-//! follow from A_P. From the point on where a/R reaches 0.6 φ keeps its value. A half-space that flows alone has β = 0, and the
+//! follow from A_P. A sphere that hardens has A' in place of A_P, and the yield point of σ_rep in s
+//! ([`hardening`](super::hardening)). From the point on where a/R reaches 0.6 φ keeps its value. A half-space that flows alone has β = 0, and the
 //! law is as it is.
 //!
 //! Finite elements of 11 pairs of bodies and 31 unloadings with a/R up to 0.3, of which two constants are fitted here: force
 //! 0.94 % rms and 2.5 % largest, residual indentation 0.5 and 1.5 % of the depth, e with "pressure-shape" 0.93 and 1.9 %.
 
-use super::contact_radius::RadiusTable;
 use super::hardening::points;
 use crate::curve::Curve;
 use crate::material::YieldPoint;
@@ -38,23 +38,22 @@ pub struct Flattening {
 }
 
 impl Flattening {
-    /// The curve f, and what it leaves to be known of f_P. `approach` gives ε_P at (x, f_P), `plastic_from` is A_fp.
+    /// The curve f, and what it leaves to be known of f_P. `radii` gives A_P and a/a_Y at (x, f_P), `plastic_from` is A_fp.
     pub(super) fn of(
         point: &YieldPoint,
         sphere_compliance: f64,
         yield_radius_ratio: f64,
         plastic_from: f64,
         plain: Curve,
-        radius: &RadiusTable,
-        approach: impl Fn(f64, f64) -> f64,
+        radii: impl Fn(f64, f64) -> [f64; 2],
     ) -> (Curve, Self) {
         let share = point.flow.sphere_share;
         let softening = SOFTENING * share * yield_radius_ratio * yield_radius_ratio;
         let state = |x: f64| {
             let force = plain.force(x);
-            let equivalent = force / approach(x, force);
-            let ratio = radius.true_radius(equivalent) * yield_radius_ratio;
-            (force, 1.0 + softening * x * (1.0 - plastic_from / equivalent).max(0.0), ratio)
+            let [equivalent, radius] = radii(x, force);
+            let factor = 1.0 + softening * x * (1.0 - plastic_from / equivalent).max(0.0);
+            (force, factor, radius * yield_radius_ratio)
         };
         let knots: Vec<f64> = plain.pieces().iter().skip(1).map(|piece| piece.start).collect();
         let mut curve = Curve::hertz();
@@ -77,9 +76,9 @@ impl Flattening {
         (curve.with_crossings(), Self { plain, recovery, widest })
     }
 
-    /// The share of ε_line that comes back at x > 1.
-    pub(super) fn recovered(&self, x: f64) -> f64 {
-        1.0 - self.recovery * (x.sqrt() - 1.0)
+    /// The share of ε_line that comes back at x > 1, where the strength is σ_rep = r σ_Y.
+    pub(super) fn recovered(&self, x: f64, r: f64) -> f64 {
+        1.0 - self.recovery * (x.sqrt() - r)
     }
 
     /// f_P.

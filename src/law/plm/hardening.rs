@@ -1,4 +1,4 @@
-//! The PLM on a half-space that hardens: the yield strength grows with the strain under the sphere.
+//! The PLM of a body that hardens: the yield strength grows with the strain under the contact.
 //!
 //! ```text
 //! s     = √(δ/R) − √(δ_Y/R)                             a measure of the strain, for δ > δ_Y
@@ -12,8 +12,8 @@
 //! ```
 //!
 //! Against finite elements of ten metals that harden, at contact radii up to 0.32 R: e rms 1.1 %, largest 2.9 %; peak force
-//! 1.4 % and 3.8 %; contact radius 1.5 % and 3.5 %. Not covered: softening, yield plateaus, strain rate, kinematic hardening,
-//! a sphere that yields. That a hardened dent reloads like any other is assumed.
+//! 1.4 % and 3.8 %; contact radius 1.5 % and 3.5 %. Not covered: softening, yield plateaus, strain rate, kinematic hardening.
+//! A sphere that hardens takes the same formulas without finite elements of its own. That a hardened dent reloads like any other is assumed.
 
 use std::iter::successors;
 
@@ -44,7 +44,7 @@ pub struct Hardening {
 }
 
 impl Hardening {
-    /// For a half-space whose flow stress rises so, which yields first at this a_Y/R.
+    /// For a body whose flow stress rises so, which yields first at this a_Y/R.
     pub(super) fn new(rise: Rise, yield_radius_ratio: f64, line: LineSlopes) -> Self {
         Self { rise, yield_radius_ratio, line }
     }
@@ -66,16 +66,16 @@ impl Hardening {
         (strain > last).then_some((strain, last))
     }
 
-    /// ε at a point (x, f) with x > 1.
+    /// ε at a point (x, f) with x > 1, where this share of ε_line comes back.
     #[inline(never)]
-    pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+    pub(crate) fn elastic_approach(&self, x: f64, force: f64, share: f64) -> f64 {
         let r = self.strength(x);
         let yield_indentation = r * r;
         if x <= yield_indentation {
             return x;
         }
         let on_line = self.line.approach(force / (yield_indentation * r), self.yield_radius_ratio * r);
-        (yield_indentation * on_line).min(x)
+        (yield_indentation * on_line * share).min(x)
     }
 
     /// The shape of the contact pressure at x, where the Hertz-equivalent radius is A = f/ε.

@@ -12,7 +12,7 @@ use crate::law::unloading::{Peak, Unloading, UnloadingExponent, exponent_within,
 pub struct PlmRule {
     /// The elastic approach over the force.
     pub line: ElasticLine,
-    /// How a half-space that hardens changes it.
+    /// How a body that hardens changes it.
     pub hardening: Option<Hardening>,
     /// How a sphere that flows changes it.
     pub flattening: Option<Flattening>,
@@ -31,10 +31,14 @@ impl PlmRule {
     /// ε at a point (x, f) of the loading curve.
     #[inline(always)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match &self.flattening {
+        match (&self.flattening, &self.hardening) {
             _ if x <= 1.0 => x,
-            None => self.plain_approach(x, force),
-            Some(flattening) => (self.line.at(force) * flattening.recovered(x)).min(x),
+            (None, _) => self.plain_approach(x, force),
+            (Some(flattening), None) => (self.line.at(force) * flattening.recovered(x, 1.0)).min(x),
+            (Some(flattening), Some(hardening)) => {
+                let share = flattening.recovered(x, hardening.strength(x));
+                hardening.elastic_approach(x, force, share)
+            }
         }
     }
 
@@ -43,7 +47,7 @@ impl PlmRule {
     pub(super) fn plain_approach(&self, x: f64, force: f64) -> f64 {
         match &self.hardening {
             None => self.line.at(force).min(x),
-            Some(hardening) => hardening.elastic_approach(x, force),
+            Some(hardening) => hardening.elastic_approach(x, force, 1.0),
         }
     }
 
@@ -57,6 +61,14 @@ impl PlmRule {
             }
             _ => peak.force / peak.elastic_approach,
         }
+    }
+
+    /// At (x, f) of a law without a flat: A, in units of the strength that the body that flows has reached there, and a/a_Y.
+    pub(super) fn radii(&self, x: f64, force: f64) -> [f64; 2] {
+        let peak = Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) };
+        let equivalent = self.equivalent(&peak);
+        let of = |hardening: &Hardening| hardening.shape(x, equivalent).equivalent;
+        [self.hardening.as_ref().map_or(equivalent, of), self.contact_radius(&peak)]
     }
 
     /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.

@@ -1,0 +1,106 @@
+//! The strength of a body: the keys that give it, which are the same for sphere and half-space, and what follows from them.
+
+use super::at::{At, NUMBER, OTHER, known};
+use super::input::{Input, Value};
+use super::taken::Body;
+use crate::strength::flow::FlowCurve;
+use crate::strength::hardness::strength_of_hardness;
+
+/// The keys of the strength of a body.
+#[derive(Debug)]
+pub struct StrengthKeys {
+    /// The table of the flow curve.
+    pub flow_stress: &'static str,
+    pub yield_strength: At<NUMBER>,
+    pub hardness: At<NUMBER>,
+    pub exponent: At<NUMBER>,
+    saturation: At<NUMBER>,
+    rate: At<NUMBER>,
+    slope: At<NUMBER>,
+    points: At<OTHER>,
+    table: At<OTHER>,
+    pub modulus: At<NUMBER>,
+}
+
+macro_rules! keys_of {
+    ($body:literal) => {
+        StrengthKeys {
+            flow_stress: concat!($body, ".flow_stress"),
+            yield_strength: known(concat!($body, ".yield_strength")),
+            hardness: known(concat!($body, ".hardness")),
+            exponent: known(concat!($body, ".flow_stress.power.exponent")),
+            saturation: known(concat!($body, ".flow_stress.voce.saturation")),
+            rate: known(concat!($body, ".flow_stress.voce.rate")),
+            slope: known(concat!($body, ".flow_stress.linear.slope")),
+            points: known(concat!($body, ".flow_stress.points")),
+            table: known(concat!($body, ".flow_stress.table")),
+            modulus: known(concat!($body, ".youngs_modulus")),
+        }
+    };
+}
+
+impl Body {
+    /// The keys of its strength.
+    #[inline]
+    pub fn strength_keys(self) -> &'static StrengthKeys {
+        const SPHERE: StrengthKeys = keys_of!("sphere");
+        const HALF_SPACE: StrengthKeys = keys_of!("half_space");
+        match self {
+            Self::Sphere => &SPHERE,
+            Self::HalfSpace => &HALF_SPACE,
+        }
+    }
+}
+
+impl Input {
+    /// The yield strength of a body \[Pa\], by itself or by its hardness. A flow curve that begins at it has its part in that.
+    #[inline]
+    pub fn yield_strength(&self, of: Body, flow: Option<&FlowCurve>) -> Option<f64> {
+        let keys = of.strength_keys();
+        match self.number(keys.hardness) {
+            Some(mean_pressure) => {
+                let modulus = self.number(keys.modulus).unwrap_or(f64::NAN);
+                Some(strength_of_hardness(mean_pressure, flow, modulus))
+            }
+            None => self.number(keys.yield_strength),
+        }
+    }
+
+    /// Whether a strength of the body is given.
+    pub fn has_strength(&self, of: Body) -> bool {
+        let keys = of.strength_keys();
+        self.number(keys.yield_strength).or(self.number(keys.hardness)).is_some()
+    }
+
+    /// Whether a body has a strength, without which nothing yields.
+    pub fn can_yield(&self) -> bool {
+        Body::ALL.into_iter().any(|body| self.has_strength(body))
+    }
+
+    /// The flow curve of a body, if all its numbers are given.
+    pub fn flow_curve(&self, of: Body) -> Option<FlowCurve> {
+        let keys = of.strength_keys();
+        let number = |at| self.number(at);
+        if let Some(exponent) = number(keys.exponent) {
+            return Some(FlowCurve::Power { exponent });
+        }
+        if let Some((saturation, rate)) = number(keys.saturation).zip(number(keys.rate)) {
+            return Some(FlowCurve::Voce { saturation, rate });
+        }
+        if let Some(slope) = number(keys.slope) {
+            return Some(FlowCurve::Linear { slope });
+        }
+        let (points, table) = (self.value(keys.points), || self.value(keys.table));
+        if let Some(Value::Curve(curve)) = points.or_else(table) { Some(curve.clone()) } else { None }
+    }
+
+    /// Puts the strength itself in place of what it follows from, and the points of a file in place of the file.
+    pub(super) fn fill_strength(&mut self, of: Body, strength: Option<f64>) {
+        let keys = of.strength_keys();
+        self.set(keys.yield_strength, strength);
+        if let Some(curve) = self.value(keys.table).cloned() {
+            self.put_value(keys.points, Some(curve));
+            self.put_value(keys.table, None);
+        }
+    }
+}
