@@ -9,7 +9,6 @@ use std::path::Path;
 use serde::Serialize;
 use thiserror::Error;
 
-/// What kind of failure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorKind {
     /// A run failed.
@@ -34,14 +33,14 @@ pub struct Error {
     /// The texts of other mistakes that were found with it.
     also: Vec<String>,
     pub details: Box<Details>,
-    /// What the file system said, where that is the reason.
+    /// The error of the file system, where that is the reason.
     pub reason: Option<io::Error>,
 }
 
-/// What is known of an error besides its text, for programs.
+/// An error in parts, for programs.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Details {
-    /// What is wrong, and the way out, without the place.
+    /// It tells what is wrong and the way out, without the place.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
     /// The file.
@@ -106,7 +105,6 @@ impl Error {
         }
     }
 
-    /// Whether a file is not there.
     pub fn is_not_found(&self) -> bool {
         self.reason.as_ref().is_some_and(|reason| reason.kind() == io::ErrorKind::NotFound)
     }
@@ -132,13 +130,12 @@ impl Error {
         }
     }
 
-    /// The same error, with the file that it is about.
+    /// Returns the error with the file that it is about.
     #[must_use]
     pub fn about(self, file: impl Display) -> Self {
         self.with(Details { file: Some(file.to_string()), ..Details::default() })
     }
 
-    /// The same error with these details.
     #[must_use]
     pub fn with(self, details: Details) -> Self {
         Self { details: details.into(), ..self }
@@ -151,7 +148,6 @@ impl Error {
         self
     }
 
-    /// 2 where the input has to change, 1 where a run failed, 3 where a validation missed a tolerance or measurements
     /// 2 where the input has to change, 1 where a run failed, 3 where measurements contradict the law, 130 and 143
     /// after a signal.
     pub fn exit_code(&self) -> u8 {

@@ -45,10 +45,9 @@ use crate::error::Error;
 use crate::impact::Warning;
 use crate::plan::axis::Setting;
 use crate::scene::at::at;
-use crate::scene::keys::NEEDED;
-use crate::scene::keys::partner;
+use crate::scene::keys::{NEEDED, partner, varied as varied_key};
 use crate::scene::read::{Reader, items};
-use crate::scene::taken::Taken;
+use crate::scene::taken::{Body, Taken};
 use crate::scene::{EITHER, EVERY_KEY, Input, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 pub use kind::{Kind, template};
@@ -94,7 +93,7 @@ impl Scenario {
         Self::in_directory(name, text, overrides, PathBuf::new())
     }
 
-    /// The same, where files that it names are relative to a directory.
+    /// Reads a scenario from a text whose files are relative to a directory.
     ///
     /// # Errors
     /// [`Error`], naming line, value, allowed range.
@@ -128,7 +127,9 @@ impl Scenario {
             input.read(tables, "", &mut reader);
             varied = Varied::read(tables, &mut reader);
         }
-        let has_unknown = reader.has_unknown;
+        // a material that is refused would have given keys
+        let lacks_material = |(path, _): &(String, _)| Body::of_key(varied_key(path)).is_some();
+        let has_unknown = reader.has_unknown || reader.refused.iter().any(lacks_material);
         let mut mistakes = document.refused(reader.refused);
         let taken = varied.take_materials(&input, &document).unwrap_or_else(|mistake| {
             mistakes.push(mistake);
@@ -146,7 +147,7 @@ impl Scenario {
         }
         let scenario = Self { document, input, varied, files, directory, from_results: None };
         mistakes.extend(scenario.beside());
-        // a misspelt key is not told as a missing one too
+        // a misspelt key, or what a misspelt material gives, is not told as missing too
         if !has_unknown {
             let kind = scenario.kind().unwrap_or(Kind::Indentation);
             let is_of_impacts = !matches!(kind, Kind::Indentation | Kind::Calibrate);

@@ -16,7 +16,7 @@ use crate::scene::taken::{Body, Taken};
 use crate::scene::{Input, Key};
 
 impl Varied {
-    /// What the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
+    /// Finds what the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
     /// is drawn becomes random keys.
     pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<Taken>, Error> {
         let mut all = Vec::new();
@@ -73,7 +73,8 @@ impl Varied {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
             Some([Word::Material(first), ..]) => Some(first.material),
-            _ => materials::all().get(input.word(body.material_key())?),
+            // the file of materials is read only for a body that names one
+            _ => input.word(body.material_key()).and_then(|place| materials::all().get(place)),
         }
     }
 

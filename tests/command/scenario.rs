@@ -349,6 +349,12 @@ fn all_mistakes_of_a_file_are_told_at_once() {
     assert_eq!(error.details.others.len(), mistakes.len() - 1, "{told}");
     let keys: Vec<&str> = error.details.others.iter().filter_map(|other| other.key.as_deref()).collect();
     assert!(keys.contains(&"half_space.edge_distance") && keys.contains(&"impact.angle"), "{keys:?}");
+    // what a misspelt material would have given is not told as missing
+    let materials = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardend\"\n[half_space]\nmaterial = \"steel-s2355\"\n\
+                     [impact]\nspeed = 1\n";
+    let error = Scenario::from_text("two.toml", materials, &[]).unwrap_err();
+    assert_eq!(error.details.others.len(), 1, "{error}");
+    assert!(!error.to_string().contains("missing"), "{error}");
     // of very many mistakes it is said how many there are
     let many = format!("{STEEL}[sweep]\n{}", (0..50).map(|i| format!("a{i} = 1\n")).collect::<Vec<_>>().concat());
     let told = Scenario::from_text("s.toml", &many, &[]).unwrap_err().to_string();
