@@ -7,7 +7,7 @@ mod source;
 
 use crate::impact::{Method, Warning};
 use crate::scene::at::at;
-use crate::scene::results::{Column, Needs, columns};
+use crate::scene::results::{Column, columns};
 use crate::scene::taken::Body;
 use crate::scene::{Input, Key, Use, without_effect};
 use axis::{Axis, Word};
@@ -59,7 +59,7 @@ impl Plan {
         if let Cases::Grid(axes) = &self.cases { axes } else { &[] }
     }
 
-    /// How many cases, or `u64::MAX` for more than can be counted. More than [`MOST_CASES`] are refused while the
+    /// The number of cases, or `u64::MAX` for more than can be counted. More than [`MOST_CASES`] are refused while the
     /// scenario is read.
     pub fn count(&self) -> u64 {
         match &self.cases {
@@ -205,7 +205,6 @@ impl Plan {
         self.worded().iter().map(of).fold(0.25, f64::max)
     }
 
-    /// Whether values are random.
     pub fn is_monte_carlo(&self) -> bool {
         matches!(self.cases, Cases::MonteCarlo { .. })
     }

@@ -16,5 +16,5 @@ pub(crate) mod rounded;
 mod table;
 
 pub use dimension::Dimension;
-pub use format::{capital, describe, exact, four_digits, human, number, si};
+pub use format::{capital, describe, exact, four_digits, human, number, percent, quantity, si};
 pub use parse::{parse, parse_as};

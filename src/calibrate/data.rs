@@ -28,7 +28,7 @@ use crate::units::{Dimension, parse};
 pub struct Value {
     /// The row of the value.
     pub row: usize,
-    /// What was measured.
+    /// The kind of measurement.
     pub quantity: Measured,
     /// The value in SI units.
     pub value: f64,
@@ -62,7 +62,7 @@ pub struct Data {
     pub values: Vec<Value>,
 }
 
-/// What a column holds.
+/// The use of a column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Role {
     Key(usize),
@@ -89,7 +89,7 @@ impl Data {
         Self { name: name.to_owned(), keys: Vec::new(), rows: vec![Row::default()], values }
     }
 
-    /// Whether the rows are points of an indentation curve, not impacts.
+    /// The rows are then points of an indentation curve, not impacts.
     pub fn is_curve(&self) -> bool {
         self.values.iter().any(|value| value.quantity == Measured::Force)
     }

@@ -11,7 +11,7 @@ const NO_SCATTER: f64 = 1e-6;
 /// The noise is a share of what the law gives, or of this part of the reading where the law gives less.
 const LEAST: f64 = 0.5;
 
-/// What is known of the noise.
+/// How the standard deviations are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Noise {
     /// The standard deviations are given.
@@ -35,7 +35,6 @@ pub enum Noise {
 pub struct NoiseModel {
     pub instrument: Vec<f64>,
     pub share: f64,
-    /// Whether only the ratios of the standard deviations are known.
     pub is_estimated: bool,
 }
 
@@ -55,7 +54,6 @@ pub struct Fit<'a> {
     pub minima: Vec<Place>,
     /// Covariance of the keys, as shares of their ranges; `None` if the measurements do not determine a key.
     pub covariance: Option<DMatrix<f64>>,
-    /// What is known of the noise.
     pub noise: Noise,
     /// Akaike's information criterion: lower is better.
     pub aic: f64,
@@ -150,7 +148,7 @@ impl<'a> Fit<'a> {
         self.problem.values(&self.best().shares)
     }
 
-    /// Whether nothing is known of the noise.
+    /// The noise is unknown then, and so are the intervals.
     pub fn has_no_noise(&self) -> bool {
         matches!(self.noise, Noise::TooFew | Noise::NoScatter)
     }

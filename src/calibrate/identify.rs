@@ -10,8 +10,7 @@ use super::minimum::Place;
 use super::problem::Problem;
 use crate::math::functions::{exp, ln};
 use crate::scene::measured::Measured;
-use crate::units::four_digits;
-use crate::units::rounded::percent;
+use crate::units::{four_digits, percent};
 
 /// Usual error of a law, as a share of a prediction.
 pub const LAW: f64 = 0.02;

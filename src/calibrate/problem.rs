@@ -14,7 +14,6 @@ use crate::plan::free::Free;
 use crate::progress::Counter;
 use crate::scene::Input;
 
-/// Why the law predicts nothing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoAnswer {
     /// An impact has no result.
@@ -51,7 +50,7 @@ pub struct Problem<'a> {
     pub data: &'a Data,
     /// Standard deviation of each value of the data.
     pub deviations: Vec<f64>,
-    /// Whether the likelihood has long tails.
+    /// The likelihood then has long tails.
     pub is_robust: bool,
     /// Pieces of rows; all rows of a piece have the same contact, or are points of one curve.
     pieces: Vec<Vec<usize>>,
@@ -87,13 +86,13 @@ impl<'a> Problem<'a> {
         Self { progress: Some(progress), ..self }
     }
 
-    /// The same keys and the same law with other data, only to predict: every standard deviation is 1.
+    /// Replaces the data, to predict them by the same keys and law: every standard deviation is 1.
     #[must_use]
     pub fn predicting<'b>(&'b self, data: &'b Data) -> Problem<'b> {
         Problem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
     }
 
-    /// The same problem with at most `most` impacts, at even steps through the data. A curve keeps all points.
+    /// Leaves at most `most` impacts, at even steps through the data. A curve keeps all points.
     #[must_use]
     pub fn thinned(&self, most: usize) -> Self {
         let step = if self.data.is_curve() { 1 } else { self.data.rows.len().div_ceil(most) };

@@ -8,8 +8,7 @@ use super::problem::NoAnswer;
 use super::profile::Ends;
 use super::statistics::{Runs, p_of_chi_square};
 use crate::plan::free::Free;
-use crate::units::four_digits;
-use crate::units::rounded::percent;
+use crate::units::{four_digits, percent};
 
 /// With `robust`, residuals of more than this many standard deviations are outliers.
 pub(super) const OUTLIER: f64 = 3.0;

@@ -7,8 +7,7 @@ use super::warning::{FULLY, Warning, WarningKind};
 use crate::law::Law;
 use crate::material::{HalfSpace, Material, Pair, YieldPoint};
 use crate::materials::{Class, Entry};
-use crate::units::rounded::quantity;
-use crate::units::{Dimension, four_digits, human};
+use crate::units::{Dimension, four_digits, human, quantity};
 
 /// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.
 const LIGHT: f64 = 100.0;
@@ -71,7 +70,7 @@ pub(crate) fn left_out(
 pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
     let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > 1.1 * strength)?;
     let ratio = pressure / strength;
-    let [peak, own] = [pressure, strength].map(|pressure| quantity(pressure, "Pa"));
+    let [peak, own] = [pressure, strength].map(|pressure| quantity(pressure, Dimension::Pressure));
     let text = if ratio > FULLY {
         format!(
             "the {body} yields, which is left out here: {so}; the law plm lets it yield beside a {other} that does not harden (peak mean pressure {peak}, {} times the {body}'s yield strength {own})",

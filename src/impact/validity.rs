@@ -15,8 +15,7 @@ use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
 use crate::law::{Ground, Law, Peak, Raised, Unloading};
 use crate::math::root::halved;
-use crate::units::rounded::percent;
-use crate::units::{Dimension, four_digits, human};
+use crate::units::{Dimension, four_digits, human, percent};
 use of_run::{of_gain, of_rebound, of_run};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.

@@ -17,8 +17,7 @@ use super::{Peak, Unloading, UnloadingShape};
 use crate::curve::Curve;
 use crate::math::root::halved;
 use crate::strength::flow::FlowError;
-use crate::units::four_digits;
-use crate::units::rounded::percent;
+use crate::units::{four_digits, percent};
 
 /// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there.
 pub const LARGEST_CUT: f64 = 0.05;

@@ -14,7 +14,6 @@ const TABULATED: u64 = 1 << 19;
 /// The numbers of an axis, in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// As listed.
     List(Vec<f64>),
     /// Evenly spaced, both ends included; may fall.
     Spaced {
@@ -55,22 +54,21 @@ impl Values {
         }
     }
 
-    /// The same values as a list, where that is short.
+    /// Makes a list of the values, where that is short.
     fn tabulated(self) -> Self {
         if self.len() <= TABULATED { Self::List((0..self.len()).map(|i| self.at(i)).collect()) } else { self }
     }
 }
 
-/// What an axis changes, and to what.
+/// The key that an axis changes, and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Setting {
     /// A numeric key.
     Number { key: &'static Key, values: Values },
     /// A key that takes words.
     Words {
-        /// Its path.
         path: &'static str,
-        /// Its words; at least one.
+        /// At least one.
         words: Vec<Word>,
     },
 }
@@ -78,11 +76,8 @@ pub enum Setting {
 /// A word of an axis, with what it stands for.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Word {
-    /// Of `solver.method`.
     Method(Method),
-    /// Of `law`.
     Law(LawChoice),
-    /// Of the `material` of a body.
     Material(Taken),
 }
 
@@ -100,9 +95,7 @@ impl Word {
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What it changes.
     pub setting: Setting,
-    /// What its key is part of.
     part: Part,
     /// Whether pictures show it on a logarithmic scale.
     pub is_logarithmic: bool,
@@ -131,7 +124,6 @@ impl Axis {
         }
     }
 
-    /// How many values.
     pub fn len(&self) -> u64 {
         match &self.setting {
             Setting::Number { values, .. } => values.len(),
@@ -144,7 +136,6 @@ impl Axis {
         if let Setting::Words { words, .. } = &self.setting { words } else { &[] }
     }
 
-    /// The same, to be changed.
     pub fn words_mut(&mut self) -> &mut [Word] {
         if let Setting::Words { words, .. } = &mut self.setting { words } else { &mut [] }
     }
@@ -158,7 +149,7 @@ impl Axis {
         }
     }
 
-    /// Whether the contact (bodies and law) stays the same along it.
+    /// Bodies and law then stay the same along the axis.
     pub fn keeps_contact(&self) -> bool {
         !self.part.changes_contact()
     }

@@ -36,7 +36,7 @@ pub enum Distribution {
 pub struct Variable {
     /// Which key.
     pub key: &'static Key,
-    /// Its distribution before truncation.
+    /// It is truncated at the allowed range.
     pub distribution: Distribution,
     /// The allowed range it is cut to.
     range: (f64, f64),

@@ -10,11 +10,11 @@ use crate::provenance::hex;
 /// All that a result depends on, as text.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Source {
-    /// Of the scenario file.
+    /// The text of the scenario file.
     pub text: String,
     /// `key=value` of the command line, in its order.
     pub overrides: Vec<String>,
-    /// Of the files that the scenario names, by the keys that name them.
+    /// The texts of the files that the scenario names, by the keys that name them.
     pub files: BTreeMap<String, String>,
 }
 

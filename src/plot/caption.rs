@@ -7,7 +7,7 @@ use crate::material::Material;
 use crate::scenario::indentation::IndentationScene;
 use crate::scene::Input;
 use crate::scene::taken::Body;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, quantity};
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
 pub fn caption(input: &Input, varied: &[&str]) -> String {
@@ -23,14 +23,14 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     let own_law = input.law();
     let (sphere, half_space) = input.bodies(&own_law);
     let of_sphere = [
-        said("sphere.radius", format!("R {}", quantity(sphere.radius, "m"))),
+        said("sphere.radius", format!("R {}", quantity(sphere.radius, Dimension::Length))),
         body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
     ];
     let is_soft = ["half_space.yield_strength", "half_space.hardness", "half_space.material"].into_iter().any(varies);
     let strength = half_space.yield_strength.filter(|_| !is_soft);
     let of_half_space = [
         body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
-        strength.map(|strength| format!("yields at {}", quantity(strength, "Pa"))),
+        strength.map(|strength| format!("yields at {}", quantity(strength, Dimension::Pressure))),
     ];
     line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&own_law))])])
 }
@@ -42,13 +42,16 @@ pub fn captioned<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
 
 /// The sphere and the law of an indentation; its half-spaces have names in the key.
 pub fn of_indentation(scene: &IndentationScene) -> String {
-    let sphere = [Some(format!("R {}", quantity(scene.indenter.radius, "m"))), Some(elastic(&scene.indenter.material))];
+    let sphere = [
+        Some(format!("R {}", quantity(scene.indenter.radius, Dimension::Length))),
+        Some(elastic(&scene.indenter.material)),
+    ];
     line(&[("sphere", &sphere), ("law", &[Some(law(&scene.law))])])
 }
 
 fn elastic(material: &Material) -> String {
     let modulus = material.youngs_modulus;
-    if modulus.is_finite() { format!("E {}", quantity(modulus, "Pa")) } else { "rigid".to_owned() }
+    if modulus.is_finite() { format!("E {}", quantity(modulus, Dimension::Pressure)) } else { "rigid".to_owned() }
 }
 
 fn law(law: &LawChoice) -> String {

@@ -9,8 +9,7 @@ use super::series::Series;
 use super::style::{DOTTED, GREY, INK, Mark, Style};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::math::functions::atan2;
-use crate::units::four_digits;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, four_digits, quantity};
 
 /// The values of [`loops::INDENTATIONS`].
 pub(super) fn indentations(row: &TraceRow) -> [f64; 3] {
@@ -45,7 +44,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));
     let points: Vec<_> = at(Event::Yield).collect();
     series.extend((!points.is_empty()).then(|| Series::points("First yield", points).styled(ink(Mark::Diamond))));
-    let length = |name: &str, value| format!("{name} = {}", quantity(value, "m"));
+    let length = |name: &str, value| format!("{name} = {}", quantity(value, Dimension::Length));
     let turning = Series::points(peak_name(impact), vec![peak]).styled(ink(Mark::Square));
     series.push(turning.and(force_at_peak(impact)).and(length("δₘ", impact.peak_indentation)));
     if impact.has_dent() {
@@ -71,7 +70,7 @@ pub(super) fn peak_name(impact: &Impact) -> &'static str {
 
 /// The force at the turning point. It is the peak force F_m only without damping.
 pub(super) fn force_at_peak(impact: &Impact) -> String {
-    let force = quantity(impact.force_at_peak_indentation, "N");
+    let force = quantity(impact.force_at_peak_indentation, Dimension::Force);
     if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
 }
 
@@ -86,5 +85,5 @@ pub(super) fn title(impact: &Impact) -> String {
         Some(_) => "captured".to_owned(),
         None => format!("restitution e = {}", four_digits(impact.restitution)),
     };
-    format!("Impact at {}{angle}: {end}", quantity(impact.speed, "m/s"))
+    format!("Impact at {}{angle}: {end}", quantity(impact.speed, Dimension::Speed))
 }

@@ -7,7 +7,7 @@ use super::series::Series;
 use super::style::{GREY, INK, Style};
 use crate::impact::Impact;
 use crate::impact::oblique::Rubbing;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, quantity};
 
 /// The picture of friction; `None` for an impact without an angle, a spin, or a trace.
 pub fn friction(impact: &Impact) -> Option<Chart> {
@@ -23,11 +23,11 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         panel.guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
         panel
     };
-    let after = |value: f64, unit: &str| Some(format!("{} at the end", quantity(value, unit)));
+    let after = |value, dimension| Some(format!("{} at the end", quantity(value, dimension)));
     let panels = vec![
         panel("Friction", "N", 3, |row| row.friction_force, None),
-        panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, "m/s")),
-        panel("Spin", "rad/s", 2, |row| row.spin, after(last.spin, "rad/s")),
+        panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, Dimension::Speed)),
+        panel("Spin", "rad/s", 2, |row| row.spin, after(last.spin, Dimension::AngularSpeed)),
     ];
     let x = Axis::engineering("Time", "s").between(0.0, 1.03 * impact.duration());
     let peak = Series::vertical(impact.loading_time, "deepest point").styled(Style::line(GREY, 2.0));

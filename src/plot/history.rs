@@ -8,7 +8,7 @@ use super::loops;
 use super::series::Series;
 use super::style::{DASHED, GREY, INK, Style};
 use crate::impact::{Impact, TraceRow};
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, quantity};
 
 /// The history of an impact. A trace of some hundred samples gives smooth curves.
 ///
@@ -32,9 +32,9 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
             Series::line(*name, points.collect()).styled(loops::style(i, *width))
         })
         .collect();
-    drawn[0].texts.push(format!("δₘ = {}", quantity(impact.peak_indentation, "m")));
+    drawn[0].texts.push(format!("δₘ = {}", quantity(impact.peak_indentation, Dimension::Length)));
     let speed = Series::line("Speed δ′", points(|row| row.speed)).styled(thin(4));
-    let speed = speed.and(format!("impact at {}", quantity(impact.speed, "m/s")));
+    let speed = speed.and(format!("impact at {}", quantity(impact.speed, Dimension::Speed)));
     let (slowest, fastest) = extremes(impact.trace.iter().map(|row| row.speed));
     let y = |title, unit, low: f64, high: f64| Axis::engineering(title, unit).between(1.1 * low, 1.1 * high);
     let mut panels = vec![
@@ -50,18 +50,21 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
 /// Vertical lines at the peak and at the end.
 fn times(impact: &Impact) -> Vec<Series> {
     let line = Style::line(GREY, 2.5);
-    let peak = Series::vertical(impact.loading_time, peak_name(impact)).and(quantity(impact.loading_time, "s"));
+    let peak =
+        Series::vertical(impact.loading_time, peak_name(impact)).and(quantity(impact.loading_time, Dimension::Time));
     let peak = if is_damped(impact) { peak.and(force_at_peak(impact)) } else { peak };
-    let end = |name: &str| Series::vertical(impact.duration(), name).and(quantity(impact.duration(), "s")).styled(line);
+    let end = |name: &str| {
+        Series::vertical(impact.duration(), name).and(quantity(impact.duration(), Dimension::Time)).styled(line)
+    };
     let mut end = match impact.captured() {
-        None => end("Separation").and(format!("rebound at {}", quantity(impact.rebound_speed, "m/s"))),
+        None => end("Separation").and(format!("rebound at {}", quantity(impact.rebound_speed, Dimension::Speed))),
         Some(under) => {
-            let rest = under.static_indentation.map_or_else(String::new, |depth| quantity(depth, "m"));
+            let rest = under.static_indentation.map_or_else(String::new, |depth| quantity(depth, Dimension::Length));
             end("Captured").and(format!("rest at δ = {rest}"))
         }
     };
     if impact.has_dent() {
-        end = end.and(format!("dent δᵣ = {}", quantity(impact.residual_indentation, "m")));
+        end = end.and(format!("dent δᵣ = {}", quantity(impact.residual_indentation, Dimension::Length)));
     }
     // a sphere that comes to rest at its deepest point has one line there
     let is_apart = impact.duration() - impact.loading_time > 1e-3 * impact.duration();

@@ -8,7 +8,7 @@ use super::series::Series;
 use super::style::Style;
 use crate::indentation::{Tested, TraceRow};
 use crate::law::Branch;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, quantity};
 
 type Quantity = fn(&TraceRow) -> f64;
 
@@ -47,9 +47,9 @@ pub fn indentation(tested: &[Tested]) -> Chart {
         let memory = &step.memory;
         entries.push(
             Series::text("Largest load")
-                .and(format!("Fₘ = {}", quantity(memory.force, "N")))
-                .and(format!("δₘ = {}", quantity(memory.indentation, "m")))
-                .and(format!("δᵣ = {}", quantity(memory.residual_indentation, "m"))),
+                .and(format!("Fₘ = {}", quantity(memory.force, Dimension::Force)))
+                .and(format!("δₘ = {}", quantity(memory.indentation, Dimension::Length)))
+                .and(format!("δᵣ = {}", quantity(memory.residual_indentation, Dimension::Length))),
         );
     }
     let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
@@ -81,7 +81,7 @@ fn is_loading(row: &TraceRow) -> bool {
 fn title(tested: &[Tested]) -> String {
     let strongest =
         tested.iter().flat_map(|one| &one.indentation.steps).map(|step| step.memory.force).fold(0.0, f64::max);
-    let load = quantity(strongest, "N");
+    let load = quantity(strongest, Dimension::Force);
     match tested {
         [one] => match &one.specimen.name {
             Some(name) => format!("Indentation of {name} to {load}"),

@@ -11,8 +11,7 @@ use crate::impact::Impact;
 use crate::math::functions::pow;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Hit, Place, Repeat, Sequence};
-use crate::units::four_digits;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, four_digits, quantity};
 
 /// Largest number of points of one flight.
 const FLIGHT_POINTS: u32 = 48;
@@ -51,7 +50,9 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     // a dent that only the first impact makes is a number, not a curve
     let is_constant = sequence.deepest_dent() <= 1.001 * shallowest;
     if sequence.deepest_dent() > 0.0 && is_constant {
-        panels[0].series[0].texts.push(format!("dent δᵣ = {} from the first impact on", quantity(shallowest, "m")));
+        panels[0].series[0]
+            .texts
+            .push(format!("dent δᵣ = {} from the first impact on", quantity(shallowest, Dimension::Length)));
     } else if sequence.deepest_dent() > 0.0 {
         let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation))).collect();
         let dents = match repeat.place {
@@ -166,7 +167,7 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
         let name =
             if count == 1 { format!("Impact {first}") } else { format!("Impacts {first} to {}", first + count - 1) };
         let mut drawn = one_loop(impact, name, loops::style(i, width(i, named.len())));
-        let about = format!("{}, e = {}", quantity(impact.speed, "m/s"), four_digits(impact.restitution));
+        let about = format!("{}, e = {}", quantity(impact.speed, Dimension::Speed), four_digits(impact.restitution));
         drawn.iter_mut().take(1).for_each(|first| first.texts.push(about.clone()));
         series.extend(drawn);
     }

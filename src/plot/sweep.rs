@@ -16,8 +16,7 @@ use crate::scene::results::{Column, Shown, columns};
 use crate::strength::hardness::vickers;
 use crate::sweep::count::{Tally, count};
 use crate::sweep::evaluator::{Evaluator, Failure, Rows};
-use crate::units::rounded::quantity;
-use crate::units::{Dimension, capital, four_digits};
+use crate::units::{Dimension, capital, four_digits, quantity};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
@@ -127,10 +126,11 @@ fn unit(axis: &Axis) -> (&'static str, fn(f64) -> f64) {
 
 /// A value of an axis with at most four digits, as the key has it.
 fn label(axis: &Axis, place: u64) -> String {
-    match unit(axis) {
-        _ if !axis.words().is_empty() => axis.label(place),
-        (unit @ ("°" | ""), _) => format!("{}{unit}", four_digits(shown(axis, place))),
-        (unit, _) => quantity(shown(axis, place), unit),
+    match &axis.setting {
+        Setting::Number { key, .. } if key.quantity.is_hardness => format!("{} HV", four_digits(shown(axis, place))),
+        Setting::Number { .. } if unit(axis).0 == "°" => format!("{}°", four_digits(shown(axis, place))),
+        Setting::Number { key, .. } => quantity(axis.number(place), key.quantity.dimension),
+        Setting::Words { .. } => axis.label(place),
     }
 }
 
@@ -171,16 +171,19 @@ impl Over<'_> {
         self.result.name == RESTITUTION
     }
 
+    fn dimension(&self) -> Dimension {
+        match results().iter().find(|result| result.name == self.result.name).map(|result| result.shown) {
+            Some(Shown::In(dimension)) => dimension,
+            _ => Dimension::Ratio,
+        }
+    }
+
     /// The name of the result, and its axis.
     fn axis(&self) -> (String, plot::Axis) {
         if self.is_restitution() {
             return ("Restitution".to_owned(), plot::Axis::linear("Restitution e", ""));
         }
-        let name = self.result.name;
-        let dimension = match results().iter().find(|result| result.name == name).map(|result| result.shown) {
-            Some(Shown::In(dimension)) => dimension,
-            _ => Dimension::Ratio,
-        };
+        let (name, dimension) = (self.result.name, self.dimension());
         let title = of_key::title_of(name.trim_end_matches(dimension.suffix()));
         let axis = plot::Axis::engineering(&title, dimension.si_unit());
         (title, axis)
@@ -236,7 +239,7 @@ impl Over<'_> {
         let column = |(number, place): (usize, u64)| {
             let value = self.value(&[place]);
             let (left, right) = (number as f64 + 0.6, number as f64 + 1.4);
-            let text = if y.unit.is_empty() { four_digits(value) } else { quantity(value, &y.unit) };
+            let text = quantity(value, self.dimension());
             let outline = vec![(left, 0.0), (left, value), (right, value), (right, 0.0)];
             Series::band(label(&self.axes[0], place), outline).and(text).styled(number)
         };

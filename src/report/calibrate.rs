@@ -1,4 +1,4 @@
-//! What is written about a calibration: `summary.json`, `residuals.csv` and the table on the terminal.
+//! Texts about a calibration: `summary.json`, `residuals.csv` and the table on the terminal.
 
 use std::fmt::Write as _;
 
@@ -15,8 +15,7 @@ use crate::scene::measured::Measured;
 use crate::scene::results::entry::{file, results};
 use crate::scene::results::{Reported, fields};
 use crate::units::aligned::aligned;
-use crate::units::four_digits;
-use crate::units::rounded::percent;
+use crate::units::{four_digits, percent};
 
 /// The note on an interval with an end outside of the range of the key.
 const UNBOUNDED: &str = "not bounded by these data";
@@ -36,7 +35,7 @@ fn combination(calibration: &Calibration, exponents: &[f64]) -> String {
     factors.collect::<Vec<_>>().join(" x ")
 }
 
-/// What is known of the noise, in words, and the share of every value if it is estimated.
+/// Tells in words how the noise is found, with the share of every value if it is estimated.
 fn noise(calibration: &Calibration) -> (&'static str, Option<f64>) {
     match calibration.fit.noise {
         Noise::Estimated { share, .. } => ("estimated from the residuals", share),
@@ -72,7 +71,7 @@ pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
         "degrees_of_freedom": one.calibration.freedom;
         /// Sum of the squares of the residuals over their standard deviations, without outliers.
         "chi_square": one.calibration.chi_square;
-        /// The same over the degrees of freedom: about 1 for a law that fits.
+        /// That sum over the degrees of freedom: about 1 for a law that fits.
         "chi_square_per_degree_of_freedom": per_degree(one.calibration);
         /// Root mean square of measured less predicted over that of the measured values, of the worst quantity.
         "misfit": one.calibration.misfit;
@@ -155,7 +154,7 @@ fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
         "sd": one.found().sd;
         /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
         "interval_68": one.found().intervals.map(|[narrow, _]| interval(narrow));
-        /// The same with a confidence of 95 %.
+        /// Ends of the interval with a confidence of 95 %.
         "interval_95": one.found().intervals.map(|[_, wide]| interval(wide));
         /// The value that shifts the key most: its line, its quantity, and the shift if it were left out.
         "largest_shift": one.largest_shift();

@@ -1,4 +1,4 @@
-//! What is written about an indentation: its inputs, `summary.json`, `trace.csv` and what the terminal shows.
+//! The results of an indentation, and the texts about it: `summary.json`, `trace.csv` and what the terminal shows.
 
 use serde_json::Map;
 
@@ -6,18 +6,135 @@ use super::inputs::Inputs;
 use super::rows::csv;
 use super::{overview, terminal};
 use crate::error::Error;
-use crate::indentation::{Target, Tested};
+use crate::indentation::{Step, Target, Tested, TraceRow};
 use crate::provenance::Provenance;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scene::EVERY_KEY;
 use crate::scene::at::at;
 use crate::scene::key::Part;
-use crate::scene::results::indentation::{self as results, stepped};
-use crate::scene::results::{fields, lists};
+use crate::scene::results::entry::{file, results};
+use crate::scene::results::{Reported, fields, lists};
 use crate::scene::taken::Body;
 use crate::units::aligned::aligned;
 use crate::units::{self, Dimension, describe};
+
+/// The results of one half-space, in the order of `summary.json`.
+pub(super) fn half_space() -> Vec<Reported<Tested>> {
+    results! { |of: Tested|
+        /// Name of the half-space.
+        "name" if NAMED: of.specimen.name.clone();
+        /// Young's modulus.
+        "youngs_modulus_Pa" in Pressure: of.specimen.half_space.material.youngs_modulus;
+        /// Poisson's ratio.
+        "poissons_ratio": of.specimen.half_space.material.poissons_ratio;
+        /// Yield strength.
+        "yield_strength_Pa" in Pressure if YIELDS: of.specimen.half_space.yield_strength;
+        /// Effective modulus E* of the pair of bodies.
+        "effective_modulus_Pa" in Pressure: of.pair.effective_modulus;
+        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        "sphere_compliance": of.pair.sphere_compliance;
+        /// Indentation at first yield.
+        "yield_indentation_m" in Length if YIELDS: of.pair.yield_point.map(|point| point.indentation);
+        /// Force at first yield.
+        "yield_force_N" in Force if YIELDS: of.pair.yield_point.map(|point| point.force);
+        /// Work of all steps.
+        "work_J" in Energy: of.indentation.steps.iter().map(|step| step.work).sum::<f64>();
+        /// Energy spent on the dent in all steps.
+        "plastic_work_J" in Energy if YIELDS: of.can_yield.then(|| {
+            of.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
+        });
+    }
+}
+
+/// The steps of one half-space.
+fn stepped(of: &Tested) -> Vec<Stepped<'_>> {
+    (1..).zip(&of.indentation.steps).map(|(number, step)| Stepped { number, step, tested: of }).collect()
+}
+
+/// One step of an indentation.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stepped<'a> {
+    number: usize,
+    step: &'a Step,
+    tested: &'a Tested,
+}
+
+/// The results of one step.
+pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
+    results! { |of: Stepped<'a>|
+        /// Number of the step, from 1.
+        "step" as "step": of.number;
+        /// Load at which the step ends.
+        "target_load_N" in Force as "to" if GIVEN: match of.step.target {
+            Target::Load(load) => Some(load),
+            Target::Indentation(_) => None,
+        };
+        /// Indentation at which the step ends.
+        "target_indentation_m" in Length as "to" if GIVEN: match of.step.target {
+            Target::Load(_) => None,
+            Target::Indentation(indentation) => Some(indentation),
+        };
+        /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+        "branch": of.step.branch.name();
+        /// Indentation at its end.
+        "indentation_m" in Length as "indentation": of.step.indentation;
+        /// The sphere's own share of the indentation.
+        "sphere_indentation_m" in Length: of.step.sphere_indentation;
+        /// Force at its end.
+        "force_N" in Force as "force": of.step.force;
+        /// Work done in the step; negative on unloading.
+        "work_J" in Energy as "work": of.step.work;
+        /// Elastic energy in the contact at its end.
+        "stored_energy_J" in Energy: of.step.stored_energy;
+        /// Energy spent on the dent in the step.
+        "plastic_work_J" in Energy as "plastic work" if YIELDS: of.tested.can_yield.then_some(of.step.plastic_work);
+        /// Largest force so far.
+        "peak_force_N" in Force: of.step.memory.force;
+        /// Largest indentation so far.
+        "peak_indentation_m" in Length: of.step.memory.indentation;
+        /// Contact radius at that indentation.
+        "peak_contact_radius_m" in Length as "contact radius": of.step.memory.contact_radius;
+        /// Largest force over the contact area there.
+        "peak_mean_pressure_Pa" in Pressure: of.step.memory.mean_pressure;
+        /// Depth of the dent.
+        "residual_indentation_m" in Length as "dent depth" if YIELDS: of.tested.can_yield.then_some(of.step.memory.residual_indentation);
+        /// Slope of the unloading branch at its top.
+        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": of.step.memory.unloading_stiffness;
+        /// Exponent of the force on unloading.
+        "unloading_exponent": of.step.memory.unloading_exponent;
+    }
+}
+
+/// A row of the trace, with the name of the half-space.
+pub(super) type Traced<'a> = (Option<&'a str>, &'a TraceRow);
+
+/// The columns of `trace.csv`.
+pub(super) fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
+    results! { |row: Traced<'a>|
+        /// Name of the half-space.
+        "half_space" if NAMED: row.0.map(str::to_owned);
+        /// Number of the step, from 1.
+        "step": row.1.step;
+        /// Indentation.
+        "indentation_m" in Length: row.1.indentation;
+        /// The sphere's own share of the indentation.
+        "sphere_indentation_m" in Length: row.1.sphere_indentation;
+        /// The half-space's share of the indentation.
+        "half_space_indentation_m" in Length: row.1.half_space_indentation;
+        /// Force.
+        "force_N" in Force: row.1.force;
+        /// Branch of the law: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+        "branch": row.1.branch.name();
+    }
+}
+
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("Indentation: every half-space in `summary.json`", &half_space())
+        + &file("Indentation: every step of a half-space", &step())
+        + &file("Indentation: `trace.csv`", &columns())
+}
 
 /// `summary.json`.
 pub fn summary(
@@ -26,12 +143,12 @@ pub fn summary(
     inputs: &Inputs,
     provenance: &Provenance,
 ) -> Result<String, Error> {
-    let half_space = |one| {
-        let mut half_space = fields(&results::half_space(), one);
-        half_space.insert("steps".to_owned(), lists(&results::step(), &stepped(one)));
+    let of_half_space = |one| {
+        let mut half_space = fields(&half_space(), one);
+        half_space.insert("steps".to_owned(), lists(&step(), &stepped(one)));
         half_space
     };
-    let half_spaces = tested.iter().map(half_space).collect();
+    let half_spaces = tested.iter().map(of_half_space).collect();
     let all = [("half_spaces".to_owned(), half_spaces), ("warnings".to_owned(), warnings.into())];
     super::summary::of(Map::from_iter(all), inputs, provenance)
 }
@@ -42,7 +159,7 @@ pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, Error> {
         let name = one.specimen.name.as_deref();
         one.indentation.trace.iter().map(move |row| (name, row))
     });
-    csv(&results::trace(), rows)
+    csv(&columns(), rows)
 }
 
 /// The table for the terminal: for every half-space, a line for each step.
@@ -54,7 +171,7 @@ pub fn table(tested: &[Tested]) -> String {
             text.push_str(name);
             text.push('\n');
         }
-        text.push_str(&terminal::table(&results::step(), &stepped(one)));
+        text.push_str(&terminal::table(&step(), &stepped(one)));
     }
     text
 }
@@ -74,7 +191,7 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
     inputs
 }
 
-/// What `check` prints of an indentation: the inputs, the steps, and the contact of every half-space.
+/// The text of `check`: the inputs, the steps, and the contact of every half-space.
 pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
     let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);

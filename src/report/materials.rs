@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::materials::{Entry, Known, Property, all};
 use crate::strength::hardness::flow_stress;
 use crate::units::aligned::aligned;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, quantity};
 
 /// Whether the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
 pub fn has(entry: &Entry, text: &str) -> bool {
@@ -61,9 +61,9 @@ pub fn one(entry: &Entry) -> String {
 
 /// The flow stress and the yield strength that follow from a hardness.
 fn strength(entry: &Entry, mean_pressure: f64) -> String {
-    let flow = format!("flow stress {}", quantity(flow_stress(mean_pressure), "Pa"));
+    let flow = format!("flow stress {}", quantity(flow_stress(mean_pressure), Dimension::Pressure));
     if !entry.hardens() {
         return flow;
     }
-    format!("{flow}; the power law begins at {}", quantity(entry.strength(mean_pressure), "Pa"))
+    format!("{flow}; the power law begins at {}", quantity(entry.strength(mean_pressure), Dimension::Pressure))
 }

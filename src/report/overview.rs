@@ -1,4 +1,4 @@
-//! What `check` prints of a scenario: every value in SI and in a suitable unit, and the numbers that follow from them
+//! The text of `check`: every value in SI and in a suitable unit, and the numbers that follow from them
 //! before anything is run.
 
 use super::inputs::Inputs;

@@ -1,11 +1,11 @@
-//! What `check` prints of a sweep: how many cases there are, what varies, and which columns the table will have.
+//! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
 
 use std::fmt::Write as _;
 
 use crate::plan::axis::{Axis, Setting, Values};
 use crate::plan::random::{Distribution, Variable};
 use crate::plan::{Cases, Plan};
-use crate::units::rounded::percent;
+use crate::units::percent;
 
 /// An axis with at most so many values is listed value by value.
 const MOST_LISTED: u64 = 8;

@@ -1,7 +1,7 @@
 //! The reference pages: every key, every result, every material.
 
+use super::results;
 use crate::scenario::reference::keys;
-use crate::scene::results;
 use crate::units::aligned::markdown;
 
 /// A part of a page that the program writes: its name, and its text.
@@ -26,45 +26,4 @@ pub fn renewed(page: &str) -> (String, usize) {
 /// All materials as Markdown.
 fn materials() -> String {
     markdown(&super::materials::rows("")) + "\n"
-}
-
-/// All results as Markdown.
-fn results() -> String {
-    results::files() + &super::sweep::files() + &super::calibrate::files()
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::report::sweep::{drawn, totals};
-    use crate::scene::results::{Reported, Shown, impact, indentation, series};
-
-    fn names<T>(results: &[Reported<T>]) -> Vec<(&'static str, Shown)> {
-        results.iter().map(|result| (result.name, result.shown)).collect()
-    }
-
-    #[test]
-    fn a_name_ends_in_the_unit_of_its_number_and_no_other_name_does() {
-        let all = [
-            names(&impact::results()),
-            names(&impact::trace()),
-            names(&series::results()),
-            names(&series::impacts()),
-            names(&series::trace()),
-            names(&indentation::half_space()),
-            names(&indentation::step()),
-            names(&indentation::trace()),
-            names(&totals()),
-            names(&drawn()),
-        ]
-        .concat();
-        assert!(all.len() > 150, "{}", all.len());
-        let unit_of = |shown| if let Shown::In(dimension) = shown { Some(dimension) } else { None };
-        let units: Vec<_> = all.iter().filter_map(|(_, shown)| unit_of(*shown)).collect();
-        for (name, shown) in all {
-            // the longest end that is a unit: "_m_per_s" ends in "_s" too
-            let ends = units.iter().filter(|unit| name.ends_with(unit.suffix()));
-            let unit = ends.max_by_key(|unit| unit.suffix().len());
-            assert_eq!(unit_of(shown).as_ref(), unit, "{name}");
-        }
-    }
 }

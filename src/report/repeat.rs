@@ -1,16 +1,33 @@
-//! What is written about repeated impacts: `impacts.csv`, `trace.csv` and the table on the terminal.
+//! Texts about repeated impacts: `summary.json`, `impacts.csv`, `trace.csv` and the table on the terminal.
 
 use std::fmt::Write as _;
 
+use super::inputs::Inputs;
 use super::rows::csv;
+use super::series::{self as results, Series, TraceRow};
 use super::terminal;
 use crate::error::Error;
+use crate::provenance::Provenance;
 use crate::repeat::flight::Flight;
 use crate::repeat::{Drive, Hit, Place, Repeat, Sequence};
+use crate::scene::results::fields;
 use crate::scene::results::impact::event_name;
-use crate::scene::results::series::{self as results, Series, TraceRow};
 use crate::units::aligned::aligned;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, quantity};
+
+/// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.
+const LISTED: usize = 1000;
+
+/// `summary.json`.
+pub fn summary(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+    let mut results = fields(&results::results(), of);
+    if let Drive::Shots(speeds) = &of.repeat.drive
+        && speeds.len() <= LISTED
+    {
+        results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
+    }
+    super::summary::of(results, inputs, provenance)
+}
 
 /// `impacts.csv`: one row per impact.
 pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, Error> {
@@ -87,7 +104,7 @@ pub fn table(of: &Series) -> String {
 /// A list of at most so many speeds is shown speed by speed.
 const MOST_LISTED: usize = 8;
 
-/// What `check` prints of a series. The scene of the first impact is printed after it.
+/// The text of `check` about a series. The scene of the first impact is printed after it.
 pub fn repeat_lines(repeat: &Repeat) -> String {
     let place = match repeat.place {
         Place::Same => "all on the same spot",
@@ -99,7 +116,7 @@ pub fn repeat_lines(repeat: &Repeat) -> String {
             let _ = writeln!(text, "bouncing under gravity, {place}, until");
             let _ = writeln!(text, "  there were {most} impacts");
             if let Some(until) = until {
-                let _ = writeln!(text, "  or the next one would be slower than {}", quantity(*until, "m/s"));
+                let _ = writeln!(text, "  or the next one would be slower than {}", quantity(*until, Dimension::Speed));
             }
             if repeat.place == Place::Fresh {
                 let _ = writeln!(text, "  or the rebound does not lift the sphere out of its dent");
@@ -108,7 +125,7 @@ pub fn repeat_lines(repeat: &Repeat) -> String {
         }
         Drive::Shots(speeds) => {
             let _ = writeln!(text, "{} shots, {place}, at", speeds.len());
-            let say = |speed: &f64| quantity(*speed, "m/s");
+            let say = |speed: &f64| quantity(*speed, Dimension::Speed);
             let is_one = speeds.iter().all(|speed| *speed == speeds[0]);
             let list = if is_one {
                 say(&speeds[0])

@@ -5,10 +5,8 @@ use serde_json::{Map, Value};
 use super::inputs::Inputs;
 use crate::error::Error;
 use crate::provenance::Provenance;
-use crate::repeat::Drive;
 use crate::scene::results::impact::Single;
-use crate::scene::results::series::Series;
-use crate::scene::results::{fields, impact, series};
+use crate::scene::results::{fields, impact};
 
 /// The summary of these results, with a newline at its end.
 pub fn of(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
@@ -20,18 +18,4 @@ pub fn of(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provena
 /// The summary of one impact.
 pub fn summary(single: &Single, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
     of(fields(&impact::results(), single), inputs, provenance)
-}
-
-/// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.
-const LISTED: usize = 1000;
-
-/// The summary of a series of impacts.
-pub fn of_series(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    let mut results = fields(&series::results(), of);
-    if let Drive::Shots(speeds) = &of.repeat.drive
-        && speeds.len() <= LISTED
-    {
-        results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
-    }
-    self::of(results, inputs, provenance)
 }

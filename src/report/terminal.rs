@@ -5,8 +5,7 @@ use serde_json::Value;
 use crate::scene::results::impact::{Single, results};
 use crate::scene::results::{Reported, Shown};
 use crate::units::aligned::aligned;
-use crate::units::four_digits;
-use crate::units::rounded::{percent, quantity};
+use crate::units::{Dimension, four_digits, percent, quantity};
 
 /// How much the terminal shows of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +40,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
         return brief(&results, single);
     }
     results.retain(|result| detail == Detail::Whole || !is_of_the_integrator(result.name));
-    let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, "m/s"), String::new()]];
+    let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()]];
     lines.extend(self::lines(&results, single));
     if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
         value.push_str(" (outside the law)");
@@ -132,7 +131,7 @@ fn text(shown: Shown, value: &Value) -> Option<String> {
     };
     Some(match shown {
         Shown::Plain => four_digits(value),
-        Shown::In(dimension) => quantity(value, dimension.si_unit()),
+        Shown::In(dimension) => quantity(value, dimension),
         Shown::Percent => percent(value),
         Shown::Deviation => format!("{:+.1} %", 100.0 * value),
         Shown::Error => format!("{value:.1e}"),

@@ -5,7 +5,7 @@ use crate::law::{LawChoice, UnloadingExponent};
 use crate::math::functions::powi;
 use crate::scene::Input;
 use crate::scene::results::impact::Band;
-use crate::units::rounded::percent;
+use crate::units::percent;
 
 /// A smaller change of e, as a share of it, is rounding.
 const LEAST: f64 = 1e-9;

@@ -29,7 +29,7 @@ pub struct Order<'a> {
 pub struct Outcome {
     /// Warnings about scene, model or run.
     pub warnings: Vec<String>,
-    /// What the terminal shows.
+    /// The text for the terminal.
     pub text: String,
     /// The files for the output directory; empty for a check.
     pub files: Vec<OutputFile>,

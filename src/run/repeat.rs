@@ -10,9 +10,9 @@ use crate::progress::Counter;
 use crate::repeat::Repeat;
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
-use crate::report::{repeat as report, summary};
+use crate::report::repeat as report;
+use crate::report::series::Series;
 use crate::scenario::Scenario;
-use crate::scene::results::series::Series;
 use crate::scene::{Input, Use};
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
@@ -54,7 +54,7 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
         drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
         Ok(captioned(drawn, &caption(&input, &["impact.speed"])))
     })?);
-    let files = with_summary(files, provenance, |of| summary::of_series(&series, &Inputs::of(&input), of))?;
+    let files = with_summary(files, provenance, |of| report::summary(&series, &Inputs::of(&input), of))?;
     let text = report::table(&series);
     Ok(Outcome::done(warnings, text, files))
 }

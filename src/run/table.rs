@@ -86,7 +86,7 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
     [at_corners(plan, None), texts(&plan.warnings)].concat()
 }
 
-/// The same where the contact of the plan is known.
+/// Warnings of a plan whose contact is known.
 pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
     [at_corners(plan, Some(contact)), texts(&plan.warnings)].concat()
 }

@@ -28,12 +28,10 @@ impl<const KIND: u8> At<KIND> {
         if kind(place) == KIND { Some(Self(place)) } else { None }
     }
 
-    /// Its path.
     pub const fn path(self) -> &'static str {
         EVERY_KEY[self.0].path
     }
 
-    /// Its place in the list.
     #[inline]
     pub const fn place(self) -> usize {
         self.0

@@ -1,11 +1,10 @@
-//! Whether a key that is given has an effect on what is computed.
+//! Finds keys that are given, and have no effect on what is computed.
 
 use super::Input;
 use super::at::at;
 use super::taken::Body;
 use crate::impact::Method;
 
-/// What is computed of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Use {
     /// The rows of a table.
@@ -81,7 +80,7 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
 }
 
 impl Input {
-    /// Whether the other body yields at a strength that this ratio keeps below that of this one, and does not harden.
+    /// The other body then yields at a strength that this ratio keeps below that of this one, and does not harden.
     fn is_harder(&self, body: Body, least: f64) -> bool {
         let flow = self.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow));
         let law = self.law();

@@ -19,7 +19,7 @@ const PIECES_MEET: &str = "leave it out; every piece of the law goes on until it
 
 const ENDS: &str = "give the ends of the interval as half-spaces of their own, each with a name";
 
-/// What to do instead of a key of this path, if there was one.
+/// Says what to do instead of a key of this path, if there was one.
 pub fn instead(path: &str) -> Option<&'static str> {
     let pattern = pattern(path);
     GONE.iter().find(|(gone, _)| *gone == pattern).map(|(_, instead)| *instead)

@@ -1,4 +1,4 @@
-//! What file and command line say: every number as it is given, and nothing that follows from others. Every key has a value of
+//! The values of file and command line: every number as it is given, and nothing that follows from others. Every key has a value of
 //! its own here, so that the order in which values are set does not matter; `resolve.rs` works out what follows from them.
 
 use std::collections::BTreeMap;
@@ -32,7 +32,6 @@ struct Others {
     values: BTreeMap<usize, Value>,
     /// The items of lists of tables, by the paths of the lists.
     items: BTreeMap<&'static str, Vec<Input>>,
-    /// What the bodies take from their materials.
     taken: Vec<Taken>,
 }
 
@@ -148,12 +147,11 @@ impl Input {
         Arc::make_mut(&mut self.others).items.insert(path, items);
     }
 
-    /// What the bodies take from the materials that they name.
+    /// The values that the bodies take from the materials that they name.
     pub fn taken(&self) -> &[Taken] {
         &self.others.taken
     }
 
-    /// Notes what the bodies have taken.
     pub fn set_taken(&mut self, taken: Vec<Taken>) {
         Arc::make_mut(&mut self.others).taken = taken;
     }
@@ -213,7 +211,7 @@ impl Input {
 }
 
 impl Value {
-    /// What reports say of it; `None` for what they leave out.
+    /// The text for reports; `None` for what they leave out.
     fn text(&self) -> Option<String> {
         match self {
             Self::Curve(FlowCurve::Points(points)) => {
@@ -231,10 +229,10 @@ impl Value {
 /// A key and its value, for reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Held {
-    /// As in the file, with dots.
+    /// With dots.
     pub path: String,
     pub part: Part,
-    /// Of a number.
+    /// Only a number has one.
     pub quantity: Option<&'static Quantity>,
     /// In SI, or a word.
     pub value: serde_json::Value,

@@ -1,22 +1,20 @@
-//! What is known of a key of a scenario: where it stands, what may be written there, what it means.
+//! A key of a scenario: where it stands, what may be written there, and its meaning.
 
 use super::quantity::Quantity;
 
-/// A key.
 #[derive(Debug, Clone, Copy)]
 pub struct AnyKey {
-    /// As in the file, with dots; `[]` stands behind the name of a list of tables.
+    /// With dots; `[]` stands behind the name of a list of tables.
     pub path: &'static str,
     pub part: Part,
-    /// How its value is written.
     pub form: Form,
     /// Its value where the scenario does not give it, in words; empty where there is none.
     pub default: &'static str,
-    /// What it is, in one sentence.
+    /// The meaning, in one sentence.
     pub about: &'static str,
 }
 
-/// What a key is part of.
+/// The part of a scene that a key describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     Sphere,
@@ -37,17 +35,17 @@ pub enum Part {
 }
 
 impl Part {
-    /// Whether bodies, law or forces, and so the contact, change with such a key.
+    /// Bodies, law or forces change with such a key, and so the contact.
     pub fn changes_contact(self) -> bool {
         !matches!(self, Self::Approach | Self::Solver | Self::Output)
     }
 
-    /// Whether a slow indentation depends on such a key, as far as its law does.
+    /// A slow indentation depends on such a key, as far as its law does.
     pub fn is_static(self) -> bool {
         matches!(self, Self::Sphere | Self::HalfSpace | Self::Flow | Self::Law)
     }
 
-    /// Whether the law with its flow curve changes with such a key.
+    /// The law changes with such a key, or its flow curve.
     pub fn changes_law(self) -> bool {
         matches!(self, Self::Law | Self::Flow)
     }
@@ -58,7 +56,7 @@ impl Part {
 pub enum Form {
     /// A number in SI, or a text with a unit.
     Number(&'static Quantity),
-    /// Such a number, or the word.
+    /// A number, or this word.
     NumberOr(&'static Quantity, &'static str),
     /// A whole number.
     Count(&'static Quantity),
@@ -87,11 +85,10 @@ pub enum Form {
 /// Words that a key takes.
 #[derive(Debug)]
 pub struct Words {
-    /// What one of them is called in messages.
+    /// The name of one of them in messages.
     pub one: &'static str,
-    /// What several of them are called in messages.
+    /// The name of several of them in messages.
     pub several: &'static str,
-    /// All of them.
     pub known: fn() -> Vec<String>,
 }
 
@@ -110,9 +107,9 @@ impl AnyKey {
 #[derive(Debug)]
 pub struct List {
     pub path: &'static str,
-    /// How it is written.
+    /// Shows how the list is written.
     pub example: &'static str,
-    /// What an item of it is.
+    /// Describes an item in messages.
     pub item: &'static str,
 }
 

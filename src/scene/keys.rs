@@ -12,7 +12,7 @@ use super::quantity::Quantity;
 /// A numeric key of the scene of an impact, which may vary: an axis, a random variable, or found from measurements.
 #[derive(Debug, PartialEq)]
 pub struct Key {
-    /// As in the file, with dots: `impact.speed`.
+    /// With dots: `impact.speed`.
     pub path: &'static str,
     pub part: Part,
     /// Dimension and allowed range.
@@ -46,7 +46,7 @@ pub fn partner(path: &str) -> Option<&'static str> {
 }
 
 impl Key {
-    /// Its number; `None` where it is not given, infinite for the word.
+    /// `None` where it is not given, infinite for the word.
     pub fn get(&self, input: &Input) -> Option<f64> {
         input.number(self.at)
     }

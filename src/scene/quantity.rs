@@ -7,24 +7,20 @@ use std::ops::RangeBounds as _;
 use crate::strength::hardness;
 use crate::units::{self, Dimension, four_digits};
 
-/// What a key holds: dimension, allowed range, and what to do outside of it.
+/// The values that a key may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
     /// With its article, for messages.
     pub name: &'static str,
-    /// Its dimension.
     pub dimension: Dimension,
-    /// Lower end.
     pub low: Bound<f64>,
-    /// Upper end.
     pub high: Bound<f64>,
-    /// How it may be written.
     pub example: &'static str,
-    /// What to do about a value at or below the lower end; may be empty.
+    /// The way out for a value at or below the lower end; may be empty.
     pub too_low: &'static str,
-    /// What to do about a value at or above the upper end; may be empty.
+    /// The way out for a value at or above the upper end; may be empty.
     pub too_high: &'static str,
-    /// Whether it may be written on a scale of hardness too.
+    /// It may be written on a scale of hardness too.
     pub is_hardness: bool,
 }
 

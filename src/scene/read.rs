@@ -13,9 +13,8 @@ use crate::units::nearest::did_you_mean;
 /// A value that is refused: where it stands, and why.
 #[derive(Debug, Clone)]
 pub struct Fault {
-    /// Where.
     pub span: Range<usize>,
-    /// Value, allowed range, way out.
+    /// It tells value, allowed range and way out.
     pub message: String,
 }
 
@@ -40,7 +39,6 @@ pub struct Reader<'f> {
     pub path: String,
     /// Keys whose value or name is refused.
     pub refused: Vec<(String, Fault)>,
-    /// Whether a name is unknown.
     pub has_unknown: bool,
     files: Files<'f>,
 }
@@ -155,7 +153,7 @@ pub fn word(words: &Words, node: &Node) -> Result<usize, Fault> {
     named(words, node, |given| (words.known)().iter().position(|word| word == given))
 }
 
-/// What a word stands for.
+/// Reads a word, and finds what it stands for.
 pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>) -> Result<T, Fault> {
     let known = (words.known)();
     let given = text(node, known.first().map_or("", String::as_str))?;

@@ -16,7 +16,7 @@ use crate::impact::{
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::materials::all;
-use crate::units::rounded::percent;
+use crate::units::percent;
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
 pub const DEFAULT_SAMPLES: usize = 400;
@@ -46,17 +46,15 @@ impl Input {
         )
     }
 
-    /// The sphere.
     pub fn sphere(&self) -> Sphere {
         self.bodies(&self.law()).0
     }
 
-    /// The half-space.
     pub fn half_space(&self) -> HalfSpace {
         self.bodies(&self.law()).1
     }
 
-    /// Whether more than a yield strength describes the flow stress of a body, or the law does not use it.
+    /// More than a yield strength describes the flow stress of a body, or the law does not use it.
     pub fn has_flow(&self, of: Body) -> bool {
         let law = self.law();
         let is_hard = self.number(of.strength_keys().hardness).is_some();
@@ -78,7 +76,7 @@ impl Input {
         Forces { gravity: number(at!("gravity.acceleration")), damping, plate, flying: self.flying() }
     }
 
-    /// How the sphere flies, if there is gravity or a height.
+    /// The flight of the sphere, if there is gravity or a height.
     pub fn flying(&self) -> Option<Flying> {
         let falls = self.number(at!("gravity.acceleration")).or(self.number(at!("impact.drop_height"))).is_some();
         let gravity = self.falling_gravity();
@@ -90,7 +88,7 @@ impl Input {
         falls.then(|| in_air().unwrap_or(in_vacuum))
     }
 
-    /// Whether a fall is computed as if there were no air although air would slow it, and whether the ball is so light that the
+    /// Warns of a fall without air that air would slow, and of a ball that is so light that the
     /// air that moves with it counts.
     pub fn doubts_of_air(&self) -> Option<Warning> {
         /// Air of a room, and the drag of a smooth sphere.
@@ -176,7 +174,7 @@ impl Input {
         self.number(at!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
     }
 
-    /// How the sphere comes in, if an angle or a spin is given.
+    /// Angle, spin and friction, if an angle or a spin is given.
     #[inline]
     pub fn incidence(&self) -> Option<Incidence> {
         let (angle, spin) = (self.number(at!("impact.angle")), self.number(at!("sphere.spin")));
@@ -193,7 +191,7 @@ impl Input {
         self.approach_at(self.speed())
     }
 
-    /// How the sphere comes in at another speed.
+    /// Replaces the speed of [`Input::approach`].
     #[inline]
     pub fn approach_at(&self, speed: f64) -> Approach {
         Approach { speed, incidence: self.incidence() }
@@ -217,7 +215,7 @@ impl Input {
         }
     }
 
-    /// Whether a row of a table is integrated, or its times are.
+    /// A row of a table is integrated then, or its times are.
     pub fn is_stepped(&self) -> bool {
         let forces = self.forces();
         let method = self.solver().method.chosen(&forces, false);

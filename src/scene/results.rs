@@ -1,5 +1,6 @@
 //! The registry of results: every number and word that the program reports, once. Summaries, the columns of tables and
-//! traces, the terminal and the reference page come from here.
+//! traces, the terminal and the reference page come from it. Here are the results of one impact, which tables have as
+//! columns; those of the other kinds of scene stand beside their texts, in `report`.
 //!
 //! An entry of a list has these parts, in this order:
 //!
@@ -13,15 +14,8 @@
 
 pub(crate) mod entry;
 pub mod impact;
-pub mod indentation;
-pub mod series;
 
 pub use entry::{Column, Needs, Reported, Shown, fields, lists};
-
-/// The results of all runs but tables and calibrations as Markdown, a table for every file, or part of one, that has them.
-pub fn files() -> String {
-    [impact::files(), series::files(), indentation::files()].concat()
-}
 
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn columns() -> Vec<Column> {

@@ -180,7 +180,7 @@ fn each<T>(node: &Node, example: &str, read: impl FnMut(&Node) -> Result<T, Faul
 /// A point of a flow curve.
 pub const POINT: [&Quantity; 2] = [&STRAIN, &STRENGTH];
 
-/// How a pair is written.
+/// An example of a pair.
 pub fn pair_example(quantities: [&Quantity; 2]) -> String {
     format!("[{}]", quantities.map(|quantity| quantity.example).join(", "))
 }
@@ -210,7 +210,7 @@ fn through(points: &[[f64; 2]]) -> Result<FlowCurve, String> {
     FlowCurve::through(points.collect::<Vec<_>>()).map_err(|error| error.to_string())
 }
 
-/// Whether there is a key, or a table, of this path.
+/// There is a key, or a table, of this path.
 pub fn is_known(path: &str) -> bool {
     path == "law" || EVERY_KEY.iter().any(|key| is_at_or_below(key.path, path))
 }
@@ -230,7 +230,7 @@ pub fn names(table: &str) -> Vec<&'static str> {
     names
 }
 
-/// Whether a path is this one, or that of a key below it.
+/// The path is this one, or that of a key below it.
 pub fn is_at_or_below(path: &str, of: &str) -> bool {
     path.strip_prefix(of).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

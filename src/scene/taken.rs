@@ -6,14 +6,12 @@ use crate::materials::{Entry, Known, Property};
 /// A body that may name its material.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Body {
-    /// The sphere.
     Sphere,
     /// The half-space.
     HalfSpace,
 }
 
 impl Body {
-    /// Both of them.
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
     /// Its one, of what sphere and half-space have.
@@ -37,7 +35,6 @@ impl Body {
         }
     }
 
-    /// That key in an input.
     pub fn material_key(self) -> At<WORD> {
         match self {
             Self::Sphere => at!("sphere.material"),
@@ -74,9 +71,7 @@ impl Body {
 /// A body and the material that it takes numbers from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Taken {
-    /// The body.
     pub body: Body,
-    /// Its material.
     pub material: &'static Entry,
     /// The keys that the scenario leaves to the material.
     pub left: Vec<(&'static str, Property)>,

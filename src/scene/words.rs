@@ -16,7 +16,7 @@ const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<Stri
 pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.map(Method::name)));
 /// Names of whole laws.
 pub static LAWS: Words = words("law", "laws", || laws(LawChoice::has_loading));
-/// The same, as an axis takes them.
+/// Laws, as an axis takes them.
 pub static AXIS_OF_LAWS: Words =
     words("law", "laws (or \"loading + unloading\" such as \"jackson_green + brake\")", || {
         laws(LawChoice::has_loading)
@@ -25,23 +25,23 @@ pub static AXIS_OF_LAWS: Words =
 pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
 /// Names of laws that unload.
 pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
-/// Where repeated impacts hit.
+/// Spots of repeated impacts.
 pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
 /// Forms of the hardness of Jackson and Green.
 pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
-/// How the noise of measurements is given, if not by numbers.
+/// Words for the noise of measurements, if it is not given by numbers.
 pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
-/// How the range of a key is searched.
+/// Scales on which the range of a key is searched.
 pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]));
-/// What is done about outliers.
+/// The ways to treat outliers.
 pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "none"]));
-/// The place of the first of them.
+/// The place of `student-t` among them.
 pub const STUDENT_T: usize = 0;
 /// Names of materials.
 pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
-/// How a plate gives way.
+/// Theories of plates.
 pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL.map(PlateTheory::name)));
-/// How a material is drawn from its ranges.
+/// Distributions of a material within its ranges.
 pub static DRAWN: Words = words("word", "words here", || texts(["uniform"]));
 /// Names of the results that a table may have.
 pub static COLUMNS: Words = words("result", "results", || texts(columns().iter().map(|column| column.name)));

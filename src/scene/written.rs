@@ -8,7 +8,7 @@ use toml::de::{DeInteger, DeString, DeValue};
 
 /// A key, with its place in bytes.
 pub type Name<'t> = Spanned<DeString<'t>>;
-/// What stands behind a key, with its place.
+/// A value, with its place.
 pub type Node<'t> = Spanned<DeValue<'t>>;
 
 /// The law of two halves.
@@ -45,7 +45,7 @@ pub fn pattern(path: &str) -> String {
     parts.join("[")
 }
 
-/// What was found here, for messages.
+/// Describes a value in messages.
 pub fn described(node: &Node) -> String {
     match node.get_ref() {
         DeValue::String(text) => format!("\"{text}\""),

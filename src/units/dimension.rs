@@ -3,7 +3,7 @@
 /// Dimensions, each with its name and article, SI unit, end of names in this unit, and an example.
 macro_rules! dimensions {
     ($($dimension:ident: $name:literal, $unit:literal, $suffix:literal, $example:literal;)+) => {
-        /// What a quantity measures. An angle always carries its unit.
+        /// A dimension with its units. An angle always carries its unit.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum Dimension {
             $(#[doc = $name] $dimension,)+
@@ -39,7 +39,7 @@ dimensions! {
 }
 
 impl Dimension {
-    /// Its name with the article, for messages.
+    /// With the article, for messages.
     pub fn name(self) -> &'static str {
         self.words()[0]
     }
@@ -54,7 +54,7 @@ impl Dimension {
         self.words()[2]
     }
 
-    /// How such a quantity may be written.
+    /// Shows how such a quantity may be written.
     pub fn example(self) -> &'static str {
         self.words()[3]
     }

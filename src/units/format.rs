@@ -25,11 +25,25 @@ pub fn si(value: f64, dimension: Dimension) -> String {
     format!("{} {}", number(value), dimension.si_unit()).trim_end().to_owned()
 }
 
-/// In a suitable unit, to six digits: "5 mm".
+/// In a suitable unit, to six digits, as inputs are shown: "5 mm".
 pub fn human(value: f64, dimension: Dimension) -> String {
-    let rounded = format!("{value:.5e}");
+    rounded(value, dimension, 6)
+}
+
+/// In a suitable unit, to four digits, as results are shown: "36.95 µm".
+pub fn quantity(value: f64, dimension: Dimension) -> String {
+    rounded(value, dimension, 4)
+}
+
+fn rounded(value: f64, dimension: Dimension, digits: usize) -> String {
+    let rounded = format!("{value:.*e}", digits - 1);
     // 0.9999999 m is 1 m, and not 1000 mm
     in_suitable_unit(rounded.parse().unwrap_or(value), &rounded, dimension)
+}
+
+/// A share as a percentage, "37.74 %".
+pub fn percent(share: f64) -> String {
+    format!("{} %", four_digits(100.0 * share))
 }
 
 /// In a suitable unit, with all digits: it is read back to the same number.
@@ -89,5 +103,24 @@ mod tests {
         assert_eq!(human(0.999_999_9, Dimension::Length), "1 m");
         assert_eq!(human(0.999_99, Dimension::Length), "999.99 mm");
         assert_eq!(exact(0.999_999_9, Dimension::Length), "999.9999 mm");
+    }
+
+    #[test]
+    fn results_have_four_digits() {
+        let table = [
+            (3.6948e-5, Dimension::Length, "36.95 µm"),
+            (1105.7, Dimension::Force, "1.106 kN"),
+            (3.45e8, Dimension::Pressure, "345 MPa"),
+            (0.0, Dimension::Force, "0 N"),
+            (999.96, Dimension::Force, "1 kN"),
+            (-2.5, Dimension::Speed, "-2.5 m/s"),
+            (0.005, Dimension::Mass, "5 g"),
+            (8850.0, Dimension::Density, "8.85 g/cm^3"),
+            (1.2345e-300, Dimension::Length, "1.234e-291 nm"),
+            (f64::INFINITY, Dimension::Pressure, "inf Pa"),
+        ];
+        for (value, dimension, text) in table {
+            assert_eq!(quantity(value, dimension), text);
+        }
     }
 }

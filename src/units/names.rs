@@ -8,10 +8,8 @@ macro_rules! named {
         $vis enum $type { $($(#[$about])* $value,)+ }
 
         impl $type {
-            /// All of them.
             pub const ALL: [Self; [$($name),+].len()] = [$(Self::$value),+];
 
-            /// Its name.
             pub fn name(self) -> &'static str {
                 match self {
                     $(Self::$value => $name,)+

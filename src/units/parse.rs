@@ -36,7 +36,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Error> {
     parse_as(text, dimension, dimension.name(), dimension.example()).map_err(Error::input)
 }
 
-/// The same of a quantity with this name and this example.
+/// Reads a quantity that messages call by this name, and for which they give this example.
 pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> Result<f64, String> {
     let no_number = || format!("\"{text}\" does not begin with a number; write {name} such as {example}");
     let plain = with_plain_minus(text.trim());

@@ -1,11 +1,9 @@
-//! Numbers for people: four significant digits and an SI prefix, "36.95 µm", "1.106 kN".
-
-use super::four_digits;
+//! SI prefixes and powers of ten, for the axes of pictures.
 
 /// A power of ten with its SI symbol.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prefix {
-    /// What a value is divided by.
+    /// A value is divided by it.
     pub factor: f64,
     /// "m", "µ", "k"; "10⁻³⁰⁰ " where SI has no common letter.
     pub symbol: String,
@@ -49,44 +47,4 @@ pub fn power_of_ten(exponent: i32) -> String {
         digit => char::from_u32('⁰' as u32 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
     };
     format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
-}
-
-/// A value in an SI unit, with prefix: `quantity(3.6948e-5, "m")` is "36.95 µm".
-pub fn quantity(value: f64, unit: &str) -> String {
-    let prefix = Prefix::of(value);
-    let space = match (unit, prefix.symbol.as_str()) {
-        ("", "") => "",
-        // a power of ten is no letter that could stand beside a number
-        (_, symbol) if symbol.starts_with("10") => " × ",
-        _ => " ",
-    };
-    format!("{}{space}{}{unit}", four_digits(value / prefix.factor), prefix.symbol)
-}
-
-/// A share as a percentage, "37.74 %".
-pub fn percent(share: f64) -> String {
-    format!("{} %", four_digits(100.0 * share))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantities_have_four_digits_and_a_prefix() {
-        let table = [
-            (3.6948e-5, "m", "36.95 µm"),
-            (1105.7, "N", "1.106 kN"),
-            (3.45e8, "Pa", "345 MPa"),
-            (0.0, "N", "0 N"),
-            (999.96, "N", "1 kN"),
-            (0.012, "m/s", "12 mm/s"),
-            (-2.5, "m/s", "-2.5 m/s"),
-            (1.234e-300, "m", "1.234 × 10⁻³⁰⁰ m"),
-            (f64::INFINITY, "Pa", "inf Pa"),
-        ];
-        for (value, unit, text) in table {
-            assert_eq!(quantity(value, unit), text);
-        }
-    }
 }

@@ -19,7 +19,7 @@ pub(super) struct Unit {
     pub(super) name: &'static str,
     pub(super) dimension: Dimension,
     pub(super) scale: Scale,
-    /// Whether values are shown in it.
+    /// Values are shown in it.
     pub(super) is_shown: bool,
 }
 
@@ -102,6 +102,8 @@ pub(super) const UNITS: &[Unit] = &[
     read("kgf", Force, Scale::Times(9.80665)),
     shown("kN", Force, 3),
     shown("MN", Force, 6),
+    shown("fJ", Energy, -15),
+    shown("pJ", Energy, -12),
     shown("nJ", Energy, -9),
     shown("µJ", Energy, -6),
     shown("mJ", Energy, -3),

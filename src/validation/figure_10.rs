@@ -7,8 +7,7 @@ use crate::law::published::PeakState;
 use crate::law::{Bodies, LawChoice, Unloading};
 use crate::material::{HalfSpace, Material, Pair, Sphere};
 use crate::plot::{Axis, Chart, Series, Style};
-use crate::units::four_digits;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, four_digits, quantity};
 
 /// R \[m\], the moduli of sphere and half-space \[Pa\], and the yield strength \[Pa\].
 const RADIUS: f64 = 35e-3;
@@ -82,10 +81,10 @@ fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
     let title = format!("Unloading from {} × the yield indentation", four_digits(peak.indentation));
     let caption = format!(
         "sphere R {}, E {}; half-space E {}, yields at {}; all from the peak of the finite elements",
-        quantity(RADIUS, "m"),
-        quantity(MODULI[0], "Pa"),
-        quantity(MODULI[1], "Pa"),
-        quantity(STRENGTH, "Pa"),
+        quantity(RADIUS, Dimension::Length),
+        quantity(MODULI[0], Dimension::Pressure),
+        quantity(MODULI[1], Dimension::Pressure),
+        quantity(STRENGTH, Dimension::Pressure),
     );
     Chart::new(title, axes, series).with_caption(caption)
 }

@@ -24,7 +24,7 @@ use crate::reference::hardening::unloadings;
 use crate::reference::impacts::Sample;
 use crate::reference::measured::{Steel, devices, steels};
 use crate::reference::oblique::rebounds;
-use crate::units::rounded::quantity;
+use crate::units::{Dimension, quantity};
 
 /// A picture before it is drawn, with the name of its file without the ending.
 type Picture = (String, Chart);
@@ -136,7 +136,7 @@ fn impact(of: &dynamic::Case) -> Picture {
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
     let (name, slug) = (&of.reference.case, of.reference.case.to_lowercase());
-    let title = format!("Impact {name} at {}", quantity(of.impacts[0].speed, "m/s"));
+    let title = format!("Impact {name} at {}", quantity(of.impacts[0].speed, Dimension::Speed));
     let chart = Chart::new(title, axes, series).with_side(Axis::engineering("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
     (format!("impact-{slug}-force-indentation"), chart)

@@ -1,27 +1,28 @@
-//! What an entry of the registry of results is, and how values are written as JSON.
+//! An entry of the registry of results, and its value as JSON.
 
 use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use crate::impact::Essentials;
+use crate::impact::{Contact, Essentials};
+use crate::scene::Input;
+use crate::scene::at::at;
 use crate::units::Dimension;
 
 /// A result that is found from a `T`.
 #[derive(Debug, Clone, Copy)]
 pub struct Reported<T> {
-    /// Its name, with the unit.
+    /// With the unit.
     pub name: &'static str,
-    /// What it is, in one sentence.
+    /// The meaning, in one sentence.
     pub about: &'static str,
-    /// How the terminal shows it.
     pub shown: Shown,
     /// The condition under which it is there; empty if it is always there.
     pub condition: &'static str,
     /// Its name on the terminal, or a remark on the line above. In a remark `{}` stands for the value, and `{%}` for
     /// its share of the value of that line. Empty: the terminal does not show the result.
     pub label: &'static str,
-    /// Its value; `None` where it is left out.
+    /// `None` where it is left out.
     pub value: fn(&T) -> Option<Value>,
     /// The column of a table with this result.
     pub column: Option<Column>,
@@ -53,7 +54,7 @@ pub(crate) fn file<T>(title: &str, results: &[Reported<T>]) -> String {
     text + "\n"
 }
 
-/// What a scene must have for a column to be there.
+/// A column is there only in a scene that has this.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
     /// Nothing: the column is in every table.
@@ -75,26 +76,89 @@ pub enum Needs {
 /// A column of a table.
 #[derive(Debug, Clone, Copy)]
 pub struct Column {
-    /// Its name, with the unit.
+    /// With the unit.
     pub name: &'static str,
-    /// What the scene must have.
     pub needs: Needs,
     /// The value of a row; `None` is an empty field.
     pub value: fn(&Essentials) -> Option<f64>,
 }
 
+/// A need in words, and the ways to see whether it is met.
+struct Rule {
+    /// When an impact has the result, in words.
+    condition: &'static str,
+    /// Whether an impact has it.
+    is_met: fn(&Contact, &Essentials) -> bool,
+    /// Why the table of an input has no such column.
+    missing: fn(&Input) -> Option<&'static str>,
+}
+
 impl Needs {
+    const fn rule(self) -> Rule {
+        match self {
+            Self::Nothing => Rule { condition: "", is_met: |_, _| true, missing: |_| None },
+            Self::Strength => Rule {
+                condition: YIELDS,
+                is_met: |contact, _| contact.pair().yield_point.is_some(),
+                missing: |input| (!input.can_yield()).then_some("without half_space.yield_strength there is no dent"),
+            },
+            Self::Flat => Rule {
+                condition: FLATTENS,
+                is_met: |contact, _| contact.sphere().yield_strength.is_some(),
+                missing: |input| {
+                    let is_elastic = input.number(at!("sphere.yield_strength")).is_none();
+                    is_elastic.then_some("without sphere.yield_strength there is no flat")
+                },
+            },
+            Self::Density => Rule {
+                condition: WAVES,
+                is_met: |_, row| row.wave_loss_fraction.is_some(),
+                missing: |input| match input.number(at!("half_space.density")) {
+                    None => Some("without half_space.density nothing is known of elastic waves"),
+                    Some(_) if input.forces().plate.is_some() => {
+                        Some("with half_space.thickness a plate takes the energy")
+                    }
+                    Some(_) => None,
+                },
+            },
+            Self::Thickness => Rule {
+                condition: PLATE,
+                is_met: |_, row| row.on_plate.is_some(),
+                missing: |input| {
+                    input.forces().plate.is_none().then_some("without half_space.thickness there is no plate")
+                },
+            },
+            Self::Incidence => Rule {
+                condition: OBLIQUE,
+                is_met: |_, row| row.rebound.is_some(),
+                missing: |input| {
+                    input.incidence().is_none().then_some("without impact.angle or sphere.spin nothing slides")
+                },
+            },
+            Self::Air => Rule {
+                condition: FLIES,
+                is_met: |_, row| row.rebound_height.is_some(),
+                missing: |input| {
+                    let is_in_air = input.forces().flying.is_some_and(|flying| flying.is_in_air());
+                    (!is_in_air).then_some("without [air] a height is a speed")
+                },
+            },
+        }
+    }
+
     /// When an impact has the result, in words.
     pub const fn condition(self) -> &'static str {
-        match self {
-            Self::Nothing => "",
-            Self::Strength => YIELDS,
-            Self::Flat => FLATTENS,
-            Self::Density => WAVES,
-            Self::Thickness => PLATE,
-            Self::Incidence => OBLIQUE,
-            Self::Air => FLIES,
-        }
+        self.rule().condition
+    }
+
+    /// Whether an impact has the result.
+    pub fn is_met(self, contact: &Contact, row: &Essentials) -> bool {
+        (self.rule().is_met)(contact, row)
+    }
+
+    /// Why the table of an input has no column that needs this; `None` if it has one.
+    pub fn missing(self, input: &Input) -> Option<&'static str> {
+        (self.rule().missing)(input)
     }
 }
 
@@ -111,32 +175,32 @@ pub fn fields<T>(results: &[Reported<T>], of: &T) -> Map<String, Value> {
     all
 }
 
-/// The same of several things.
+/// Makes a list of the values of several things.
 pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &'a T>) -> Value {
     all.into_iter().map(|one| fields(results, one)).collect()
 }
 
-pub(super) const YIELDS: &str = "a body has a yield strength";
-pub(super) const FLATTENS: &str = "the sphere has a yield strength";
-pub(super) const BAND: &str =
+pub(crate) const YIELDS: &str = "a body has a yield strength";
+pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
+pub(crate) const BAND: &str =
     "the half-space yields under the law `plm`, with an exponent whose error against finite elements is known";
-pub(super) const WAVES: &str = "the half-space has a density; not under damping, on a plate, nor without a rebound";
-pub(super) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
-pub(super) const FLIES: &str = "there is gravity or a drop height; in tables only with air";
-pub(super) const AIR: &str = "there is air";
-pub(super) const FORCES: &str = "there is gravity, damping or a plate";
-pub(super) const PLATE: &str = "a plate is hit";
-pub(super) const GRAVITY: &str = "there is gravity";
-pub(super) const DAMPING: &str = "there is damping";
-pub(super) const VISCOUS: &str = "there is viscous damping";
-pub(super) const TABLES: &str = "in tables only";
+pub(crate) const WAVES: &str = "the half-space has a density; not under damping, on a plate, nor without a rebound";
+pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
+pub(crate) const FLIES: &str = "there is gravity or a drop height; in tables only with air";
+pub(crate) const AIR: &str = "there is air";
+pub(crate) const FORCES: &str = "there is gravity, damping or a plate";
+pub(crate) const PLATE: &str = "a plate is hit";
+pub(crate) const GRAVITY: &str = "there is gravity";
+pub(crate) const DAMPING: &str = "there is damping";
+pub(crate) const VISCOUS: &str = "there is viscous damping";
+pub(crate) const TABLES: &str = "in tables only";
 pub(crate) const OUTSIDE: &str = "there are such rows";
 pub(crate) const RANDOM: &str = "the cases are random";
-pub(super) const VERLET: &str = "the method is verlet";
-pub(super) const BOUNCES: &str = "the sphere bounces under gravity";
-pub(super) const CAPTURED: &str = "the sphere stays in its dent";
-pub(super) const NAMED: &str = "the half-space has a name";
-pub(super) const GIVEN: &str = "the step is given by it";
+pub(crate) const VERLET: &str = "the method is verlet";
+pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
+pub(crate) const CAPTURED: &str = "the sphere stays in its dent";
+pub(crate) const NAMED: &str = "the half-space has a name";
+pub(crate) const GIVEN: &str = "the step is given by it";
 
 /// A list of results from its entries.
 macro_rules! results {

@@ -23,7 +23,7 @@ pub struct Single<'a> {
 pub struct Band {
     pub low: f64,
     pub high: f64,
-    /// What it follows from, such as "hardness 104 HB to 154 HB, law 1 %".
+    /// The reason, such as "hardness 104 HB to 154 HB, law 1 %".
     pub because: String,
 }
 
@@ -39,16 +39,7 @@ impl Single<'_> {
     /// The value of a column of tables, if the impact has it.
     fn of_row(&self, needs: Needs, value: fn(&Essentials) -> Option<f64>) -> Option<Value> {
         let row = &self.impact.essentials;
-        let is_there = match needs {
-            Needs::Nothing => true,
-            Needs::Strength => self.contact.pair().yield_point.is_some(),
-            Needs::Flat => self.contact.sphere().yield_strength.is_some(),
-            Needs::Density => row.wave_loss_fraction.is_some(),
-            Needs::Thickness => row.on_plate.is_some(),
-            Needs::Incidence => row.rebound.is_some(),
-            Needs::Air => row.rebound_height.is_some(),
-        };
-        is_there.then(|| value(row).into())
+        needs.is_met(self.contact, row).then(|| value(row).into())
     }
 
     /// The value, if the sphere can yield.
@@ -110,7 +101,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |of: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
-        /// What the restitution may be, in words: from the range of the hardness of a material by name, and from the error of
+        /// The range of the restitution in words: from the range of the hardness of a material by name, and from the error of
         /// the law against finite elements, added as squares.
         "restitution_band" as "({})" if BAND: of.band.map(Band::words);
         /// The lower end of that band.
@@ -176,7 +167,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "is_sliding" if TABLES [Incidence: |row| rebound(row, |after| f64::from(u8::from(after.is_sliding)))];
         /// Slip speed before the impact over friction, 4 (G*/E*) s_0/(mu v_n); infinite (`null`) without friction.
         "psi_1" [Incidence: |row| rebound(row, |after| after.psi)];
-        /// The same of the slip speed after the impact.
+        /// Slip speed after the impact over friction, 4 (G*/E*) s_1/(mu v_n).
         "psi_2" [Incidence: |row| rebound(row, Rebound::psi_after)];
         /// Error of -s_1/s_0: the sum of what halving each step of friction changes; 0 for gross sliding.
         "friction_error" in Error [Incidence: |row| rebound(row, |after| after.error)];
@@ -267,7 +258,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
         /// Kinetic energy along the half-space and of the spin at first touch.
         "energy.tangential_in_J" in Energy as "along the surface" if OBLIQUE: of.oblique(|friction| friction.kinetic_in);
-        /// The same at separation.
+        /// Kinetic energy along the half-space and of the spin at separation.
         "energy.tangential_recovered_J" in Energy as "{%} recovered" if OBLIQUE: of.oblique(|friction| friction.recovered);
         /// Energy taken by friction.
         "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: of.oblique(|friction| friction.loss);
@@ -355,7 +346,7 @@ pub fn event_name(event: Option<Event>) -> &'static str {
 }
 
 /// The files with these results, as Markdown.
-pub(super) fn files() -> String {
+pub(crate) fn files() -> String {
     file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results())
         + &file("One impact: `trace.csv`", &trace())
 }

@@ -1,10 +1,11 @@
 //! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
 
-use super::entry::{Reported, file, results};
 use crate::impact::Contact;
 use crate::math::power::max_or_nan;
 use crate::repeat::{Drive, End, Hit, Repeat, Sequence};
-use crate::units::rounded::quantity;
+use crate::scene::results::Reported;
+use crate::scene::results::entry::{file, results};
+use crate::units::{Dimension, quantity};
 
 /// A series of impacts.
 #[derive(Debug, Clone, Copy)]
@@ -140,7 +141,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
 /// Why the series ended, for a person.
 fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
     let until = match repeat.drive {
-        Drive::Bouncing { until: Some(until), .. } => quantity(until, "m/s"),
+        Drive::Bouncing { until: Some(until), .. } => quantity(until, Dimension::Speed),
         _ => String::new(),
     };
     match sequence.end {
@@ -169,7 +170,7 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.incidence.map(|incidence| incidence.spin);
         /// Rebound speed over impact speed by the law; 0 if captured.
         "restitution" as "e": row.1.restitution;
-        /// The same after the waves have taken their energy.
+        /// Restitution after the waves have taken their energy.
         "restitution_with_waves" as "with waves" if WAVES: row.1.restitution_with_waves();
         /// Speed with which the flight begins: with waves, if the half-space has a density.
         "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
