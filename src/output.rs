@@ -110,7 +110,7 @@ impl OutputDirectory {
         Ok(directory)
     }
 
-    /// What the summary says of the results that are there.
+    /// Reads the summary of the results that are there.
     fn find(&self, origin: Origin) -> Result<Option<Before>, Error> {
         let path = self.path.join(SUMMARY);
         refuse_special(&path).map_err(unwritable(&path))?;

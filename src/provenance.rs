@@ -71,6 +71,6 @@ pub struct LawOf {
     pub law_source: Option<String>,
     /// Name of its table of coefficients; `None` for a law without one.
     pub coefficients: Option<String>,
-    /// What those coefficients were determined from.
+    /// The data from which those coefficients were determined.
     pub coefficients_source: Option<String>,
 }

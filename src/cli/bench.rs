@@ -75,11 +75,11 @@ impact = { speed = "1 m/s" }
 "impact.speed" = { logspace = ["0.1 mm/s", "100 m/s"], points = 500_000 }
 "#;
 
-/// What leaves nine columns of the table.
+/// With this change of the scenario the table has nine columns.
 const NINE: &str =
     r#"output.columns=["contact_time_s", "peak_force_N", "peak_indentation_m", "residual_indentation_m"]"#;
 
-/// How fast tables of nine columns, and of all, are computed and written.
+/// Measures how fast tables of nine columns, and of all, are computed and written.
 fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<[TableRate; 2], Error> {
     let measure = |columns: Option<&str>| -> Result<TableRate, Error> {
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");

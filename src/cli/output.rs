@@ -1,4 +1,4 @@
-//! What a run writes, where, and what it says.
+//! The options that say what a run writes, where, and what it shows.
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};

@@ -10,7 +10,7 @@ use plm_impact::scenario::{LARGEST_SCENARIO, Scenario, text_of};
 
 use super::terminal::other;
 
-/// What stands for standard input in place of a file.
+/// In place of a file it stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
 
 /// Writes a scenario to a file, never over one that is there. `option` is the one that names another file.

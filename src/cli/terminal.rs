@@ -1,4 +1,4 @@
-//! What is written to the terminal: results to standard output, errors, warnings and notes to standard error, in colour
+//! Writes to the terminal: results to standard output, errors, warnings and notes to standard error, in colour
 //! where a terminal shows it, or for programs as JSON.
 
 use std::fmt::Display;
@@ -17,7 +17,7 @@ pub enum ErrorFormat {
     Json,
 }
 
-/// Whether programs read the errors.
+/// Programs read the errors then.
 static IS_JSON: AtomicBool = AtomicBool::new(false);
 
 impl ErrorFormat {
@@ -49,7 +49,6 @@ pub fn note(text: impl Display) {
     tell("note", None, None, text.to_string(), Details::default());
 }
 
-/// Whether errors are written for programs.
 pub fn is_json() -> bool {
     IS_JSON.load(Ordering::Relaxed)
 }
@@ -86,7 +85,7 @@ fn harmless(text: &str) -> String {
     escaped(text, |c| c.escape_default().to_string())
 }
 
-/// The same for JSON, in which such characters stand in texts alone.
+/// Escapes control characters of JSON, where they stand in texts alone.
 fn harmless_json(text: &str) -> String {
     escaped(text, |c| format!("\\u{:04x}", u32::from(c)))
 }

@@ -55,14 +55,13 @@ impl Signals {
     }
 }
 
-/// How work is watched.
 pub struct Watch {
     pub is_quiet: bool,
-    /// What stands behind the bar.
+    /// The text behind the bar.
     pub bar: &'static str,
     /// Time that the work has to stop by itself after a signal; then it is abandoned.
     pub patience: Duration,
-    /// What abandoned work leaves, and what to do then.
+    /// Tells what abandoned work leaves, and what to do then.
     pub leaves: &'static str,
 }
 

@@ -42,7 +42,6 @@ named! {
 }
 
 impl Property {
-    /// Its dimension.
     pub fn dimension(self) -> Dimension {
         match self {
             Self::Density => Dimension::Density,
@@ -68,7 +67,7 @@ pub struct Known {
     pub taken: Written,
     /// The smallest and the largest value that the sources give or a standard allows.
     pub range: [Written; 2],
-    /// What kind of number it is, such as a hardness of a named condition.
+    /// The kind of number, such as a hardness of a named condition.
     pub basis: String,
     /// Every source and the value it gives.
     pub sources: Vec<[String; 2]>,
@@ -81,9 +80,8 @@ pub struct Entry {
     pub name: String,
     /// The material and its condition, in words.
     pub title: String,
-    /// How it gives way.
     pub class: Class,
-    /// Whether it is a metal that hardens by an exponent that no two sources agree on.
+    /// The metal hardens, but no two sources agree on the exponent.
     pub lacks_exponent: bool,
     /// A remark for the user.
     pub note: Option<String>,
@@ -103,7 +101,7 @@ impl Entry {
         of(Property::HardeningExponent).zip(of(Property::YoungsModulus))
     }
 
-    /// Whether the material hardens by a power law.
+    /// A material with an exponent hardens by a power law.
     pub fn hardens(&self) -> bool {
         self.power_law().is_some()
     }

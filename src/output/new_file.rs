@@ -13,7 +13,7 @@ const PART: &str = ".part";
 /// A temporary file that nobody has written to for so long was left by a killed run.
 const STALE: Duration = Duration::from_secs(3600);
 
-/// What is called after every change of the disk.
+/// It is called after every change of the disk.
 static AFTER_CHANGES: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
 
 /// Has a function called after every step of writing: a file begun, some of its bytes written, synchronised, renamed or

@@ -163,7 +163,7 @@ impl<'a> FittedQuantity<'a> {
         Chart::new("Laws with their best keys, and how far their AIC is above the least", self.axes, series)
     }
 
-    /// What a law with its best keys predicts.
+    /// The predictions of a law with its best keys.
     fn line(&self, fit: &Fit) -> Points {
         let shares = &fit.best().shares;
         let along = match self.over {

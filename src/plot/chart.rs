@@ -268,7 +268,7 @@ impl Chart {
         self.draw_colors(pen, layout.all)
     }
 
-    /// What the key shows. Guides with the same texts have one entry, in grey if their colours differ.
+    /// The entries of the key. Guides with the same texts have one entry, in grey if their colours differ.
     fn key(&self, frames: &[Frame]) -> Vec<(&Series, Style)> {
         fn styled((number, one): (usize, &Series)) -> (&Series, Style) {
             (one, one.style(number))

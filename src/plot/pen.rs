@@ -23,7 +23,7 @@ const EDGE: f64 = 6.0;
 /// Points of a curve that are closer than this \[px\] are drawn as one.
 const RESOLUTION: f64 = 2.0;
 
-/// What differs between the two file formats.
+/// The two file formats differ in this.
 #[derive(Clone, Copy)]
 struct Format {
     /// Units of the back end per pixel of the picture: plotters takes whole numbers.

@@ -5,7 +5,7 @@ use crate::output::OutputFile;
 use crate::units::names::named;
 
 named! {
-    /// What pictures are written as.
+    /// The file format of pictures.
     pub enum Pictures {
         /// PNG: pixels.
         Png = "png",

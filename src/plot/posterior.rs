@@ -1,4 +1,4 @@
-//! What the measurements say of two keys together: the regions of 68 % and 95 %.
+//! The regions of two keys together in which their true values lie with 68 % and 95 %.
 
 use super::axis::{Axis, extremes};
 use super::chart::Chart;

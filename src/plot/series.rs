@@ -1,4 +1,4 @@
-//! What lies on the axes of a picture: series of points, and guides that are not data.
+//! The lines and points of a picture: series of points, and guides that are not data.
 
 use std::borrow::Cow;
 

@@ -46,7 +46,7 @@ pub(super) fn axes(node: &Node, reader: &mut Reader) -> Result<Vec<Axis>, Fault>
     Ok(each(keys, reader, axis))
 }
 
-/// What `read` makes of the keys of a table; a refusal is kept.
+/// Reads every key of a table; a refusal is kept.
 fn each<T>(keys: &DeTable, reader: &mut Reader, read: fn(&Name, &Node) -> Result<T, Fault>) -> Vec<T> {
     let mut all = Vec::new();
     for (name, node) in keys {

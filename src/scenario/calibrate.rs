@@ -15,7 +15,6 @@ use crate::scene::words::STUDENT_T;
 use crate::scene::{Input, Key};
 use crate::strength::hardness::CONSTRAINT;
 
-/// Where the measurements are.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
     /// In a file, by its name: its text.
@@ -37,9 +36,9 @@ pub struct Wanted {
     pub deviations: Vec<(String, f64)>,
     /// Error of the law, as a share of each value.
     pub model_error: f64,
-    /// Whether the noise is to be estimated, whatever the data say of it.
+    /// The noise is to be estimated, whatever the data say of it.
     pub is_estimated: bool,
-    /// Whether outliers are expected.
+    /// Outliers are expected.
     pub is_robust: bool,
     /// Other laws to fit.
     pub laws: Vec<LawChoice>,

@@ -32,7 +32,7 @@ fn unreadable(path: &Path) -> impl Fn(std::io::Error) -> Error {
     Error::of_file(ErrorKind::Input, path, "cannot be read", "")
 }
 
-/// The same of what is already open; `path` stands for it in messages.
+/// Reads what is open already; `path` stands for it in messages.
 pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Error> {
     let most = largest << 20;
     let mut bytes = Vec::new();
@@ -59,9 +59,8 @@ const LONGEST_MESSAGE: usize = 1800;
 /// `key=value` from the command line.
 #[derive(Debug, Clone)]
 struct Override {
-    /// As given.
     text: String,
-    /// Its key, with dots.
+    /// With dots.
     key: String,
 }
 
@@ -87,7 +86,7 @@ impl Override {
     }
 }
 
-/// Where the values of a text are, by their keys.
+/// The places of the values of a text, by their keys.
 type Places = BTreeMap<String, Range<usize>>;
 
 /// The places of a text, which is a scenario.
@@ -106,9 +105,9 @@ pub struct Document {
     overrides: Vec<Override>,
     /// The text with the changes of the command line, which is what is read.
     edited: String,
-    /// Where the values are in that text.
+    /// The places in that text.
     places: Places,
-    /// Where they are in the text of the file.
+    /// The places in the text of the file.
     in_file: Places,
 }
 
@@ -140,7 +139,7 @@ impl Document {
         Ok(Spanned::new(0..0, DeValue::Table(root.into_inner())))
     }
 
-    /// What the scenario is called in messages: its file.
+    /// The name of the scenario in messages: its file.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -193,7 +192,7 @@ impl Document {
         by(&|given| is_at_or_below(given, key)).map(Place::Set)
     }
 
-    /// Whether the scenario, or the command line, gives the key itself.
+    /// The scenario, or the command line, gives the key itself.
     pub fn has(&self, key: &str) -> bool {
         self.places.contains_key(key)
     }
@@ -264,6 +263,6 @@ impl Document {
 enum Place {
     /// A part of the text of the file, in bytes.
     File(Range<usize>),
-    /// What the command line gives, by its number.
+    /// The override of the command line with this number.
     Set(usize),
 }

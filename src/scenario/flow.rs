@@ -9,7 +9,7 @@ use crate::scene::taken::Body;
 use crate::scene::{Input, KEYS};
 use crate::strength::flow::FlowCurve;
 
-/// How a curve may be written.
+/// The four ways to write a curve.
 const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
 
 impl Scenario {

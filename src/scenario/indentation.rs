@@ -22,7 +22,7 @@ pub struct IndentationScene {
     pub specimens: Vec<Specimen>,
     /// The law, with its parameters.
     pub law: LawChoice,
-    /// Where the steps end; at least one.
+    /// The ends of the steps; at least one.
     pub targets: Vec<Target>,
     /// Evenly spaced rows of the trace in each step.
     pub samples: usize,

@@ -35,7 +35,7 @@ pub fn template(kind: Kind) -> &'static str {
 }
 
 impl Kind {
-    /// What a scenario of this kind is, for messages.
+    /// Names a scenario of this kind in messages.
     pub fn what(self) -> &'static str {
         match self {
             Self::Impact => "one impact",
@@ -53,7 +53,7 @@ impl Kind {
 }
 
 impl Scenario {
-    /// What kind of scene the file is.
+    /// The kind follows from the tables.
     ///
     /// # Errors
     /// [`Error`] for tables of two kinds.

@@ -8,11 +8,11 @@ const WIDTH: usize = 120;
 
 /// A part of a text.
 pub(super) struct Mark {
-    /// Its line, from 1.
+    /// Counted from 1.
     pub line: usize,
-    /// Its column, from 1, in characters.
+    /// Counted from 1, in characters.
     pub column: usize,
-    /// What is marked, as far as it is shown.
+    /// The marked text, as far as it is shown.
     pub value: String,
     /// The line, and the mark under the part.
     pub excerpt: String,

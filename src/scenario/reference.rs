@@ -1,4 +1,4 @@
-//! What the registry says of keys: the tables of the reference page, and what messages tell of a key.
+//! The keys in words: the tables of the reference page, and what messages tell of a key.
 
 use std::fmt::Write as _;
 
@@ -33,7 +33,7 @@ pub fn keys() -> String {
     text
 }
 
-/// What the registry says of the keys whose paths have this text; `None` if there is none.
+/// Describes the keys whose paths have this text; `None` if there is none.
 pub fn about_keys(text: &str) -> Option<String> {
     let known: Vec<&AnyKey> = EVERY_KEY.iter().collect();
     let exact: Vec<&AnyKey> = known.iter().copied().filter(|key| key.path == text).collect();
@@ -69,7 +69,7 @@ fn heading(table: &str) -> String {
 /// A key with more words than this refers to a table of them.
 const MOST_WORDS: usize = 20;
 
-/// What may be written as the value of a key, as Markdown.
+/// The values that a key may have, as Markdown.
 pub fn written(form: &Form) -> String {
     let number = |quantity: &Quantity| format!("{} {}", quantity.name, quantity.allowed());
     match form {

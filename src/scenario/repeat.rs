@@ -29,7 +29,7 @@ impl Scenario {
         }
     }
 
-    /// What `[repeat]` asks for, if the scenario has it; `first` is the input of the first impact.
+    /// The series of `[repeat]`, if the scenario has that table; `first` is the input of the first impact.
     ///
     /// # Errors
     /// [`Error`] where keys are missing or contradict each other.

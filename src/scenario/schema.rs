@@ -87,7 +87,7 @@ fn insert(root: &mut Value, path: &str, leaf: Value) {
     }
 }
 
-/// How a value may be written; the quantities that it refers to are added to the list.
+/// Describes the values of a key; the quantities that it refers to are added to the list.
 fn of_form(form: &Form, quantities: &mut Vec<&'static Quantity>) -> Value {
     let mut number = |quantity: &'static Quantity| {
         quantities.push(quantity);

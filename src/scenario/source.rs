@@ -9,7 +9,7 @@ use crate::provenance::{FORMAT, Provenance, VERSION};
 use crate::scene::at::at;
 
 impl Scenario {
-    /// Its texts.
+    /// The scenario as texts, from which it can be read again.
     pub fn source(&self) -> Source {
         let files = self.files.iter().map(|(key, (_, text))| (key.clone(), text.clone()));
         Source { text: self.document.text().to_owned(), overrides: self.document.overrides(), files: files.collect() }
@@ -23,7 +23,7 @@ impl Scenario {
         Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), source.files.clone())
     }
 
-    /// The same with measurements that are known without the file `calibrate.data`.
+    /// Takes measurements that are known without the file `calibrate.data`.
     #[must_use]
     pub fn with_data(mut self, csv: String) -> Self {
         let name = self.input.text(at!("calibrate.data")).unwrap_or_default();

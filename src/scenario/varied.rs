@@ -1,4 +1,4 @@
-//! What varies in a scenario: `[sweep]`, `[monte_carlo]` and the keys that a calibration finds.
+//! The keys that vary in a scenario: `[sweep]`, `[monte_carlo]` and the keys that a calibration finds.
 
 use toml::de::{DeTable, DeValue};
 
@@ -7,7 +7,7 @@ use crate::plan::axis::Axis;
 use crate::plan::free::Free;
 use crate::scene::read::Reader;
 
-/// What varies; nothing in most scenarios.
+/// Nothing varies in most scenarios.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Varied {
     pub(super) sweep: Option<Vec<Axis>>,

@@ -155,7 +155,7 @@ impl<'a> Evaluator<'a> {
         Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), contacts, strides: Vec::new() }
     }
 
-    /// How many swept values a row has.
+    /// The number of swept values of a row.
     pub fn n_swept(&self) -> usize {
         self.plan.paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
     }
@@ -175,7 +175,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// What is known of the combination at these places.
+    /// The prepared contact of the combination at these places.
     #[allow(clippy::cast_possible_truncation)] // at most 10⁴
     fn known(&self, places: &[u64]) -> Option<&(Input, Known)> {
         let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();

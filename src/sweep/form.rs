@@ -22,7 +22,7 @@ named! {
     }
 }
 
-/// What a file turned out to be.
+/// The state of a file that is there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Found {
     /// All rows of the part are there.
@@ -41,7 +41,7 @@ pub(super) trait Form: Sync + Send {
     /// The most rows that are encoded at a time.
     const BATCH: u64;
 
-    /// What every file begins with.
+    /// Every file begins with these bytes.
     fn header(&self) -> &[u8];
 
     /// Encodes rows; many threads do so at a time.

@@ -29,7 +29,6 @@ pub struct Job<'a> {
     pub shard: Option<Shard>,
     /// The format of the table.
     pub format: Format,
-    /// How it is divided into parts.
     pub layout: Layout,
     /// The directory that the table is written to.
     pub directory: &'a OutputDirectory,
@@ -51,7 +50,7 @@ pub struct Written {
     pub found: u64,
 }
 
-/// What is to be done for a table.
+/// One piece of the work for a table.
 enum Task {
     /// Read a part that is there.
     Read(u64),
