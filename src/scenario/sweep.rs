@@ -74,7 +74,7 @@ impl Scenario {
         let mut chosen = Vec::new();
         for Column { name, needs, .. } in columns() {
             let count = names.iter().filter(|given| *given == name).count();
-            let missing = needs.missing(&plan.input).filter(|_| count > 0);
+            let missing = plan.missing(needs).filter(|_| count > 0);
             if let Some(reason) = missing {
                 return Err(self.document.refuse(key, format!("\"{name}\" is not there: {reason}")));
             }

@@ -5,8 +5,6 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value};
 
 use crate::impact::{Contact, Essentials};
-use crate::scene::Input;
-use crate::scene::at::at;
 use crate::units::Dimension;
 
 /// A result that is found from a `T`.
@@ -83,82 +81,28 @@ pub struct Column {
     pub value: fn(&Essentials) -> Option<f64>,
 }
 
-/// A need in words, and the ways to see whether it is met.
-struct Rule {
-    /// When an impact has the result, in words.
-    condition: &'static str,
-    /// Whether an impact has it.
-    is_met: fn(&Contact, &Essentials) -> bool,
-    /// Why the table of an input has no such column.
-    missing: fn(&Input) -> Option<&'static str>,
-}
-
 impl Needs {
-    const fn rule(self) -> Rule {
+    /// When an impact has the result, in words, and whether one has it.
+    const fn rule(self) -> (&'static str, fn(&Contact, &Essentials) -> bool) {
         match self {
-            Self::Nothing => Rule { condition: "", is_met: |_, _| true, missing: |_| None },
-            Self::Strength => Rule {
-                condition: YIELDS,
-                is_met: |contact, _| contact.pair().yield_point.is_some(),
-                missing: |input| (!input.can_yield()).then_some("without half_space.yield_strength there is no dent"),
-            },
-            Self::Flat => Rule {
-                condition: FLATTENS,
-                is_met: |contact, _| contact.sphere().yield_strength.is_some(),
-                missing: |input| {
-                    let is_elastic = input.number(at!("sphere.yield_strength")).is_none();
-                    is_elastic.then_some("without sphere.yield_strength there is no flat")
-                },
-            },
-            Self::Density => Rule {
-                condition: WAVES,
-                is_met: |_, row| row.wave_loss_fraction.is_some(),
-                missing: |input| match input.number(at!("half_space.density")) {
-                    None => Some("without half_space.density nothing is known of elastic waves"),
-                    Some(_) if input.forces().plate.is_some() => {
-                        Some("with half_space.thickness a plate takes the energy")
-                    }
-                    Some(_) => None,
-                },
-            },
-            Self::Thickness => Rule {
-                condition: PLATE,
-                is_met: |_, row| row.on_plate.is_some(),
-                missing: |input| {
-                    input.forces().plate.is_none().then_some("without half_space.thickness there is no plate")
-                },
-            },
-            Self::Incidence => Rule {
-                condition: OBLIQUE,
-                is_met: |_, row| row.rebound.is_some(),
-                missing: |input| {
-                    input.incidence().is_none().then_some("without impact.angle or sphere.spin nothing slides")
-                },
-            },
-            Self::Air => Rule {
-                condition: FLIES,
-                is_met: |_, row| row.rebound_height.is_some(),
-                missing: |input| {
-                    let is_in_air = input.forces().flying.is_some_and(|flying| flying.is_in_air());
-                    (!is_in_air).then_some("without [air] a height is a speed")
-                },
-            },
+            Self::Nothing => ("", |_, _| true),
+            Self::Strength => (YIELDS, |contact, _| contact.pair().yield_point.is_some()),
+            Self::Flat => (FLATTENS, |contact, _| contact.sphere().yield_strength.is_some()),
+            Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
+            Self::Thickness => (PLATE, |_, row| row.on_plate.is_some()),
+            Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
+            Self::Air => (FLIES, |_, row| row.rebound_height.is_some()),
         }
     }
 
     /// When an impact has the result, in words.
     pub const fn condition(self) -> &'static str {
-        self.rule().condition
+        self.rule().0
     }
 
-    /// Whether an impact has the result.
+    /// Whether an impact on this contact has the result.
     pub fn is_met(self, contact: &Contact, row: &Essentials) -> bool {
-        (self.rule().is_met)(contact, row)
-    }
-
-    /// Why the table of an input has no column that needs this; `None` if it has one.
-    pub fn missing(self, input: &Input) -> Option<&'static str> {
-        (self.rule().missing)(input)
+        self.rule().1(contact, row)
     }
 }
 
