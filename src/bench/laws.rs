@@ -1,8 +1,8 @@
 //! How long a row of a table takes under each law: one contact, many speeds; and how long the contact takes to make.
 
 use std::hint::black_box;
-use std::time::Instant;
 
+use super::measure::timed;
 use super::problems::steel_on_steel;
 use crate::impact::oblique::{Approach, Incidence};
 use crate::impact::{ImpactError, Solver};
@@ -64,11 +64,4 @@ pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
         }
     }
     Ok(rates)
-}
-
-/// What `work` returns, and its time \[ns\].
-fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
-    let started = Instant::now();
-    let done = black_box(work());
-    (done, 1e9 * started.elapsed().as_secs_f64())
 }

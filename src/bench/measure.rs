@@ -132,11 +132,8 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
     let settings = methods.flat_map(|method| rungs(method, is_quick).into_iter().map(move |rung| (method, rung)));
     let mut all: Vec<Measurement> = settings.filter_map(|(method, rung)| rung.measured(method, problem)).collect();
     let time = |of: &Measurement, repetitions: u32| {
-        let started = Instant::now();
-        for _ in 0..repetitions {
-            of.rung.spend(of.method, problem);
-        }
-        1e9 * started.elapsed().as_secs_f64() / f64::from(repetitions)
+        let ((), ns) = timed(|| (0..repetitions).for_each(|_| of.rung.spend(of.method, problem)));
+        ns / f64::from(repetitions)
     };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let fit = |once: f64| (1e9 * burst.as_secs_f64() / once.max(20.0)).clamp(1.0, 1e5) as u32;
@@ -147,4 +144,11 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
         }
     }
     all
+}
+
+/// Returns what `work` returns, and its time \[ns\].
+pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let started = Instant::now();
+    let done = black_box(work());
+    (done, 1e9 * started.elapsed().as_secs_f64())
 }

@@ -128,13 +128,9 @@ fn add_large(value: &DeValue, span: Range<usize>, into: &mut Vec<Range<usize>>) 
 /// # Errors
 /// [`NotToml`]
 pub fn edited(text: &str, path: &str, given: &str) -> Result<String, NotToml> {
-    let mut document = parsed(text)?;
-    match (path, given.trim()) {
-        (path, "") => drop(remove(document.as_table_mut(), &parts(path))),
-        ("law", law) => choose_law(&mut document, law),
-        (path, given) => put(&mut document, &parts(path), given.parse().unwrap_or_else(|_| given.into())),
-    }
-    Ok(written(&document))
+    let given = Some(given.trim()).filter(|given| !given.is_empty());
+    let value = given.map(|given| given.parse().unwrap_or_else(|_| given.into()));
+    changed(text, [&Change { path: path.split('.').map(str::to_owned).collect(), value }])
 }
 
 /// The names in a path.
