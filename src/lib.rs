@@ -109,7 +109,7 @@
 //!     [sweep]
 //!     "impact.speed" = { logspace = ["0.1 m/s", "10 m/s"], points = 5 }
 //! "#;
-//! let plan = Scenario::from_text("steel", text, &[])?.plan()?.ok_or("nothing varies")?;
+//! let plan = Scenario::from_text("steel", text, &[])?.plan()?;
 //! let mut rows = Rows::default();
 //! Evaluator::new(&plan).rows(0..5, &mut rows);
 //! let restitutions: Vec<f64> = rows.results.iter().flatten().map(|row| row.restitution).collect();

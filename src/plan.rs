@@ -7,7 +7,7 @@ mod source;
 
 use crate::impact::{Method, Warning};
 use crate::scene::at::at;
-use crate::scene::results::{Column, columns};
+use crate::scene::results::{Column, Needs, columns};
 use crate::scene::taken::Body;
 use crate::scene::{Input, Key, Use, without_effect};
 use axis::{Axis, Word};
@@ -30,7 +30,6 @@ pub struct Plan {
     pub input: Input,
     /// Warnings about keys without effect.
     pub warnings: Vec<Warning>,
-    /// The cases.
     pub cases: Cases,
     /// Names of the results that the table has; `None`: all.
     pub columns: Option<Vec<&'static str>>,
@@ -223,7 +222,6 @@ pub fn put(axes: &[Axis], places: &[u64], input: &mut Input) {
     }
 }
 
-/// The places of a case on the axes.
 pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
     let mut rest = case;
     let mut places: Vec<u64> = axes

@@ -9,7 +9,6 @@ use plm_impact::bench::throughput::throughput;
 use plm_impact::bench::{hard_cases, laws, measure, problems, report};
 use plm_impact::error::Error;
 use plm_impact::output::{Origin, OutputDirectory, OutputFile};
-use plm_impact::run::table;
 use plm_impact::scenario::Scenario;
 
 use super::terminal::other;
@@ -85,7 +84,7 @@ fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<[TableRate
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
-        let plan = table::plan(&scenario)?;
+        let plan = scenario.plan()?;
         let rounds = if is_quick { 1 } else { 7 };
         let rows_per_second = super::threads::with(None, || throughput(&plan, directory.path(), rounds))??;
         Ok(TableRate { columns: plan.column_names().len(), rows_per_second })

@@ -100,7 +100,6 @@ pub fn print(text: &str) -> Result<(), Error> {
     put(&harmless(text))
 }
 
-/// Prints a result that is JSON.
 pub fn print_json(text: &str) -> Result<(), Error> {
     put(&harmless_json(text))
 }

@@ -107,7 +107,7 @@ fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
             format!("sweep.\"{}\"=[{value}]", key.path)
         });
         let scenario = with(&contact.scenario, axes).map_err(exception)?;
-        let plan = crate::run::table::plan(&scenario).map_err(exception)?;
+        let plan = scenario.plan().map_err(exception)?;
         plans.insert(keys, plan.clone());
         plan
     };

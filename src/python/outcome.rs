@@ -93,7 +93,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
         warn(py, 1, &made.warnings)?;
         return outcome(py, made, None);
     }
-    let plan = table::plan(scenario).map_err(exception)?;
+    let plan = scenario.plan().map_err(exception)?;
     let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
     let named = of_plan(&plan);
     let mut columns = reserved(rows, &vec![1; named.len()])?;

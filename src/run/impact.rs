@@ -26,7 +26,6 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     Ok((input, contact, impact))
 }
 
-/// The input of a scenario and its contact.
 pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     scenario.refuse_columns("one impact")?;
     let input = scenario.resolve()?;

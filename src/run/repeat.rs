@@ -18,7 +18,7 @@ use crate::scene::{Input, Use};
 /// The input of the first impact of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), Error> {
     let (mut input, contact) = prepare(scenario)?;
-    let repeat = scenario.repeat(&input)?.ok_or_else(|| Error::input("the scenario has no [repeat]".to_owned()))?;
+    let repeat = scenario.repeat(&input)?;
     // a series needs no steps where there is a closed form
     input.choose_method(Method::Auto);
     Ok((input, contact, repeat))

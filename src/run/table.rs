@@ -19,15 +19,9 @@ use crate::sweep::evaluator::{Evaluator, Rows};
 use crate::sweep::ordered::in_order;
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    let plan = plan(scenario)?;
+    let plan = scenario.plan()?;
     let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
     Ok(Outcome::checked(warnings_of(&plan, &contact), plan_lines(&plan) + &overview(&plan.input, &contact)))
-}
-
-/// The plan of a scenario that is a table.
-pub fn plan(scenario: &Scenario) -> Result<Plan, Error> {
-    let none = || Error::input("the scenario has neither [sweep] nor [monte_carlo]".to_owned());
-    scenario.plan()?.ok_or_else(none)
 }
 
 /// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.

@@ -29,13 +29,13 @@ impl Scenario {
         }
     }
 
-    /// The series of `[repeat]`, if the scenario has that table; `first` is the input of the first impact.
+    /// The series of `[repeat]`; `first` is the input of the first impact.
     ///
     /// # Errors
-    /// [`Error`] where keys are missing or contradict each other.
-    pub fn repeat(&self, first: &Input) -> Result<Option<Repeat>, Error> {
+    /// [`Error`] where the table or keys are missing or contradict each other.
+    pub fn repeat(&self, first: &Input) -> Result<Repeat, Error> {
         if !self.has("repeat") {
-            return Ok(None);
+            return Err(Error::input("the scenario has no [repeat]"));
         }
         let input = &self.input;
         let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
@@ -65,6 +65,6 @@ impl Scenario {
             }
             (None, Some(most), None) => Drive::Shots(vec![first.speed(); usize::try_from(most).unwrap_or(usize::MAX)]),
         };
-        Ok(Some(Repeat { place, drive }))
+        Ok(Repeat { place, drive })
     }
 }

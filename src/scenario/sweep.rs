@@ -1,7 +1,7 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
+use super::Scenario;
 use super::axes::{METHOD, RandomKeys};
-use super::{Kind, Scenario};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
 use crate::plan::{Cases, MOST_CASES, Plan};
@@ -10,27 +10,24 @@ use crate::scene::at::{At, OTHER, at};
 use crate::scene::results::{Column, columns};
 
 impl Scenario {
-    /// The sweep that the scenario asks for, if it does.
+    /// The table that the scenario asks for.
     ///
     /// # Errors
-    /// [`Error`] for an axis that changes nothing, two that change the same, or more than 2⁶³ cases.
-    pub fn plan(&self) -> Result<Option<Plan>, Error> {
-        if !matches!(self.kind()?, Kind::Sweep | Kind::MonteCarlo) {
-            return Ok(None);
+    /// [`Error`] for a scenario that is no table, an axis that changes nothing, two that change the same, or more than 2⁶³ cases.
+    pub fn plan(&self) -> Result<Plan, Error> {
+        if !self.kind()?.is_table() {
+            return Err(Error::input("the scenario has neither [sweep] nor [monte_carlo]"));
         }
         let mut input = self.resolve()?;
         // a table has no trace, so the closed form is enough
         input.choose_method(Method::Auto);
         let refuse = |path: &str, message: String| Err(self.refuse_varied(path, message));
-        let cases = match (&self.varied.sweep, &self.varied.monte_carlo) {
-            (None, None) => return Ok(None),
-            (Some(axes), _) => {
-                self.refuse_mixture(axes)?;
-                Cases::Grid(axes.clone())
-            }
-            (None, Some(RandomKeys { samples, seed, variables, .. })) => {
-                Cases::MonteCarlo { samples: *samples, seed: *seed, variables: variables.clone() }
-            }
+        let cases = if let Some(RandomKeys { samples, seed, variables, .. }) = self.varied.monte_carlo.clone() {
+            Cases::MonteCarlo { samples, seed, variables }
+        } else {
+            let axes = self.varied.sweep.clone().unwrap_or_default();
+            self.refuse_mixture(&axes)?;
+            Cases::Grid(axes)
         };
         let mut plan = Plan::new(&input, cases);
         plan.warnings = self.without_effect(&plan.worded(), Use::Impact);
@@ -58,7 +55,7 @@ impl Scenario {
                 "has more than 2^63 cases; take fewer".to_owned(),
             );
         }
-        Ok(Some(plan))
+        Ok(plan)
     }
 
     /// Leaves in the table of a plan only the results that the scenario names, if it names any.

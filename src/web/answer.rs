@@ -36,7 +36,7 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
 }
 
 fn of_table(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
-    let plan = table::plan(scenario)?;
+    let plan = scenario.plan()?;
     let rows = plan.count();
     if rows > MOST_ROWS {
         let key = if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" };

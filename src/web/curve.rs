@@ -8,7 +8,7 @@ use crate::math::functions::log10;
 use crate::output::OutputFile;
 use crate::plot::sweep::pictures;
 use crate::plot::{Pictures, Series, Style};
-use crate::run::{impact, table};
+use crate::run::impact;
 use crate::scenario::Scenario;
 use crate::scene::at::at;
 use crate::sweep::count::Tally;
@@ -34,7 +34,7 @@ pub fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Err
         format!("sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}", decade - DECADES, decade + DECADES);
     let source = scenario.source();
     let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
-    let mut plan = table::plan(&swept)?;
+    let mut plan = swept.plan()?;
     plan.columns = Some(vec!["restitution"]);
     let drawn = pictures(&plan, &Tally::of(&plan)).into_iter().next();
     drawn

@@ -40,7 +40,7 @@ fn a_table_has_columns_of_friction_where_an_angle_varies() {
     let sweep = "[sweep]\n\"friction.coefficient\" = [0.1, 0.3]\n\"impact.angle\" = [\"0 deg\", \"10 deg\", \"60 deg\"]\n\"sphere.spin\" = [-50, 0]\n";
     let names = |tables: &str| {
         let scenario = Scenario::from_text("s.toml", &(STEEL.to_owned() + tables), &[]);
-        scenario.unwrap().plan().unwrap().unwrap().column_names()
+        scenario.unwrap().plan().unwrap().column_names()
     };
     let names_of_sweep = names(sweep);
     for name in [

@@ -28,7 +28,7 @@ samples = 20
 fn what_is_asked_for_is_understood() {
     let read = |rest: &str| {
         let scenario = Scenario::from_text("s.toml", &format!("{BODIES}{rest}"), &[]).unwrap();
-        scenario.repeat(&scenario.resolve().unwrap()).unwrap().unwrap()
+        scenario.repeat(&scenario.resolve().unwrap()).unwrap()
     };
     let bouncing = read(BOUNCING);
     assert_eq!(bouncing.place, Place::Fresh);

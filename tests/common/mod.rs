@@ -58,7 +58,7 @@ pub fn contact(text: &str, set: &[impl ToString]) -> Contact {
 
 /// The rows of its table.
 pub fn rows_of(text: &str, set: &[impl ToString]) -> Rows {
-    let plan = read(text, set).plan().unwrap().unwrap();
+    let plan = read(text, set).plan().unwrap();
     let mut rows = Rows::default();
     Evaluator::new(&plan).rows(0..plan.count(), &mut rows);
     rows

@@ -123,7 +123,7 @@ fn listed_cases_have_the_results_of_a_grid() {
         let lists: Vec<String> = axes.iter().map(|(key, values)| format!("\"{key}\"=[{}]", values.join(","))).collect();
         let own: Vec<_> = axes.iter().map(|axis| **axis).collect();
         let (text, sweep) = (bodies(&own), format!("sweep={{{}}}", lists.join(",")));
-        let plan = read(&text, &[settings, &[&*sweep]].concat()).plan().unwrap().unwrap();
+        let plan = read(&text, &[settings, &[&*sweep]].concat()).plan().unwrap();
         let Cases::Grid(axes) = &plan.cases else { panic!("{text}") };
         let (evaluator, count) = (Evaluator::new(&plan), plan.count());
         let (mut grid, mut listed) = (Rows::default(), Rows::default());

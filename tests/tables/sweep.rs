@@ -145,7 +145,7 @@ fn rows_of_many_contacts_depend_neither_on_threads_nor_on_where_a_piece_begins()
 law = ["plm", "thornton"]
 "law.plm.unloading_exponent" = [1.3, 1.4]"#;
     let text = format!("{STEEL}[law.plm]\nunloading_exponent = 1.5\n[sweep]\n{axes}\n");
-    let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap().unwrap();
+    let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap();
     let evaluator = Evaluator::new(&plan);
     let whole = rows(&text);
     let mut single = Rows::default();
@@ -229,7 +229,7 @@ fn of_very_many_corners_the_worst_is_found_and_what_was_not_looked_at_is_said() 
 "#;
     let warnings = |words: &str| {
         let text = format!("{STEEL}[sweep]\n{words}{eleven}");
-        let plan = Scenario::from_text("corners", &text, &[]).unwrap().plan().unwrap().unwrap();
+        let plan = Scenario::from_text("corners", &text, &[]).unwrap().plan().unwrap();
         plm_impact::sweep::caution::at_corners(&plan, None)
     };
     let is_deep =

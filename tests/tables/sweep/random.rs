@@ -52,7 +52,7 @@ fn a_sample_depends_on_seed_key_and_number_alone() {
     let text = format!(
         "{STEEL}[monte_carlo]\nsamples = 10000\nseed = 7\n\"sphere.density\" = {{ uniform = [1, 2] }}\n\"impact.speed\" = {{ uniform = [1, 2] }}\n"
     );
-    let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap().unwrap();
+    let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap();
     let evaluator = Evaluator::new(&plan);
     let (mut whole, mut part) = (Rows::default(), Rows::default());
     evaluator.rows(0..10_000, &mut whole);
