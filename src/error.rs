@@ -43,7 +43,6 @@ pub struct Details {
     /// It tells what is wrong and the way out, without the place.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
-    /// The file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// The line, from 1.

@@ -12,7 +12,6 @@ named! {
     #[derive(PartialOrd, Ord, Deserialize)]
     #[serde(rename_all = "snake_case")]
     pub enum Property {
-        /// Density ρ.
         Density = "density",
         /// Young's modulus E.
         YoungsModulus = "youngs_modulus",

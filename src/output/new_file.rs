@@ -144,7 +144,6 @@ pub fn sync_folder(path: &Path) -> io::Result<()> {
     }
 }
 
-/// The folder that a path is in.
 pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

@@ -92,7 +92,6 @@ impl Word {
     }
 }
 
-/// An axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     pub setting: Setting,

@@ -7,7 +7,6 @@ use crate::units::human;
 /// A key to find.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Free {
-    /// The key.
     pub key: &'static Key,
     /// The lower end of its range, SI.
     pub from: f64,

@@ -34,7 +34,6 @@ pub enum Distribution {
 /// A key with random values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
-    /// Which key.
     pub key: &'static Key,
     /// It is truncated at the allowed range.
     pub distribution: Distribution,

@@ -89,7 +89,6 @@ impl Over {
     }
 }
 
-/// The axis of a measured quantity.
 fn of_quantity(quantity: Measured, how: &str) -> Axis {
     Axis::engineering(&(title_of(quantity.name()) + how), quantity.quantity().dimension.si_unit())
 }

@@ -137,7 +137,6 @@ impl KeyResult<'_> {
     }
 }
 
-/// The results of one key.
 fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
     results! { |one: KeyResult<'a>|
         /// Path of the key.

@@ -70,7 +70,6 @@ impl Scenario {
         })
     }
 
-    /// The input with one of the half-spaces.
     fn input_on(&self, &HalfSpace { material, yield_strength, .. }: &HalfSpace) -> Input {
         let mut input = self.input.clone();
         input.set(at!("half_space.youngs_modulus"), Some(material.youngs_modulus));

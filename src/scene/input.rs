@@ -239,7 +239,6 @@ pub struct Held {
 }
 
 impl Held {
-    /// A word.
     pub fn word(path: &str, part: Part, word: impl Into<serde_json::Value>) -> Self {
         Self { path: path.to_owned(), part, quantity: None, value: word.into() }
     }

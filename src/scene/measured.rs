@@ -12,9 +12,7 @@ named! {
     pub enum Measured {
         /// Rebound speed over impact speed.
         Restitution = "restitution",
-        /// Speed of the rebound.
         ReboundSpeed = "rebound_speed",
-        /// Height of the rebound.
         ReboundHeight = "rebound_height",
         /// Time from one first touch to the next: the clicks of a bouncing ball.
         BounceInterval = "bounce_interval",
@@ -22,9 +20,7 @@ named! {
         Leeb = "leeb",
         /// Diameter of the dent's rim.
         DentDiameter = "dent_diameter",
-        /// Depth of the dent.
         DentDepth = "dent_depth",
-        /// Time in contact.
         ContactTime = "contact_time",
         /// Largest force.
         PeakForce = "peak_force",

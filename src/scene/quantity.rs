@@ -57,11 +57,9 @@ const fn number_in(
 
 /// A radius or diameter.
 pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"");
-/// An elastic modulus.
 pub const MODULUS: Quantity = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");
 /// The sphere's modulus, which is infinite for a rigid sphere.
 pub const SPHERE_MODULUS: Quantity = Quantity { too_high: "for a rigid sphere write \"rigid\"", ..MODULUS };
-/// A yield strength.
 pub const STRENGTH: Quantity = Quantity {
     too_high: "for an elastic body leave the key out",
     ..positive("a yield strength", Dimension::Pressure, "\"345 MPa\"")
@@ -74,7 +72,6 @@ pub const HARDNESS: Quantity = Quantity {
     too_low: "a number alone is in Pa; for a Vickers hardness write \"300 HV\"",
     ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
 };
-/// A mass.
 pub const MASS: Quantity = positive("a mass", Dimension::Mass, "\"5.5 g\"");
 /// N of a power law of hardening: beyond 0.5 the law has not been compared with anything.
 pub const HARDENING_EXPONENT: Quantity = number("a hardening exponent", Included(0.0), Included(0.5), "0.1");
@@ -84,9 +81,7 @@ pub const SATURATION: Quantity = number("a saturation", Included(0.0), Included(
 pub const HARDENING_RATE: Quantity = number("a rate of hardening", Excluded(0.0), Included(1e4), "15");
 /// Slope of a flow stress over plastic strain.
 pub const HARDENING_SLOPE: Quantity = not_negative("a slope of hardening", Dimension::Pressure, "\"4.2 GPa\"");
-/// A plastic strain.
 pub const STRAIN: Quantity = number("a plastic strain", Included(0.0), Included(10.0), "0.002");
-/// A density.
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
@@ -107,7 +102,6 @@ pub const FACTOR: Quantity = number("a factor", Excluded(0.0), Included(100.0), 
 pub const AREA_FACTOR: Quantity = number("an area factor", Included(0.5), Included(2.0), "1.43");
 /// Indentation at full plasticity over that at yield.
 pub const TRANSITION_RATIO: Quantity = number("a transition ratio", Excluded(1.0), Included(1e6), "110");
-/// A force.
 pub const FORCE: Quantity = positive("a force", Dimension::Force, "\"43.5 kN\"");
 /// A ratio of at most 1.
 pub const SHARE: Quantity = number("a ratio", Excluded(0.0), Included(1.0), "0.5");
@@ -129,7 +123,6 @@ pub const ACCELERATION: Quantity = Quantity {
 };
 /// A height that the sphere falls from.
 pub const DROP_HEIGHT: Quantity = not_negative("a drop height", Dimension::Length, "\"0.5 m\"");
-/// χ of Hunt and Crossley.
 pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
 /// Fraction of critical damping.
 ///
@@ -157,9 +150,7 @@ pub const ANGLE: Quantity = Quantity {
 /// A spin, forward or backward.
 pub const SPIN: Quantity =
     number_in("a spin", Dimension::AngularSpeed, Included(-1e12), Included(1e12), "\"100 rad/s\"");
-/// A moment of inertia.
 pub const MOMENT_OF_INERTIA: Quantity = positive("a moment of inertia", Dimension::MomentOfInertia, "\"1e-6 kg m^2\"");
-/// A coefficient of friction.
 pub const FRICTION: Quantity = not_negative("a coefficient of friction", Dimension::Ratio, "0.1");
 /// A drag coefficient.
 pub const DRAG: Quantity = Quantity {
@@ -168,7 +159,6 @@ pub const DRAG: Quantity = Quantity {
 };
 /// The viscosity of air.
 pub const VISCOSITY: Quantity = positive("a viscosity", Dimension::Viscosity, "\"1.8e-5 Pa s\"");
-/// A measured time.
 pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
 /// The standard deviation of a plain number.
 pub const DEVIATION: Quantity = positive("a standard deviation", Dimension::Ratio, "0.01");

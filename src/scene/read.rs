@@ -165,7 +165,6 @@ pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>
     })
 }
 
-/// The items of a table.
 pub fn items<'n, 't>(node: &'n Node<'t>) -> Result<&'n DeTable<'t>, Fault> {
     match node.get_ref() {
         DeValue::Table(table) => Ok(table),

@@ -180,7 +180,6 @@ fn each<T>(node: &Node, example: &str, read: impl FnMut(&Node) -> Result<T, Faul
 /// A point of a flow curve.
 pub const POINT: [&Quantity; 2] = [&STRAIN, &STRENGTH];
 
-/// An example of a pair.
 pub fn pair_example(quantities: [&Quantity; 2]) -> String {
     format!("[{}]", quantities.map(|quantity| quantity.example).join(", "))
 }

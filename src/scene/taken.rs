@@ -7,7 +7,6 @@ use crate::materials::{Entry, Known, Property};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Body {
     Sphere,
-    /// The half-space.
     HalfSpace,
 }
 

@@ -37,7 +37,6 @@ pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]))
 pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "none"]));
 /// The place of `student-t` among them.
 pub const STUDENT_T: usize = 0;
-/// Names of materials.
 pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
 /// Theories of plates.
 pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL.map(PlateTheory::name)));

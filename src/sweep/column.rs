@@ -15,7 +15,6 @@ pub(crate) enum Column {
     Number(usize, Values),
     /// A name of an axis of methods, laws or materials: the place of the axis, and its names.
     Name(usize, Vec<String>),
-    /// A result.
     Result(ResultColumn),
     /// The status of the case: `ok`, or the name of its failure.
     Status,

@@ -33,7 +33,6 @@ pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
 /// Counts of rows, and the statistics of e.
 #[derive(Debug, Clone, Default)]
 pub struct Tally {
-    /// Rows.
     pub rows: u64,
     /// Rows without a result.
     pub failures: u64,

@@ -47,13 +47,11 @@ pub(super) trait Form: Sync + Send {
     /// Encodes rows; many threads do so at a time.
     fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
 
-    /// Begins a file.
     fn begin(&self, file: NewFile) -> io::Result<Self::Writer>;
 
     /// Appends the next rows.
     fn append(&self, writer: &mut Self::Writer, piece: &Self::Piece) -> io::Result<()>;
 
-    /// Ends the file.
     fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
 
     /// Reads a file that ought to have so many rows. Counts the rows until it finds that the file is not whole.

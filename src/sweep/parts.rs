@@ -66,7 +66,6 @@ impl Layout {
         self.rows.div_ceil(self.rows_per_part)
     }
 
-    /// The cases of a part.
     pub fn cases(&self, part: u64) -> Range<u64> {
         let first = part * self.rows_per_part;
         first..self.rows.min(first.saturating_add(self.rows_per_part))

@@ -16,7 +16,6 @@ macro_rules! named {
                 }
             }
 
-            /// The one of this name.
             pub fn find(name: &str) -> Option<Self> {
                 Self::ALL.into_iter().find(|one| one.name() == name)
             }

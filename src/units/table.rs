@@ -13,7 +13,6 @@ pub(super) enum Scale {
     Over(f64),
 }
 
-/// A unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unit {
     pub(super) name: &'static str,

@@ -46,7 +46,6 @@ impl Case {
         coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
     }
 
-    /// Sphere compliance κ.
     pub fn sphere_compliance(&self) -> f64 {
         self.loading.pair.sphere_compliance
     }

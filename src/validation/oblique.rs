@@ -24,7 +24,6 @@ const SPIN: Group = Group::of_differences("oblique: spin, radius times spin over
 const ANGLE: Group = Group::of_differences("oblique: rebound angle, deviation over 1 rad", KHARAZ, "rad");
 const SLIP: Group = Group::of_differences("oblique: slip speed after the impact over mu v_n", FINITE_ELEMENTS, "");
 
-/// Alumina on glass.
 pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
     let sphere = Sphere::elastic(RADIUS, Material { youngs_modulus: 380e9, poissons_ratio: 0.23 }, 4000.0);
     let glass = Material { youngs_modulus: 70e9, poissons_ratio: 0.25 };

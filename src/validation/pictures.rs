@@ -59,7 +59,6 @@ pub fn pictures(
     Ok(drawn?.into_iter().flatten().collect())
 }
 
-/// The axis of depths.
 fn depths() -> Axis {
     Axis::log("Peak indentation over that at yield", "")
 }
