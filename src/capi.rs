@@ -22,7 +22,7 @@ use std::slice;
 
 use crate::error::Error;
 use crate::impact::{Contact, ContactEnergy, Memory, Rub};
-use crate::run::contact_alone;
+use crate::run::contact_of_one_strength;
 use crate::scenario::Scenario;
 
 /// A sphere, a half-space and the law between them.
@@ -30,7 +30,7 @@ use crate::scenario::Scenario;
 pub struct plm_contact(Contact);
 
 /// The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and `[impact]` may be
-/// left out. Gravity, damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of
+/// left out; with a strain rate the strength is that of its speed, which is then needed. Gravity, damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of
 /// files in the text are relative to the working directory.
 ///
 /// Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
@@ -328,9 +328,7 @@ unsafe fn new(
     let made = guarded(Err("the program has an error: it panicked".to_owned()), || {
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
-        let (_, contact) =
-            read(text).and_then(|scenario| contact_alone(&scenario)).map_err(|error| error.to_string())?;
-        Ok(contact)
+        read(text).and_then(|scenario| contact_of_one_strength(&scenario)).map_err(|error| error.to_string())
     });
     match made {
         Ok(contact) => Box::into_raw(Box::new(plm_contact(contact))),

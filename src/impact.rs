@@ -5,7 +5,7 @@
 //!
 //! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`]); the dimensionless result
 //! ([`record`], [`outcome`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is reported of it
-//! ([`contact`], `case`, [`oblique`], [`essentials`], `ledger`, [`result`], `bodies`, `validity`); the impacts of a contact (`impacts`,
+//! ([`contact`], `rate`, `case`, [`oblique`], [`essentials`], `ledger`, [`result`], `bodies`, `validity`); the impacts of a contact (`impacts`,
 //! [`spot`]); the law as a force of its own (`response`, [`friction`]); and this file, which only names them.
 
 mod bodies;
@@ -22,6 +22,8 @@ mod ledger;
 pub mod oblique;
 pub mod outcome;
 pub mod plate;
+mod rate;
+mod rated;
 pub mod record;
 mod response;
 pub mod result;
@@ -44,6 +46,7 @@ pub use ledger::TraceRow;
 pub use oblique::{Approach, Incidence, Oblique, Rebound, Rubbing};
 pub use outcome::{Computed, Fate, FixedSteps, Outcome};
 pub use plate::{Plate, PlateError, PlateTheory};
+pub use rated::Rated;
 pub use record::{Event, Point, Recorder};
 pub use response::{ContactEnergy, Memory};
 pub use result::{Accuracy, Energy, Impact, UnderForces};

@@ -17,6 +17,7 @@ mod contact_law;
 mod ground;
 pub mod plm;
 pub mod published;
+mod relaxed;
 pub mod unloading;
 
 use crate::curve::Curve;
@@ -59,6 +60,17 @@ pub struct Law {
     /// Where the loading holds.
     pub limits: Limits,
     pub rule: Rule,
+    /// The law at the turn, if it is another one.
+    pub relaxed: Option<Box<Relaxed>>,
+}
+
+/// The law at the turn, see [`relaxed`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Relaxed {
+    /// In units of its own yield point.
+    law: Law,
+    /// r.
+    ratio: f64,
 }
 
 /// An exponent of unloading that is larger than the one that was asked for, which would give back more than was spent.
@@ -74,7 +86,7 @@ pub(crate) struct Raised {
 
 impl Law {
     pub fn new(loading: Curve, limits: Limits, rule: Rule) -> Self {
-        Self { loading, limits, rule }
+        Self { loading, limits, rule, relaxed: None }
     }
 
     /// Hertz without end: loading and unloading on f = x^1.5.
@@ -101,6 +113,9 @@ impl Law {
     /// How fresh surface unloads from a point (x, f) of the loading curve that took the work `spent`.
     #[inline(always)]
     fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
+        if let Some(unloading) = self.relaxed_at(x) {
+            return unloading;
+        }
         let peak = |elastic_approach| Peak { indentation: x, force, elastic_approach };
         match self.rule_at(x) {
             Rule::Elastic => Unloading::power(peak(x), 1.5),
@@ -112,8 +127,9 @@ impl Law {
     /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match self.rule_at(x) {
+            Rule::Elastic => x,
             Rule::Polyline(rule) => rule.elastic_approach(x, force),
-            _ => self.left_at(x, force, self.loading.work(x)).peak.elastic_approach,
+            Rule::Published(rule) => rule.unloading(x, force, self.loading.work(x)).peak.elastic_approach,
         }
     }
 
@@ -126,6 +142,9 @@ impl Law {
     /// The unloading branch from a peak. Where loading was elastic (ε = x), n = 3/2 whatever the rule. It never gives back
     /// more than was spent (`unloading::exponent_within`).
     pub fn unloading(&self, peak: Peak) -> Unloading {
+        if let Some(unloading) = self.relaxed_at(peak.indentation) {
+            return unloading;
+        }
         let spent = || self.loading.work(peak.indentation);
         match self.rule_at(peak.indentation) {
             Rule::Elastic => Unloading::power(peak, 1.5),
@@ -137,7 +156,7 @@ impl Law {
     /// The range of x that the authors of the law state, where a plastic peak is outside of it.
     pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
         let x = peak.indentation;
-        self.limits.stated.filter(|(from, to)| x > self.limits.elastic_until && !(*from..=*to).contains(&x))
+        self.limits.stated.filter(|(from, to)| x > self.recovers_until() && !(*from..=*to).contains(&x))
     }
 
     /// How a body that hardens changes the law.
@@ -147,6 +166,9 @@ impl Law {
 
     /// What is known of the exponent of this branch, where it is not the one that was asked for.
     pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
+        if let Some((law, own)) = self.at_turn(unloading) {
+            return law.raised(&own);
+        }
         let (peak, used) = (&unloading.peak, unloading.exponent);
         match self.rule_at(peak.indentation) {
             Rule::Polyline(rule) => {
@@ -165,6 +187,9 @@ impl Law {
     /// gives back more energy than was spent, by more than [`LARGEST_CUT`].
     #[inline]
     pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
+        if let Some((law, own)) = self.at_turn(unloading) {
+            return law.accept(&own);
+        }
         let Peak { indentation, .. } = unloading.peak;
         let ratio = self.in_yields(indentation);
         let refused = |problem| Err(OutsideLaw::Range { ratio, problem });
@@ -192,6 +217,9 @@ impl Law {
     /// Compared with finite elements, the radius of the PLM is within 5 % up to a = 0.48 R. A mean pressure computed from it
     /// has twice the error, with the opposite sign.
     pub fn contact_radius(&self, peak: &Peak) -> f64 {
+        if let Some(radius) = self.relaxed_radius(peak) {
+            return radius;
+        }
         match (&self.rule, self.rule_at(peak.indentation)) {
             (Rule::Polyline(rule), _) => rule.contact_radius(peak),
             (_, Rule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
@@ -206,6 +234,10 @@ impl Law {
         match memory {
             _ if x.is_nan() => (f64::NAN, memory),
             Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),
+            // a metal that has relaxed goes up its branch until that meets the loading curve
+            Some(peak) if self.relaxed.is_some() && self.unloading(peak).beyond(x) < self.loading.force(x) => {
+                (self.unloading(peak).beyond(x), memory)
+            }
             None if x <= 0.0 => (0.0, None),
             _ => {
                 let peak = self.loaded_to(x);

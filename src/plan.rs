@@ -87,14 +87,13 @@ impl Plan {
     }
 
     /// Whether the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
-    /// with it from the numbers of a flow curve.
+    /// with it from its moduli and its exponent of hardening.
     pub fn derives_strength(&self, of: Body) -> bool {
         let (paths, keys) = (self.paths(), of.strength_keys());
         let varies = |path: &str| paths.contains(&path);
-        let of_curve = || varies(keys.modulus.path()) || varies(keys.exponent.path());
-        let has_curve = self.input.flow_curve(of).is_some();
-        let of_metal = || varies(keys.hardness.path()) || varies(of.material());
-        self.input.number(keys.hardness).is_some() && (of_metal() || has_curve && of_curve())
+        let numbers = [keys.hardness, keys.modulus, keys.poissons_ratio, keys.exponent];
+        self.input.number(keys.hardness).is_some()
+            && (varies(of.material()) || numbers.into_iter().any(|number| varies(number.path())))
     }
 
     /// The results that the table has.
@@ -110,6 +109,7 @@ impl Plan {
         let is_on_plate = input.forces().plate.is_some();
         match needs {
             Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
+            Needs::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
             Needs::Flat if !input.has_strength(Body::Sphere) => Some("without sphere.yield_strength there is no flat"),
             Needs::Incidence if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")

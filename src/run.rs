@@ -65,6 +65,32 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     Ok((input, contact))
 }
 
+/// That contact with the strength of the speed of the scenario, for codes that ask for forces one after the other.
+///
+/// # Errors
+/// [`Error`] as of [`contact_alone`], and where a strength depends on a speed that the scenario does not give.
+pub fn contact_of_one_strength(scenario: &Scenario) -> Result<Contact, Error> {
+    let (input, contact) = contact_alone(scenario)?;
+    at_speed_of(scenario, &input, &contact).map(|own| own.unwrap_or(contact))
+}
+
+/// The contact with the strength of the speed of the scenario; `None` where it does not depend on a speed.
+///
+/// # Errors
+/// [`Error`] where the scenario gives no speed.
+pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Result<Option<Contact>, Error> {
+    if !contact.has_rate() {
+        return Ok(None);
+    }
+    let speed = input.speed();
+    if !speed.is_finite() {
+        let table = if scenario.document.has("half_space.rate") { "half_space.rate" } else { "sphere.rate" };
+        let message = "the strength depends on the speed: give impact.speed, and the law is that of this speed";
+        return Err(scenario.document.refuse(table, message));
+    }
+    contact.at_speed(speed).map(Some).map_err(|reason| no_result(scenario, &reason))
+}
+
 /// Refuses a scenario with warnings, if `is_strict`.
 pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
     if is_strict && warnings > 0 {

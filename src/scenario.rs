@@ -31,6 +31,7 @@ pub mod indentation;
 mod kind;
 mod mark;
 mod material;
+mod rate;
 pub mod reference;
 mod repeat;
 pub mod schema;
@@ -229,6 +230,7 @@ impl Scenario {
         self.check_plate(&input)?;
         self.check_air(&input)?;
         self.check_strength(&input)?;
+        self.check_rates(&input)?;
         Ok(input)
     }
 

@@ -1,4 +1,5 @@
-//! The strength of metals, given as a flow curve or as a hardness.
+//! The strength of metals, given as a flow curve or as a hardness, and how it rises with the rate of strain.
 
 pub mod flow;
 pub mod hardness;
+pub mod rate;

@@ -13,6 +13,7 @@ mod measured;
 mod oblique;
 mod pictures;
 mod quasi_static;
+mod rate;
 pub mod report;
 
 use crate::error::Error;
@@ -30,7 +31,9 @@ const SOURCES: &[Source] = &[
     quasi_static::cycles,
     dynamic::impacts,
     hardening::unloadings,
+    rate::impacts,
     measured::rebounds,
+    measured::hardnesses,
     oblique::rebounds,
 ];
 

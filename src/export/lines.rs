@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::request::{Request, Target};
 use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
-use crate::impact::{Contact, Essentials, Impact};
+use crate::impact::{Contact, Essentials, Impact, Rated};
 use crate::math::functions::{atan, pow};
 use crate::provenance::PROGRAM;
 use crate::scenario::Scenario;
@@ -58,6 +58,13 @@ impl Head<'_> {
                 "impact at {speed} m/s: e {restitution:.6}, contact time {contact_time:.6e} s, peak force {peak_force:.6e} N"
             ),
         ]);
+        if let Some(Rated { strain_rate, factor, .. }) = self.impact.rated {
+            about.push(format!(
+                "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
+                four_digits(strain_rate),
+                four_digits(factor)
+            ));
+        }
         if request.target.takes_table() {
             about.push("all units are SI; linear between the speeds".to_owned());
         } else {

@@ -41,12 +41,12 @@ impl Contact {
         let weight = self.mass() * gravity;
         // damping and plate remove energy: an impact that stays elastic without them does so with them
         let with_weight = || {
-            let (q, least) = (speed / self.scales.speed, self.yield_speed / self.scales.speed);
-            let until = self.law.limits.elastic_until;
+            let (q, least) = (speed / self.scales.speed, self.elastic_speed / self.scales.speed);
+            let until = self.law.recovers_until();
             // a law without an elastic regime yields at once
             until == 0.0 || 0.4 * q * q + weight / self.scales.force * until > 0.4 * least * least
         };
-        let (scales, ground, q) = if dent.is_some() || speed > self.yield_speed || weight > 0.0 && with_weight() {
+        let (scales, ground, q) = if dent.is_some() || speed > self.elastic_speed || weight > 0.0 && with_weight() {
             let q = speed / self.scales.speed;
             let quantity = match gravity {
                 0.0 => "kinetic energy in units of that at first yield",

@@ -90,7 +90,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
     Outcome {
         unloading,
         restitution,
-        largest_force: peak.force,
+        largest_force: ground.reported_force(&unloading, None),
         loading_time,
         contact_time: loading_time + unloading_time,
         fate: Fate::Separated,

@@ -1,14 +1,18 @@
 //! Everything about an impact that does not depend on its speed: bodies, law, scales, gravity and damping.
 
+use std::sync::Arc;
+
 use super::error::ImpactError;
 use super::forces::Forces;
 use super::plate::{PlateError, Under};
+use super::rated::{Rated, Rates};
 use super::scales::Scales;
 use super::waves::Waves;
 use crate::law::{ContactLaw, Ground, Law, Peak};
 use crate::material::{HalfSpace, Pair, Sphere, normal};
 use crate::materials::Entry;
 use crate::math::functions::pow;
+use crate::strength::rate::Rate;
 
 /// The materials of the bodies, as far as they have names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -36,6 +40,14 @@ pub struct Contact {
     pub(super) scales: Scales,
     /// The slowest impact that yields \[m/s\]; infinite without one.
     pub(super) yield_speed: f64,
+    /// The fastest impact that gives back all \[m/s\]: that speed, or less where the metal relaxes.
+    pub(super) elastic_speed: f64,
+    /// How the strengths rise with the rate of strain.
+    pub(super) rates: Option<Arc<Rates>>,
+    /// What the strength of this contact comes from, if the rate has raised it.
+    pub(super) rated: Option<Rated>,
+    /// How the strength of the body that yields rises, if its rate has raised it.
+    pub(super) rate: Option<Rate>,
     forces: Forces,
     under: Option<Result<Under, PlateError>>,
     /// How the half-space radiates, if its density is known.
@@ -55,14 +67,8 @@ impl Contact {
     pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
         let pair = Pair::try_new(&sphere, &half_space)?;
-        let (scales, law) = match (&pair.yield_point, law.of_pair(&pair)?) {
-            (Some(point), Some(law)) => (Scales::of_yield(point, point.speed(mass)?), law),
-            _ => (Scales::of_radius(&pair, mass), Law::hertz()),
-        };
-        // up to there the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
-        let until = law.limits.elastic_until;
-        let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
         let waves = Waves::of(&half_space)?;
+        let (scales, law, yield_speed) = Self::law_of(&pair, mass, law)?;
         Ok(Self {
             sphere,
             half_space,
@@ -72,12 +78,53 @@ impl Contact {
             law,
             scales,
             yield_speed,
+            elastic_speed: yield_speed,
+            rates: None,
+            rated: None,
+            rate: None,
             forces: Forces::default(),
             under: None,
             waves,
             moment_of_inertia: None,
             named: Named::default(),
         })
+    }
+
+    /// The scales, the law and the yield speed of a pair.
+    fn law_of(pair: &Pair, mass: f64, law: &dyn ContactLaw) -> Result<(Scales, Law, f64), ImpactError> {
+        let (scales, law) = match (&pair.yield_point, law.of_pair(pair)?) {
+            (Some(point), Some(law)) => (Scales::of_yield(point, point.speed(mass)?), law),
+            _ => (Scales::of_radius(pair, mass), Law::hertz()),
+        };
+        // up to there the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
+        let until = law.limits.elastic_until;
+        let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
+        Ok((scales, law, yield_speed))
+    }
+
+    /// This contact with the strengths of another pair of the same bodies, which no rate raises any more.
+    pub(super) fn of_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
+        let (scales, law, yield_speed) = Self::law_of(&pair, self.mass, law)?;
+        let contact = Self {
+            pair,
+            law,
+            scales,
+            yield_speed,
+            elastic_speed: yield_speed,
+            rates: None,
+            rated: None,
+            rate: None,
+            under: None,
+            ..*self
+        };
+        Ok(contact.with_forces(self.forces))
+    }
+
+    /// The scales of another pair of the same bodies, if the loading curve of this contact is theirs too, in its own units.
+    pub(super) fn scales_of_same_curve(&self, pair: &Pair) -> Result<Option<Scales>, ImpactError> {
+        let is_same = self.pair.shares() == pair.shares() && self.law.has_one_curve();
+        let Some(point) = pair.yield_point.filter(|_| is_same) else { return Ok(None) };
+        Ok(Some(Scales::of_yield(&point, point.speed(self.mass)?)))
     }
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].

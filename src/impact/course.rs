@@ -93,7 +93,11 @@ pub fn integrate<'a, I: Integrator>(
         path.rest = None;
         let static_point = may_creep.then(|| forces.static_on_unloading(ground, &unloading));
         let creep = static_point.and_then(|point| near_rest(forces, &point, point.distance, &at, &mut path));
+        let turned = at;
         let mut landing = go(&path, &mut at, None, recorder)?;
+        if recorder.is_on() && ground.step(&unloading) > 0.0 {
+            recorder.mark(Event::Relaxation, &turned);
+        }
         let mut creeps = false;
         if let Some(creep) = creep.filter(|_| landing == Landing::End) {
             creeps = -at.speed <= creep.below;
@@ -115,7 +119,7 @@ pub fn integrate<'a, I: Integrator>(
         loading_time,
         contact_time: time,
         fate,
-        largest_force: if drag.is_in_contact() { largest } else { unloading.peak.force },
+        largest_force: ground.reported_force(&unloading, drag.is_in_contact().then_some(largest)),
         end_indentation: distance + ground.dent(&unloading.peak).residual(),
         end_speed: speed,
         loss: loss / ACCELERATION,

@@ -8,6 +8,7 @@ use super::forces::ScaledForces;
 use super::oblique::Rebound;
 use super::outcome::{Fate, Outcome};
 use super::plate::ScaledPlate;
+use super::rated::Rated;
 use super::waves;
 use crate::integrate::IntegrationError;
 use crate::material::{OutOfFloatRange, normal};
@@ -43,6 +44,8 @@ pub struct Essentials {
     /// known, under damping or on a plate, and for a sphere that does not leave.
     pub wave_loss_fraction: Option<f64>,
     pub on_plate: Option<OnPlate>,
+    /// Strain rate and factors of strength; `None` without a rate, and for an impact that turned in a dent.
+    pub rated: Option<Rated>,
     /// To which height the sphere rises \[m\], with waves and air where they are known; `None` without gravity and height, and
     /// for a sphere that does not leave.
     pub rebound_height: Option<f64>,
@@ -144,6 +147,7 @@ impl Essentials {
                     waves.map_or(outcome.restitution, |loss| waves::restitution_with_waves(outcome.restitution, loss));
                 flying.rise(restitution * speed)
             }),
+            rated: contact.rated.filter(|_| ground.branch_at(peak.indentation).is_none()),
             rebound: None,
         })
     }

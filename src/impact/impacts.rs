@@ -45,6 +45,14 @@ impl Contact {
     pub fn row(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<Essentials, ImpactError> {
         let approach = approach.into();
         let [speed, _] = approach.components();
+        match self.rated_at(speed)? {
+            None => self.row_of(approach, speed, solver),
+            Some(rated) => rated.row_of(approach, speed, solver),
+        }
+    }
+
+    #[inline]
+    fn row_of(&self, approach: Approach, speed: f64, solver: &Solver) -> Result<Essentials, ImpactError> {
         let case = self.case(None, speed)?;
         let outcome = match self.chosen(solver.method, false)? {
             Method::ClosedForm => case.exact(solver.tolerance)?,
@@ -78,7 +86,10 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        self.impact_under(None, approach.into(), solver, samples).map(|(impact, ..)| impact)
+        let approach = approach.into();
+        let [speed, _] = approach.components();
+        let rated = self.rated_at(speed)?;
+        rated.as_ref().unwrap_or(self).impact_under(None, approach, solver, samples).map(|(impact, ..)| impact)
     }
 
     /// The impact with its ground and peak, on fresh surface or in a dent.

@@ -16,6 +16,8 @@ pub enum Event {
     /// The loading curve passes from one piece to the next.
     Knot,
     Peak,
+    /// The force falls where the sphere turns, as the metal relaxes to the strength of a lower rate of strain.
+    Relaxation,
     /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
     Separation,
     /// Where the run of a sphere that does not separate ends.

@@ -24,7 +24,7 @@ impl Spot {
     /// A place of a contact that was loaded to `memory`, in units of the yield point. The place is fresh if that state, or
     /// the half-space, is elastic.
     pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
-        let yields = memory.indentation > contact.law.limits.elastic_until;
+        let yields = memory.indentation > contact.law.recovers_until();
         Self { dent: yields.then(|| contact.law.dented(memory)) }
     }
 
@@ -51,9 +51,37 @@ impl Contact {
         solver: &Solver,
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
-        let (impact, ground, peak) = self.impact_under(spot.dent.as_ref(), approach.into(), solver, samples)?;
+        let approach = approach.into();
+        let [speed, _] = approach.components();
+        if let Some(rated) = self.rated_at(speed)? {
+            return self.rated_on(spot, &rated, approach, solver, samples);
+        }
+        let (impact, ground, peak) = self.impact_under(spot.dent.as_ref(), approach, solver, samples)?;
         if !ground.is_elastic_to(peak.indentation) {
             spot.dent = Some(self.law.dented(peak));
+        }
+        Ok(impact)
+    }
+
+    /// An impact of a rated contact: it goes up the old branch until that meets the loading curve of its own rate. The spot
+    /// remembers in the units of this contact.
+    fn rated_on(
+        &self,
+        spot: &mut Spot,
+        rated: &Self,
+        approach: Approach,
+        solver: &Solver,
+        samples: Option<usize>,
+    ) -> Result<Impact, ImpactError> {
+        let (length, force) = (rated.scales.length / self.scales.length, rated.scales.force / self.scales.force);
+        let met = spot.dent.as_ref().map(|dent| {
+            let branch = dent.unloading.scaled(1.0 / length, 1.0 / force);
+            rated.law.dented_by(rated.law.met_by(&branch))
+        });
+        let (impact, ground, peak) = rated.impact_under(met.as_ref(), approach, solver, samples)?;
+        if !ground.is_elastic_to(peak.indentation) {
+            let unloading = rated.law.unloading(peak).scaled(length, force);
+            spot.dent = Some(self.law.dented_by(unloading));
         }
         Ok(impact)
     }

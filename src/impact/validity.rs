@@ -15,6 +15,7 @@ use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
 use crate::law::{Ground, Law, Peak, Raised, Unloading};
 use crate::math::root::halved;
+use crate::strength::rate::Form as RateForm;
 use crate::units::{Dimension, four_digits, human, percent};
 use of_run::{of_gain, of_rebound, of_run};
 
@@ -112,6 +113,7 @@ pub(super) fn warnings(
             "contact lasts {transits:.2} wave transits of the sphere (2 R / c); below 5 it is no longer quasi-static and part of the energy goes into waves"
         )
     }));
+    warnings.extend(of_rate(contact));
     warnings.extend(of_waves(impact));
     if let (Some(plate), Some(of)) = (&contact.forces().plate, &impact.on_plate) {
         warnings.extend(of_plate(plate, of, impact.peak_contact_radius));
@@ -132,6 +134,46 @@ fn of_waves(impact: &Impact) -> Option<Warning> {
             "elastic waves take {loss:.3} of the kinetic energy, while the law gives {recovered:.3} of it back: too much for a first-order estimate; take restitution_with_waves as a rough value (0 where nothing is left)"
         )
     })
+}
+
+/// The rates \[1/s\] for which the constants of metals were measured.
+const RATES: [f64; 2] = [1e-3, 1e5];
+/// Rates \[1/s\] of a test between those of a usual test and of an impact.
+const FAST_TESTS: [f64; 2] = [50.0, 1000.0];
+/// Least D \[1/s\] of a flow stress.
+const FLOWING: f64 = 1000.0;
+
+/// The warnings for the strain rate of an impact, and for the constants of its metal.
+fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
+    let (rated, rate) = (contact.rated, contact.rate);
+    let strain_rate = rated.map_or(f64::NAN, |rated| rated.strain_rate);
+    let [low, high] = RATES;
+    let outside = Warning::when(strain_rate < low || strain_rate > high, WarningKind::StrainRate, strain_rate, || {
+        format!(
+            "strain rate {} 1/s is outside of {low:e} to {high:e} 1/s, for which such constants are known: take the factor of the strength for an extrapolation",
+            four_digits(strain_rate)
+        )
+    });
+    let tested_at = rate.map_or(f64::NAN, |rate| rate.tested_at);
+    let is_fast = (FAST_TESTS[0]..=FAST_TESTS[1]).contains(&tested_at);
+    let fast = Warning::when(is_fast, WarningKind::FastTest, tested_at, || {
+        format!(
+            "tested_at = {} 1/s is nearly as fast as the impact, and only the turn of the sphere is slower than that test: e comes out below the one without a rate; give the strength of a slow test",
+            four_digits(tested_at)
+        )
+    });
+    let slow = match rate.map(|rate| rate.form) {
+        Some(RateForm::CowperSymonds { rate, .. }) if rate < FLOWING => Some(rate),
+        _ => None,
+    };
+    let lower_yield = slow.map(|rate| {
+        let text = format!(
+            "cowper_symonds.rate = {} 1/s: constants below {FLOWING} 1/s are of the lower yield point, and a dent asks for the flow stress at 1 to 4 % of strain: e comes out too high",
+            four_digits(rate)
+        );
+        Warning::new(WarningKind::LowerYield, -rate, text)
+    });
+    [outside, fast, lower_yield].into_iter().flatten()
 }
 
 /// χ v from which on the damping of Hunt and Crossley leaves less than a thousandth of the speed.

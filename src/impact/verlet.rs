@@ -196,7 +196,7 @@ pub(crate) fn march(
         let outcome = Outcome {
             unloading,
             restitution: if separates { -state.speed / q } else { 0.0 },
-            largest_force,
+            largest_force: ground.reported_force(&unloading, Some(largest_force)),
             loading_time: if is_back { turns_at.min(state.time) } else { peak.time },
             contact_time: state.time,
             fate: if separates { Fate::Separated } else { Fate::Captured },
@@ -261,12 +261,15 @@ impl Remembering<'_> {
         };
         let of_end = if outcome.fate == Fate::Separated { Event::Separation } else { Event::Captured };
         let until_peak = states.partition_point(|(state, _)| state.time <= outcome.loading_time);
+        if self.ground.step(&outcome.unloading) > 0.0 {
+            states.insert(until_peak, (turning, Some(Event::Relaxation)));
+        }
         states.insert(until_peak, (turning, Some(Event::Peak)));
         states.insert(0, (touch, Some(Event::Touch)));
         states.push((end, Some(of_end)));
         let residual = self.ground.dent(&outcome.unloading.peak).residual() - self.touch;
         let point = |(state, event): (State, Option<Event>)| {
-            if state.time <= outcome.loading_time {
+            if state.time <= outcome.loading_time && event != Some(Event::Relaxation) {
                 let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);
                 Point::loading(self.loaded_to(state.distance), slope, self.drag, &state, event)
             } else {

@@ -56,6 +56,12 @@ pub enum WarningKind {
     InAir,
     /// A key or a table of the scenario that has no effect.
     Unused,
+    /// A strain rate outside of those that the constants are known for.
+    StrainRate,
+    /// A test of the strength that was nearly as fast as an impact.
+    FastTest,
+    /// Constants of Cowper and Symonds for the lower yield point.
+    LowerYield,
     /// An exponent of unloading that is not kept, because it would give back more than was spent.
     RaisedExponent,
     /// A published law outside the range that its authors state.

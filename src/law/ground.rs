@@ -41,7 +41,13 @@ pub struct Dent {
 impl Law {
     /// The dent of a spot that was loaded to this peak.
     pub fn dented(&self, peak: Peak) -> Dent {
-        let (unloading, x) = (self.unloading(peak), peak.indentation);
+        self.dented_by(self.unloading(peak))
+    }
+
+    /// The dent of a spot with this unloading branch, which ends on the loading curve.
+    pub(crate) fn dented_by(&self, unloading: Unloading) -> Dent {
+        let peak = unloading.peak;
+        let x = peak.indentation;
         let index = self.loading.index_at(x);
         let cut = &self.loading.pieces()[index];
         let (shape, spent) = (cut.shape.later(x - cut.start), cut.work_at(x));
@@ -92,7 +98,7 @@ impl<'a> Ground<'a> {
     /// Whether an impact that turns at x leaves the ground as it was: at most first yield, or on the branch.
     #[inline(always)]
     pub(crate) fn is_elastic_to(&self, x: f64) -> bool {
-        x <= self.elastic_until()
+        x <= self.branch().map_or_else(|| self.law.recovers_until(), |branch| branch.peak.indentation)
     }
 
     /// x of first touch: x_r of the branch, 0 on fresh surface.

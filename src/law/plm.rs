@@ -17,6 +17,7 @@ pub mod coefficients;
 pub mod contact_radius;
 pub mod flattening;
 pub mod hardening;
+pub mod hardness;
 pub mod lines;
 pub mod rule;
 
@@ -46,20 +47,23 @@ pub struct Plm {
     pub exponent: UnloadingExponent,
     /// How sphere and half-space harden; `None` for a constant strength.
     pub flow: [Option<FlowCurve>; 2],
+    /// By how much the rate of strain raises their whole flow curves; the strengths of the bodies have it already.
+    pub rate_factors: [f64; 2],
 }
 
 impl Default for Plm {
     fn default() -> Self {
         static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
             LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
-        Self { coefficients: Arc::clone(&BUILT_IN), exponent: UnloadingExponent::Paper, flow: [None, None] }
+        let coefficients = Arc::clone(&BUILT_IN);
+        Self { coefficients, exponent: UnloadingExponent::Paper, flow: [None, None], rate_factors: [1.0; 2] }
     }
 }
 
 impl Plm {
     /// The PLM of these coefficients, with this exponent.
     pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
-        Self { coefficients: Arc::new(coefficients.clone()), exponent, flow: [None, None] }
+        Self { coefficients: Arc::new(coefficients.clone()), exponent, ..Self::default() }
     }
 
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
@@ -71,8 +75,10 @@ impl Plm {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
         let (perfect, rule) = self.coefficients.halves(pair, ratio, self.exponent);
         let [sphere, half_space] = &self.flow;
-        let Some(flow) = bodies.yield_point.flow.of_softer([sphere, half_space]) else { return (perfect, rule) };
-        let rise = flow.rise(bodies.yield_strength, bodies.modulus());
+        let flows = bodies.yield_point.flow;
+        let Some(flow) = flows.of_softer([sphere, half_space]) else { return (perfect, rule) };
+        let slow = bodies.yield_strength / flows.of_softer(self.rate_factors);
+        let rise = flow.rise(slow, bodies.modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
         (hardening.loading(&perfect), PlmRule { hardening: Some(hardening), ..rule })
     }
@@ -126,7 +132,7 @@ impl ContactLaw for Plm {
             return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
         }
         if let Some(flow) = flows.of_softer([sphere, half_space]) {
-            flow.is_flatter_than(bodies.modulus(), bodies.yield_strength)?;
+            flow.is_flatter_than(bodies.modulus(), bodies.yield_strength / flows.of_softer(self.rate_factors))?;
         }
         Ok(Some(self.of_bodies(&bodies)))
     }

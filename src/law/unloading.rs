@@ -178,6 +178,17 @@ impl Unloading {
         }
     }
 
+    /// Returns this branch with another end, on it or beyond.
+    #[must_use]
+    pub(super) fn lengthened(&self, peak: Peak) -> Self {
+        self.curve.map_or_else(|| Self::power(peak, self.exponent), |curve| Self::along(peak, curve))
+    }
+
+    /// Force at x ≥ x_m, if the branch went on.
+    pub(super) fn beyond(&self, x: f64) -> f64 {
+        self.branch().force_beyond(x - self.peak.residual())
+    }
+
     /// The state at a distance from x_r, at most the peak. The distance has digits that x has lost.
     pub(crate) fn state_at(&self, distance: f64) -> Peak {
         let peak = self.peak;

@@ -2,8 +2,9 @@
 
 use serde::Deserialize;
 
+use crate::law::plm::hardness;
+use crate::material::Material;
 use crate::strength::flow::FlowCurve;
-use crate::strength::hardness::strength_of_hardness;
 use crate::units::Dimension;
 use crate::units::names::named;
 
@@ -21,6 +22,8 @@ named! {
         Hardness = "hardness",
         /// Exponent N of a power law of hardening.
         HardeningExponent = "hardening_exponent",
+        /// c of Johnson and Cook's factor 1 + c ln(rate/(1 1/s)).
+        RateSensitivity = "rate_sensitivity",
     }
 }
 
@@ -45,7 +48,7 @@ impl Property {
         match self {
             Self::Density => Dimension::Density,
             Self::YoungsModulus | Self::Hardness => Dimension::Pressure,
-            Self::PoissonsRatio | Self::HardeningExponent => Dimension::Ratio,
+            Self::PoissonsRatio | Self::HardeningExponent | Self::RateSensitivity => Dimension::Ratio,
         }
     }
 }
@@ -94,23 +97,37 @@ impl Entry {
         self.known.iter().find(|known| known.property == property)
     }
 
-    /// Exponent and Young's modulus of the power law, if the material has one.
-    fn power_law(&self) -> Option<(f64, f64)> {
-        let of = |property| self.of(property).map(|known| known.taken.value);
-        of(Property::HardeningExponent).zip(of(Property::YoungsModulus))
+    /// The value of a property; NaN where it is not known.
+    fn value(&self, property: Property) -> f64 {
+        self.of(property).map_or(f64::NAN, |known| known.taken.value)
+    }
+
+    /// The flow curve, if the material hardens by a power law.
+    fn flow(&self) -> Option<FlowCurve> {
+        let power = |known: &Known| FlowCurve::Power { exponent: known.taken.value };
+        self.of(Property::HardeningExponent).map(power)
     }
 
     /// A material with an exponent hardens by a power law.
     pub fn hardens(&self) -> bool {
-        self.power_law().is_some()
+        self.flow().is_some()
     }
 
     /// The yield strength \[Pa\] of the material with a hardness given as mean pressure \[Pa\].
     pub fn strength(&self, mean_pressure: f64) -> f64 {
-        let (flow, modulus) = self
-            .power_law()
-            .map_or((None, f64::NAN), |(exponent, modulus)| (Some(FlowCurve::Power { exponent }), modulus));
-        strength_of_hardness(mean_pressure, flow.as_ref(), modulus)
+        hardness::strength_of_hardness(mean_pressure, self.flow().as_ref(), &self.elastic())
+    }
+
+    /// The flow stress \[Pa\] at a plastic strain of 0.08 of the material with that hardness.
+    pub fn flow_stress(&self, mean_pressure: f64) -> f64 {
+        hardness::flow_stress(mean_pressure, &self.elastic())
+    }
+
+    fn elastic(&self) -> Material {
+        Material {
+            youngs_modulus: self.value(Property::YoungsModulus),
+            poissons_ratio: self.value(Property::PoissonsRatio),
+        }
     }
 
     /// Whether the material yields. Glass, ceramics and polymers are computed as elastic.

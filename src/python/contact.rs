@@ -19,7 +19,7 @@ use crate::plot;
 use crate::report::overview::overview;
 use crate::report::{Detail, table, trace};
 use crate::run::band::band;
-use crate::run::{no_result, texts};
+use crate::run::{at_speed_of, no_result, texts};
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Use;
 use crate::scene::at::at;
@@ -64,6 +64,12 @@ impl Contact {
                 speed.get_type()
             ))),
         }
+    }
+
+    /// The contact, with the strength of its own speed if it depends on one.
+    fn of_one_strength(&self) -> PyResult<Cow<'_, impact::Contact>> {
+        let own = at_speed_of(&self.scenario, &self.input, &self.inner).map_err(exception)?;
+        Ok(own.map_or(Cow::Borrowed(&self.inner), Cow::Owned))
     }
 
     fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
@@ -131,26 +137,26 @@ impl Contact {
         indentation: &Bound<'py, PyAny>,
         memory: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-        force(&self.inner, indentation, memory)
+        force(self.of_one_strength()?.as_ref(), indentation, memory)
     }
 
     /// Impact speed above which the half-space yields (m/s); `None` if it cannot yield.
     #[getter]
-    fn yield_speed_m_per_s(&self) -> Option<f64> {
-        self.inner.yield_speed()
+    fn yield_speed_m_per_s(&self) -> PyResult<Option<f64>> {
+        Ok(self.of_one_strength()?.yield_speed())
     }
 
     /// Indentation at first yield (m); `None` if it cannot yield.
     #[getter]
-    fn yield_indentation_m(&self) -> Option<f64> {
-        self.inner.yields_at().map(|(indentation, _)| indentation)
+    fn yield_indentation_m(&self) -> PyResult<Option<f64>> {
+        Ok(self.of_one_strength()?.yields_at().map(|(indentation, _)| indentation))
     }
 
     /// Force at first yield (N); `None` if it cannot yield.
     #[getter]
     #[pyo3(name = "yield_force_N")]
-    fn yield_force(&self) -> Option<f64> {
-        self.inner.yields_at().map(|(_, force)| force)
+    fn yield_force(&self) -> PyResult<Option<f64>> {
+        Ok(self.of_one_strength()?.yields_at().map(|(_, force)| force))
     }
 
     /// The name of the law.
@@ -207,6 +213,8 @@ fn unexpected(error: serde_json::Error) -> PyErr {
 pub struct Impact {
     contact: Py<Contact>,
     result: impact::Impact,
+    /// The contact with the strength of this impact, where that depends on the speed.
+    own: Option<impact::Contact>,
     samples: Option<usize>,
     /// The band of e. It is computed when the first result is asked for, and then serves all results.
     band: OnceLock<Option<Band>>,
@@ -215,13 +223,17 @@ pub struct Impact {
 impl Impact {
     fn of(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
         let result = py.detach(|| contact.get().computed(speed, samples)).map_err(exception)?;
-        Ok(Self { contact, result, samples, band: OnceLock::new() })
+        let inner = &contact.get().inner;
+        let [normal, _] = contact.get().input.approach_at(speed).components();
+        // the impact has been computed with it
+        let own = if inner.has_rate() { inner.at_speed(normal).ok() } else { None };
+        Ok(Self { contact, result, own, samples, band: OnceLock::new() })
     }
 
     fn single(&self) -> Single<'_> {
         let contact = self.contact.get();
         let band = self.band.get_or_init(|| band(&contact.input, &self.result));
-        Single { contact: &contact.inner, impact: &self.result, band: band.as_ref() }
+        Single { contact: self.own.as_ref().unwrap_or(&contact.inner), impact: &self.result, band: band.as_ref() }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

@@ -27,4 +27,33 @@ rows! {
     }
 }
 
+rows! {
+    /// An impact on a half-space whose strength rises with the strain rate, and the result of the finite elements.
+    pub struct RatedRow read by rated from "fe_rate.csv" {
+        pub case: String,
+        pub radius as "sphere.radius": f64,
+        pub sphere_modulus as "sphere.youngs_modulus": f64,
+        pub sphere_poissons_ratio as "sphere.poissons_ratio": f64,
+        pub sphere_density as "sphere.density": f64,
+        pub half_space_modulus as "half_space.youngs_modulus": f64,
+        pub half_space_poissons_ratio as "half_space.poissons_ratio": f64,
+        pub half_space_density as "half_space.density": f64,
+        pub yield_strength as "half_space.yield_strength": f64,
+        /// Of Johnson and Cook.
+        pub c as "half_space.rate.johnson_cook.c": Option<f64>,
+        pub reference as "half_space.rate.johnson_cook.reference": Option<f64>,
+        /// Of Cowper and Symonds.
+        pub rate as "half_space.rate.cowper_symonds.rate": Option<f64>,
+        pub exponent as "half_space.rate.cowper_symonds.exponent": Option<f64>,
+        /// The rate at which the factor is 1.
+        pub tested_at as "half_space.rate.tested_at": f64,
+        pub speed as "impact.speed": f64,
+        pub restitution: f64,
+        pub peak_force as "peak_force_N": f64,
+        pub contact_time as "contact_time_s": f64,
+        pub peak_indentation as "peak_indentation_m": f64,
+        pub residual_indentation as "residual_indentation_m": f64,
+    }
+}
+
 pub const TABLE: &str = "fe_dynamic.csv";

@@ -4,6 +4,7 @@
 use serde::ser::{Serialize, Serializer};
 
 use crate::impact::Method;
+use crate::law::plm::hardness::flow_stress;
 use crate::plan::Plan;
 use crate::plan::axis::{Axis, Word};
 use crate::scene::Input;
@@ -11,6 +12,7 @@ use crate::scene::at::at;
 use crate::scene::input::Held;
 use crate::scene::key::Part;
 use crate::scene::keys::partner;
+use crate::scene::quantity::FACTOR;
 use crate::scene::taken::Body;
 
 /// Keys and values in the order of the file.
@@ -34,13 +36,14 @@ impl Inputs {
             _ => !held.value.is_null(),
         };
         let mut entries: Vec<Held> = input.filled().held().into_iter().filter(is_used).collect();
-        for body in Body::ALL.into_iter().filter(|body| input.number(body.strength_keys().hardness).is_some()) {
-            let rule = if input.flow_curve(body).is_some() {
-                "hardness and flow_stress: at a plastic strain of 0.08 the flow stress is the mean pressure over 2.9"
-            } else {
-                "hardness: mean pressure over 2.9"
-            };
+        for body in Body::ALL {
+            let keys = body.strength_keys();
+            let Some(mean_pressure) = input.number(keys.hardness) else { continue };
+            let rule = if input.flow_curve(body).is_some() { "hardness and flow_stress" } else { "hardness" };
             entries.push(Held::word(&strength_from(body), Part::Flow, rule));
+            let ratio = mean_pressure / flow_stress(mean_pressure, &input.material(body));
+            let (path, quantity) = (constraint(body), Some(&FACTOR));
+            entries.push(Held { path, part: Part::Flow, quantity, value: ratio.into() });
         }
         for taken in input.taken() {
             let part = if taken.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
@@ -73,6 +76,7 @@ impl Inputs {
         let is_derived = |body: &Body, path: &str| body.strength_keys().yield_strength.path() == path;
         let is_shared = |held: &Held| match held.path.as_str() {
             path if Body::ALL.iter().any(|body| is_derived(body, path) && plan.derives_strength(*body)) => false,
+            path if Body::ALL.iter().any(|body| constraint(*body) == path && plan.derives_strength(*body)) => false,
             path if Body::ALL.iter().any(|body| strength_from(*body) == path && varies(body.material())) => false,
             "impact.speed" => plan.input.number(at!("impact.drop_height")).is_none() || !varies("gravity.acceleration"),
             path => !of_material(path),
@@ -82,6 +86,11 @@ impl Inputs {
         entries.retain(|held| is_kept(held) && !partner(&held.path).is_some_and(varies));
         Self(entries)
     }
+}
+
+/// The mean pressure of the hardness of a body over its flow stress at a plastic strain of 0.08.
+fn constraint(body: Body) -> String {
+    format!("{}_over_flow_stress", body.strength_keys().hardness.path())
 }
 
 /// What says where the yield strength of a body comes from.

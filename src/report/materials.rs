@@ -3,9 +3,8 @@
 use std::fmt::Write as _;
 
 use crate::materials::{Entry, Known, Property, all};
-use crate::strength::hardness::flow_stress;
 use crate::units::aligned::aligned;
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, four_digits, quantity};
 
 /// Whether the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
 pub fn has(entry: &Entry, text: &str) -> bool {
@@ -19,7 +18,7 @@ pub fn rows(text: &str) -> Vec<[String; 7]> {
     let mut rows = vec![heads.map(ToOwned::to_owned)];
     rows.extend(all().iter().filter(|entry| has(entry, text)).map(|entry| {
         let text = |property| entry.of(property).map_or_else(|| "-".to_owned(), |known| known.taken.text.clone());
-        let [density, modulus, ratio, hardness, exponent] = Property::ALL.map(text);
+        let [density, modulus, ratio, hardness, exponent, _] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
     }));
     rows
@@ -61,7 +60,12 @@ pub fn one(entry: &Entry) -> String {
 
 /// The flow stress and the yield strength that follow from a hardness.
 fn strength(entry: &Entry, mean_pressure: f64) -> String {
-    let flow = format!("flow stress {}", quantity(flow_stress(mean_pressure), Dimension::Pressure));
+    let stress = entry.flow_stress(mean_pressure);
+    let flow = format!(
+        "flow stress {}, the mean pressure of the hardness over {}",
+        quantity(stress, Dimension::Pressure),
+        four_digits(mean_pressure / stress)
+    );
     if !entry.hardens() {
         return flow;
     }

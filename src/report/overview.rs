@@ -5,11 +5,12 @@ use super::inputs::Inputs;
 use crate::impact::Contact;
 use crate::law::LawChoice;
 use crate::material::{Flow, Pair};
+use crate::materials::Property;
 use crate::scene::Input;
 use crate::scene::taken::Body;
 use crate::strength::hardness;
 use crate::units::aligned::aligned;
-use crate::units::{Dimension, describe, four_digits, number};
+use crate::units::{Dimension, describe, four_digits, number, percent};
 
 /// A name and a value.
 type Row = [String; 2];
@@ -17,6 +18,9 @@ type Row = [String; 2];
 /// A few aligned lines.
 pub fn overview(input: &Input, contact: &Contact) -> String {
     let mut rows = Vec::new();
+    let [speed, _] = input.approach().components();
+    let own = if contact.has_rate() { contact.at_speed(speed).ok() } else { None };
+    let contact = own.as_ref().unwrap_or(contact);
     let law = input.law();
     for [key, text] in self::rows(&Inputs::of(input)) {
         match key.as_str() {
@@ -45,10 +49,38 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
         rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
         rows.push(["yield speed v_Y".to_owned(), speed]);
     }
+    if let Some(rated) = contact.rated() {
+        rows.push(["strain rate".to_owned(), describe(rated.strain_rate, Dimension::StrainRate)]);
+        rows.push(["strength raised by".to_owned(), four_digits(rated.factor)]);
+        rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
+    }
     let strengths = [contact.sphere().yield_strength, contact.half_space().yield_strength];
     let is_precise = |body: Body| body.of(strengths).is_none() || input.has_flow(body);
     let softer = contact.pair().yield_point.map(|point| point.flow.of_softer(Body::ALL));
-    aligned(&rows, |_| true) + which_strength(softer.is_some_and(|softer| !is_precise(softer)))
+    let strength = which_strength(softer.is_some_and(|softer| !is_precise(softer)));
+    aligned(&rows, |_| true) + strength + &with_rate(input, contact, softer, speed).unwrap_or_default()
+}
+
+/// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.
+fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
+    let body = softer?;
+    let taken = input.taken().iter().find(|taken| taken.body == body)?;
+    let c = taken.material.of(Property::RateSensitivity)?.taken.value;
+    if input.has_rate() || !matches!(input.law(), LawChoice::Plm(_)) {
+        return None;
+    }
+    let mut raised = input.clone();
+    raised.set(body.rate_keys().c, Some(c));
+    let e = |contact: &Contact| Some(contact.row(speed, &input.solver()).ok()?.restitution);
+    let higher = e(&raised.contact().ok()?)? / e(contact)? - 1.0;
+    (higher > 0.0).then(|| {
+        format!(
+            "\nWith the strain rate of {}, c = {c}, e is {} higher: {} = \"material\"\n",
+            taken.material.name,
+            percent(higher),
+            body.rate_keys().table
+        )
+    })
 }
 
 /// A line on the yield strength, where the scenario says nothing more of the flow stress of the body that yields.

@@ -19,8 +19,11 @@ use crate::scene::{Input, Use};
 pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Contact, Impact), Error> {
     let (input, contact) = prepare(scenario)?;
     can_be_traced(scenario, &input)?;
-    let impact = contact.impact(input.approach(), &input.solver(), samples);
-    let mut impact = impact.map_err(|reason| no_result(scenario, &reason))?;
+    let refuse = |reason| no_result(scenario, &reason);
+    // the strength is that of this speed from here on
+    let [speed, _] = input.approach().components();
+    let contact = contact.at_speed(speed).map_err(refuse)?;
+    let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
     impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Use::Impact));
     impact.warnings.extend(input.doubts_of_air());
     Ok((input, contact, impact))

@@ -106,6 +106,11 @@ const RULES: &[Rule] = &[
         &["indentation"],
         "[{}] is given too, and there is no motion in it; write only one of the two",
     ),
+    beside(
+        &["sphere.rate", "half_space.rate"],
+        &["indentation"],
+        "[{}] is slow, and the strength is that of a slow test: leave the rate out",
+    ),
     beside(&["friction"], &["indentation"], "[{}] is given too, and nothing slides there; write only one of the two"),
     beside(
         &["solver"],

@@ -5,6 +5,7 @@ use super::{DATA, LARGEST_DATA, Scenario};
 use crate::error::Error;
 use crate::impact::Method;
 use crate::law::LawChoice;
+use crate::law::plm::hardness::pressure;
 use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
@@ -13,7 +14,6 @@ use crate::scene::keys::NEEDED;
 use crate::scene::taken::Body;
 use crate::scene::words::STUDENT_T;
 use crate::scene::{Input, Key};
-use crate::strength::hardness::CONSTRAINT;
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
@@ -44,8 +44,7 @@ pub struct Wanted {
     pub laws: Vec<LawChoice>,
 }
 
-/// The range of the strength in multiples of the modulus of the half-space. For a hardness both ends are [`CONSTRAINT`]
-/// times as large.
+/// The range of the strength in multiples of the modulus of the half-space.
 const RANGE: [f64; 2] = [1e-5, 0.1];
 
 impl Scenario {
@@ -71,6 +70,10 @@ impl Scenario {
         if let Some(body) = hardens.filter(|_| has_others) {
             let table = body.strength_keys().flow_stress;
             let message = format!("only the law plm has hardening: leave out {table}, or the other laws");
+            return Err(self.document.refuse("calibrate.laws", message));
+        }
+        if input.has_rate() && laws.iter().any(|law| law.name() != input.named_law.name()) {
+            let message = "only the law plm has a strain rate: leave out the rate, or the other laws";
             return Err(self.document.refuse("calibrate.laws", message));
         }
         let mut deviations = self.input.numbers_of("calibrate.noise");
@@ -111,9 +114,13 @@ impl Scenario {
         if let Some(free) = &self.varied.free {
             return free.clone();
         }
-        let (path, factor) = if self.has(HARDNESS) { (HARDNESS, CONSTRAINT) } else { (YIELD_STRENGTH, 1.0) };
-        let modulus = input.half_space().material.youngs_modulus;
-        let [from, to] = RANGE.map(|share| share * modulus * factor);
+        let material = input.half_space().material;
+        let strengths = RANGE.map(|share| share * material.youngs_modulus);
+        let (path, [from, to]) = if self.has(HARDNESS) {
+            (HARDNESS, strengths.map(|strength| pressure(strength, &material)))
+        } else {
+            (YIELD_STRENGTH, strengths)
+        };
         let free = |key: &'static Key| Free { key, from: from.max(key.quantity.range().0), to, is_logarithmic: true };
         Key::find(path).map(free).into_iter().collect()
     }

@@ -8,6 +8,7 @@ use crate::scene::tables::names;
 use crate::scene::taken::Body;
 use crate::scene::{Input, KEYS};
 use crate::strength::flow::FlowCurve;
+use crate::units::{Dimension, quantity};
 
 /// The four ways to write a curve.
 const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
@@ -46,9 +47,18 @@ impl Scenario {
 
     fn check_strength_of(&self, input: &Input, body: Body) -> Result<(), Error> {
         let varies = |key: &str| self.varies(key);
-        let Some(flow) = input.flow_curve(body) else { return Ok(()) };
         let keys = body.strength_keys();
         let [yield_strength, hardness] = [keys.yield_strength, keys.hardness].map(At::path);
+        let (sphere, half_space) = input.bodies(&input.law());
+        let strength = body.of([sphere.yield_strength, half_space.yield_strength]);
+        if strength.is_some_and(f64::is_nan) && !varies(hardness) {
+            let modulus = quantity(input.material(body).youngs_modulus, Dimension::Pressure);
+            let message = format!(
+                "is more than the pressure under a diamond that leaves no dent in a body with Young's modulus {modulus}: check the units"
+            );
+            return Err(self.document.refuse(hardness, message));
+        }
+        let Some(flow) = input.flow_curve(body) else { return Ok(()) };
         let refuse = |message: &str| Err(self.document.refuse(keys.flow_stress, message));
         if !matches!(input.named_law, LawChoice::Plm(_)) {
             let name = input.named_law.name();
@@ -57,8 +67,7 @@ impl Scenario {
         if varies("law") {
             return refuse("only the law plm has hardening: leave the table out, or the axis \"law\"");
         }
-        let (sphere, half_space) = input.bodies(&input.law());
-        let Some(strength) = body.of([sphere.yield_strength, half_space.yield_strength]) else {
+        let Some(strength) = strength else {
             return refuse(
                 "a flow curve begins at a strength: give the body its yield_strength, the stress at plastic strain 0",
             );

@@ -100,10 +100,19 @@ impl Varied {
                 let keys = body.strength_keys();
                 is_plm && !is_given(keys.yield_strength.path()) && !is_given(keys.flow_stress)
             }
+            // a rate is never taken in silence
+            Part::Rate => {
+                Body::ALL.iter().any(|body| key.path.starts_with(body.rate_keys().table) && asks_material(input, *body))
+            }
             _ => true,
         };
         is_used && !is_given(key.path) && !partner(key.path).is_some_and(is_given)
     }
+}
+
+/// Whether the scenario says `rate = "material"` of a body.
+pub(super) fn asks_material(input: &Input, body: Body) -> bool {
+    input.text(body.rate_keys().word).is_some()
 }
 
 /// The values of a material as random keys: even between the ends of their ranges.

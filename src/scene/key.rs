@@ -23,6 +23,8 @@ pub enum Part {
     Motion,
     /// The flow stress of the half-space.
     Flow,
+    /// How strengths rise with the rate of strain.
+    Rate,
     Law,
     /// Gravity and damping.
     Forces,

@@ -8,21 +8,22 @@ use super::key::{AnyKey, Part};
 use super::quantity::{
     ACCELERATION, ANGLE, AREA_FACTOR, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT, FACTOR, FORCE, FRICTION,
     HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS, INDENTATION, LEEB, LENGTH,
-    LOAD, MASS, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, RESTITUTION, SAMPLES, SATURATION, SHARE,
-    SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN, STEPS, STRENGTH, TIME, TOLERANCE, TRANSITION_RATIO, VISCOSITY, VISCOUS,
+    LOAD, MASS, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, RATE_EXPONENT, RATE_SENSITIVITY, RESTITUTION,
+    SAMPLES, SATURATION, SHARE, SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN, STEPS, STRAIN_RATE, STRENGTH, TIME, TOLERANCE,
+    TRANSITION_RATIO, VISCOSITY, VISCOUS,
 };
 use super::words::{
-    COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, ROBUSTS, SPOTS, UNLOADINGS,
+    COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, RATES, ROBUSTS, SPOTS, UNLOADINGS,
 };
 
 macro_rules! keys {
     // the keys of a table
-    ($table:literal; $($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr;)+) => {
+    ($table:literal; $($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr $(=> $default:literal)?;)+) => {
         [$(AnyKey {
             path: concat!($table, ".", $path),
             part: Part::$part,
             form: $form,
-            default: "",
+            default: concat!($($default)?),
             about: concat!($($about),+).trim_ascii_start(),
         }),+]
     };
@@ -46,8 +47,9 @@ macro_rules! strength {
             /// 1.25 of the pressures at first yield both do.
             "yield_strength" of $part: Number(&STRENGTH);
             /// Hardness of the body in place of its yield strength: "300 HV", "250 HB", "45 HRC", or the mean pressure of a
-            /// hardness test. The flow stress at a plastic strain of 0.08 is this pressure divided by 2.9. It is the yield
-            /// strength too, unless flow_stress.power is given: then the yield strength is where that curve begins.
+            /// hardness test. The flow stress at a plastic strain of 0.08 is the one whose own indentation has this pressure; `check`
+            /// says the ratio of the two. It is the yield strength too, unless flow_stress.power is given: then the yield
+            /// strength is where that curve begins.
             "hardness" of $part: Number(&HARDNESS);
             /// Exponent N of the flow stress sigma_Y (1 + E strain/sigma_Y)^N of a body that hardens; finite elements
             /// back 0.1 to 0.3, and outside of that e may be off by more than 3 %.
@@ -63,6 +65,19 @@ macro_rules! strength {
             "flow_stress.points" of Flow: Points;
             /// File of such points, relative to the scenario: CSV with the columns plastic_strain and stress_Pa.
             "flow_stress.table" of Flow: File("flow.csv");
+            /// How the strength of the body rises with the rate of strain, under the law plm: a table, or "material" for the
+            /// johnson_cook.c of its material, where that is known.
+            "rate" of Rate: WordOrTable(&RATES);
+            /// c of Johnson and Cook's factor 1 + c ln(rate/reference) of the strength.
+            "rate.johnson_cook.c" of Rate: Number(&RATE_SENSITIVITY);
+            /// Rate at which that factor is 1; below it the factor falls on.
+            "rate.johnson_cook.reference" of Rate: Number(&STRAIN_RATE) => "1 1/s";
+            /// D of Cowper and Symonds' factor 1 + (rate/D)^(1/q) of the strength.
+            "rate.cowper_symonds.rate" of Rate: Number(&STRAIN_RATE);
+            /// q of that factor.
+            "rate.cowper_symonds.exponent" of Rate: Number(&RATE_EXPONENT);
+            /// Rate of the test that gave the strength, the flow curve or the hardness.
+            "rate.tested_at" of Rate: Number(&STRAIN_RATE) => "0.001 1/s";
         }
     };
 }
@@ -71,7 +86,7 @@ macro_rules! strength {
 pub const EVERY_KEY: &[AnyKey] = &{
     let parts: [&[AnyKey]; 5] =
         [&SPHERE, &strength!("sphere", Sphere), &HALF_SPACE, &strength!("half_space", HalfSpace), &OTHERS];
-    let mut all = [SPHERE[0]; SPHERE.len() + HALF_SPACE.len() + 16 + OTHERS.len()];
+    let mut all = [SPHERE[0]; SPHERE.len() + HALF_SPACE.len() + 28 + OTHERS.len()];
     let (mut part, mut place, mut next) = (0, 0, 0);
     while part < parts.len() {
         if place == parts[part].len() {
@@ -214,7 +229,7 @@ const OTHERS: [AnyKey; 70] = keys! {
     /// File of measurements (CSV), relative to the scenario.
     "calibrate.data" of Kind: File("drops.csv");
     /// One or two numeric keys to find, each with its range and, if needed, its scale.
-    "calibrate.free" of Kind: Free => "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, 2.9 times as high";
+    "calibrate.free" of Kind: Free => "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, over the hardnesses of these strengths";
     /// What is done about outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
     "calibrate.robust" of Kind: Word(&ROBUSTS) => "\"none\"";
     /// Other laws to fit; all laws are ranked.

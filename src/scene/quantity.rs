@@ -81,6 +81,12 @@ pub const SATURATION: Quantity = number("a saturation", Included(0.0), Included(
 pub const HARDENING_RATE: Quantity = number("a rate of hardening", Excluded(0.0), Included(1e4), "15");
 /// Slope of a flow stress over plastic strain.
 pub const HARDENING_SLOPE: Quantity = not_negative("a slope of hardening", Dimension::Pressure, "\"4.2 GPa\"");
+/// c of Johnson and Cook's rate factor: metals have 0.001 to 0.06.
+pub const RATE_SENSITIVITY: Quantity = number("a rate sensitivity", Included(0.0), Included(0.5), "0.014");
+/// A rate of strain.
+pub const STRAIN_RATE: Quantity = positive("a strain rate", Dimension::StrainRate, "\"1 1/s\"");
+/// q of Cowper and Symonds' rate factor.
+pub const RATE_EXPONENT: Quantity = number("a rate exponent", Included(1.0), Included(100.0), "3.91");
 pub const STRAIN: Quantity = number("a plastic strain", Included(0.0), Included(10.0), "0.002");
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 /// An impact speed.

@@ -14,7 +14,7 @@ use crate::impact::{
     Solver, Warning, WarningKind,
 };
 use crate::law::LawChoice;
-use crate::material::{HalfSpace, Material, Sphere, sphere_volume};
+use crate::material::{HalfSpace, Sphere, sphere_volume};
 use crate::materials::all;
 use crate::units::percent;
 
@@ -30,19 +30,15 @@ impl Input {
         let [of_sphere, of_half_space] = law.flow();
         let yield_strength = self.yield_strength(Body::Sphere, of_sphere);
         let strength = self.yield_strength(Body::HalfSpace, of_half_space);
-        let material = |youngs_modulus, poissons_ratio: Option<f64>| Material {
-            youngs_modulus,
-            poissons_ratio: poissons_ratio.unwrap_or(f64::NAN),
-        };
         let density = number(at!("sphere.density")).unwrap_or(f64::NAN);
         let density = number(at!("sphere.mass")).map_or(density, of_mass);
-        let of_sphere = number(at!("sphere.youngs_modulus")).unwrap_or(f64::NAN);
-        let of_sphere = material(of_sphere, number(at!("sphere.poissons_ratio")));
-        let of_half_space = number(at!("half_space.youngs_modulus")).unwrap_or(f64::NAN);
-        let of_half_space = material(of_half_space, number(at!("half_space.poissons_ratio")));
         (
-            Sphere { radius, material: of_sphere, density, yield_strength },
-            HalfSpace { material: of_half_space, yield_strength: strength, density: number(at!("half_space.density")) },
+            Sphere { radius, material: self.material(Body::Sphere), density, yield_strength },
+            HalfSpace {
+                material: self.material(Body::HalfSpace),
+                yield_strength: strength,
+                density: number(at!("half_space.density")),
+            },
         )
     }
 
@@ -158,7 +154,7 @@ impl Input {
         let is_by_hardness =
             Body::ALL.map(|body| self.number(body.strength_keys().hardness).is_some() && body.of(flow).is_none());
         let named = Named { sphere, half_space, is_by_hardness };
-        Ok(contact.with_forces(self.forces()).of_materials(named))
+        Ok(contact.with_forces(self.forces()).of_materials(named).with_rates(self.rates(), law))
     }
 
     /// The impact speed \[m/s\]: that of the fall where a height is given.
@@ -263,7 +259,16 @@ impl Input {
         }
         input.choose_method(self.solver().method);
         let is_on_plate = self.forces().plate.is_some();
+        let rates = self.rates();
+        let is_raised = |path: &str| {
+            Body::ALL.iter().zip(rates).any(|(body, rate)| path.starts_with(body.rate_keys().table) && rate.is_some())
+        };
+        let has_reference = |path: &str| {
+            !path.ends_with(".reference")
+                || Key::find(&path.replace("reference", "c")).is_some_and(|c| c.get(self).is_some())
+        };
         input.fill(|key| match key.part {
+            Part::Rate => is_raised(key.path) && has_reference(key.path),
             Part::Law => self.is_of_law(key.path),
             Part::Motion => is_on_plate,
             part => matches!(part, Part::Solver | Part::Output),

@@ -3,8 +3,10 @@
 use super::at::{At, NUMBER, OTHER, known};
 use super::input::{Input, Value};
 use super::taken::Body;
+use crate::law::plm::hardness::strength_of_hardness;
+use crate::material::Material;
 use crate::strength::flow::FlowCurve;
-use crate::strength::hardness::strength_of_hardness;
+use crate::strength::rate::{Form, Rate};
 
 /// The keys of the strength of a body.
 #[derive(Debug)]
@@ -20,6 +22,21 @@ pub struct StrengthKeys {
     points: At<OTHER>,
     table: At<OTHER>,
     pub modulus: At<NUMBER>,
+    pub poissons_ratio: At<NUMBER>,
+}
+
+/// The keys of the rise of its strength with the rate of strain.
+#[derive(Debug)]
+pub struct RateKeys {
+    /// The table.
+    pub table: &'static str,
+    /// The word in place of the table.
+    pub word: At<OTHER>,
+    pub c: At<NUMBER>,
+    pub reference: At<NUMBER>,
+    rate: At<NUMBER>,
+    exponent: At<NUMBER>,
+    tested_at: At<NUMBER>,
 }
 
 macro_rules! keys_of {
@@ -35,6 +52,21 @@ macro_rules! keys_of {
             points: known(concat!($body, ".flow_stress.points")),
             table: known(concat!($body, ".flow_stress.table")),
             modulus: known(concat!($body, ".youngs_modulus")),
+            poissons_ratio: known(concat!($body, ".poissons_ratio")),
+        }
+    };
+}
+
+macro_rules! rate_of {
+    ($body:literal) => {
+        RateKeys {
+            table: concat!($body, ".rate"),
+            word: known(concat!($body, ".rate")),
+            c: known(concat!($body, ".rate.johnson_cook.c")),
+            reference: known(concat!($body, ".rate.johnson_cook.reference")),
+            rate: known(concat!($body, ".rate.cowper_symonds.rate")),
+            exponent: known(concat!($body, ".rate.cowper_symonds.exponent")),
+            tested_at: known(concat!($body, ".rate.tested_at")),
         }
     };
 }
@@ -52,16 +84,60 @@ impl Body {
     }
 }
 
+impl Body {
+    /// The keys of the rise of its strength with the rate of strain.
+    #[inline]
+    pub fn rate_keys(self) -> &'static RateKeys {
+        const SPHERE: RateKeys = rate_of!("sphere");
+        const HALF_SPACE: RateKeys = rate_of!("half_space");
+        match self {
+            Self::Sphere => &SPHERE,
+            Self::HalfSpace => &HALF_SPACE,
+        }
+    }
+}
+
 impl Input {
+    /// The elastic constants of a body.
+    #[inline]
+    pub fn material(&self, of: Body) -> Material {
+        let keys = of.strength_keys();
+        let number = |at| self.number(at).unwrap_or(f64::NAN);
+        Material { youngs_modulus: number(keys.modulus), poissons_ratio: number(keys.poissons_ratio) }
+    }
+
+    /// How the strength of a body rises with the rate of strain, where all numbers of a form are given.
+    #[inline]
+    pub fn rate(&self, of: Body) -> Option<Rate> {
+        let keys = of.rate_keys();
+        let number = |at| self.number(at);
+        let form = match (number(keys.c), number(keys.rate), number(keys.exponent)) {
+            (Some(c), ..) => {
+                Form::JohnsonCook { c, reference: number(keys.reference).unwrap_or(Rate::USUAL_REFERENCE) }
+            }
+            (_, Some(rate), Some(exponent)) => Form::CowperSymonds { rate, exponent },
+            _ => return None,
+        };
+        Some(Rate { form, tested_at: number(keys.tested_at).unwrap_or(Rate::USUAL_TEST) })
+    }
+
+    /// Those of sphere and half-space.
+    #[inline]
+    pub fn rates(&self) -> [Option<Rate>; 2] {
+        Body::ALL.map(|body| self.rate(body))
+    }
+
+    /// Whether a strength rises with the rate of strain.
+    pub fn has_rate(&self) -> bool {
+        self.rates().iter().any(Option::is_some)
+    }
+
     /// The yield strength of a body \[Pa\], by itself or by its hardness. A flow curve that begins at it has its part in that.
     #[inline]
     pub fn yield_strength(&self, of: Body, flow: Option<&FlowCurve>) -> Option<f64> {
         let keys = of.strength_keys();
         match self.number(keys.hardness) {
-            Some(mean_pressure) => {
-                let modulus = self.number(keys.modulus).unwrap_or(f64::NAN);
-                Some(strength_of_hardness(mean_pressure, flow, modulus))
-            }
+            Some(mean_pressure) => Some(strength_of_hardness(mean_pressure, flow, &self.material(of))),
             None => self.number(keys.yield_strength),
         }
     }

@@ -153,7 +153,7 @@ fn other(form: Form, path: &str, node: &Node, reader: &mut Reader) -> Result<Opt
             let points = each(node, &format!("[{}]", pair_example(POINT)), |item| pair(POINT, item))?;
             Value::Curve(through(&points).map_err(|message| Fault::at(node, message))?)
         }
-        Form::WordOrTable(words) => return word(words, node).map(|_| None),
+        Form::WordOrTable(words) => Value::Text((words.known)()[word(words, node)?].clone()),
         Form::File(example) if path.ends_with(".flow_stress.table") => {
             let [path, text] = reader.file(node, example)?;
             let at = |line: Option<u64>| line.map(|line| format!(":{line}")).unwrap_or_default();

@@ -55,6 +55,7 @@ impl Body {
                 ("sphere.poissons_ratio", Property::PoissonsRatio),
                 ("sphere.hardness", Property::Hardness),
                 ("sphere.flow_stress.power.exponent", Property::HardeningExponent),
+                ("sphere.rate.johnson_cook.c", Property::RateSensitivity),
             ],
             Self::HalfSpace => &[
                 ("half_space.density", Property::Density),
@@ -62,6 +63,7 @@ impl Body {
                 ("half_space.poissons_ratio", Property::PoissonsRatio),
                 ("half_space.hardness", Property::Hardness),
                 ("half_space.flow_stress.power.exponent", Property::HardeningExponent),
+                ("half_space.rate.johnson_cook.c", Property::RateSensitivity),
             ],
         }
     }

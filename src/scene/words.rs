@@ -31,6 +31,8 @@ pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::
 pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
 /// Words for the noise of measurements, if it is not given by numbers.
 pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
+/// How the rise of a strength with the rate of strain is given, if not by a table.
+pub static RATES: Words = words("word", "words here", || texts(["material"]));
 /// Scales on which the range of a key is searched.
 pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]));
 /// The ways to treat outliers.

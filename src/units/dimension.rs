@@ -33,6 +33,7 @@ dimensions! {
     Stiffness: "a stiffness", "N/m", "_N_per_m", "\"1 kN/m\"";
     Angle: "an angle", "rad", "_rad", "\"30 deg\"";
     AngularSpeed: "an angular speed", "rad/s", "_rad_per_s", "\"100 rad/s\"";
+    StrainRate: "a rate", "1/s", "_per_s", "\"1 1/s\"";
     MomentOfInertia: "a moment of inertia", "kg m^2", "_kg_m2", "\"1e-6 kg m^2\"";
     Viscosity: "a viscosity", "Pa s", "_Pa_s", "\"1.8e-5 Pa s\"";
     Ratio: "a plain number", "", "", "0.3";

@@ -32,7 +32,7 @@ const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
 
 use Dimension::{
     Acceleration, Angle, AngularSpeed, Density, Energy, Force, InverseSpeed, Length, Mass, MomentOfInertia, Pressure,
-    Ratio, Speed, Stiffness, Time, Viscosity,
+    Ratio, Speed, Stiffness, StrainRate, Time, Viscosity,
 };
 
 pub(super) const UNITS: &[Unit] = &[
@@ -118,6 +118,10 @@ pub(super) const UNITS: &[Unit] = &[
     read("deg/s", AngularSpeed, Scale::Times(std::f64::consts::PI / 180.0)),
     read("rpm", AngularSpeed, Scale::Times(std::f64::consts::PI / 30.0)),
     shown("rad/s", AngularSpeed, 0),
+    shown("1/s", StrainRate, 0),
+    read("/s", StrainRate, Scale::Ten(0)),
+    read("s^-1", StrainRate, Scale::Ten(0)),
+    read("1/ms", StrainRate, Scale::Ten(3)),
     read("g mm^2", MomentOfInertia, Scale::Ten(-9)),
     read("g cm^2", MomentOfInertia, Scale::Ten(-7)),
     read("kg mm^2", MomentOfInertia, Scale::Ten(-6)),

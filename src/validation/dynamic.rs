@@ -78,7 +78,7 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> 
     let coefficients = Arc::new(coefficients.clone());
     let case = |(input, reference, samples): (Input, ImpactRow, Vec<Sample>)| {
         let impact = |exponent| -> Result<Impact, Error> {
-            let law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, flow: [None, None] });
+            let law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, ..Plm::default() });
             let (sphere, half_space) = input.bodies(&law);
             let contact = input.pair(sphere, half_space, &law)?;
             Ok(contact.impact(input.speed(), &input.solver(), Some(SAMPLES))?)

@@ -57,6 +57,7 @@ pub(super) fn law(
         coefficients: Arc::new(coefficients.clone()),
         exponent: UnloadingExponent::PressureShape,
         flow: [None, materials.curve().filter(|_| hardens)],
+        ..Plm::default()
     };
     Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
 }

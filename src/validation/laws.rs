@@ -84,7 +84,7 @@ fn references() -> Result<Vec<Reference>, Error> {
 pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<OfLaw>, Error> {
     let coefficients = Arc::new(coefficients.clone());
     let of_plm = |(exponent, name)| {
-        let plm = Plm { coefficients: Arc::clone(&coefficients), exponent, flow: [None, None] };
+        let plm = Plm { coefficients: Arc::clone(&coefficients), exponent, ..Plm::default() };
         (format!("plm, {name}"), LawChoice::Plm(plm))
     };
     // the law of Brake only unloads

@@ -8,11 +8,13 @@ use std::sync::Arc;
 use super::comparison::{Comparison, Group};
 use crate::error::Error;
 use crate::impact::Contact;
+use crate::law::plm::hardness::strength_of_hardness;
 use crate::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::material::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::math::functions::{exp, ln};
 use crate::math::root;
 use crate::reference::measured::{self, Device};
+use crate::strength::hardness::Scale;
 
 const REFERENCE: &str = "Leeb test blocks, nominal values of public manuals, leeb.csv";
 
@@ -28,7 +30,7 @@ pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<Plm
     let sphere = Sphere::elastic(TIP, device.tip(), device.mass / sphere_volume(TIP));
     let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
     let law =
-        Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, flow: [None, None] };
+        Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, ..Plm::default() };
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
     Ok(impact.measured_restitution())
 }
@@ -39,6 +41,30 @@ fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients
     let is_low = |strength: f64| restitution(device, exp(strength), coefficients).is_ok_and(|e| e < wanted);
     let (low, high) = root::halved(ln(1e7), ln(1e11), is_low);
     exp(0.5 * (low + high))
+}
+
+const CONVERSION: &str = "Leeb's conversion of hardness: a fit by a hobbyist (T. Foale) to a table that he does not name; one row checked against ASTM E140 within 1.4 %";
+const BY_HARDNESS: Group =
+    Group::of("restitution of quenched steels by their hardness, pressure-shape with waves", CONVERSION, "");
+
+/// The Vickers hardness of a steel on which device D shows this number.
+fn vickers(number: f64) -> f64 {
+    (0.002_641_69 * number - 1.900_271) * number + 519.8346
+}
+
+/// Nothing is fitted: the strength is that of the hardness, without a strain rate.
+pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let coefficients = Arc::new(coefficients.clone());
+    let devices = measured::devices()?;
+    let Some(device) = devices.first() else { return Ok(Vec::new()) };
+    let compared = |number: u16| {
+        let (number, hardness) = (f64::from(number), vickers(number.into()));
+        let pressure = Scale::Vickers.mean_pressure(hardness).map_err(|error| Error::failed(error.to_string()))?;
+        let strength = strength_of_hardness(pressure, None, &STEEL);
+        let numbers = [number / 1000.0, restitution(device, strength, &coefficients)?];
+        Ok(BY_HARDNESS.compared(format!("{hardness:.0} HV"), numbers))
+    };
+    (500..=860).step_by(20).map(compared).collect()
 }
 
 pub(super) fn rebounds(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {

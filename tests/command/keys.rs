@@ -103,6 +103,12 @@ fn a_key_has_an_effect_on_every_use_or_a_reason_why_not() {
         &["friction.coefficient=0.1", "impact.angle=30 deg", "sphere.spin=10", "sphere.moment_of_inertia=5e-8"],
         &["gravity.acceleration=9.81", "law.thornton.yield_pressure=1e9"],
         &["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20", "output.samples=9"],
+        &[
+            "half_space.rate.johnson_cook.c=0.02",
+            "half_space.rate.johnson_cook.reference=2",
+            "half_space.rate.tested_at=0.01",
+        ],
+        &["half_space.rate.cowper_symonds.rate=4000", "half_space.rate.cowper_symonds.exponent=4"],
         &["half_space.flow_stress.power.exponent=0.1", "law.plm.unloading_exponent=1.6"],
     ];
     let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
@@ -111,8 +117,9 @@ fn a_key_has_an_effect_on_every_use_or_a_reason_why_not() {
     for scenario in scenes.iter().map(|set| read(STEEL, set)).chain([elastic]) {
         let input = scenario.resolve().unwrap();
         for of in [Use::Rows, Use::Impact, Use::Indentation] {
-            let is_refused =
-                |part| of == Use::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver);
+            let is_refused = |part| {
+                of == Use::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
+            };
             for key in KEYS.iter().filter(|key| !is_refused(key.part)) {
                 let Some(number) = key.get(&input).filter(|number| number.is_finite()) else { continue };
                 let mut changed = input.clone();

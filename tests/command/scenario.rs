@@ -130,6 +130,22 @@ fn beside(path: &str) -> (&'static [&'static str], &'static str) {
             (&["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"], "")
         }
         path if path.contains(".linear.") => (&["half_space.flow_stress.linear.slope=1e9"], ""),
+        // a key of a rate needs a law of it, and the sphere a strength
+        path if path.starts_with("sphere.rate.cowper") => (
+            &[
+                "sphere.yield_strength=1e8",
+                "sphere.rate.cowper_symonds.rate=2",
+                "sphere.rate.cowper_symonds.exponent=2",
+            ],
+            "",
+        ),
+        path if path.starts_with("sphere.rate") => {
+            (&["sphere.yield_strength=1e8", "sphere.rate.johnson_cook.c=0.1"], "")
+        }
+        path if path.starts_with("half_space.rate.cowper") => {
+            (&["half_space.rate.cowper_symonds.rate=2", "half_space.rate.cowper_symonds.exponent=2"], "")
+        }
+        path if path.starts_with("half_space.rate") => (&["half_space.rate.johnson_cook.c=0.1"], ""),
         _ => (&[], ""),
     }
 }
@@ -143,6 +159,7 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         let value = match key.path {
             "solver.tolerance" => 1e-3,
             "half_space.hardness" | "sphere.hardness" => 1.25e9,
+            path if path.ends_with(".johnson_cook.c") => 0.125,
             _ if is_share => 0.25,
             _ => 1.25,
         };

@@ -41,22 +41,28 @@ fn a_mass_is_a_density_said_otherwise() {
     }
 }
 
+/// The strengths are those of another program, which searches for the indentation of the law by halving. HB 285 and HRC 29.8 are
+/// HV 300 in DIN 50150.
 #[test]
 fn a_hardness_is_a_yield_strength_said_otherwise() {
-    // 9.80665 HV/0.9272/2.9 MPa; HB 285 and HRC 29.8 are HV 300 in DIN 50150
-    for (hardness, vickers) in
-        [("\"300 HV\"", 300.0), ("\"285 HB\"", 300.0), ("\"29.8 HRC\"", 300.0), ("\"60.1 HRC\"", 700.0)]
-    {
+    for (hardness, wanted) in [
+        ("\"300 HV\"", 1_143_580_700.198_075_5),
+        ("\"285 HB\"", 1_143_580_700.198_075_5),
+        ("\"29.8 HRC\"", 1_143_580_700.198_075_5),
+        ("\"60.1 HRC\"", 2_991_442_035.539_433_5),
+    ] {
         let strength = scene(&with_hardness(hardness)).half_space().yield_strength.unwrap();
-        assert!(off(strength, 9.806_65e6 * vickers / 0.9272 / 2.9) < 1e-12, "{hardness}: {strength}");
+        assert!(off(strength, wanted) < 1e-11, "{hardness}: {strength}");
     }
     // also in scenes without an impact
-    let still = |table: &str| with_hardness("\"1.0005 GPa\"").replace("[impact]\nspeed = \"3 m/s\"", table);
+    let still = |table: &str| with_hardness("\"1.006703112184141 GPa\"").replace("[impact]\nspeed = \"3 m/s\"", table);
     let pressed = Scenario::from_text("s.toml", &still("[indentation]\nsteps = [{ load = \"1 kN\" }]"), &[]).unwrap();
     let specimens = pressed.indentation().unwrap().specimens;
-    assert!(off(specimens[0].half_space.yield_strength.unwrap(), 345e6) < 1e-14);
+    assert!(off(specimens[0].half_space.yield_strength.unwrap(), 345e6) < 1e-11);
     for pressure in ["\"3 GPa\"", "3e9"] {
-        assert!(off(scene(&with_hardness(pressure)).half_space().yield_strength.unwrap(), 3e9 / 2.9) < 1e-14);
+        assert!(
+            off(scene(&with_hardness(pressure)).half_space().yield_strength.unwrap(), 1_076_699_422.712_246) < 1e-11
+        );
     }
 }
 
@@ -66,12 +72,12 @@ fn a_hardness_and_an_exponent_meet_at_a_strain_of_0_08() {
         .replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.1 }\n[impact]");
     let scene = scene(&text);
     let strength = scene.half_space().yield_strength.unwrap();
-    assert!(off(strength * (1.0 + 210e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
+    assert!(off(strength, 843_782_897.820_715_2) < 1e-10, "{strength}");
     // the same after a change of the modulus
     let mut changed = scene;
     Key::find("half_space.youngs_modulus").unwrap().put(&mut changed, 100e9);
     let strength = changed.half_space().yield_strength.unwrap();
-    assert!(off(strength * (1.0 + 100e9 * 0.08 / strength).powf(0.1), 9.806_65e6 * 300.0 / 0.9272 / 2.9) < 1e-12);
+    assert!(off(strength, 1_012_142_663.287_387_1) < 1e-10, "{strength}");
 }
 
 #[test]
@@ -122,25 +128,39 @@ fn every_number_is_an_axis_and_can_be_drawn() {
 /// Quenched steels by Leeb's device D against their Vickers hardness: HV = 0.00264169 L² - 1.900271 L + 519.8346 with
 /// L = 1000 e. This is T. Foale's fit, that of a hobbyist, to a table of conversion for steels that are not austenitic, which he
 /// does not name; the one row of ASTM E140 that could be read agrees within 1.4 %. Against it e by the hardness is too low at
-/// every hardness, by as much as the guide says.
+/// every hardness, by as much as the guide says. With a rate of c = 0.006, which is no fit but a value between those of 4340 and of
+/// hard steels, it is right in the mean.
 #[test]
 fn e_of_quenched_steels_from_their_hardness_is_low_on_one_side() {
     let leeb = include_str!("../../scenarios/leeb-d.toml");
     let guide = include_str!("../../scenarios/README.md");
-    let bias = (500..=860).step_by(20).map(|number| {
-        let leeb_number = f64::from(number);
-        let vickers = 0.002_641_69 * leeb_number * leeb_number - 1.900_271 * leeb_number + 519.8346;
-        let impact = contact(leeb, &[format!("half_space.hardness={vickers} HV")]).closed_form(2.0).unwrap();
-        1e3 * impact.restitution_with_waves().unwrap() / leeb_number - 1.0
-    });
-    let bias: Vec<f64> = bias.collect();
-    let [least, most] = [f64::max, f64::min].map(|pick| -100.0 * bias.iter().copied().reduce(pick).unwrap());
-    let row = format!("| too low: by {least:.0} to {most:.0} % for quenched steels |");
+    let bias = |rate: &[&str]| -> Vec<f64> {
+        let of = |number: u16| {
+            let leeb_number = f64::from(number);
+            let vickers = 0.002_641_69 * leeb_number * leeb_number - 1.900_271 * leeb_number + 519.8346;
+            let hardness = format!("half_space.hardness={vickers} HV");
+            let impact = contact(leeb, &[&[&*hardness][..], rate].concat()).closed_form(2.0).unwrap();
+            100.0 * (1e3 * impact.restitution_with_waves().unwrap() / leeb_number - 1.0)
+        };
+        (500..=860).step_by(20).map(of).collect()
+    };
+    let mean = |bias: &[f64]| bias.iter().sum::<f64>() / 19.0;
+    let ends = |bias: &[f64]| [f64::max, f64::min].map(|pick| bias.iter().copied().reduce(pick).unwrap());
+    let slow = bias(&[]);
+    let [least, most] = ends(&slow);
+    assert!(mean(&slow).abs() < 3.5 && most > -5.0 && least < 0.0, "{slow:?}");
+    let row = format!("| too low: by {:.1} to {:.1} % for quenched steels", -least, -most);
     assert!(guide.contains(&row), "{row}");
+    let fast = bias(&["half_space.rate.johnson_cook.c=0.006"]);
+    assert!(mean(&fast).abs() < 1.5, "{fast:?}");
+    // by range of hardness, as the guide says
+    let [soft, hard] = [&fast[..8], &fast[8..]].map(|part| part.iter().sum::<f64>() / part.len() as f64);
+    let row = format!("{:+.1} % to 400 HV, {:+.1} % above", soft, hard).replace('-', "−");
+    assert!(guide.contains(&row), "{row} {fast:?}");
 }
 
 /// The scenario of the Leeb device against an energy balance in an independent Python program, with the law of section
-/// 4 and n(Λ): 11 mJ on a yield strength of 9.80665 × 300/0.9272/2.9 MPa.
+/// 4 and n(Λ): 11 mJ on the strength of 300 HV by the built-in law. The metal that hardens has a strength from elsewhere.
 #[test]
 fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/leeb-d.toml"));
@@ -148,10 +168,10 @@ fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
         [concat!("law.plm.coefficients=", env!("CARGO_MANIFEST_DIR"), "/tests/reference/coefficients-9.toml")
             .to_owned()];
     let leeb = Scenario::load(file, &nine_pieces).unwrap().resolve().unwrap();
-    assert!(off(restitution(&leeb), 0.536_819_556_289_484_6) < 1e-8, "{}", restitution(&leeb));
+    assert!(off(restitution(&leeb), 0.549_555_148_585_249_6) < 1e-8, "{}", restitution(&leeb));
     // the same for a metal that hardens with the exponent 0.1
     let text = fs::read_to_string(file).unwrap() + "[half_space.flow_stress]\npower = { exponent = 0.1 }\n";
+    let text = text.replace("hardness = \"300 HV\"", "yield_strength = 803547686.0702806");
     let hardening = crate::common::scene(&text, &nine_pieces);
-    assert!(off(hardening.half_space().yield_strength.unwrap(), 803_547_686.070_280_6) < 1e-10);
     assert!(off(restitution(&hardening), 0.513_146_638_758_511_5) < 1e-8, "{}", restitution(&hardening));
 }

@@ -81,7 +81,8 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
         (&hardness, "[sweep]\n\"half_space.hardness\" = [\"200 HV\", \"40.8 HRC\"]\n", true),
         (&with_flow, "[sweep]\n\"half_space.flow_stress.power.exponent\" = [0.05, 0.2]\n", true),
         (&with_flow, "[sweep]\n\"half_space.youngs_modulus\" = [1e11, 2e11]\n", true),
-        (&hardness, "[sweep]\n\"half_space.youngs_modulus\" = [1e11, 2e11]\n", false),
+        (&hardness, "[sweep]\n\"half_space.poissons_ratio\" = [0.2, 0.3]\n", true),
+        (&hardness, "[sweep]\n\"sphere.radius\" = [0.002, 0.003]\n", false),
         (
             &hardness,
             "[monte_carlo]\nsamples = 3\n\"half_space.hardness\" = { normal = { mean = \"300 HV\", sd = \"9 HV\" } }\n",
@@ -94,7 +95,7 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
         // values that all rows have in common are inputs; values that vary are not
         assert_eq!(summary["inputs"][name].is_null(), varies, "{summary}");
         assert!(summary["inputs"]["half_space_yield_strength_from"].as_str().unwrap().starts_with("hardness"));
-        if !varies || tables.contains("exponent") || tables.contains("modulus") {
+        if !varies || tables.contains("exponent") || tables.contains("modulus") || tables.contains("ratio") {
             continue;
         }
         for (strength, e) in column(&table, name).iter().zip(column(&table, "restitution")) {
@@ -104,9 +105,9 @@ fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
             assert!(off(e.parse().unwrap(), impact.restitution) < 1e-14, "{strength}");
         }
         if tables.contains("40.8") {
-            // the strength is 9.80665 HV/0.9272/2.9 MPa; HRC 40.8 is HV 400
-            for (strength, vickers) in column(&table, name).iter().zip([200.0, 400.0]) {
-                assert!(off(strength.parse().unwrap(), 9.806_65e6 * vickers / 0.9272 / 2.9) < 1e-14);
+            // HRC 40.8 is HV 400; see command/strength_keys.rs
+            for (strength, wanted) in column(&table, name).iter().zip([743_476_353.118_887_7, 1_566_488_017.801_822]) {
+                assert!(off(strength.parse().unwrap(), wanted) < 1e-11);
             }
         }
     }

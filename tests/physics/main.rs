@@ -22,6 +22,7 @@ mod law;
 mod laws;
 mod oblique;
 mod plate;
+mod rate;
 mod references;
 mod reloading;
 mod repeat;

@@ -35,7 +35,7 @@ pub(super) fn solve(
     Ok(Outcome {
         unloading,
         restitution: if is_captured { 0.0 } else { speed / q },
-        largest_force: unloading.peak.force,
+        largest_force: ground.reported_force(&unloading, None),
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
         end_indentation: ground.dent(&unloading.peak).residual() + at_end,
         end_speed: -speed,

@@ -59,6 +59,8 @@ pub enum Needs {
     Nothing,
     /// A yield strength: without one nothing is plastic.
     Strength,
+    /// A strength that rises with the rate of strain.
+    Rate,
     /// The yield strength of the sphere: without it there is no flat.
     Flat,
     /// The density of a half-space that is no plate: without it nothing is known of elastic waves.
@@ -87,6 +89,7 @@ impl Needs {
         match self {
             Self::Nothing => ("", |_, _| true),
             Self::Strength => (YIELDS, |contact, _| contact.pair().yield_point.is_some()),
+            Self::Rate => (RATES, |contact, _| contact.rated().is_some()),
             Self::Flat => (FLATTENS, |contact, _| contact.sphere().yield_strength.is_some()),
             Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
             Self::Thickness => (PLATE, |_, row| row.on_plate.is_some()),
@@ -125,6 +128,7 @@ pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &
 }
 
 pub(crate) const YIELDS: &str = "a body has a yield strength";
+pub(crate) const RATES: &str = "a strength rises with the rate of strain";
 pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
 pub(crate) const BAND: &str =
     "the half-space yields under the law `plm`, with an exponent whose error against finite elements is known";

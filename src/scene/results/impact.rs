@@ -217,6 +217,13 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "yield_indentation_m" in Length if YIELDS: of.plastic(of.contact.yields_at().map(|(indentation, _)| indentation));
         /// Force at first yield.
         "yield_force_N" in Force as "first yield at {}" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
+        /// Rate of strain while the sphere goes in; empty for an impact in the dent of another one that leaves it as it was, as the
+        /// two factors below.
+        "strain_rate_per_s" in StrainRate as "strain rate" [Rate: |row| row.rated.map(|rated| rated.strain_rate)];
+        /// By how much the strength of the body that yields is raised at that rate.
+        "rate_factor" as "strength raised by {}" [Rate: |row| row.rated.map(|rated| rated.factor)];
+        /// The same where the sphere turns, as the metal relaxes there.
+        "rate_factor_at_turn" as "at the turn {}" [Rate: |row| row.rated.map(|rated| rated.factor_at_turn)];
         /// Share of the normal kinetic energy that comes back: the square of the restitution.
         "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
         /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
@@ -321,7 +328,8 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         "spin_rad_per_s" in AngularSpeed if OBLIQUE: rubbing(row, |friction| friction.spin);
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
-        /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `separation`
+        /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `relaxation` of a
+        /// strength that depends on the rate, `separation`
         /// or `captured`.
         "event": event_name(row.event);
     }
@@ -340,6 +348,7 @@ pub fn event_name(event: Option<Event>) -> &'static str {
         Some(Event::Yield) => "yield",
         Some(Event::Knot) => "knot",
         Some(Event::Peak) => "peak",
+        Some(Event::Relaxation) => "relaxation",
         Some(Event::Separation) => "separation",
         Some(Event::Captured) => "captured",
     }

@@ -1,0 +1,23 @@
+//! The strain rate of an impact and what it makes of the strength, as a result; [`super::rate`] finds it.
+
+use crate::law::LawChoice;
+use crate::strength::rate::Rate;
+
+/// How the strengths of the bodies rise with the rate, and the law that they go into.
+#[derive(Debug, Clone)]
+pub(super) struct Rates {
+    /// Of sphere and half-space.
+    pub(super) of: [Option<Rate>; 2],
+    pub(super) law: LawChoice,
+}
+
+/// Strain rate and factors of strength of an impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rated {
+    /// 0.2 w \[1/s\].
+    pub strain_rate: f64,
+    /// g of the body that yields.
+    pub factor: f64,
+    /// g_t of that body.
+    pub factor_at_turn: f64,
+}

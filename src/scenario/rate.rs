@@ -1,0 +1,75 @@
+//! `[half_space.rate]` and `[sphere.rate]`: how a strength rises with the rate of strain, and what may stand beside it.
+
+use super::Scenario;
+use super::material::asks_material;
+use crate::error::Error;
+use crate::law::LawChoice;
+use crate::materials::{Property, all};
+use crate::scene::tables::names;
+use crate::scene::taken::Body;
+use crate::scene::{Input, KEYS};
+use crate::units::number;
+
+/// How a rise may be written.
+const EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { rate = \"6844 1/s\", exponent = 3.91 }";
+
+impl Scenario {
+    /// Refuses two forms of a rise, none, one that lacks a number, one that makes no strength, and what cannot stand beside it.
+    pub(super) fn check_rates(&self, input: &Input) -> Result<(), Error> {
+        let mut given = Body::ALL.into_iter().filter(|body| self.gives(body.rate_keys().table));
+        given.try_for_each(|body| self.check_rate(input, body))
+    }
+
+    fn check_rate(&self, input: &Input, body: Body) -> Result<(), Error> {
+        let table = body.rate_keys().table;
+        let of_body = table.trim_end_matches(".rate");
+        let refuse = |message: String| Err(self.refuse_varied(table, message));
+        if asks_material(input, body) && input.rate(body).is_none() {
+            let known: Vec<&str> = all()
+                .iter()
+                .filter(|entry| entry.of(Property::RateSensitivity).is_some())
+                .map(|entry| &*entry.name)
+                .collect();
+            return refuse(format!(
+                "nothing is known of the rate of the material of [{of_body}], only of {}: write {EXAMPLE}",
+                known.join(", ")
+            ));
+        }
+        let path = |form: &str| format!("{table}.{form}");
+        let forms: Vec<&str> = ["johnson_cook", "cowper_symonds"]
+            .into_iter()
+            .filter(|form| names(table).contains(form) && (self.gives(&path(form)) || asks_material(input, body)))
+            .collect();
+        let form = match forms[..] {
+            [] => return refuse(format!("has no law; write {EXAMPLE}")),
+            [form] => form,
+            _ if asks_material(input, body) => "johnson_cook",
+            [one, other, ..] => return Err(self.document.one_key(&path(one), &path(other))),
+        };
+        let is_missing = |key: &&str| key.starts_with(&path(form)) && !key.ends_with(".reference");
+        let missing = KEYS.iter().filter(|key| key.get(input).is_none()).map(|key| key.path).find(is_missing);
+        if let Some((table, name)) = missing.and_then(|key| key.rsplit_once('.')) {
+            return Err(self.document.missing(table, name));
+        }
+        if !input.has_strength(body) {
+            return refuse(format!("raises a strength: give [{of_body}] its yield_strength, or leave the table out"));
+        }
+        if !matches!(input.named_law, LawChoice::Plm(_)) {
+            let name = input.named_law.name();
+            return refuse(format!("the law {name} has no rate: leave the table out, or take the law plm"));
+        }
+        if self.varies("law") {
+            return refuse("only the law plm has a rate: leave the table out, or the axis \"law\"".to_owned());
+        }
+        let Some(rate) = input.rate(body) else { return Ok(()) };
+        let rise = rate.rise(rate.tested_at);
+        if rise > 0.0 {
+            return Ok(());
+        }
+        refuse(format!(
+            "at the rate of the test, {} 1/s, the factor 1 + c ln(rate/reference) is {}, and a strength is positive: give a smaller c, or the rate tested_at that the strength is of",
+            number(rate.tested_at),
+            number(rise)
+        ))
+    }
+}
