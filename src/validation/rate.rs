@@ -30,7 +30,7 @@ const QUANTITIES: [OfImpact; 5] = [
         Some([row.peak_indentation, impact.peak_indentation])
     }),
     (
-        Group::of_differences("impact with strain rate: residual indentation over the peak indentation", SOURCE, ""),
+        Group::of_differences("impact with strain rate: residual indentation over peak indentation", SOURCE, ""),
         |row, impact| {
             Some([row.residual_indentation, impact.residual_indentation].map(|depth| depth / row.peak_indentation))
         },
