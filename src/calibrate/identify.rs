@@ -134,7 +134,7 @@ fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f
     };
     let is_of_rate = names.len() > 1 && names.iter().any(|name| name.contains(".rate."));
     let of_rate = if is_of_rate {
-        "; a rate and a strength change e(v) alike, by 0.7 % a decade of speed apart: give the hardness or the static strength of the metal, or measure the dent"
+        "; a rate and a strength change e(v) alike, by 0.7 % a decade of speed apart: give the hardness or the static strength of the metal"
     } else {
         ""
     };

@@ -290,13 +290,13 @@ fn notes(axes: &[Axis]) -> Vec<String> {
     axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
 }
 
-/// The yield speed v_Y at a place of an axis.
+/// The yield speed v_Y at a place of an axis; `None` where the strength depends on the speed.
 fn yield_speed(plan: &Plan, axis: Option<&Axis>, place: u64) -> Option<f64> {
     let mut input = plan.input.clone();
     if let Some(axis) = axis {
         axis.put(place, &mut input);
     }
-    input.contact().ok()?.yield_speed()
+    input.contact().ok().filter(|contact| !contact.has_rate())?.yield_speed()
 }
 
 fn bars(tally: &Tally) -> Option<Chart> {

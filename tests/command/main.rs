@@ -25,6 +25,7 @@ mod pictures;
 mod plots;
 #[cfg(unix)]
 mod programs;
+mod rate_keys;
 mod refusals;
 mod repeat_cli;
 mod report;

@@ -2,6 +2,8 @@
 
 use plm_impact::scene::Input;
 
+use plm_impact::validation::comparison;
+
 use crate::common::prelude::*;
 
 fn scene(text: &str) -> Input {
@@ -144,18 +146,17 @@ fn e_of_quenched_steels_from_their_hardness_is_low_on_one_side() {
         };
         (500..=860).step_by(20).map(of).collect()
     };
-    let mean = |bias: &[f64]| bias.iter().sum::<f64>() / 19.0;
     let ends = |bias: &[f64]| [f64::max, f64::min].map(|pick| bias.iter().copied().reduce(pick).unwrap());
     let slow = bias(&[]);
     let [least, most] = ends(&slow);
-    assert!(mean(&slow).abs() < 3.5 && most > -5.0 && least < 0.0, "{slow:?}");
+    assert!(comparison::mean(&slow).abs() < 3.5 && most > -5.0 && least < 0.0, "{slow:?}");
     let row = format!("| too low: by {:.1} to {:.1} % for quenched steels", -least, -most);
     assert!(guide.contains(&row), "{row}");
     let fast = bias(&["half_space.rate.johnson_cook.c=0.006"]);
-    assert!(mean(&fast).abs() < 1.5, "{fast:?}");
+    assert!(comparison::mean(&fast).abs() < 1.5, "{fast:?}");
     // by range of hardness, as the guide says
-    let [soft, hard] = [&fast[..8], &fast[8..]].map(|part| part.iter().sum::<f64>() / part.len() as f64);
-    let row = format!("{:+.1} % to 400 HV, {:+.1} % above", soft, hard).replace('-', "−");
+    let [soft, hard] = [&fast[..8], &fast[8..]].map(comparison::mean);
+    let row = format!("{soft:+.1} % to 400 HV, {hard:+.1} % above").replace('-', "−");
     assert!(guide.contains(&row), "{row} {fast:?}");
 }
 

@@ -74,6 +74,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::math::functions::powi;
 
     const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 
@@ -85,7 +86,7 @@ mod tests {
         }
         let mut last = f64::INFINITY;
         for k in 0..200 {
-            let strength = 1e7 * 1.04_f64.powi(k);
+            let strength = 1e7 * powi(1.04, k);
             let constraint = pressure(strength, &STEEL) / strength;
             assert!(constraint > 0.1 && constraint < last * 1.001, "{strength} {constraint} {last}");
             last = constraint;
@@ -99,7 +100,7 @@ mod tests {
             let material = Material { youngs_modulus: modulus, poissons_ratio };
             let mut last = 0.0;
             for k in 0..40 {
-                let hardness = 1e-5 * modulus * 1.25_f64.powi(k);
+                let hardness = 1e-5 * modulus * powi(1.25, k);
                 let strength = flow_stress(hardness, &material);
                 assert!(strength > last, "{material:?} {hardness} {strength} {last}");
                 assert_relative_eq!(pressure(strength, &material), hardness, max_relative = 1e-11);

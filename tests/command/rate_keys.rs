@@ -1,0 +1,108 @@
+//! `[half_space.rate]` and `[sphere.rate]` through the doors: warnings, materials, tables, series, a calibration.
+
+use std::fmt::Write as _;
+
+use crate::common::prelude::*;
+
+fn with_rate(rate: &str) -> String {
+    STEEL.replace("[impact]", &format!("[half_space.rate]\n{rate}\n[impact]"))
+}
+
+const COOK: &str = "johnson_cook = { c = 0.02 }";
+
+#[test]
+fn doubtful_constants_and_rates_are_warned_of() {
+    for (rate, says) in [
+        ("johnson_cook = { c = 0.02 }\ntested_at = 300", "e comes out below the one without a rate"),
+        ("cowper_symonds = { rate = 40.4, exponent = 5 }", "lower yield point"),
+        ("johnson_cook = { c = 0.001 }", ""),
+    ] {
+        let (_, said) = Desk::with(with_rate(rate)).ends(&["check", "s.toml"], 0);
+        assert!(said.contains(says) && said.is_empty() == says.is_empty(), "{said}");
+    }
+    let small = with_rate(COOK).replace("5 mm", "20 nm");
+    let (_, said) = Desk::with(small).ends(&["check", "s.toml"], 0);
+    assert!(said.contains("outside of 1e-3 to 1e5 1/s"), "{said}");
+}
+
+/// The metal's rate is taken where it is asked for; where it is not, `check` says how much higher e is with it.
+#[test]
+fn a_material_gives_its_rate_only_if_it_is_asked() {
+    let copper = STEEL.replace("yield_strength = \"345 MPa\"", "material = \"copper-annealed\"");
+    let asked = copper.replace("[impact]", "rate = \"material\"\n[impact]");
+    let e = |text: &str| scene(text, NONE).contact().unwrap().closed_form(3.0).unwrap().restitution;
+    let by_key = copper.replace("[impact]", "rate.johnson_cook.c = 0.025\n[impact]");
+    assert_eq!(e(&asked).to_bits(), e(&by_key).to_bits());
+    assert_eq!(given(&scene(&copper, NONE), "half_space.rate.johnson_cook.c"), None);
+    let higher = 100.0 * (e(&asked) / e(&copper) - 1.0);
+    let (said, _) = Desk::with(&copper).ends(&["check", "s.toml"], 0);
+    let line = said.lines().find(|line| line.starts_with("With the strain rate of copper-annealed")).unwrap();
+    let number: f64 = line.split("e is ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((number - higher).abs() < 0.01 && line.ends_with("half_space.rate = \"material\""), "{line} {higher}");
+    let (said, _) = Desk::with(&asked).ends(&["check", "s.toml"], 0);
+    assert!(!said.contains("With the strain rate of") && said.contains("strength raised by"), "{said}");
+}
+
+/// Every row of a table has the strength of its own speed, on a grid and drawn, with its columns.
+#[test]
+fn rows_have_their_own_rates() {
+    let table = Desk::ran(
+        with_rate(COOK)
+            + "[sweep]\n\"impact.speed\" = [0.001, 0.3, 3]\n\"half_space.rate.johnson_cook.c\" = [0, 0.02]\n",
+    );
+    let table = table.read("out/table.csv");
+    let [e, factor, turn, rate] =
+        ["restitution", "rate_factor", "rate_factor_at_turn", "strain_rate_per_s"].map(|name| numbers(&table, name));
+    for (place, speed) in [0.001, 0.001, 0.3, 0.3, 3.0, 3.0].into_iter().enumerate() {
+        let c = if place % 2 == 0 { 0.0 } else { 0.02 };
+        let alone = scene(&with_rate(&format!("johnson_cook = {{ c = {c} }}")), NONE).contact().unwrap();
+        let alone = alone.row(speed, &Solver::AUTO).unwrap();
+        let rated = alone.rated.unwrap();
+        assert_eq!(e[place].to_bits(), alone.restitution.to_bits());
+        assert_eq!([factor[place], turn[place], rate[place]], [rated.factor, rated.factor_at_turn, rated.strain_rate]);
+    }
+    let drawn = with_rate(COOK)
+        + "[monte_carlo]\nsamples = 5\n\"half_space.rate.johnson_cook.c\" = { uniform = [0.01, 0.03] }\n";
+    let desk = Desk::ran(drawn);
+    let table = desk.read("out/table.csv");
+    let (c, e) = (numbers(&table, "half_space_rate_johnson_cook_c"), numbers(&table, "restitution"));
+    for (c, e) in c.iter().zip(e) {
+        let alone = scene(&with_rate(&format!("johnson_cook = {{ c = {c:e} }}")), NONE).contact().unwrap();
+        assert_eq!(alone.row(3.0, &Solver::AUTO).unwrap().restitution.to_bits(), e.to_bits());
+    }
+}
+
+/// In a series every impact has its own factor; the files of a single impact show the relaxation.
+#[test]
+fn a_series_and_a_trace_have_the_rate() {
+    let shots = with_rate(COOK).split("[impact]").next().unwrap().to_owned();
+    let desk = Desk::ran(shots + "[repeat]\nspot = \"same\"\nspeeds = [1, 3, 0.5, 5]\n");
+    let impacts = desk.read("out/impacts.csv");
+    let dents = numbers(&impacts, "residual_indentation_m");
+    assert!(dents[0] < dents[1] && dents[1] == dents[2] && dents[2] < dents[3], "{dents:?}");
+    let desk = Desk::ran(with_rate(COOK));
+    assert!(desk.read("out/trace.csv").contains("relaxation"));
+    let summary = desk.summary();
+    assert!(summary["rate_factor"].as_f64().unwrap() > summary["rate_factor_at_turn"].as_f64().unwrap());
+    assert_eq!(summary["inputs"]["half_space_rate_tested_at_per_s"], 0.001);
+    let lines = desk.ends(&["export", "s.toml", "--to", "lammps"], 0).0;
+    assert_eq!(lines.matches("the strength is that of the strain rate").count(), 1, "{lines}");
+}
+
+/// Rate and strength together do not follow from restitutions, and the refusal says why.
+#[test]
+fn a_rate_and_a_strength_are_not_found_together() {
+    let contact = scene(&with_rate("johnson_cook = { c = 0.014 }"), NONE).contact().unwrap();
+    let mut data = "speed_m_per_s,restitution\n".to_owned();
+    for speed in [0.3, 0.5, 1.0, 2.0, 3.0, 5.0] {
+        writeln!(data, "{speed},{}", contact.closed_form(speed).unwrap().restitution).unwrap();
+    }
+    let bodies = STEEL.split("yield_strength").next().unwrap();
+    let free = "[calibrate]\ndata = \"d.csv\"\nnoise.restitution = 0.005\n[calibrate.free]\n\
+                \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"1 GPa\" }\n\
+                \"half_space.rate.johnson_cook.c\" = { from = 0.001, to = 0.05 }\n";
+    let desk = Desk::with(format!("{bodies}{free}"));
+    fs::write(desk.path("d.csv"), data).unwrap();
+    let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
+    assert!(said.contains("do not tell the keys apart") && said.contains("by 0.7 % a decade"), "{said}");
+}
