@@ -105,6 +105,11 @@ impl Contact {
     /// This contact with the strengths of another pair of the same bodies, which no rate raises any more.
     pub(super) fn of_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let (scales, law, yield_speed) = Self::law_of(&pair, self.mass, law)?;
+        Ok(self.of_law(pair, law, scales, yield_speed))
+    }
+
+    /// This contact with another pair of the same bodies, the law of that pair, and what follows from it.
+    pub(super) fn of_law(&self, pair: Pair, law: Law, scales: Scales, yield_speed: f64) -> Self {
         let contact = Self {
             pair,
             law,
@@ -117,7 +122,7 @@ impl Contact {
             under: None,
             ..*self
         };
-        Ok(contact.with_forces(self.forces))
+        if self.under.is_some() { contact.with_forces(self.forces) } else { contact }
     }
 
     /// The scales of another pair of the same bodies, if the loading curve of this contact is theirs too, in its own units.

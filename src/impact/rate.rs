@@ -20,7 +20,7 @@ use super::contact::Contact;
 use super::error::ImpactError;
 use super::rated::{Rated, Rates};
 use crate::integrate::IntegrationError;
-use crate::law::{Ground, LawChoice};
+use crate::law::{Bodies, Ground, LawChoice};
 use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere};
 use crate::strength::rate::Rate;
 
@@ -142,6 +142,11 @@ impl Contact {
             return Ok(contact);
         }
         let pair = self.pair_of(factors)?;
+        if let (LawChoice::Plm(plm), Some(scales), Some(bodies)) =
+            (&rates.law, self.scales_of_same_curve(&pair)?, Bodies::new(&pair))
+        {
+            return Ok(self.of_law(pair, plm.of_same_curve(&self.law, &bodies), scales, scales.speed));
+        }
         let mut law = rates.law.clone();
         if let LawChoice::Plm(plm) = &mut law {
             plm.rate_factors = factors;

@@ -71,6 +71,11 @@ impl Plm {
         Law::plm(loading, rule)
     }
 
+    /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_one_curve`]).
+    pub(crate) fn of_same_curve(&self, law: &Law, bodies: &Bodies) -> Law {
+        Law::plm(law.loading.clone(), self.coefficients.rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent))
+    }
+
     fn halves(&self, bodies: &Bodies) -> (Curve, PlmRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
         let (perfect, rule) = self.coefficients.halves(pair, ratio, self.exponent);

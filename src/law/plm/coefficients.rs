@@ -174,10 +174,15 @@ impl PlmCoefficients {
 
     pub(super) fn halves(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> (Curve, PlmRule) {
         let [kappa, _] = pair.shares();
-        let kappa_squared = kappa * kappa;
+        (self.force.curve(kappa * kappa), self.rule(pair, yield_radius_ratio, exponent))
+    }
+
+    /// How a pair of constant strengths unloads, without the flat of a sphere.
+    pub(super) fn rule(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> PlmRule {
+        let [kappa, _] = pair.shares();
         let line = ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio);
-        let radius = self.contact_radius.of(kappa_squared, yield_radius_ratio);
-        (self.force.curve(kappa_squared), PlmRule { line, hardening: None, flattening: None, radius, exponent })
+        let radius = self.contact_radius.of(kappa * kappa, yield_radius_ratio);
+        PlmRule { line, hardening: None, flattening: None, radius, exponent }
     }
 
     /// The slopes and knots of the polyline of the elastic approach.
