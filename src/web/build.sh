@@ -11,7 +11,7 @@ build=$(cargo metadata --format-version 1 --no-deps | sed 's/.*"target_directory
 rustup target list --installed | grep -qx $target || rustup target add $target
 version=$(grep -A1 '^name = "wasm-bindgen"$' Cargo.lock | sed -n 's/^version = "\(.*\)"$/\1/p')
 bindgen=$build/tools/bin/wasm-bindgen
-[ "$("$bindgen" --version 2>/dev/null)" = "wasm-bindgen $version" ] || CARGO_PROFILE_DEV_OPT_LEVEL=1 cargo install --quiet --debug --force \
+[ "$("$bindgen" --version 2>/dev/null)" = "wasm-bindgen $version" ] || CARGO_PROFILE_DEV_OPT_LEVEL=0 cargo install --quiet --debug --force \
     wasm-bindgen-cli --version "$version" --no-default-features --bin wasm-bindgen --root "$build/tools" --target-dir "$build/tools"
 cargo rustc --quiet --lib --crate-type cdylib --no-default-features --features web --target $target --profile "$profile"
 mkdir -p "$out"

@@ -35,14 +35,13 @@ fn the_exponent_falls_from_three_halves_at_first_yield_to_the_one_asked_for() {
     assert_eq!(law.unloading(law.loaded_to(1.01)).exponent, 1.8);
 }
 
-proptest! {
-    #![proptest_config(crate::common::cases(300))]
-
-    #[test]
-    fn nothing_comes_back_that_was_not_spent(scene in any_scene(), n in 1.000_001..2.0_f64, decades in 0.0..2.0_f64) {
+/// In most scenes the branch keeps within the 5 % that the law repairs; the others are refused.
+#[test]
+fn nothing_comes_back_that_was_not_spent() {
+    let judged = checked(300, &(any_scene(), 1.000_001..2.0_f64, 0.0..2.0_f64), |(scene, n, decades)| {
         let contact = Scene { exponent: UnloadingExponent::Fixed(n), ..scene }.contact();
         let speed = contact.yield_speed().unwrap() * 10_f64.powf(decades);
-        let Ok(row) = contact.row(speed, &Solver::AUTO) else { return Ok(()) };
+        let Ok(row) = contact.row(speed, &Solver::AUTO) else { return Ok(false) };
         prop_assert!(row.restitution <= 1.0, "{:e}", row.restitution - 1.0);
         prop_assert!(row.plastic_fraction >= 0.0, "{:e}", row.plastic_fraction);
         // recovered and plastic energy add up to the whole energy
@@ -52,7 +51,13 @@ proptest! {
         let (_, law, q) = contact.scaled(speed).unwrap();
         let (unloading, _) = closed_form::energy_balance(law, q);
         prop_assert!(off(unloading.exponent, ruled(law, unloading.peak.indentation, n)) < 1e-13 * q * q);
-    }
+        Ok(true)
+    });
+    assert!(judged > 250, "{judged}");
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(300))]
 
     #[test]
     fn the_exponents_that_never_gain_keep_their_bits(scene in any_scene(), shape in any::<bool>(), x in 1.0..100.0_f64) {

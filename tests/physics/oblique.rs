@@ -39,6 +39,16 @@ fn impact(contact: &Contact, approach: Approach, samples: Option<usize>) -> (Imp
     (impact, rebound)
 }
 
+/// The ledger of friction closes, and the angular momentum about the contact point stays, to rounding; the run says of itself
+/// that it is exact to 1e-6.
+fn balances(impact: &Impact) -> Result<(), TestCaseError> {
+    let (friction, rebound) = (impact.oblique.unwrap(), impact.rebound.unwrap());
+    let open = friction.recovered + friction.loss - friction.kinetic_in;
+    prop_assert!(open.abs() <= 1e-12 * friction.kinetic_in, "{:?}", friction);
+    prop_assert!(friction.momentum_drift < 1e-13 && rebound.error < 1e-6, "{:?} {:?}", friction, rebound);
+    Ok(())
+}
+
 #[test]
 fn twelve_impacts_are_those_of_the_reference() {
     let rows = rows(include_str!("../reference/oblique.csv"));
@@ -188,10 +198,12 @@ fn limits_without_friction_without_slip_and_without_anything() {
 
 #[test]
 fn every_law_has_its_friction() {
+    let mut judged = 0;
     for law in LawChoice::all() {
         let name = law.name();
         let (sphere, half_space) = Scene::steel().parts();
         let Ok(contact) = Contact::try_new(sphere, half_space, law.get()) else { continue };
+        judged += 1;
         for degrees in [3.0, 20.0, 60.0] {
             let approach = approach(1.0, degrees, 0.2, 0.0);
             let (impact, rebound) = impact(&contact, approach, Some(50));
@@ -204,6 +216,8 @@ fn every_law_has_its_friction() {
             }
         }
     }
+    // one of them refuses this scene
+    assert!(judged >= 12, "{judged}");
 }
 
 /// On a plate the normal motion is that of the plate, and friction goes on it as on any other: gross sliding has its formula
@@ -217,12 +231,10 @@ fn friction_goes_with_a_plate() {
     for degrees in [3.0, 15.0, 30.0, 80.0] {
         let approach = approach(1.0, degrees, 0.15, 0.0);
         let (impact, rebound) = impact(&plate, approach, Some(40));
-        let friction = impact.oblique.unwrap();
-        assert!((friction.recovered + friction.loss - friction.kinetic_in).abs() <= 1e-12 * friction.kinetic_in);
-        assert!(friction.momentum_drift < 1e-13 && rebound.error < 1e-6, "{friction:?}");
         let [normal, tangential] = approach.components();
         let alone = plate.impact(normal, &Solver::default(), None).unwrap();
         assert_relative_eq!(impact.restitution, alone.restitution, max_relative = 1e-9);
+        balances(&impact).unwrap();
         if degrees == 80.0 {
             let want = tangential - 0.15 * (1.0 + alone.restitution) * normal;
             assert_relative_eq!(rebound.tangential_speed, want, max_relative = 1e-9);
@@ -262,10 +274,8 @@ proptest! {
         prop_assume!(rebound.psi != 0.0);
         prop_assert!(rebound.psi_after().abs() <= rebound.psi.abs() * (1.0 + 1e-12), "{:?}", rebound);
         prop_assert!(friction.loss >= -1e-12 * friction.kinetic_in && rebound.loss_fraction <= 1.0);
-        prop_assert!((friction.recovered + friction.loss - friction.kinetic_in).abs() <= 1e-12 * friction.kinetic_in);
-        prop_assert!(friction.momentum_drift < 1e-13, "{:?}", friction);
+        balances(&impact)?;
         prop_assert!(rebound.impulse_ratio.abs() <= mu * (1.0 + 1e-5), "{:?} {}", rebound, mu);
-        prop_assert!(rebound.error < 1e-6, "{:?}", rebound);
         // the trace begins and ends as the results say
         let ends = [0, impact.trace.len() - 1].map(|row| impact.trace[row].rubbing.unwrap());
         let size = approach.speed + rebound.tangential_speed.abs();
@@ -370,12 +380,10 @@ fn friction_goes_with_gravity_and_damping() {
         for degrees in [3.0, 15.0, 30.0, 80.0] {
             let approach = approach(1.0, degrees, 0.15, 20.0);
             let (impact, rebound) = impact(&contact, approach, Some(60));
-            let friction = impact.oblique.unwrap();
-            assert!((friction.recovered + friction.loss - friction.kinetic_in).abs() <= 1e-12 * friction.kinetic_in);
-            assert!(friction.momentum_drift < 1e-13 && rebound.error < 1e-6, "{settings:?} {friction:?} {rebound:?}");
             let [normal, tangential] = approach.components();
             let alone = contact.impact(normal, &Solver::default(), None).unwrap();
             assert_relative_eq!(impact.restitution, alone.restitution, max_relative = 1e-9);
+            balances(&impact).unwrap();
             assert!(rebound.impulse_ratio <= 0.15 * (1.0 + 1e-6), "{settings:?} {rebound:?}");
             for row in &impact.trace {
                 let rubbing = row.rubbing.unwrap();
