@@ -12,7 +12,6 @@ use crate::law::{ContactLaw, Ground, Law, Peak};
 use crate::material::{HalfSpace, Pair, Sphere, normal};
 use crate::materials::Entry;
 use crate::math::functions::pow;
-use crate::strength::rate::Rate;
 
 /// The materials of the bodies, as far as they have names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -44,10 +43,8 @@ pub struct Contact {
     pub(super) elastic_speed: f64,
     /// How the strengths rise with the rate of strain.
     pub(super) rates: Option<Arc<Rates>>,
-    /// What the strength of this contact comes from, if the rate has raised it.
+    /// The strain rate that the strength of this contact belongs to; `None` without a rate, and before a speed is known.
     pub(super) rated: Option<Rated>,
-    /// How the strength of the body that yields rises, if its rate has raised it.
-    pub(super) rate: Option<Rate>,
     forces: Forces,
     under: Option<Result<Under, PlateError>>,
     /// How the half-space radiates, if its density is known.
@@ -81,7 +78,6 @@ impl Contact {
             elastic_speed: yield_speed,
             rates: None,
             rated: None,
-            rate: None,
             forces: Forces::default(),
             under: None,
             waves,
@@ -118,7 +114,6 @@ impl Contact {
             elastic_speed: yield_speed,
             rates: None,
             rated: None,
-            rate: None,
             under: None,
             ..*self
         };

@@ -49,7 +49,7 @@ impl Contact {
         self.rates.is_some()
     }
 
-    /// Strain rate and factors that this contact has; `None` without a rate, and before a speed is known.
+    /// The strain rate that the strength of this contact belongs to, with its factors; `None` without a rate, and before a speed is known.
     pub fn rated(&self) -> Option<&Rated> {
         self.rated.as_ref()
     }
@@ -76,12 +76,11 @@ impl Contact {
         let (w, [loading, turn]) = self.factors(rates, speed)?;
         let raised = self.raised(rates, loading)?;
         let body = yielding(raised.pair());
-        let (factor, factor_at_turn) = (loading[body], turn[body]);
-        let rated = Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn };
-        let ratio = rated.factor_at_turn / factor;
+        let (factor, factor_at_turn, rate) = (loading[body], turn[body], rates.of[body]);
+        let rated = Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn, rate };
+        let ratio = factor_at_turn / factor;
         let mut contact = if turn == loading { raised } else { raised.relaxing_to(self.raised(rates, turn)?, ratio) };
         contact.rated = Some(rated);
-        contact.rate = rates.of[yielding(contact.pair())];
         Ok(contact)
     }
 

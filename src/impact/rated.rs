@@ -6,7 +6,7 @@ use crate::strength::rate::Rate;
 /// How the strengths of the bodies rise with the rate, and the law that they go into.
 #[derive(Debug, Clone)]
 pub(super) struct Rates {
-    /// Of sphere and half-space.
+    /// The rise of the sphere's strength and that of the half-space.
     pub(super) of: [Option<Rate>; 2],
     pub(super) law: LawChoice,
 }
@@ -20,4 +20,6 @@ pub struct Rated {
     pub factor: f64,
     /// g_t of that body.
     pub factor_at_turn: f64,
+    /// How its strength rises; `None` if the rate of the other body alone is known.
+    pub(super) rate: Option<Rate>,
 }

@@ -145,8 +145,8 @@ const FLOWING: f64 = 1000.0;
 
 /// The warnings for the strain rate of an impact, and for the constants of its metal.
 fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
-    let (rated, rate) = (contact.rated, contact.rate);
-    let strain_rate = rated.map_or(f64::NAN, |rated| rated.strain_rate);
+    let rate = contact.rated.and_then(|rated| rated.rate);
+    let strain_rate = contact.rated.map_or(f64::NAN, |rated| rated.strain_rate);
     let [low, high] = RATES;
     let outside = Warning::when(strain_rate < low || strain_rate > high, WarningKind::StrainRate, strain_rate, || {
         format!(
