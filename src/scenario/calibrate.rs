@@ -72,7 +72,7 @@ impl Scenario {
             let message = format!("only the law plm has hardening: leave out {table}, or the other laws");
             return Err(self.document.refuse("calibrate.laws", message));
         }
-        if input.has_rate() && laws.iter().any(|law| law.name() != input.named_law.name()) {
+        if input.has_rate() && has_others {
             let message = "only the law plm has a strain rate: leave out the rate, or the other laws";
             return Err(self.document.refuse("calibrate.laws", message));
         }

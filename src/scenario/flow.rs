@@ -6,7 +6,7 @@ use crate::law::LawChoice;
 use crate::scene::at::At;
 use crate::scene::tables::names;
 use crate::scene::taken::Body;
-use crate::scene::{Input, KEYS};
+use crate::scene::{EVERY_KEY, Input, Key};
 use crate::strength::flow::FlowCurve;
 use crate::units::{Dimension, quantity};
 
@@ -32,9 +32,16 @@ impl Scenario {
         if let Some(second) = forms.next() {
             return Err(self.document.one_key(&path(form), &path(second)));
         }
-        let is_missing = |key: &&str| key.starts_with(&format!("{}.", path(form)));
-        let missing = KEYS.iter().filter(|key| key.get(input).is_none()).map(|key| key.path).find(is_missing);
-        match missing.and_then(|key| key.rsplit_once('.')) {
+        self.check_numbers(input, &path(form))
+    }
+
+    /// Refuses a form of a flow curve, or of a rate, that lacks a number; numbers with a default may be left out.
+    pub(super) fn check_numbers(&self, input: &Input, form: &str) -> Result<(), Error> {
+        let begin = format!("{form}.");
+        let needed = EVERY_KEY.iter().filter(|key| key.path.starts_with(&begin) && key.default.is_empty());
+        let is_missing = |key: &&Key| key.get(input).is_none();
+        let missing = needed.filter_map(|key| Key::find(key.path)).find(is_missing);
+        match missing.and_then(|key| key.path.rsplit_once('.')) {
             Some((table, name)) => Err(self.document.missing(table, name)),
             None => Ok(()),
         }

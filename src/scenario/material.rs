@@ -101,9 +101,7 @@ impl Varied {
                 is_plm && !is_given(keys.yield_strength.path()) && !is_given(keys.flow_stress)
             }
             // a rate is never taken in silence
-            Part::Rate => {
-                Body::ALL.iter().any(|body| key.path.starts_with(body.rate_keys().table) && asks_material(input, *body))
-            }
+            Part::Rate => asks_material(input, body),
             _ => true,
         };
         is_used && !is_given(key.path) && !partner(key.path).is_some_and(is_given)

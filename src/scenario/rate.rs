@@ -5,9 +5,8 @@ use super::material::asks_material;
 use crate::error::Error;
 use crate::law::LawChoice;
 use crate::materials::{Property, all};
-use crate::scene::tables::names;
+use crate::scene::Input;
 use crate::scene::taken::Body;
-use crate::scene::{Input, KEYS};
 use crate::units::number;
 
 /// How a rise may be written.
@@ -35,21 +34,14 @@ impl Scenario {
                 known.join(", ")
             ));
         }
-        let path = |form: &str| format!("{table}.{form}");
-        let forms: Vec<&str> = ["johnson_cook", "cowper_symonds"]
-            .into_iter()
-            .filter(|form| names(table).contains(form) && (self.gives(&path(form)) || asks_material(input, body)))
-            .collect();
-        let form = match forms[..] {
-            [] => return refuse(format!("has no law; write {EXAMPLE}")),
-            [form] => form,
-            _ if asks_material(input, body) => "johnson_cook",
-            [one, other, ..] => return Err(self.document.one_key(&path(one), &path(other))),
-        };
-        let is_missing = |key: &&str| key.starts_with(&path(form)) && !key.ends_with(".reference");
-        let missing = KEYS.iter().filter(|key| key.get(input).is_none()).map(|key| key.path).find(is_missing);
-        if let Some((table, name)) = missing.and_then(|key| key.rsplit_once('.')) {
-            return Err(self.document.missing(table, name));
+        let forms = ["johnson_cook", "cowper_symonds"].map(|form| format!("{table}.{form}"));
+        match forms.each_ref().map(|form| self.gives(form)) {
+            [true, true] => return Err(self.document.one_key(&forms[0], &forms[1])),
+            [true, false] => self.check_numbers(input, &forms[0])?,
+            [false, true] => self.check_numbers(input, &forms[1])?,
+            // a material gives c of the first form
+            [false, false] if asks_material(input, body) => {}
+            [false, false] => return refuse(format!("has no law; write {EXAMPLE}")),
         }
         if !input.has_strength(body) {
             return refuse(format!("raises a strength: give [{of_body}] its yield_strength, or leave the table out"));
