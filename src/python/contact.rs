@@ -72,10 +72,22 @@ impl Contact {
         Ok(own.map_or(Cow::Borrowed(&self.inner), Cow::Owned))
     }
 
-    fn computed(&self, speed: f64, samples: Option<usize>) -> Result<impact::Impact, Error> {
+    /// The contact with the strength of an impact at this speed; `None` where it does not depend on the speed.
+    fn own(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
+        let [normal, _] = self.input.approach_at(speed).components();
+        let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
+        own.map_err(|reason| no_result(&self.scenario, &reason))
+    }
+
+    fn computed(
+        &self,
+        own: Option<&impact::Contact>,
+        speed: f64,
+        samples: Option<usize>,
+    ) -> Result<impact::Impact, Error> {
         let refuse = |reason| no_result(&self.scenario, &reason);
         let approach = self.input.approach_at(speed);
-        self.inner.impact(approach, &self.input.solver(), samples).map_err(refuse)
+        own.unwrap_or(&self.inner).impact(approach, &self.input.solver(), samples).map_err(refuse)
     }
 }
 
@@ -222,11 +234,12 @@ pub struct Impact {
 
 impl Impact {
     fn of(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
-        let result = py.detach(|| contact.get().computed(speed, samples)).map_err(exception)?;
-        let inner = &contact.get().inner;
-        let [normal, _] = contact.get().input.approach_at(speed).components();
-        // the impact has been computed with it
-        let own = if inner.has_rate() { inner.at_speed(normal).ok() } else { None };
+        let of = contact.get();
+        let computed = || -> Result<_, Error> {
+            let own = of.own(speed)?;
+            Ok((of.computed(own.as_ref(), speed, samples)?, own))
+        };
+        let (result, own) = py.detach(computed).map_err(exception)?;
         Ok(Self { contact, result, own, samples, band: OnceLock::new() })
     }
 
@@ -240,7 +253,7 @@ impl Impact {
     fn traced(&self) -> PyResult<Cow<'_, impact::Impact>> {
         if self.result.trace.is_empty() {
             let contact = self.contact.get();
-            let impact = contact.computed(self.result.speed, Some(contact.input.samples()));
+            let impact = contact.computed(self.own.as_ref(), self.result.speed, Some(contact.input.samples()));
             return Ok(Cow::Owned(impact.map_err(exception)?));
         }
         Ok(Cow::Borrowed(&self.result))
