@@ -167,7 +167,7 @@ impl Flow {
         }
     }
 
-    /// The one of the softer body, of what sphere and half-space have.
+    /// Chooses what belongs to the softer body from a pair of sphere and half-space.
     pub fn of_softer<T>(&self, [sphere, half_space]: [T; 2]) -> T {
         if self.is_sphere { sphere } else { half_space }
     }

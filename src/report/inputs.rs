@@ -73,11 +73,17 @@ impl Inputs {
             let mut materials = Body::ALL.map(Body::material).into_iter().filter(|material| varies(material));
             materials.any(|material| path.starts_with(material))
         };
-        let is_derived = |body: &Body, path: &str| body.strength_keys().yield_strength.path() == path;
+        let mut changing: Vec<String> = Vec::new();
+        for body in Body::ALL {
+            if plan.derives_strength(body) {
+                changing.extend([body.strength_keys().yield_strength.path().to_owned(), constraint(body)]);
+            }
+            if varies(body.material()) {
+                changing.push(strength_from(body));
+            }
+        }
         let is_shared = |held: &Held| match held.path.as_str() {
-            path if Body::ALL.iter().any(|body| is_derived(body, path) && plan.derives_strength(*body)) => false,
-            path if Body::ALL.iter().any(|body| constraint(*body) == path && plan.derives_strength(*body)) => false,
-            path if Body::ALL.iter().any(|body| strength_from(*body) == path && varies(body.material())) => false,
+            _ if changing.contains(&held.path) => false,
             "impact.speed" => plan.input.number(at!("impact.drop_height")).is_none() || !varies("gravity.acceleration"),
             path => !of_material(path),
         };
@@ -93,7 +99,7 @@ fn constraint(body: Body) -> String {
     format!("{}_over_flow_stress", body.strength_keys().hardness.path())
 }
 
-/// What says where the yield strength of a body comes from.
+/// The name under which a summary says where the yield strength of a body comes from.
 fn strength_from(body: Body) -> String {
     format!("{}_from", body.strength_keys().yield_strength.path())
 }

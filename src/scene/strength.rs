@@ -25,10 +25,9 @@ pub struct StrengthKeys {
     pub poissons_ratio: At<NUMBER>,
 }
 
-/// The keys of the rise of its strength with the rate of strain.
+/// The keys that say how the strength of a body rises with the rate of strain.
 #[derive(Debug)]
 pub struct RateKeys {
-    /// The table.
     pub table: &'static str,
     /// The word in place of the table.
     pub word: At<OTHER>,
@@ -77,23 +76,15 @@ impl Body {
     pub fn strength_keys(self) -> &'static StrengthKeys {
         const SPHERE: StrengthKeys = keys_of!("sphere");
         const HALF_SPACE: StrengthKeys = keys_of!("half_space");
-        match self {
-            Self::Sphere => &SPHERE,
-            Self::HalfSpace => &HALF_SPACE,
-        }
+        self.of([&SPHERE, &HALF_SPACE])
     }
-}
 
-impl Body {
-    /// The keys of the rise of its strength with the rate of strain.
+    /// The keys that say how its strength rises with the rate of strain.
     #[inline]
     pub fn rate_keys(self) -> &'static RateKeys {
         const SPHERE: RateKeys = rate_of!("sphere");
         const HALF_SPACE: RateKeys = rate_of!("half_space");
-        match self {
-            Self::Sphere => &SPHERE,
-            Self::HalfSpace => &HALF_SPACE,
-        }
+        self.of([&SPHERE, &HALF_SPACE])
     }
 }
 
@@ -121,7 +112,7 @@ impl Input {
         Some(Rate { form, tested_at: number(keys.tested_at).unwrap_or(Rate::USUAL_TEST) })
     }
 
-    /// Those of sphere and half-space.
+    /// How the strengths of sphere and half-space rise with the rate of strain.
     #[inline]
     pub fn rates(&self) -> [Option<Rate>; 2] {
         Body::ALL.map(|body| self.rate(body))

@@ -13,7 +13,7 @@ pub enum Body {
 impl Body {
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
-    /// Its one, of what sphere and half-space have.
+    /// Chooses what belongs to this body from a pair of sphere and half-space.
     pub fn of<T>(self, [sphere, half_space]: [T; 2]) -> T {
         match self {
             Self::Sphere => sphere,
@@ -28,17 +28,11 @@ impl Body {
 
     /// The key that names its material.
     pub fn material(self) -> &'static str {
-        match self {
-            Self::Sphere => "sphere.material",
-            Self::HalfSpace => "half_space.material",
-        }
+        self.of(["sphere.material", "half_space.material"])
     }
 
     pub fn material_key(self) -> At<WORD> {
-        match self {
-            Self::Sphere => at!("sphere.material"),
-            Self::HalfSpace => at!("half_space.material"),
-        }
+        self.of([at!("sphere.material"), at!("half_space.material")])
     }
 
     /// The body whose material a key names.
