@@ -234,14 +234,15 @@ impl Law {
         match memory {
             _ if x.is_nan() => (f64::NAN, memory),
             Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),
-            // a metal that has relaxed goes up its branch until that meets the loading curve
-            Some(peak) if self.relaxed.is_some() && self.unloading(peak).beyond(x) < self.loading.force(x) => {
-                (self.unloading(peak).beyond(x), memory)
-            }
             None if x <= 0.0 => (0.0, None),
             _ => {
                 let peak = self.loaded_to(x);
-                (peak.force, Some(peak))
+                // a metal that has relaxed goes up its branch until that meets the loading curve
+                let relaxed = memory.filter(|_| self.relaxed.is_some());
+                match relaxed.map(|old| self.unloading(old).beyond(x)) {
+                    Some(force) if force < peak.force => (force, memory),
+                    _ => (peak.force, Some(peak)),
+                }
             }
         }
     }
