@@ -19,8 +19,9 @@ extern "C" {
 
 /**
  * The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and `[impact]` may be
- * left out; with a strain rate the strength is that of its speed, which is then needed. Gravity, damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of
- * files in the text are relative to the working directory.
+ * left out. A strength that depends on the strain rate is that of the speed of `[impact]`, which is then needed. Gravity,
+ * damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of files in the text are
+ * relative to the working directory.
  *
  * Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
  * Free the contact with `plm_contact_free`.

@@ -71,8 +71,8 @@ impl Branch {
         }
     }
 
-    /// The distance at which a motion turns that begins at zero with the energy `rest` against a constant `pull`. Work and force are convex:
-    /// Newton's method falls from the end.
+    /// The distance at which a motion turns that begins at zero with the energy `rest` against a constant `pull`. Work and force
+    /// are convex: Newton's method falls from the end.
     pub fn turn(&self, rest: f64, pull: f64) -> f64 {
         fallen_from(self.length, |d| {
             let ([f, ..], work) = self.at(d);

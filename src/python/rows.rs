@@ -18,7 +18,7 @@ pub fn of_plan(plan: &Plan) -> Named {
     plan.column_names().into_iter().zip(columns(plan)).skip(1).collect()
 }
 
-/// Those of them that do not stand for the values of an axis: yield strengths that follow from these, and results.
+/// The columns that are no axis: yield strengths that follow from the axes, and results.
 pub fn without_axes(plan: &Plan) -> Named {
     let mut named = of_plan(plan).split_off(plan.axes().len());
     for (place, _) in plan.derived().enumerate() {

@@ -39,10 +39,10 @@ rows! {
         pub half_space_poissons_ratio as "half_space.poissons_ratio": f64,
         pub half_space_density as "half_space.density": f64,
         pub yield_strength as "half_space.yield_strength": f64,
-        /// Of Johnson and Cook.
+        /// c of Johnson and Cook's form; `None` in a row of the other form.
         pub c as "half_space.rate.johnson_cook.c": Option<f64>,
         pub reference as "half_space.rate.johnson_cook.reference": Option<f64>,
-        /// Of Cowper and Symonds.
+        /// D \[1/s\] of Cowper and Symonds' form; `None` in a row of the other form.
         pub rate as "half_space.rate.cowper_symonds.rate": Option<f64>,
         pub exponent as "half_space.rate.cowper_symonds.exponent": Option<f64>,
         /// The rate at which the factor is 1.

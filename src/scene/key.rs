@@ -21,7 +21,7 @@ pub enum Part {
     HalfSpace,
     /// Numbers of the bodies that only count where something moves: masses, and the plate.
     Motion,
-    /// The flow stress of the half-space.
+    /// The flow stress of a body.
     Flow,
     /// How strengths rise with the rate of strain.
     Rate,

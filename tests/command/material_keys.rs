@@ -60,7 +60,7 @@ fn a_material_says_what_keys_would_say() {
         (by_name.sphere().material, by_name.sphere().density),
         (by_keys.sphere().material, by_keys.sphere().density)
     );
-    // the strength of the ball is used for a warning only: 63 HRC is 773 HV in ISO 18265 (61.8 HRC is 740 HV, 63.3 HRC
+    // 63 HRC is 773 HV in ISO 18265 (61.8 HRC is 740 HV, 63.3 HRC
     // is 780 HV), and 772 HV is 3387 MPa by another program
     assert!(off(by_name.sphere().yield_strength.unwrap(), 3.387e9) < 1e-3, "{:?}", by_name.sphere());
 }

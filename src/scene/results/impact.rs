@@ -222,7 +222,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "strain_rate_per_s" in StrainRate as "strain rate" [Rate: |row| row.rated.map(|rated| rated.strain_rate)];
         /// By how much the strength of the body that yields is raised at that rate.
         "rate_factor" as "strength raised by {}" [Rate: |row| row.rated.map(|rated| rated.factor)];
-        /// The same where the sphere turns, as the metal relaxes there.
+        /// By how much that strength is raised where the sphere turns, as the metal relaxes there.
         "rate_factor_at_turn" as "at the turn {}" [Rate: |row| row.rated.map(|rated| rated.factor_at_turn)];
         /// Share of the normal kinetic energy that comes back: the square of the restitution.
         "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
