@@ -64,7 +64,7 @@ pub struct Law {
     pub relaxed: Option<Box<Relaxed>>,
 }
 
-/// The law at the turn, see [`relaxed`].
+/// The law at the turn of a metal that relaxes there (`law/relaxed.rs`).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relaxed {
     /// In units of its own yield point.
