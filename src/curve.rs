@@ -14,7 +14,7 @@ use std::sync::{Arc, OnceLock};
 use crate::math::functions::{ln, pow};
 use crate::math::power::power;
 use crossing::{Crossing, Reached};
-use piece::{Piece, Shape};
+use piece::{Piece, Shape, along};
 use poly::Poly;
 
 /// An increasing and continuous loading curve from (0, 0) on; its last piece has no end.
@@ -59,14 +59,31 @@ impl Curve {
     /// Lets the curve go on from `start` (beyond all starts so far) as a straight line.
     #[must_use]
     pub fn then_straight(self, start: f64, slope: f64) -> Self {
-        let force = self.pieces.last().map_or(0.0, |last| last.force_at(start));
-        self.then_straight_from(start, force, slope)
+        self.then_straights([(start, slope)])
+    }
+
+    /// Lets the curve go on as straight lines, each from its start on with its slope.
+    #[must_use]
+    pub fn then_straights(mut self, lines: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let [mut force, mut work, mut from] = [0.0; 3];
+        let mut before = None;
+        for (start, slope) in lines {
+            let distance = start - from;
+            [force, work] = match (before, self.pieces.last()) {
+                (Some(slope), _) => along(slope, [force, work], distance),
+                (None, Some(last)) => [last.force_at(start), last.work_at(start)],
+                (None, None) => [0.0; 2],
+            };
+            self.pieces.push(Piece { start, force, work, is_joint: false, shape: Shape::straight(slope) });
+            (before, from) = (Some(slope), start);
+        }
+        self
     }
 
     /// Lets the curve go on from (`start`, `force`) as a straight line.
     #[must_use]
     pub fn then_straight_from(self, start: f64, force: f64, slope: f64) -> Self {
-        self.then(start, force, Shape::Straight { slope, inverse_root: 1.0 / slope.sqrt() })
+        self.then(start, force, Shape::straight(slope))
     }
 
     /// Lets the curve go on from `start` as k x^n.

@@ -42,6 +42,12 @@ impl Shape {
         Self::Power { stiffness, exponent, lead: 0.0 }
     }
 
+    /// f = f_i + s d.
+    #[inline]
+    pub(super) fn straight(slope: f64) -> Self {
+        Self::Straight { slope, inverse_root: 1.0 / slope.sqrt() }
+    }
+
     /// Returns this force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
     #[must_use]
     pub(crate) fn later(&self, by: f64) -> Self {
@@ -61,6 +67,12 @@ impl Shape {
     }
 }
 
+/// Force and work on a straight line, at a distance from where they are these.
+#[inline(always)]
+pub(super) fn along(slope: f64, [force, work]: [f64; 2], distance: f64) -> [f64; 2] {
+    [force + slope * distance, work + distance * (force + 0.5 * slope * distance)]
+}
+
 /// One smooth piece; it holds from `start` to the start of the next one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Piece {
@@ -76,6 +88,7 @@ pub struct Piece {
 }
 
 impl Piece {
+    #[inline]
     pub fn force_at(&self, x: f64) -> f64 {
         self.force_beyond(x - self.start)
     }
@@ -85,7 +98,7 @@ impl Piece {
     pub fn force_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, lead } => stiffness * power(distance + lead, *exponent),
-            Shape::Straight { slope, .. } => self.force + slope * distance,
+            Shape::Straight { slope, .. } => along(*slope, [self.force, self.work], distance)[0],
             Shape::Polynomial(poly) => poly.force(distance),
             Shape::Branch(branch) => branch.at(distance).0[0],
         }
@@ -135,7 +148,7 @@ impl Piece {
                 let before = if *lead == 0.0 { 0.0 } else { from_zero(*lead) };
                 self.work + (from_zero(distance + lead) - before)
             }
-            Shape::Straight { slope, .. } => self.work + distance * (self.force + 0.5 * slope * distance),
+            Shape::Straight { slope, .. } => along(*slope, [self.force, self.work], distance)[1],
             Shape::Polynomial(poly) => self.work + poly.work(distance),
             Shape::Branch(branch) => self.work + branch.at(distance).1,
         }

@@ -129,8 +129,10 @@ impl Contact {
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].
     #[must_use]
-    pub fn with_moment_of_inertia(self, moment: f64) -> Self {
-        Self { moment_of_inertia: Some(moment), ..self }
+    #[inline]
+    pub fn with_moment_of_inertia(mut self, moment: f64) -> Self {
+        self.moment_of_inertia = Some(moment);
+        self
     }
 
     /// The moment of inertia \[kg m²\], if it is not that of a solid sphere.
@@ -140,23 +142,29 @@ impl Contact {
 
     /// Returns this contact with gravity and damping, or on a plate.
     #[must_use]
-    pub fn with_forces(self, forces: Forces) -> Self {
-        let under = forces.plate.map(|plate| match forces.damping {
+    #[inline]
+    pub fn with_forces(mut self, forces: Forces) -> Self {
+        self.under = forces.plate.map(|plate| match forces.damping {
             Some(_) => Err(PlateError::Damped),
             None => Under::new(plate, &self.half_space, self.mass, &self.scales, &self.law),
         });
-        Self { forces, under, ..self }
+        self.forces = forces;
+        self
     }
 
     /// Returns this contact with the names of its materials, by which the results are judged.
     #[must_use]
-    pub fn of_materials(self, named: Named) -> Self {
-        Self { named, ..self }
+    #[inline]
+    pub fn of_materials(mut self, named: Named) -> Self {
+        self.named = named;
+        self
     }
 
     /// Returns this contact, where the sphere is only the tip of the body that moves. The wave speed of that body is not known.
-    pub(crate) fn of_a_body(self) -> Self {
-        Self { is_tip: true, ..self }
+    #[inline]
+    pub(crate) fn of_a_body(mut self) -> Self {
+        self.is_tip = true;
+        self
     }
 
     /// Whether the sphere is only the tip of the body that moves.

@@ -142,19 +142,20 @@ impl Input {
     /// # Errors
     /// [`ImpactError`] as of [`Input::contact`].
     pub fn pair(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
-        let contact = Contact::try_new(sphere, half_space, law.get())?;
-        let contact = if self.number(at!("sphere.mass")).is_some() { contact.of_a_body() } else { contact };
-        let contact = match self.number(at!("sphere.moment_of_inertia")) {
-            Some(moment) => contact.with_moment_of_inertia(moment),
-            None => contact,
-        };
+        let mut contact = Contact::try_new(sphere, half_space, law.get())?.with_forces(self.forces());
+        if self.number(at!("sphere.mass")).is_some() {
+            contact = contact.of_a_body();
+        }
+        if let Some(moment) = self.number(at!("sphere.moment_of_inertia")) {
+            contact = contact.with_moment_of_inertia(moment);
+        }
         let [sphere, half_space] =
             Body::ALL.map(|body| self.word(body.material_key()).and_then(|place| all().get(place)));
         let flow = law.flow();
         let is_by_hardness =
             Body::ALL.map(|body| self.number(body.strength_keys().hardness).is_some() && body.of(flow).is_none());
         let named = Named { sphere, half_space, is_by_hardness };
-        Ok(contact.with_forces(self.forces()).of_materials(named).with_rates(self.rates(), law))
+        Ok(contact.of_materials(named).with_rates(self.rates(), law))
     }
 
     /// The impact speed \[m/s\]: that of the fall where a height is given.

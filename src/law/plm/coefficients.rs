@@ -39,10 +39,8 @@ pub struct ForceTable {
 impl ForceTable {
     pub fn curve(&self, kappa_squared: f64) -> Curve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
-        // no series for the time to knots: a table of random bodies makes a contact for every row, and would pay for it each time
-        pieces.fold(Curve::with_capacity(self.from.len()), |curve, ((from, slope), per_kappa)| {
-            curve.then_straight(*from, slope + per_kappa * kappa_squared)
-        })
+        Curve::with_capacity(self.from.len())
+            .then_straights(pieces.map(|((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared)))
     }
 }
 

@@ -16,19 +16,24 @@ impl LineSlopes {
     /// The pieces for a half-space that yields at this a_Y/R, from (A, ε) = (1, 1) on. A knot of the finite geometry below A = 1
     /// applies from A = 1.
     fn pieces(&self, yield_radius_ratio: f64) -> impl Iterator<Item = LinePiece> {
-        let plastic_from = self.plastic_from;
-        let geometry = move || self.geometry.iter().map(move |(from, factor)| (from / yield_radius_ratio, factor));
-        let between =
-            move |low: f64, high: f64| geometry().map(|(from, _)| from).filter(move |from| low < *from && *from < high);
-        let plastic = (plastic_from > 1.0).then_some(plastic_from);
-        let knots = std::iter::once(1.0).chain(between(1.0, plastic_from)).chain(plastic);
-        let (mut radius, mut approach, mut slope) = (1.0, 1.0, 0.0);
-        knots.chain(between(plastic_from, f64::INFINITY)).map(move |next| {
+        let mut geometry = self.geometry.iter().map(move |(from, factor)| (from / yield_radius_ratio, factor)).peekable();
+        let (mut first, mut plastic) = (self.first, self.plastic);
+        let (mut radius, mut approach, mut slope, mut next) = (1.0, 1.0, 0.0, 1.0);
+        std::iter::from_fn(move || {
+            if next == f64::INFINITY {
+                return None;
+            }
             approach += slope * (next - radius);
-            let base = if next >= plastic_from { self.plastic } else { self.first };
-            slope = geometry().filter(|(from, _)| *from <= next).fold(base, |slope, (_, factor)| slope * factor);
+            while let Some((_, factor)) = geometry.next_if(|(from, _)| *from <= next) {
+                first *= factor;
+                plastic *= factor;
+            }
+            let is_plastic = next >= self.plastic_from;
+            slope = if is_plastic { plastic } else { first };
             radius = next;
-            LinePiece { force: radius * approach, slope, offset: approach - slope * radius }
+            let of_geometry = geometry.peek().map_or(f64::INFINITY, |(from, _)| *from);
+            next = if is_plastic { of_geometry } else { of_geometry.min(self.plastic_from) };
+            Some(LinePiece { force: radius * approach, slope, offset: approach - slope * radius })
         })
     }
 
@@ -72,7 +77,9 @@ impl ElasticLine {
     /// The polyline for a half-space that yields at this a_Y/R.
     pub fn new(slopes: &LineSlopes, yield_radius_ratio: f64) -> Self {
         let mut pieces = Vec::with_capacity(slopes.geometry.len() + 2);
-        pieces.extend(slopes.pieces(yield_radius_ratio));
+        for piece in slopes.pieces(yield_radius_ratio) {
+            pieces.push(piece);
+        }
         Self { pieces }
     }
 
