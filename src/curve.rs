@@ -21,16 +21,23 @@ use poly::Poly;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     pub(crate) pieces: Vec<Piece>,
-    /// Knots with a series for the time to them; none but on a curve of many pieces.
-    crossings: Option<Series>,
+    /// Knots with a series for the time to them; none but on a curve of many pieces. They are made when the first closed form asks
+    /// for them; a contact that is integrated needs none.
+    crossings: Option<Once<Vec<Crossing>>>,
 }
 
-/// The series of a curve. They are made when the first closed form asks for them; a contact that is integrated needs none.
-#[derive(Debug, Clone, Default)]
-struct Series(OnceLock<Vec<Crossing>>);
+/// What follows from all that stands beside it, made when it is first asked for.
+#[derive(Debug, Clone)]
+pub struct Once<T>(pub(crate) OnceLock<T>);
 
-impl PartialEq for Series {
-    /// The series follow from the pieces.
+impl<T> Default for Once<T> {
+    fn default() -> Self {
+        Self(OnceLock::new())
+    }
+}
+
+impl<T> PartialEq for Once<T> {
+    /// It makes no difference whether it is made already.
     fn eq(&self, _: &Self) -> bool {
         true
     }
@@ -116,7 +123,7 @@ impl Curve {
     /// Gives the curve series for the time to its knots (see [`crossing::crossings`]).
     #[must_use]
     pub(crate) fn with_crossings(mut self) -> Self {
-        self.crossings = Some(Series::default());
+        self.crossings = Some(Once::default());
         self
     }
 
@@ -174,7 +181,7 @@ impl Curve {
     #[inline(always)]
     pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> Reached {
         let start = Reached { piece: 0, work: 0.0, time: 0.0 };
-        let Some(Series(series)) = &self.crossings else { return start };
+        let Some(Once(series)) = &self.crossings else { return start };
         let crossings = series.get_or_init(|| crossing::crossings(&self.pieces));
         let fast = crossings.partition_point(|knot| knot.is_good(kinetic));
         fast.checked_sub(1).map_or(start, |last| crossings[last].reached(kinetic, speed))

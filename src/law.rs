@@ -20,6 +20,8 @@ pub mod published;
 mod relaxed;
 pub mod unloading;
 
+use std::sync::Arc;
+
 use crate::curve::Curve;
 use crate::units::names::named;
 pub use catalogue::{Combined, LawChoice};
@@ -56,7 +58,7 @@ named! {
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law {
-    pub loading: Curve,
+    pub loading: Arc<Curve>,
     /// Where the loading holds.
     pub limits: Limits,
     pub rule: Rule,
@@ -85,8 +87,8 @@ pub(crate) struct Raised {
 }
 
 impl Law {
-    pub fn new(loading: Curve, limits: Limits, rule: Rule) -> Self {
-        Self { loading, limits, rule, relaxed: None }
+    pub fn new(loading: impl Into<Arc<Curve>>, limits: Limits, rule: Rule) -> Self {
+        Self { loading: loading.into(), limits, rule, relaxed: None }
     }
 
     /// Hertz without end: loading and unloading on f = x^1.5.
@@ -94,7 +96,7 @@ impl Law {
         Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), Rule::Elastic)
     }
 
-    pub fn plm(loading: Curve, rule: PlmRule) -> Self {
+    pub fn plm(loading: impl Into<Arc<Curve>>, rule: PlmRule) -> Self {
         Self::new(loading, rule.limits(), Rule::Polyline(Box::new(rule)))
     }
 

@@ -127,7 +127,7 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
 /// [`ImpactError`], which none of their numbers is near.
 pub fn problems() -> Result<Vec<Problem>, ImpactError> {
     let p2 = kinked_law();
-    let p3 = Law { loading: p2.loading.clone().then_straight(60.0, 0.75), ..p2.clone() };
+    let p3 = Law::new(Curve::clone(&p2.loading).then_straight(60.0, 0.75), p2.limits, p2.rule.clone());
     // √(m/k_1) in units of δ_Y/V, with k_1 = (3/2) F_Y/δ_Y: x'' = −(5/4) (3/2) x
     let unit = 1.875_f64.sqrt().recip();
     let sphere = |radius, youngs_modulus| {

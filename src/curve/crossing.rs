@@ -24,26 +24,15 @@ const EVERY: usize = 4;
 /// No series is made for a knot of more work: the powers of the work would leave double precision.
 const LARGEST_WORK: f64 = 1e20;
 
-/// A longer piece is integrated in parts, and there are no series behind one that is longest: lengths over x where it begins.
-const LONG: f64 = 0.12;
-const LONGEST: f64 = 20.0;
-
-/// Gauss's rule with four nodes on (0, 1). It is exact for w, w² and w³, and on a part that is not [`LONG`] it integrates the
-/// higher powers as well as they count.
-const NODES: [f64; 4] =
-    [0.069_431_844_202_973_71, 0.330_009_478_207_571_9, 0.669_990_521_792_428_1, 0.930_568_155_797_026_3];
-const WEIGHTS: [f64; 4] =
-    [0.173_927_422_568_726_93, 0.326_072_577_431_273_07, 0.326_072_577_431_273_07, 0.173_927_422_568_726_93];
-
-/// (2k)!/(4^k k!²).
+/// (2k)!/(4^k k!²) and 1/(2k + 1).
 #[allow(clippy::cast_precision_loss)] // fourteen terms
-const BINOMIALS: [f64; TERMS] = {
-    let (mut binomials, mut k) = ([1.0; TERMS], 1);
+const CONSTANTS: [[f64; 2]; TERMS] = {
+    let (mut constants, mut k) = ([[1.0; 2]; TERMS], 1);
     while k < TERMS {
-        binomials[k] = binomials[k - 1] * (k as f64 - 0.5) / k as f64;
+        constants[k] = [constants[k - 1][0] * (k as f64 - 0.5) / k as f64, 1.0 / (2.0 * k as f64 + 1.0)];
         k += 1;
     }
-    binomials
+    constants
 };
 
 /// A knot with the series of the time to it.
@@ -64,7 +53,7 @@ impl Crossing {
         let (mut coefficients, mut unit, per_work) = ([1.0; TERMS], 1.0 / start, 1.0 / work);
         for k in 1..TERMS {
             unit *= per_work;
-            coefficients[k] = BINOMIALS[k] * moments[k] * unit;
+            coefficients[k] = CONSTANTS[k][0] * moments[k] * unit;
         }
         Self { piece, start, work, coefficients }
     }
@@ -100,20 +89,9 @@ pub(crate) struct Reached {
     pub time: f64,
 }
 
-/// Adds to the moments what these nodes add: their terms, which begin as their weights, times the powers of their works.
-fn add<const N: usize>(moments: &mut [f64; TERMS], mut terms: [f64; N], works: &[f64; N]) {
-    for moment in moments {
-        let mut sum = 0.0;
-        for (term, work) in terms.iter_mut().zip(works) {
-            sum += *term;
-            *term *= work;
-        }
-        *moment += sum;
-    }
-}
-
 /// The series for the knots of a curve that begins with a power law from zero; there are none behind a piece that is neither
 /// straight nor a formula.
+#[allow(clippy::cast_precision_loss)] // fourteen terms
 pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
     let is_long = !pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)));
     let mut crossings = Vec::with_capacity(pieces.len());
@@ -123,7 +101,6 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
         let (piece, next) = (&pair[0], &pair[1]);
         let length = next.start - piece.start;
         match &piece.shape {
-            #[allow(clippy::cast_precision_loss)] // fourteen terms
             Shape::Power { exponent, lead: 0.0, .. } => {
                 let mut term = length;
                 for (k, moment) in moments.iter_mut().enumerate() {
@@ -131,24 +108,30 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
                     term *= next.work;
                 }
             }
-            Shape::Straight { slope, .. } if length < LONGEST * piece.start => {
-                let count = (length / (LONG * piece.start)).ceil();
-                let (mut begun, part) = (0.0, length / count);
-                while begun < length * (1.0 - 0.5 / count) {
-                    let works = NODES.map(|node| {
-                        let d = begun + node * part;
-                        piece.work + d * (piece.force + 0.5 * slope * d)
-                    });
-                    add(&mut moments, WEIGHTS.map(|weight| weight * part), &works);
-                    begun += part;
+            // by parts: (2k + 1) ∫ w^k dx = [f w^k]/s + k (2w − f²/s) ∫ w^(k−1) dx, where the last bracket is constant
+            Shape::Straight { slope, .. } => {
+                let [mut before, mut after] = [0.0, length].map(|d| piece.force_beyond(d) / slope);
+                let excess = 2.0 * piece.work - piece.force * before;
+                let mut integral = length;
+                moments[0] += length;
+                for k in 1..TERMS {
+                    before *= piece.work;
+                    after *= next.work;
+                    integral = (after - before + k as f64 * excess * integral) * CONSTANTS[k][1];
+                    moments[k] += integral;
                 }
             }
             Shape::Polynomial(poly) => {
                 let (nodes, weights) = gauss();
-                let works = nodes.map(|node| piece.work + poly.work(node * length));
-                add(&mut moments, weights.map(|weight| weight * length), &works);
+                for (node, weight) in nodes.iter().zip(weights) {
+                    let (mut term, work) = (weight * length, piece.work + poly.work(node * length));
+                    for moment in &mut moments {
+                        *moment += term;
+                        term *= work;
+                    }
+                }
             }
-            Shape::Straight { .. } | Shape::Power { .. } | Shape::Branch(_) => break,
+            Shape::Power { .. } | Shape::Branch(_) => break,
         }
         if !is_long || index % EVERY == 0 {
             crossings.push(Crossing::new(index, next.start, next.work, &moments));

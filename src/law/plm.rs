@@ -26,7 +26,7 @@ use std::sync::{Arc, LazyLock};
 use super::contact_law::{Bodies, ContactLaw};
 use super::published::{Loading, PeakState, Recovered, Rules};
 use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
-use crate::curve::Curve;
+use crate::curve::{Curve, Once};
 use crate::material::Pair;
 use crate::strength::flow::FlowCurve;
 pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
@@ -49,14 +49,21 @@ pub struct Plm {
     pub flow: [Option<FlowCurve>; 2],
     /// By how much the rate of strain raises their whole flow curves; the strengths of the bodies have it already.
     pub rate_factors: [f64; 2],
+    /// The curve of the first pair, with the coefficients and the κ² that it was made of: pairs of the same share it.
+    pub first: Once<(Arc<PlmCoefficients>, f64, Arc<Curve>)>,
 }
 
 impl Default for Plm {
     fn default() -> Self {
         static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
             LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
-        let coefficients = Arc::clone(&BUILT_IN);
-        Self { coefficients, exponent: UnloadingExponent::Paper, flow: [None, None], rate_factors: [1.0; 2] }
+        Self {
+            coefficients: Arc::clone(&BUILT_IN),
+            exponent: UnloadingExponent::Paper,
+            flow: [None, None],
+            rate_factors: [1.0; 2],
+            first: Once::default(),
+        }
     }
 }
 
@@ -73,23 +80,33 @@ impl Plm {
 
     /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_one_curve`]).
     pub(crate) fn of_same_curve(&self, law: &Law, bodies: &Bodies) -> Law {
-        Law::plm(law.loading.clone(), self.coefficients.rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent))
+        let rule = self.coefficients.rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent);
+        Law::plm(Arc::clone(&law.loading), rule)
     }
 
-    fn halves(&self, bodies: &Bodies) -> (Curve, PlmRule) {
+    /// The curve of a half-space that does not harden.
+    fn perfect(&self, pair: &Pair) -> Arc<Curve> {
+        let [kappa, _] = pair.shares();
+        let square = kappa * kappa;
+        let curve = || Arc::new(self.coefficients.force.curve(square));
+        let (table, of, first) = self.first.0.get_or_init(|| (Arc::clone(&self.coefficients), square, curve()));
+        if *of == square && Arc::ptr_eq(table, &self.coefficients) { Arc::clone(first) } else { curve() }
+    }
+
+    fn halves(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        let (perfect, rule) = self.coefficients.halves(pair, ratio, self.exponent);
+        let (perfect, rule) = (self.perfect(pair), self.coefficients.rule(pair, ratio, self.exponent));
         let [sphere, half_space] = &self.flow;
         let flows = bodies.yield_point.flow;
         let Some(flow) = flows.of_softer([sphere, half_space]) else { return (perfect, rule) };
         let slow = bodies.yield_strength / flows.of_softer(self.rate_factors);
         let rise = flow.rise(slow, bodies.modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
-        (hardening.loading(&perfect), PlmRule { hardening: Some(hardening), ..rule })
+        (Arc::new(hardening.loading(&perfect)), PlmRule { hardening: Some(hardening), ..rule })
     }
 
     /// The halves with the flat of a sphere that flows.
-    fn flattened(&self, bodies: &Bodies) -> (Curve, PlmRule) {
+    fn flattened(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
         let (plain, rule) = self.halves(bodies);
         let Bodies { pair, yield_point, .. } = bodies;
         if yield_point.flow.sphere_share == 0.0 {
@@ -99,7 +116,7 @@ impl Plm {
         let plastic_from = self.coefficients.line_slopes(pair).plastic_from;
         let (curve, flattening) =
             Flattening::of(yield_point, compliance, ratio, plastic_from, plain, |x, force| rule.radii(x, force));
-        (curve, PlmRule { flattening: Some(flattening), ..rule })
+        (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })
     }
 }
 
@@ -140,5 +157,33 @@ impl ContactLaw for Plm {
             flow.is_flatter_than(bodies.modulus(), bodies.yield_strength / flows.of_softer(self.rate_factors))?;
         }
         Ok(Some(self.of_bodies(&bodies)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::{HalfSpace, Material, Sphere};
+
+    /// The curve that pairs share is that of their coefficients and of their κ², whichever pair came first.
+    #[test]
+    fn a_shared_curve_is_that_of_the_pair() {
+        let of = |plm: &Plm, modulus: f64, strength: f64| {
+            let sphere = Sphere::elastic(5e-3, Material { youngs_modulus: modulus, poissons_ratio: 0.3 }, 7850.0);
+            let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+            let half_space = HalfSpace { material: steel, yield_strength: Some(strength), density: None };
+            plm.of_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().unwrap().loading
+        };
+        let plm = Plm::default();
+        let first = of(&plm, 210e9, 3e8);
+        assert!(Arc::ptr_eq(&first, &of(&plm, 210e9, 5e8)));
+        assert_eq!(of(&plm, 600e9, 3e8), of(&Plm::default(), 600e9, 3e8));
+        assert_ne!(of(&plm, 600e9, 3e8), first);
+        let mut coefficients = PlmCoefficients::built_in().clone();
+        coefficients.force.slope[0] *= 1.1;
+        let other = Plm::new(&coefficients, plm.exponent);
+        let changed = Plm { coefficients: Arc::clone(&other.coefficients), ..plm };
+        assert_eq!(of(&changed, 210e9, 3e8), of(&other, 210e9, 3e8));
+        assert_ne!(of(&changed, 210e9, 3e8), first);
     }
 }

@@ -115,7 +115,7 @@ impl Limits {
 #[derive(Clone)]
 pub struct Loading {
     /// f(x).
-    pub curve: Curve,
+    pub curve: Arc<Curve>,
     pub limits: Limits,
     /// a/a_Y at (x, f) of the loading curve.
     pub radius: RadiusRule,
@@ -129,7 +129,7 @@ impl Loading {
     pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
         let limits = Limits::of(elastic_until, WIDEST_PARABOLOID);
         let curve = if curve.has_formula() { curve.with_crossings() } else { curve };
-        Self { curve, limits, radius: Arc::new(radius) }
+        Self { curve: Arc::new(curve), limits, radius: Arc::new(radius) }
     }
 }
 

@@ -153,6 +153,11 @@ impl Axis {
         !self.part.changes_contact()
     }
 
+    /// Whether the law with its flow curve may change along it, as it does with a material that hardens.
+    pub fn changes_law(&self) -> bool {
+        self.part.changes_law() || !self.words().is_empty()
+    }
+
     /// Puts value `i` into an input. A law or a material brings numbers of its own: for several axes there is
     /// [`super::put`].
     #[allow(clippy::cast_possible_truncation)] // lists of words are short

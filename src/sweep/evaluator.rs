@@ -91,11 +91,25 @@ struct Known {
     contact: Result<Contact, Failure>,
 }
 
-impl Known {
-    fn of(input: &Input, law: &LawChoice) -> Self {
-        let (sphere, half_space) = input.bodies(law);
-        let contact = input.pair(sphere, half_space, law).map_err(Failure::from);
-        Self { strengths: [sphere.yield_strength, half_space.yield_strength], contact }
+/// The law of rows that may change it. Rows that do not share it, and the curve that it has made for their first pair.
+struct Laws {
+    changes: bool,
+    law: LawChoice,
+}
+
+impl Laws {
+    fn of(input: &Input, changes: bool) -> Self {
+        Self { changes, law: input.law() }
+    }
+
+    /// The bodies of a row and their law.
+    fn known(&mut self, input: &Input) -> Known {
+        if self.changes {
+            self.law = input.law();
+        }
+        let (sphere, half_space) = input.bodies(&self.law);
+        let contact = input.pair(sphere, half_space, &self.law).map_err(Failure::from);
+        Known { strengths: [sphere.yield_strength, half_space.yield_strength], contact }
     }
 }
 
@@ -131,13 +145,14 @@ impl<'a> Evaluator<'a> {
                 }
             }
         }
+        let mut laws = Laws::of(&plan.input, plan.axes().iter().any(Axis::changes_law));
         let combination = |index: u64| {
             // at the first places of the other axes
             let axes = plan.axes().iter().zip(&strides);
             let places: Vec<u64> =
                 axes.map(|(axis, stride)| index.checked_div(*stride).unwrap_or(0) % axis.len()).collect();
             let input = plan.input_at(&places);
-            let known = Known::of(&input, &input.law());
+            let known = laws.known(&input);
             (input, known)
         };
         let contacts =
@@ -208,11 +223,12 @@ impl<'a> Evaluator<'a> {
         let mut places = places(axes, cases.start);
         let mut input = self.plan.input_at(&places);
         let mut own: Option<Known> = None;
+        let mut laws = Laws::of(&input, axes.iter().any(Axis::changes_law));
         for _ in cases {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             let known = match self.known(&places) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| Known::of(&input, &input.law())),
+                None => own.get_or_insert_with(|| laws.known(&input)),
             };
             self.row(&input, known, rows);
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
@@ -240,8 +256,7 @@ impl<'a> Evaluator<'a> {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut input = self.plan.input.clone();
-        let mut law = input.law();
-        let changes_law = variables.iter().any(|variable| variable.key.part.changes_law());
+        let mut laws = Laws::of(&input, variables.iter().any(|variable| variable.key.part.changes_law()));
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
@@ -251,10 +266,7 @@ impl<'a> Evaluator<'a> {
             if let Some((_, known)) = self.contacts.first() {
                 self.row(&input, known, rows);
             } else {
-                if changes_law {
-                    law = input.law();
-                }
-                self.row(&input, &Known::of(&input, &law), rows);
+                self.row(&input, &laws.known(&input), rows);
             }
         }
     }
@@ -266,6 +278,7 @@ impl<'a> Evaluator<'a> {
         let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
         let mut input = self.plan.input.clone();
         let mut own: Option<Known> = None;
+        let mut laws = Laws::of(&input, keys.iter().any(|(key, _)| key.part.changes_law()));
         for case in cases {
             for (key, values) in keys {
                 key.set(&mut input, Some(values[case]));
@@ -275,7 +288,7 @@ impl<'a> Evaluator<'a> {
             }
             let known = match self.contacts.first().filter(|_| of_contact.is_empty()) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| Known::of(&input, &input.law())),
+                None => own.get_or_insert_with(|| laws.known(&input)),
             };
             self.row(&input, known, rows);
         }

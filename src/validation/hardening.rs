@@ -1,7 +1,5 @@
 //! A half-space that hardens: the law, loaded with the same work as the finite elements.
 
-use std::sync::Arc;
-
 use super::comparison::{Comparison, Group};
 use crate::error::Error;
 use crate::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
@@ -53,12 +51,8 @@ pub(super) fn law(
     coefficients: &PlmCoefficients,
     hardens: bool,
 ) -> Result<Option<(Law, f64)>, Error> {
-    let plm = Plm {
-        coefficients: Arc::new(coefficients.clone()),
-        exponent: UnloadingExponent::PressureShape,
-        flow: [None, materials.curve().filter(|_| hardens)],
-        ..Plm::default()
-    };
+    let flow = [None, materials.curve().filter(|_| hardens)];
+    let plm = Plm { flow, ..Plm::new(coefficients, UnloadingExponent::PressureShape) };
     Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
 }
 

@@ -39,8 +39,8 @@ pub struct ForceTable {
 impl ForceTable {
     pub fn curve(&self, kappa_squared: f64) -> Curve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
-        Curve::with_capacity(self.from.len())
-            .then_straights(pieces.map(|((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared)))
+        let lines = pieces.map(|((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared));
+        Curve::with_capacity(self.from.len()).then_straights(lines).with_crossings()
     }
 }
 
@@ -166,13 +166,8 @@ impl PlmCoefficients {
 
     /// The law, without the flat of a sphere, for a pair that yields at `a_Y` / R = `yield_radius_ratio`.
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
-        let (loading, rule) = self.halves(pair, yield_radius_ratio, exponent);
-        Law::plm(loading, rule)
-    }
-
-    pub(super) fn halves(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> (Curve, PlmRule) {
         let [kappa, _] = pair.shares();
-        (self.force.curve(kappa * kappa), self.rule(pair, yield_radius_ratio, exponent))
+        Law::plm(self.force.curve(kappa * kappa), self.rule(pair, yield_radius_ratio, exponent))
     }
 
     /// How a pair of constant strengths unloads, without the flat of a sphere.

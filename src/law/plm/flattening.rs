@@ -15,6 +15,8 @@
 //! Finite elements of 11 pairs of bodies and 31 unloadings with a/R up to 0.3, of which two constants are fitted here: force
 //! 0.94 % rms and 2.5 % largest, residual indentation 0.5 and 1.5 % of the depth, e with "pressure-shape" 0.93 and 1.9 %.
 
+use std::sync::Arc;
+
 use super::hardening::points;
 use crate::curve::Curve;
 use crate::material::YieldPoint;
@@ -30,7 +32,7 @@ const WIDEST: f64 = 0.6;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flattening {
     /// f_P.
-    plain: Curve,
+    plain: Arc<Curve>,
     /// 0.8 β (E*/E_s*) a_Y/R.
     recovery: f64,
     /// Largest a/R of the finite elements behind it.
@@ -44,7 +46,7 @@ impl Flattening {
         sphere_compliance: f64,
         yield_radius_ratio: f64,
         plastic_from: f64,
-        plain: Curve,
+        plain: Arc<Curve>,
         radii: impl Fn(f64, f64) -> [f64; 2],
     ) -> (Curve, Self) {
         let share = point.flow.sphere_share;

@@ -15,7 +15,7 @@
 //! metals are on the side of 2.9 (`tests/command/materials.rs`).
 
 use super::coefficients::PlmCoefficients;
-use crate::law::unloading::{Peak, UnloadingExponent};
+use crate::law::unloading::UnloadingExponent;
 use crate::material::{HalfSpace, Material, Pair, Sphere};
 use crate::math::root::falls_through;
 use crate::strength::flow::{FlowCurve, yield_strength_of_power};
@@ -57,16 +57,13 @@ pub fn pressure(flow_stress: f64, material: &Material) -> f64 {
     let body = HalfSpace { material: *material, yield_strength: Some(flow_stress), density: None };
     let Ok(pair) = Pair::try_new(&indenter, &body) else { return f64::NAN };
     let Some(point) = pair.yield_point else { return f64::NAN };
-    let (coefficients, ratio) = (PlmCoefficients::built_in(), point.contact_radius);
-    let (curve, rule) = coefficients.halves(&pair, ratio, UnloadingExponent::Paper);
-    let width = |x: f64| {
-        let force = curve.force(x);
-        ratio * rule.contact_radius(&Peak { indentation: x, force, elastic_approach: rule.elastic_approach(x, force) })
-    };
+    let ratio = point.contact_radius;
+    let law = PlmCoefficients::built_in().law(&pair, ratio, UnloadingExponent::Paper);
+    let width = |x: f64| ratio * law.contact_radius(&law.loaded_to(x));
     // an elastic contact is as wide at δ = a²/R, a plastic one at no less than a fifth of that
     let elastic = (WIDTH / ratio) * (WIDTH / ratio);
     let x = falls_through((0.1 * elastic, 2.0 * elastic), |x| WIDTH - width(x));
-    point.force * curve.force(x) / (std::f64::consts::PI * WIDTH * WIDTH)
+    point.force * law.loading.force(x) / (std::f64::consts::PI * WIDTH * WIDTH)
 }
 
 #[cfg(test)]

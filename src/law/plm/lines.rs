@@ -16,7 +16,8 @@ impl LineSlopes {
     /// The pieces for a half-space that yields at this a_Y/R, from (A, ε) = (1, 1) on. A knot of the finite geometry below A = 1
     /// applies from A = 1.
     fn pieces(&self, yield_radius_ratio: f64) -> impl Iterator<Item = LinePiece> {
-        let mut geometry = self.geometry.iter().map(move |(from, factor)| (from / yield_radius_ratio, factor)).peekable();
+        let mut geometry =
+            self.geometry.iter().map(move |(from, factor)| (from / yield_radius_ratio, factor)).peekable();
         let (mut first, mut plastic) = (self.first, self.plastic);
         let (mut radius, mut approach, mut slope, mut next) = (1.0, 1.0, 0.0, 1.0);
         std::iter::from_fn(move || {
