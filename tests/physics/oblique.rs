@@ -273,7 +273,9 @@ proptest! {
         let Incidence { friction: mu, .. } = approach.incidence.unwrap();
         prop_assume!(rebound.psi != 0.0);
         prop_assert!(rebound.psi_after().abs() <= rebound.psi.abs() * (1.0 + 1e-12), "{:?}", rebound);
-        prop_assert!(friction.loss >= -1e-12 * friction.kinetic_in && rebound.loss_fraction <= 1.0);
+        // no more than all that moves along the surface or turns: with a fast spin that is more than the kinetic energy before
+        let (rounding, lost) = (1e-12 * friction.kinetic_in, friction.loss);
+        prop_assert!(-rounding <= lost && lost <= friction.kinetic_in + rounding, "{:?}", friction);
         balances(&impact)?;
         prop_assert!(rebound.impulse_ratio.abs() <= mu * (1.0 + 1e-5), "{:?} {}", rebound, mu);
         // the trace begins and ends as the results say
