@@ -15,7 +15,7 @@ use thiserror::Error;
 
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
 use crate::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
-use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, Sphere, normal};
+use crate::material::{HalfSpace, Hollow, Material, OutOfFloatRange, Pair, PairError, Sphere, normal};
 use crate::math::functions::pow;
 use machine::{Machine, Stroke};
 pub use specimen::{Specimen, Tested};
@@ -29,11 +29,22 @@ pub enum Target {
     Indentation(f64),
 }
 
+impl From<PairError> for IndentationError {
+    fn from(error: PairError) -> Self {
+        match error {
+            PairError::Range(error) => error.into(),
+            PairError::Hollow(error) => error.into(),
+        }
+    }
+}
+
 /// Why a list of steps has no result.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum IndentationError {
     #[error(transparent)]
     Range(#[from] OutOfFloatRange),
+    #[error(transparent)]
+    Hollow(#[from] Hollow),
     /// A law that has no loading or no unloading.
     #[error(transparent)]
     Law(#[from] OutsideLaw),
@@ -212,7 +223,7 @@ impl StaticContact {
                 Target::Load(load) => machine.indentation_at_force(load / force),
                 Target::Indentation(indentation) => indentation / length,
             };
-            let (indentation, radius) = (goal * length, self.indenter.radius);
+            let (indentation, radius) = (goal * length, self.pair.smaller_radius);
             if indentation.is_nan() || indentation > radius {
                 return Err(IndentationError::TooDeep { step: number, indentation, radius });
             }
@@ -288,7 +299,7 @@ impl StaticContact {
 
     /// Adds the warnings that no step before this one had.
     fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
-        let radius = self.indenter.radius;
+        let radius = self.pair.smaller_radius;
         let left_out = left_out(&self.pair, &self.law, [self.indenter.yield_strength, self.strength]);
         let of_step = |step: &Step| {
             let Memory { contact_radius, mean_pressure, .. } = step.memory;

@@ -51,7 +51,7 @@
 //!
 //! let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
-//! let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+//! let half_space = HalfSpace::flat(steel, Some(345e6));
 //! let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //!
 //! let impact = contact.impact(3.0, &Solver::default(), None)?;
@@ -70,7 +70,7 @@
 //! # use plm_impact::material::{HalfSpace, Material, Sphere};
 //! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
-//! # let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+//! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! use plm_impact::law::LawChoice;
 //!
 //! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
@@ -88,7 +88,7 @@
 //! # use plm_impact::material::{HalfSpace, Material, Sphere};
 //! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
-//! # let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+//! # let half_space = HalfSpace::flat(steel, Some(345e6));
 //! # let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
 //! let impact = contact.impact(3.0, &Solver::default(), Some(200))?;
 //! assert!(impact.trace.len() >= 200);

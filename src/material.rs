@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::error::ErrorKind;
 use crate::math::functions::exp;
-use crate::units::number;
+use crate::units::{Dimension, human, number};
 
 /// An isotropic elastic material.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +52,7 @@ pub fn sphere_volume(radius: f64) -> f64 {
     4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius
 }
 
+/// The body that is hit: a half-space, a curved wall, or a second ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HalfSpace {
     /// Elastic constants; never rigid.
@@ -60,6 +61,44 @@ pub struct HalfSpace {
     pub yield_strength: Option<f64>,
     /// Density \[kg/m³\]; `None`: nothing is said of elastic waves.
     pub density: Option<f64>,
+    /// R_h \[m\] where it is hit: positive for a convex wall or a ball, negative for a hollow; `None`: flat.
+    pub radius: Option<f64>,
+    pub hold: Hold,
+}
+
+/// How the body that is hit is held.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Hold {
+    #[default]
+    Fixed,
+    /// Free to move, with this mass \[kg\].
+    Free(f64),
+    /// A solid ball of its own radius and density that is free to move.
+    Ball,
+}
+
+impl HalfSpace {
+    /// A flat half-space that does not move, of unknown density.
+    pub fn flat(material: Material, yield_strength: Option<f64>) -> Self {
+        Self { material, yield_strength, density: None, radius: None, hold: Hold::Fixed }
+    }
+
+    /// The radius \[m\], if the half-space is a ball or a convex wall.
+    pub fn ball_radius(&self) -> Option<f64> {
+        self.radius.filter(|radius| *radius > 0.0)
+    }
+
+    /// Mass \[kg\] of a body that is free to move. It is not a number for a ball without radius or density.
+    pub fn free_mass(&self) -> Option<f64> {
+        match self.hold {
+            Hold::Fixed => None,
+            Hold::Free(mass) => Some(mass),
+            Hold::Ball => {
+                let volume = self.ball_radius().map_or(f64::NAN, sphere_volume);
+                Some(volume * self.density.unwrap_or(f64::NAN))
+            }
+        }
+    }
 }
 
 /// First yield of the softer body (Xie et al. 2024, Eqs. 17-18).
@@ -101,6 +140,34 @@ pub struct OutOfFloatRange {
     pub quantity: &'static str,
     /// What came out.
     pub value: f64,
+}
+
+/// A hollow wall that a sphere does not touch at a point.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "half_space.radius = {} is the radius of a hollow, and a sphere of radius {} touches it at a point only if the hollow has at least twice that radius: give at most {}, or a positive radius for a convex wall",
+    human(*.radius, Dimension::Length), human(*.sphere, Dimension::Length), human(-2.0 * *.sphere, Dimension::Length)
+)]
+pub struct Hollow {
+    /// R_h \[m\].
+    pub radius: f64,
+    /// R_s \[m\].
+    pub sphere: f64,
+}
+
+/// Why two bodies cannot be paired.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum PairError {
+    #[error(transparent)]
+    Range(#[from] OutOfFloatRange),
+    #[error(transparent)]
+    Hollow(#[from] Hollow),
+}
+
+impl From<PairError> for crate::error::Error {
+    fn from(error: PairError) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
 }
 
 impl From<OutOfFloatRange> for crate::error::Error {
@@ -181,8 +248,12 @@ impl Flow {
 /// What the pairing of sphere and half-space fixes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
-    /// Effective radius \[m\]: the sphere's, as the half-space is flat (Eq. 9).
+    /// Effective radius \[m\], 1/R = 1/R_s + 1/R_h: that of the sphere on a flat half-space (Eq. 9).
     pub radius: f64,
+    /// R \[m\] of the finite geometry of the law: the effective one, and of two equal balls that of one of them.
+    pub geometry_radius: f64,
+    /// The radius \[m\] of the smaller ball.
+    pub smaller_radius: f64,
     /// E* \[Pa\], 1/E* = (1 − ν_s²)/E_s + (1 − ν_h²)/E_h (Eq. 11). With two equal bodies this is E/(2(1 − ν²)).
     pub effective_modulus: f64,
     /// κ = E*/E_s* in \[0, 1): share of the sphere in the elastic compliance; 0 is a rigid sphere.
@@ -191,15 +262,47 @@ pub struct Pair {
     pub half_space_compliance: f64,
     /// First yield, if a body has a yield strength.
     pub yield_point: Option<YieldPoint>,
+    /// Sphere and half-space, as far as they are balls that flow.
+    pub balls: [Ball; 2],
+}
+
+/// How a ball that flows takes part in the law: a sphere, or a half-space with a positive radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    /// β_i: its share of the flow.
+    pub share: f64,
+    /// E*/E_i*.
+    pub compliance: f64,
+    /// R/R_i; 0 for a body that is no ball.
+    pub curvature: f64,
+}
+
+impl Ball {
+    /// Sphere and half-space. Two equal balls are one of them on a rigid wall at half the approach, in units of its own radius.
+    fn both(flow: &Flow, radii: [Option<f64>; 2], radius: f64, compliances: [f64; 2], are_equal: bool) -> [Self; 2] {
+        let [sphere, half_space] = radii.map(|ball| ball.map_or(0.0, |ball| radius / ball));
+        if are_equal {
+            let none = Self { share: 0.0, compliance: 0.0, curvature: 0.0 };
+            return [Self { share: 1.0, compliance: 1.0, curvature: 1.0 }, none];
+        }
+        let of_sphere = Self { share: flow.sphere_share, compliance: compliances[0], curvature: sphere };
+        [of_sphere, Self { share: 1.0 - flow.sphere_share, compliance: compliances[1], curvature: half_space }]
+    }
 }
 
 impl Pair {
     /// Pairs a sphere with a half-space. The sphere's density does not matter.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where effective modulus or yield point over- or underflow.
-    pub fn try_new(sphere: &Sphere, half_space: &HalfSpace) -> Result<Self, OutOfFloatRange> {
-        let radius = sphere.radius;
+    /// [`PairError`] where effective radius, modulus or yield point over- or underflow, and for a hollow that is too narrow.
+    pub fn try_new(sphere: &Sphere, half_space: &HalfSpace) -> Result<Self, PairError> {
+        let radius = match half_space.radius {
+            None => sphere.radius,
+            Some(hollow) if hollow < 0.0 && -hollow < 2.0 * sphere.radius => {
+                return Err(Hollow { radius: hollow, sphere: sphere.radius }.into());
+            }
+            Some(of_wall) => normal("effective radius (m)", sphere.radius / (1.0 + sphere.radius / of_wall))?,
+        };
         let of_sphere = 1.0 / sphere.material.plane_strain_modulus();
         let of_half_space = 1.0 / half_space.material.plane_strain_modulus();
         let effective_modulus = normal("effective modulus (Pa)", 1.0 / (of_sphere + of_half_space))?;
@@ -210,6 +313,8 @@ impl Pair {
         });
         let flow = Flow::of(pressures, compliances);
         let (strength, material) = flow.of_softer(bodies);
+        let radii = [Some(sphere.radius), half_space.ball_radius()];
+        let are_equal = half_space.ball_radius() == Some(sphere.radius) && bodies[0] == bodies[1];
         let yield_point = strength
             .map(|strength| {
                 let poissons_ratio = material.poissons_ratio;
@@ -219,15 +324,27 @@ impl Pair {
                 let indentation = normal("yield indentation (m)", a_over_r * a_over_r * radius)?;
                 let a_y = a_over_r * radius;
                 let force = normal("yield force (N)", 2.0 / 3.0 * pressure * a_y * a_y)?;
-                Ok(YieldPoint { flow, strength, poissons_ratio, factor, indentation, force, contact_radius: a_y })
+                Ok::<_, OutOfFloatRange>(YieldPoint {
+                    flow,
+                    strength,
+                    poissons_ratio,
+                    factor,
+                    indentation,
+                    force,
+                    contact_radius: a_y,
+                })
             })
             .transpose()?;
+        let geometry_radius = if are_equal { sphere.radius } else { radius };
         Ok(Self {
             radius,
+            geometry_radius,
+            smaller_radius: half_space.ball_radius().map_or(sphere.radius, |other| other.min(sphere.radius)),
             effective_modulus,
             sphere_compliance: compliances[0],
             half_space_compliance: compliances[1],
             yield_point,
+            balls: Ball::both(&flow, radii, radius, compliances, are_equal),
         })
     }
 
@@ -235,6 +352,17 @@ impl Pair {
     pub(crate) fn shares(&self) -> [f64; 2] {
         let of_bodies = [self.sphere_compliance, self.half_space_compliance];
         self.yield_point.map_or(of_bodies, |point| [point.flow.elastic_share, point.flow.plastic_share])
+    }
+
+    /// Whether both bodies flow, and are balls that are not equal.
+    pub fn is_of_unequal_balls(&self) -> bool {
+        let is_of_both = self.yield_point.is_some_and(|point| point.flow.is_of_both());
+        is_of_both && self.balls[1].curvature > 0.0
+    }
+
+    /// Whether two equal balls meet, of which the law is that of one on a rigid wall.
+    pub fn is_of_equal_balls(&self) -> bool {
+        self.geometry_radius != self.radius
     }
 
     /// Hertz stiffness K = (4/3) E* √R \[N/m^1.5\], F = K δ^1.5.

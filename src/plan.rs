@@ -107,6 +107,7 @@ impl Plan {
     pub fn missing(&self, needs: Needs) -> Option<&'static str> {
         let input = &self.input;
         let is_on_plate = input.forces().plate.is_some();
+        let is_free = input.number(at!("half_space.mass")).is_some();
         match needs {
             Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
             Needs::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
@@ -120,6 +121,9 @@ impl Plan {
             Needs::Density if input.number(at!("half_space.density")).is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }
+            Needs::Density if is_free => Some("a body with half_space.mass moves, and no waves are computed in it"),
+            Needs::Target | Needs::Struck if !is_free => Some("without half_space.mass the body that is hit is fixed"),
+            Needs::Struck if input.incidence().is_none() => Some("without impact.angle or sphere.spin nothing slides"),
             Needs::Density if is_on_plate => Some("with half_space.thickness a plate takes the energy"),
             Needs::Thickness if !is_on_plate => Some("without half_space.thickness there is no plate"),
             _ => None,

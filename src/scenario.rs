@@ -227,6 +227,7 @@ impl Scenario {
         if input.speed() == 0.0 && input.forces().gravity.is_none() {
             return Err(self.refuse_varied("impact.drop_height", NO_FALL));
         }
+        self.check_target(&input)?;
         self.check_plate(&input)?;
         self.check_air(&input)?;
         self.check_strength(&input)?;

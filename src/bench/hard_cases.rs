@@ -45,7 +45,7 @@ impl Extreme {
         let e_star = 1.0 / (1.0 / of_sphere.plane_strain_modulus() + 1.0 / of_half_space.plane_strain_modulus());
         let contact = Contact::try_new(
             Sphere::elastic(self.radius, of_sphere, 7850.0),
-            HalfSpace { material: of_half_space, yield_strength: Some(self.strength_ratio * e_star), density: None },
+            HalfSpace::flat(of_half_space, Some(self.strength_ratio * e_star)),
             &Plm::default(),
         )?;
         let yield_speed = contact.yield_speed().unwrap_or(1.0);

@@ -80,7 +80,7 @@ pub(super) fn stiff_law(k: f64) -> Law {
 
 /// The contact of a steel ball of 5 mm radius with steel of 345 MPa, under a law.
 pub fn steel_on_steel(law: &dyn ContactLaw) -> Result<Contact, ImpactError> {
-    let half_space = HalfSpace { material: STEEL, yield_strength: Some(345e6), density: None };
+    let half_space = HalfSpace::flat(STEEL, Some(345e6));
     Contact::try_new(Sphere::elastic(5e-3, STEEL, STEEL_DENSITY), half_space, law)
 }
 
@@ -134,7 +134,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         Sphere::elastic(radius, Material { youngs_modulus, poissons_ratio: 0.3 }, STEEL_DENSITY)
     };
     let plm = |name, about, sphere, yield_strength, speed, restitution, contact_time| {
-        let half_space = HalfSpace { material: STEEL, yield_strength: Some(yield_strength), density: None };
+        let half_space = HalfSpace::flat(STEEL, Some(yield_strength));
         let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let (scales, law, q) = contact.scaled(speed)?;
         Ok::<_, ImpactError>(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))

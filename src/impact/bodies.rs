@@ -113,7 +113,7 @@ pub(crate) fn of_sphere(
 
 /// The warnings for a half-space whose numbers hardly any body has.
 pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
-    let HalfSpace { material, yield_strength, density } = half_space;
+    let HalfSpace { material, yield_strength, density, .. } = half_space;
     of_body("half_space", material, *yield_strength, *density)
 }
 

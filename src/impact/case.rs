@@ -38,6 +38,9 @@ impl Contact {
     #[inline]
     pub(super) fn case<'a>(&'a self, dent: Option<&'a Dent>, speed: f64) -> Result<Case<'a>, ImpactError> {
         let gravity = self.forces().gravity.unwrap_or(0.0);
+        if gravity > 0.0 && self.target_mass().is_some() {
+            return Err(ImpactError::FreeUnderGravity);
+        }
         let weight = self.mass() * gravity;
         // damping and plate remove energy: an impact that stays elastic without them does so with them
         let with_weight = || {
@@ -55,7 +58,7 @@ impl Contact {
             normal(quantity, q * q + weight / self.scales.force)?;
             (self.scales, Ground::new(&self.law, dent), q)
         } else {
-            let scales = Scales::of_hertz(self.pair(), self.mass(), speed, gravity)?;
+            let scales = Scales::of_hertz(self.pair(), self.reduced_mass(), speed, gravity)?;
             (scales, hertz().into(), speed / scales.speed)
         };
         if self.forces().is_none() {

@@ -9,7 +9,7 @@ use super::rated::{Rated, Rates};
 use super::scales::Scales;
 use super::waves::Waves;
 use crate::law::{ContactLaw, Ground, Law, Peak};
-use crate::material::{HalfSpace, Pair, Sphere, normal};
+use crate::material::{HalfSpace, Hold, Pair, Sphere, normal};
 use crate::materials::Entry;
 use crate::math::functions::pow;
 
@@ -30,8 +30,12 @@ pub struct Contact {
     sphere: Sphere,
     half_space: HalfSpace,
     pair: Pair,
-    /// m \[kg\].
+    /// Mass of the sphere \[kg\].
     mass: f64,
+    /// Mass of a half-space that is free to move \[kg\].
+    target_mass: Option<f64>,
+    /// m* \[kg\]: that of the relative motion.
+    reduced_mass: f64,
     /// Whether the sphere is only the tip of a body, which has the mass.
     is_tip: bool,
     pub(super) law: Law,
@@ -63,14 +67,22 @@ impl Contact {
     /// loading or no unloading (see [`Combined`](crate::law::Combined)).
     pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
+        let target_mass =
+            half_space.free_mass().map(|mass| normal("mass of the body that is hit (kg)", mass)).transpose()?;
+        let reduced_mass = match target_mass {
+            Some(target) => normal("reduced mass (kg)", mass * (target / (mass + target)))?,
+            None => mass,
+        };
         let pair = Pair::try_new(&sphere, &half_space)?;
-        let waves = Waves::of(&half_space)?;
-        let (scales, law, yield_speed) = Self::law_of(&pair, mass, law)?;
+        let waves = if half_space.hold == Hold::Fixed { Waves::of(&half_space)? } else { None };
+        let (scales, law, yield_speed) = Self::law_of(&pair, reduced_mass, law)?;
         Ok(Self {
             sphere,
             half_space,
             pair,
             mass,
+            target_mass,
+            reduced_mass,
             is_tip: false,
             law,
             scales,
@@ -100,7 +112,7 @@ impl Contact {
 
     /// This contact with the strengths of another pair of the same bodies, which no rate raises any more.
     pub(super) fn of_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
-        let (scales, law, yield_speed) = Self::law_of(&pair, self.mass, law)?;
+        let (scales, law, yield_speed) = Self::law_of(&pair, self.reduced_mass, law)?;
         Ok(self.of_law(pair, law, scales, yield_speed))
     }
 
@@ -124,7 +136,7 @@ impl Contact {
     pub(super) fn scales_of_same_curve(&self, pair: &Pair) -> Result<Option<Scales>, ImpactError> {
         let is_same = self.pair.shares() == pair.shares() && self.law.has_one_curve();
         let Some(point) = pair.yield_point.filter(|_| is_same) else { return Ok(None) };
-        Ok(Some(Scales::of_yield(&point, point.speed(self.mass)?)))
+        Ok(Some(Scales::of_yield(&point, point.speed(self.reduced_mass)?)))
     }
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].
@@ -145,6 +157,7 @@ impl Contact {
     #[inline]
     pub fn with_forces(mut self, forces: Forces) -> Self {
         self.under = forces.plate.map(|plate| match forces.damping {
+            _ if self.half_space.radius.is_some() || self.target_mass.is_some() => Err(PlateError::Curved),
             Some(_) => Err(PlateError::Damped),
             None => Under::new(plate, &self.half_space, self.mass, &self.scales, &self.law),
         });
@@ -197,8 +210,8 @@ impl Contact {
         self.on_plate().map(drop)
     }
 
-    /// How the half-space radiates elastic waves under an impact; `None` for one of unknown density, under damping, whose
-    /// force is not that of the law, and on a plate, which takes energy in another way.
+    /// How the half-space radiates elastic waves under an impact; `None` for one of unknown density or that is free to move, under
+    /// damping, whose force is not that of the law, and on a plate, which takes energy in another way.
     pub fn waves(&self) -> Option<&Waves> {
         self.waves.as_ref().filter(|_| !self.forces.have_drag())
     }
@@ -206,14 +219,15 @@ impl Contact {
     /// The contact radius at a peak \[m\].
     ///
     /// # Errors
-    /// [`ImpactError::TooDeep`] where it, or the indentation, is larger than the radius of the sphere.
+    /// [`ImpactError::TooDeep`] where it, or the indentation, is larger than the radius of the sphere, or of a smaller ball.
     pub(super) fn contact_radius(&self, scales: &Scales, ground: Ground, peak: &Peak) -> Result<f64, ImpactError> {
-        let (indentation, radius) = (peak.indentation * scales.length, self.sphere.radius);
+        let (indentation, radius) = (peak.indentation * scales.length, self.pair.smaller_radius);
         let contact_radius = scales.contact_radius * ground.contact_radius(peak);
         // a spring has no geometry, but its sphere has a radius
         let is_too_wide = contact_radius > radius && ground.law.limits.widest.is_finite();
         if indentation > radius || is_too_wide {
-            let yield_strength = self.half_space.yield_strength;
+            let softer = self.pair.yield_point.map(|point| point.flow.is_sphere);
+            let yield_strength = self.half_space.yield_strength.filter(|_| softer == Some(false));
             return Err(ImpactError::TooDeep { indentation, contact_radius, radius, yield_strength });
         }
         Ok(contact_radius)
@@ -222,6 +236,26 @@ impl Contact {
     /// Mass of the sphere \[kg\].
     pub fn mass(&self) -> f64 {
         self.mass
+    }
+
+    /// Mass \[kg\] of the body that is hit, if it is free to move.
+    pub fn target_mass(&self) -> Option<f64> {
+        self.target_mass
+    }
+
+    /// m* \[kg\]: the mass that stands for both bodies in their relative motion; the sphere's where the other one is fixed.
+    pub fn reduced_mass(&self) -> f64 {
+        self.reduced_mass
+    }
+
+    /// Speeds \[m/s\] after an impact at this closing speed: of the sphere away from where it came to, which is negative where it goes
+    /// on, and of a body that is free to move, in the direction of the approach.
+    #[inline]
+    pub fn speeds_after(&self, speed: f64, restitution: f64) -> (f64, Option<f64>) {
+        let Some(target) = self.target_mass else { return (restitution * speed, None) };
+        let both = self.mass + target;
+        let rebound = (restitution * target - self.mass) / both * speed;
+        (rebound, Some((1.0 + restitution) * (self.mass / both) * speed))
     }
 
     /// The slowest impact that yields by the law \[m/s\], v_Y for the PLM; `None` for a contact that stays elastic, and for

@@ -6,13 +6,15 @@ use super::plate::PlateError;
 use crate::error::{Error as Failure, ErrorKind};
 use crate::integrate::IntegrationError;
 use crate::law::OutsideLaw;
-use crate::material::OutOfFloatRange;
+use crate::material::{Hollow, OutOfFloatRange, PairError};
 use crate::units::{Dimension, human};
 
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ImpactError {
     #[error(transparent)]
     Range(#[from] OutOfFloatRange),
+    #[error(transparent)]
+    Hollow(#[from] Hollow),
     #[error(transparent)]
     Integration(#[from] IntegrationError),
     /// The law has no answer for this impact.
@@ -46,12 +48,31 @@ pub enum ImpactError {
         /// The moment of inertia of a solid sphere \[kg m²\].
         solid: f64,
     },
+    /// Nothing is known of what happens to two bodies that fall.
+    #[error(
+        "gravity and a body that is free to move are not computed together: leave out [gravity], or half_space.mass"
+    )]
+    FreeUnderGravity,
+    /// A body whose moment of inertia is not known.
+    #[error(
+        "at an angle a body that is free to move has to be a ball: half_space.mass = \"ball\", or leave out impact.angle and sphere.spin"
+    )]
+    NoBall,
     /// There is no impact on such a plate.
     #[error(transparent)]
     Plate(#[from] PlateError),
     /// No closed form for this scene.
     #[error("method \"closed_form\" has no answer under damping and on a plate: use \"auto\" or \"rk8\"")]
     NoClosedForm,
+}
+
+impl From<PairError> for ImpactError {
+    fn from(error: PairError) -> Self {
+        match error {
+            PairError::Range(error) => error.into(),
+            PairError::Hollow(error) => error.into(),
+        }
+    }
 }
 
 impl From<ImpactError> for Failure {

@@ -32,11 +32,11 @@ pub struct Essentials {
     /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::law::Law::contact_radius). If there is a dent, this
     /// is the radius of its rim.
     pub peak_contact_radius: f64,
-    /// a_m/R \[1\].
+    /// a_m/R \[1\], with the radius of the smaller ball.
     pub radius_ratio: f64,
     /// Whether a_m/R or δ_m is outside of the range that the law holds for, or is stated for.
     pub is_outside_law: bool,
-    /// ½ m v² \[J\].
+    /// ½ m* v² \[J\]: without the motion of the centre of mass, which stays.
     pub kinetic_in: f64,
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
     pub plastic_fraction: f64,
@@ -46,6 +46,8 @@ pub struct Essentials {
     pub on_plate: Option<OnPlate>,
     /// Strain rate and factors of strength; `None` without a rate, and for an impact that turned in a dent.
     pub rated: Option<Rated>,
+    /// Speed \[m/s\] after the impact of a body that is free to move, normal to the surface.
+    pub target_speed: Option<f64>,
     /// To which height the sphere rises \[m\], with waves and air where they are known; `None` without gravity and height, and
     /// for a sphere that does not leave.
     pub rebound_height: Option<f64>,
@@ -97,7 +99,7 @@ impl Essentials {
     pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
         let Case { scales, ground, q, forces, .. } = case;
         // a sphere that is let go at rest has the kinetic energy 0, which is no underflow
-        let kinetic_in = 0.5 * contact.mass() * speed * speed;
+        let kinetic_in = 0.5 * contact.reduced_mass() * speed * speed;
         let is_at_rest = speed == 0.0 && !contact.forces().is_none();
         let kinetic_in = if is_at_rest { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
         let radiating = contact.waves().filter(|_| outcome.fate == Fate::Separated && !is_at_rest);
@@ -115,7 +117,7 @@ impl Essentials {
             return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
         }
         let peak_contact_radius = contact.contact_radius(scales, *ground, &peak)?;
-        let radius_ratio = peak_contact_radius / contact.sphere().radius;
+        let radius_ratio = peak_contact_radius / contact.pair().smaller_radius;
         let residual = ground.dent(&peak).residual();
         let lost = ground.plastic(&outcome.unloading);
         // under gravity the share may exceed 1; without kinetic energy there is none
@@ -124,6 +126,8 @@ impl Essentials {
         if share.is_infinite() {
             return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
         }
+        // nothing is known of how two bodies fly
+        let flying = contact.forces().flying.filter(|_| contact.target_mass().is_none());
         let contact_time = normal("contact time (s)", outcome.contact_time * scales.time())?;
         let contact_time = if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time };
         Ok(Self {
@@ -142,7 +146,8 @@ impl Essentials {
             plastic_fraction: share,
             wave_loss_fraction: waves,
             on_plate: OnPlate::of(case, outcome, contact_time),
-            rebound_height: contact.forces().flying.filter(|_| outcome.fate == Fate::Separated).map(|flying| {
+            target_speed: contact.speeds_after(speed, outcome.restitution).1,
+            rebound_height: flying.filter(|_| outcome.fate == Fate::Separated).map(|flying| {
                 let restitution =
                     waves.map_or(outcome.restitution, |loss| waves::restitution_with_waves(outcome.restitution, loss));
                 flying.rise(restitution * speed)

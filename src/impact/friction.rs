@@ -27,7 +27,7 @@ impl Contact {
         let Self { scales, law, .. } = self;
         let Some(peak) = memory.peak(scales.length, scales.force) else {
             // Hertz's, of an elastic contact
-            return (self.sphere().radius * indentation.max(0.0)).sqrt();
+            return (self.pair().radius * indentation.max(0.0)).sqrt();
         };
         let recovered = indentation / scales.length - peak.residual();
         let grip = if recovered >= peak.elastic_approach {

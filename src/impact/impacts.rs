@@ -64,7 +64,7 @@ impl Contact {
         };
         case.ground.accept(&outcome.unloading)?;
         let mut essentials = Essentials::new(self, speed, &case, &outcome)?;
-        if let Some(inclined) = Inclined::new(self, &case, &outcome, approach) {
+        if let Some(inclined) = Inclined::new(self, &case, &outcome, approach)? {
             essentials.rebound = Some(inclined.rebound(&inclined.slip(false)?)?);
         }
         Ok(essentials)
@@ -111,7 +111,7 @@ impl Contact {
         ground.accept(&unloading)?;
         let mut impact = Impact::new(self, speed, &case, method, &computed, exact.as_ref())?;
         impact.warnings = validity::warnings(self, &impact, ground, &unloading, &solver);
-        if let Some(inclined) = Inclined::new(self, &case, &computed.outcome, approach) {
+        if let Some(inclined) = Inclined::new(self, &case, &computed.outcome, approach)? {
             impact.add_friction(&inclined, approach)?;
             impact.warnings.extend(validity::of_oblique(self, &impact, approach));
         }

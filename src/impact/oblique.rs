@@ -8,6 +8,12 @@
 //! J = m (s_1 − s_0)/j,   v_t1 = v_t + J/m,   ω_1 = ω − R J/I
 //! ```
 //!
+//! A second ball that is free to move takes the opposite impulse. Then s is less by its speed at the contact point, and
+//!
+//! ```text
+//! j = m* (1/m_s + R_s²/I_s + 1/m_h + R_h²/I_h),   J = m* (s_1 − s_0)/j,   v_h = −J/m_h,   ω_h = −R_h J/I_h        I = (2/5) m R²
+//! ```
+//!
 //! So s_1/s_0 is all there is to find. With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, and the normal speed v_n:
 //!
 //! ```text
@@ -29,7 +35,7 @@ use super::error::ImpactError;
 use super::outcome::{Fate, Outcome};
 use super::scales::ACCELERATION;
 use crate::law::Rule;
-use crate::material::{Material, OutOfFloatRange};
+use crate::material::{Hold, Material, OutOfFloatRange};
 use crate::math::functions::{atan2, hypot, sin_cos};
 use mindlin::Run;
 use motion::Motion;
@@ -92,7 +98,9 @@ pub struct Rebound {
     pub contact_point_restitution: f64,
     /// −J_t over the normal impulse: positive where friction slows v_t; its size is at most μ.
     pub impulse_ratio: f64,
-    /// Energy taken by friction, over ½ m v².
+    /// Speed \[m/s\] along the surface and spin \[rad/s\] of a second ball.
+    pub target: Option<[f64; 2]>,
+    /// Energy taken by friction, over ½ m* v².
     pub loss_fraction: f64,
     /// Whether the contact point slides all the time.
     pub is_sliding: bool,
@@ -114,9 +122,9 @@ impl Rebound {
 pub struct Oblique {
     /// ½ m v_t² + ½ I ω² before the impact \[J\].
     pub kinetic_in: f64,
-    /// The same after it \[J\].
+    /// The same after it \[J\], with that of a second ball.
     pub recovered: f64,
-    /// Taken by friction \[J\], ½ (m/j)(s_0² − s_1²).
+    /// Taken by friction \[J\], ½ (m*/j)(s_0² − s_1²).
     pub loss: f64,
     /// Change of m v_t R + I ω, over the larger of its two parts.
     pub momentum_drift: f64,
@@ -145,10 +153,17 @@ impl Contact {
         1.0 / (compliance * self.pair().effective_modulus)
     }
 
-    /// j = 1 + m R²/I: how much faster the contact point is slowed than the sphere.
-    pub fn slip_factor(&self) -> f64 {
+    /// 1 + m R²/I of the sphere.
+    fn own_slip_factor(&self) -> f64 {
         let radius = self.sphere().radius;
         self.moment_of_inertia().map_or(3.5, |moment| 1.0 + self.mass() * radius / moment * radius)
+    }
+
+    /// j: how much faster the slip is slowed than the relative motion of the bodies.
+    pub fn slip_factor(&self) -> f64 {
+        let own = self.own_slip_factor();
+        // 7/2 of a solid ball
+        self.target_mass().map_or(own, |target| self.reduced_mass() * (own / self.mass() + 3.5 / target))
     }
 
     /// χ = 2γ j.
@@ -210,15 +225,26 @@ impl Slip {
 
 impl<'a> Inclined<'a> {
     /// `None` for an impact without angle and spin, and for a sphere that stays.
-    pub(super) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome, approach: Approach) -> Option<Self> {
-        let incidence = approach.incidence.filter(|_| outcome.fate == Fate::Separated)?;
+    ///
+    /// # Errors
+    /// [`ImpactError::NoBall`] where the body that is hit is free to move, and is no ball.
+    pub(super) fn new(
+        contact: &'a Contact,
+        case: &'a Case,
+        outcome: &'a Outcome,
+        approach: Approach,
+    ) -> Result<Option<Self>, ImpactError> {
+        let Some(incidence) = approach.incidence.filter(|_| outcome.fate == Fate::Separated) else { return Ok(None) };
+        if matches!(contact.half_space().hold, Hold::Free(_)) {
+            return Err(ImpactError::NoBall);
+        }
         let speeds = approach.components();
         let rolls = contact.sphere().radius * incidence.spin;
         // a difference of rounding is a sphere that rolls
         let slip = speeds[1] - rolls;
         let slip = if slip.abs() <= 4.0 * f64::EPSILON * rolls.abs() { 0.0 } else { slip };
         let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (incidence.friction * speeds[0]) };
-        Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() })
+        Ok(Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() }))
     }
 
     /// The normal impulse over m v_n: 1 + e, and under gravity that of the weight.
@@ -299,7 +325,8 @@ impl<'a> Inclined<'a> {
     }
 
     pub(super) fn rebound(&self, slip: &Slip) -> Result<Rebound, OutOfFloatRange> {
-        let (e, [normal, tangential]) = (self.outcome.restitution, self.speeds);
+        let [normal, tangential] = self.speeds;
+        let (rebound, _) = self.contact.speeds_after(normal, self.outcome.restitution);
         let [_, tangential_speed, spin] = self.at(self.slip * slip.ratio);
         let lost = self.lost(slip);
         let whole = normal * normal + tangential * tangential;
@@ -313,10 +340,11 @@ impl<'a> Inclined<'a> {
         Ok(Rebound {
             tangential_speed,
             spin,
-            angle: atan2(tangential_speed, e * normal),
+            angle: atan2(tangential_speed, rebound),
             tangential_restitution: tangential_speed / tangential,
             contact_point_restitution: if is_slipping { -slip.ratio } else { f64::NAN },
             impulse_ratio: self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * self.impulse() * normal),
+            target: self.target(self.slip * slip.ratio),
             loss_fraction: lost / whole,
             is_sliding: slip.is_sliding,
             psi: self.psi,
@@ -324,7 +352,7 @@ impl<'a> Inclined<'a> {
         })
     }
 
-    /// (s_0² − s_1²)/j: what friction takes, over half the mass.
+    /// (s_0² − s_1²)/j: what friction takes, over half of m*.
     fn lost(&self, slip: &Slip) -> f64 {
         self.slip * self.slip * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
     }
@@ -332,27 +360,38 @@ impl<'a> Inclined<'a> {
     /// The rest of the results of one impact.
     pub(super) fn oblique(&self, slip: &Slip) -> Oblique {
         let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
-        let j = self.contact.slip_factor();
-        let moment = mass * radius / (j - 1.0) * radius;
+        let moment = mass * radius / (self.contact.own_slip_factor() - 1.0) * radius;
         let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
         let [_, speed, spin] = self.at(self.slip * slip.ratio);
         let (before, spin_before) = (self.speeds[1], self.incidence.spin);
         let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
+        let of_target = self.target(self.slip * slip.ratio).zip(self.contact.target_mass());
+        let of_target = of_target.map_or(0.0, |([speed, spin], mass)| {
+            let rim = self.contact.half_space().ball_radius().unwrap_or(0.0) * spin;
+            0.5 * mass * (speed * speed + 0.4 * rim * rim)
+        });
         let size = (mass * radius * before).abs().max((moment * spin_before).abs()).max(parts[0].abs());
         Oblique {
             kinetic_in: energy(before, spin_before),
-            recovered: energy(speed, spin),
-            loss: 0.5 * mass * self.lost(slip),
+            recovered: energy(speed, spin) + of_target,
+            loss: 0.5 * self.contact.reduced_mass() * self.lost(slip),
             momentum_drift: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
         }
     }
 
     /// Slip speed, tangential speed and spin where the slip speed is this.
     fn at(&self, slip: f64) -> [f64; 3] {
-        let j = self.contact.slip_factor();
-        let change = (slip - self.slip) / j;
-        let spin = self.incidence.spin - (j - 1.0) * change / self.contact.sphere().radius;
+        let share = self.contact.reduced_mass() / self.contact.mass();
+        let change = share * ((slip - self.slip) / self.contact.slip_factor());
+        let spin = self.incidence.spin - (self.contact.own_slip_factor() - 1.0) * change / self.contact.sphere().radius;
         [slip, self.speeds[1] + change, spin]
+    }
+
+    /// Speed along the surface and spin of a second ball where the slip speed is this.
+    fn target(&self, slip: f64) -> Option<[f64; 2]> {
+        let share = self.contact.reduced_mass() / self.contact.target_mass()?;
+        let speed = share * ((self.slip - slip) / self.contact.slip_factor());
+        Some([speed, 2.5 * speed / self.contact.half_space().ball_radius()?])
     }
 
     /// Friction at a time \[s\], where the sphere has this speed towards the half-space, and the contact this force. SI units.

@@ -61,6 +61,11 @@ pub enum PlateError {
     /// Nothing is known of its mass.
     #[error("a plate needs a density, by which it resists the impact: give half_space.density")]
     NoDensity,
+    /// A wall that is no plane, or that moves as a whole.
+    #[error(
+        "a plate is flat, and gives way by bending: leave out half_space.thickness, or half_space.radius and half_space.mass"
+    )]
+    Curved,
     /// Two drags, of which one would act on the other.
     #[error(
         "a plate and damping of the contact are not computed together: leave out half_space.thickness, or [damping]"

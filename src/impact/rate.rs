@@ -21,7 +21,7 @@ use super::error::ImpactError;
 use super::rated::{Rated, Rates};
 use crate::integrate::IntegrationError;
 use crate::law::{Bodies, Ground, LawChoice};
-use crate::material::{HalfSpace, OutOfFloatRange, Pair, Sphere};
+use crate::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
 use crate::strength::rate::Rate;
 
 /// The rate of the loading and that of the turn, over w.
@@ -124,7 +124,7 @@ impl Contact {
     }
 
     /// The bodies with these factors of their strengths.
-    fn pair_of(&self, [of_sphere, of_half_space]: [f64; 2]) -> Result<Pair, OutOfFloatRange> {
+    fn pair_of(&self, [of_sphere, of_half_space]: [f64; 2]) -> Result<Pair, PairError> {
         let times = |strength: Option<f64>, factor: f64| strength.map(|strength| strength * factor);
         let (sphere, half_space) = (self.sphere(), self.half_space());
         Pair::try_new(

@@ -17,9 +17,11 @@ use crate::math::power::max_or_nan;
 /// Where the kinetic energy went \[J\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Energy {
-    /// ½ m v².
+    /// ½ m* v².
     pub kinetic_in: f64,
-    /// ½ m (e v)².
+    /// Of the centre of mass of sphere and a body that is free to move, which stays as it is.
+    pub of_centre: Option<f64>,
+    /// ½ m* (e v)².
     pub recovered: f64,
     /// Spent on the dent, W(δ_m) − F_m δ_e/(n + 1); `None` for a half-space without a yield strength.
     pub plastic: Option<f64>,
@@ -83,7 +85,7 @@ pub struct Impact {
     /// How it was computed: never `Auto`, but what that chose.
     pub method: Method,
     pub essentials: Essentials,
-    /// e v \[m/s\], normal to the half-space.
+    /// Speed of the sphere \[m/s\], normal to the half-space: e v, unless the other body is free to move.
     pub rebound_speed: f64,
     /// First touch to maximum compression \[s\], by [`Method::Verlet`] within a step.
     pub loading_time: f64,
@@ -181,7 +183,7 @@ impl Impact {
             speed,
             method,
             essentials,
-            rebound_speed: restitution * speed,
+            rebound_speed: contact.speeds_after(speed, restitution).0,
             loading_time: outcome.loading_time * scales.time(),
             peak_sphere_indentation: pair.sphere_compliance * peak.elastic_approach * scales.length,
             elastic_approach: peak.elastic_approach * scales.length,
@@ -196,6 +198,7 @@ impl Impact {
             dent_radius: is_in_half_space.then(|| scales.contact_radius * ground.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
+                of_centre: contact.target_mass().map(|target| kinetic_in * (contact.mass() / target)),
                 recovered: kinetic_in * essentials.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| ground.plastic(&outcome.unloading) * energy),
                 drift,

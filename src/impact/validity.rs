@@ -14,6 +14,7 @@ use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
 use crate::law::{Ground, Law, Peak, Raised, Unloading};
+use crate::material::{Hold, Pair};
 use crate::math::root::halved;
 use crate::strength::rate::Form as RateForm;
 use crate::units::{Dimension, four_digits, human, percent};
@@ -64,12 +65,22 @@ pub(crate) fn of_dent(law: &Law, ratio: f64) -> Option<Warning> {
     })
 }
 
+/// The warning for two balls that both flow and are not equal, with this contact radius over that of the smaller one.
+fn of_unequal_balls(pair: &Pair, ratio: f64) -> Option<Warning> {
+    let is_doubtful = pair.is_of_unequal_balls() && ratio > 0.1;
+    Warning::when(is_doubtful, WarningKind::UnequalBalls, ratio, || {
+        format!(
+            "both balls flow and are not equal, and the contact radius is {ratio:.3} of the smaller one's: there the sum of their parts misses equal balls by 0.5 to 1 % of e, so that e has a step of this size where an axis passes through equal balls"
+        )
+    })
+}
+
 impl Contact {
     /// The indentation \[m\] up to which the data behind the law reach: beyond it an impact is warned of a dent that is too
     /// wide, of a flow curve that ends before, or of a law outside its stated range. Infinite for a law without such a
     /// limit, as for springs.
     pub fn deepest(&self) -> f64 {
-        let radius = self.sphere().radius;
+        let radius = self.pair().smaller_radius;
         let Self { scales, law, .. } = self;
         let reaches = |x: f64| {
             let Some(peak) = law.respond(x, None).1 else { return true };
@@ -100,12 +111,18 @@ pub(super) fn warnings(
     warnings.extend(of_materials(contact, impact, law));
     warnings.extend(of_peak(ground, peak));
     warnings.extend(of_exponent(ground, unloading));
-    let ratio = impact.peak_contact_radius / sphere.radius;
+    let ratio = impact.radius_ratio;
+    warnings.extend(of_unequal_balls(contact.pair(), ratio));
     let density = (!contact.is_of_a_body()).then_some(sphere.density);
     warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
     warnings.extend(of_half_space(contact.half_space()));
     warnings.extend(of_dent(law, ratio));
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
+    let of_target = contact.half_space();
+    let of_ball = of_target.ball_radius().filter(|_| of_target.hold == Hold::Ball).zip(of_target.density);
+    let transit = of_ball.map_or(transit, |(radius, density)| {
+        transit.max(2.0 * radius * (density / of_target.material.youngs_modulus).sqrt())
+    });
     let transits = impact.duration() / transit;
     let is_short = transits < 5.0 && !contact.is_of_a_body();
     warnings.extend(Warning::when(is_short, WarningKind::ShortContact, -transits, || {
@@ -243,7 +260,7 @@ pub(super) fn of_oblique(
     approach: Approach,
 ) -> impl Iterator<Item = Warning> + use<> {
     let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
-    let ratio = impact.peak_contact_radius / contact.sphere().radius;
+    let ratio = impact.radius_ratio;
     let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
     let ploughing = Warning::when(is_ploughing, WarningKind::Ploughing, ratio, || {
         format!(

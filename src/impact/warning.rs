@@ -27,6 +27,8 @@ pub enum WarningKind {
     SphereYields,
     /// A sphere that flows at a strength below those of the finite elements.
     WeakSphere,
+    /// Two balls that both flow and are not equal.
+    UnequalBalls,
     /// A body that cracks or creeps where a metal would yield.
     NoMetal,
     /// The hardness of a metal that hardens, without its exponent.

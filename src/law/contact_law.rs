@@ -70,9 +70,9 @@ impl Bodies {
         self.yield_strength / self.pair.effective_modulus
     }
 
-    /// a_Y/R = √(δ_Y/R).
+    /// a_Y/R = √(δ_Y/R), with R of the finite geometry.
     pub fn yield_radius_ratio(&self) -> f64 {
-        self.yield_point.contact_radius / self.pair.radius
+        self.yield_point.contact_radius / self.pair.geometry_radius
     }
 
     /// E of the softer body \[Pa\].

@@ -105,17 +105,16 @@ impl Plm {
         (Arc::new(hardening.loading(&perfect)), PlmRule { hardening: Some(hardening), ..rule })
     }
 
-    /// The halves with the flat of a sphere that flows.
+    /// The halves with the flats of balls that flow.
     fn flattened(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
         let (plain, rule) = self.halves(bodies);
-        let Bodies { pair, yield_point, .. } = bodies;
-        if yield_point.flow.sphere_share == 0.0 {
+        let pair = &bodies.pair;
+        if pair.balls.iter().all(|ball| ball.share * ball.curvature == 0.0) {
             return (plain, rule);
         }
-        let (ratio, compliance) = (bodies.yield_radius_ratio(), pair.sphere_compliance);
         let plastic_from = self.coefficients.line_slopes(pair).plastic_from;
-        let (curve, flattening) =
-            Flattening::of(yield_point, compliance, ratio, plastic_from, plain, |x, force| rule.radii(x, force));
+        let radii = |x: f64, force: f64| rule.radii(x, force);
+        let (curve, flattening) = Flattening::of(pair, bodies.yield_radius_ratio(), plastic_from, plain, radii);
         (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })
     }
 }

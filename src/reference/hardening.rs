@@ -4,7 +4,7 @@ use super::rows;
 use super::unloading::Unloaded;
 use crate::error::Error;
 use crate::law::Bodies;
-use crate::material::{HalfSpace, Material, OutOfFloatRange, Pair, Sphere};
+use crate::material::{HalfSpace, Material, Pair, PairError, Sphere};
 use crate::strength::flow::{FlowCurve, FlowPoint};
 
 rows! {
@@ -31,11 +31,11 @@ impl Materials {
     pub fn half_space(&self) -> HalfSpace {
         let material =
             Material { youngs_modulus: self.half_space_modulus, poissons_ratio: self.half_space_poissons_ratio };
-        HalfSpace { material, yield_strength: Some(self.yield_strength), density: None }
+        HalfSpace::flat(material, Some(self.yield_strength))
     }
 
     /// What a law is built for; never `None`, because the half-space yields.
-    pub fn bodies(&self) -> Result<Option<Bodies>, OutOfFloatRange> {
+    pub fn bodies(&self) -> Result<Option<Bodies>, PairError> {
         // the law in units of the yield point does not depend on the radius
         let half_space = self.half_space();
         Ok(Bodies::new(&Pair::try_new(&Sphere::elastic(1.0, self.sphere(), f64::NAN), &half_space)?))

@@ -51,7 +51,7 @@ pub(super) fn bodies(case: &str) -> Option<(Material, HalfSpace)> {
     let (_, [sphere, half_space, strength]) = MATERIALS.iter().find(|(name, _)| *name == case)?;
     let [sphere, material] =
         [sphere, half_space].map(|modulus| Material { youngs_modulus: *modulus, poissons_ratio: 0.3 });
-    Some((sphere, HalfSpace { material, yield_strength: Some(*strength), density: None }))
+    Some((sphere, HalfSpace::flat(material, Some(*strength))))
 }
 
 /// Every unloading, with a sphere of 5 mm and the half-space of its case.

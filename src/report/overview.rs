@@ -43,6 +43,13 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
     }
     rows.push([String::new(), String::new()]);
     rows.push(["sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass)]);
+    if let Some(target) = contact.target_mass() {
+        rows.push(["mass of the body that is hit".to_owned(), describe(target, Dimension::Mass)]);
+        rows.push(["effective mass m*".to_owned(), describe(contact.reduced_mass(), Dimension::Mass)]);
+    }
+    if contact.half_space().radius.is_some() {
+        rows.push(["effective radius R".to_owned(), describe(contact.pair().radius, Dimension::Length)]);
+    }
     rows.extend(paired(contact.pair()));
     if let Some(point) = contact.pair().yield_point {
         let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
@@ -107,7 +114,7 @@ pub(super) fn paired(pair: &Pair) -> Vec<Row> {
         Some(point) => {
             row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
             row("yield force F_Y", describe(point.force, Dimension::Force));
-            row("who yields", who(&point.flow));
+            row("who yields", who(pair, &point.flow));
         }
         None => row("yield point", ELASTIC.to_owned()),
     }
@@ -115,14 +122,22 @@ pub(super) fn paired(pair: &Pair) -> Vec<Row> {
 }
 
 /// A line on the body that flows, and on the ratio of the strengths.
-fn who(flow: &Flow) -> String {
+fn who(pair: &Pair, flow: &Flow) -> String {
     let Flow { ratio, is_sphere, .. } = *flow;
     let [softer, harder] = if is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
     let times = four_digits(ratio);
     match () {
+        () if pair.is_of_equal_balls() => {
+            "both alike: two equal balls are one of them on a rigid wall at half the approach".to_owned()
+        }
         () if ratio.is_infinite() => format!("the {softer}; the {harder} stays elastic"),
         () if flow.is_of_both() => {
-            format!("both: the {harder} is {times} times as strong, and the {softer} flows more")
+            let sum = if pair.is_of_unequal_balls() {
+                "; their parts are added, which misses equal balls by up to 1 % of e"
+            } else {
+                ""
+            };
+            format!("both: the {harder} is {times} times as strong, and the {softer} flows more{sum}")
         }
         () => format!("the {softer}, as the {harder} is {times} times as strong"),
     }

@@ -4,7 +4,7 @@
 use super::Scenario;
 use crate::air::Flying;
 use crate::error::Error;
-use crate::impact::PlateError;
+use crate::impact::{ImpactError, PlateError};
 use crate::scene::at::at;
 use crate::scene::tables::is_at_or_below;
 use crate::scene::{EITHER, Input, KEYS};
@@ -76,9 +76,19 @@ const RULES: &[Rule] = &[
     Rule {
         keys: &["half_space.density"],
         beside: &["damping"],
-        unless: &["half_space.thickness"],
+        unless: &["half_space.thickness", "half_space.mass"],
         why: "elastic waves are computed from the force of the law, without damping: leave out this key, or [{}]",
     },
+    beside(
+        &["half_space.mass"],
+        &["gravity", "repeat"],
+        "is of a body that is free to move, which is not computed beside [{}]: leave one of them out; impact.drop_height alone gives the speed",
+    ),
+    beside(
+        &["half_space.thickness"],
+        &["half_space.radius", "half_space.mass"],
+        "a plate is flat and gives way by bending, and {} is given too: leave one of them out",
+    ),
     // a column of measurements may give the thickness
     without(
         &["half_space.edge_distance", "half_space.plate"],
@@ -178,6 +188,34 @@ impl Scenario {
             self.document.refuse("half_space.thickness", error.to_string()).needing(needed)
         };
         contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
+    }
+
+    /// Refuses a hollow that is too narrow for a point contact, and a body that is free to move of which too little is known.
+    pub(super) fn check_target(&self, input: &Input) -> Result<(), Error> {
+        let refuse = |key: &str, message: &str| Err(self.refuse_varied(key, message));
+        let radius = input.number(at!("half_space.radius"));
+        if radius == Some(0.0) {
+            return refuse("half_space.radius", "must not be 0: for a flat half-space leave the key out");
+        }
+        if let Err(error @ ImpactError::Hollow(_)) = input.contact() {
+            return refuse("half_space.radius", &error.to_string());
+        }
+        let Some(mass) = input.number(at!("half_space.mass")) else { return Ok(()) };
+        if mass.is_finite() {
+            let message = "a body that is free to move has to be a ball where it is hit at an angle: give mass = \"ball\", or leave out impact.angle and sphere.spin";
+            return if input.incidence().is_some() { refuse("half_space.mass", message) } else { Ok(()) };
+        }
+        match radius {
+            None => Err(self.document.missing("half_space", "radius")),
+            Some(hollow) if hollow < 0.0 => refuse(
+                "half_space.mass",
+                "a hollow is no ball: give its mass as a number, or half_space.radius above 0",
+            ),
+            Some(_) if input.number(at!("half_space.density")).is_none() => {
+                Err(self.document.missing("half_space", "density"))
+            }
+            Some(_) => Ok(()),
+        }
     }
 
     /// Refuses air that is described in part, and a ball that floats in it.

@@ -131,7 +131,7 @@ impl Scenario {
                 poissons_ratio: ratio.ok_or_else(|| missing("poissons_ratio"))?,
             };
             let yield_strength = one.number(at!("indentation.half_space[].yield_strength"));
-            let half_space = HalfSpace { material, yield_strength, density: None };
+            let half_space = HalfSpace::flat(material, yield_strength);
             specimens.push(Specimen { name: Some(name.to_owned()), half_space });
         }
         Ok(specimens)

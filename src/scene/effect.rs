@@ -40,7 +40,7 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Use) -> Option<&'static 
             all(|input| input.is_harder(Body::HalfSpace, 2.0)),
             "the sphere yields alone, as it has less than half of that strength; leave the key out",
         ),
-        "sphere.density" | "sphere.mass" => (!is_moving, "nothing moves here; leave the key out"),
+        "sphere.density" | "sphere.mass" | "half_space.mass" => (!is_moving, "nothing moves here; leave the key out"),
         "sphere.moment_of_inertia" | "friction.coefficient" => (
             !is_moving || all(|input| input.incidence().is_none()),
             "without impact.angle or sphere.spin nothing slides; give one of them, or leave the key out",

@@ -6,11 +6,11 @@ use super::key::Form::{
 };
 use super::key::{AnyKey, Part};
 use super::quantity::{
-    ACCELERATION, ANGLE, AREA_FACTOR, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT, FACTOR, FORCE, FRICTION,
-    HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS, INDENTATION, LEEB, LENGTH,
-    LOAD, MASS, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, RATE_EXPONENT, RATE_SENSITIVITY, RESTITUTION,
-    SAMPLES, SATURATION, SHARE, SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN, STEPS, STRAIN_RATE, STRENGTH, TIME, TOLERANCE,
-    TRANSITION_RATIO, VISCOSITY, VISCOUS,
+    ACCELERATION, ANGLE, AREA_FACTOR, CURVATURE, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT, FACTOR, FORCE,
+    FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS, INDENTATION, LEEB,
+    LENGTH, LOAD, MASS, MODEL_ERROR, MODULUS, MOMENT_OF_INERTIA, POISSONS_RATIO, RATE_EXPONENT, RATE_SENSITIVITY,
+    RESTITUTION, SAMPLES, SATURATION, SHARE, SHOT_SPEED, SPEED, SPHERE_MODULUS, SPIN, STEPS, STRAIN_RATE, STRENGTH,
+    TIME, TOLERANCE, TRANSITION_RATIO, VISCOSITY, VISCOUS,
 };
 use super::words::{
     COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, RATES, ROBUSTS, SPOTS, UNLOADINGS,
@@ -124,11 +124,17 @@ const SPHERE: [AnyKey; 9] = keys! {
 };
 
 /// The half-space but for its strength.
-const HALF_SPACE: [AnyKey; 7] = keys! {
+const HALF_SPACE: [AnyKey; 9] = keys! {
     /// Young's modulus of the half-space.
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
     /// Poisson's ratio of the half-space.
     "half_space.poissons_ratio" of HalfSpace: Number(&POISSONS_RATIO);
+    /// Radius of the half-space where it is hit: of a second ball or a convex wall, or negative for a hollow, which has at least
+    /// twice the radius of the sphere. Without it the half-space is flat.
+    "half_space.radius" of HalfSpace: Number(&CURVATURE) => "flat";
+    /// Mass of the body that is hit, if it is free to move and at rest before; or "ball" for a solid ball of its radius and
+    /// density. Without it the body is fixed.
+    "half_space.mass" of Motion: NumberOr(&MASS, "ball") => "fixed";
     /// Density of the half-space; with it the energy that is radiated as elastic waves is reported, and bouncing loses it.
     "half_space.density" of Motion: Number(&DENSITY);
     /// Material whose numbers the half-space takes; a key that is given too replaces the number. It can be an axis.

@@ -57,6 +57,11 @@ const fn number_in(
 
 /// A radius or diameter.
 pub const LENGTH: Quantity = positive("a length", Dimension::Length, "\"5 mm\"");
+/// A radius of curvature: of a hollow where it is negative.
+pub const CURVATURE: Quantity = Quantity {
+    too_high: "for a flat half-space leave the key out",
+    ..number_in("a radius", Dimension::Length, Excluded(f64::NEG_INFINITY), Excluded(f64::INFINITY), "\"10 mm\"")
+};
 pub const MODULUS: Quantity = positive("a Young's modulus", Dimension::Pressure, "\"210 GPa\"");
 /// The sphere's modulus, which is infinite for a rigid sphere.
 pub const SPHERE_MODULUS: Quantity = Quantity { too_high: "for a rigid sphere write \"rigid\"", ..MODULUS };

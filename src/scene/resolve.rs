@@ -14,7 +14,7 @@ use crate::impact::{
     Solver, Warning, WarningKind,
 };
 use crate::law::LawChoice;
-use crate::material::{HalfSpace, Sphere, sphere_volume};
+use crate::material::{HalfSpace, Hold, Sphere, sphere_volume};
 use crate::materials::all;
 use crate::units::percent;
 
@@ -35,9 +35,14 @@ impl Input {
         (
             Sphere { radius, material: self.material(Body::Sphere), density, yield_strength },
             HalfSpace {
-                material: self.material(Body::HalfSpace),
-                yield_strength: strength,
                 density: number(at!("half_space.density")),
+                radius: number(at!("half_space.radius")),
+                hold: match number(at!("half_space.mass")) {
+                    None => Hold::Fixed,
+                    Some(f64::INFINITY) => Hold::Ball,
+                    Some(mass) => Hold::Free(mass),
+                },
+                ..HalfSpace::flat(self.material(Body::HalfSpace), strength)
             },
         )
     }

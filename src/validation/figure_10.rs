@@ -26,7 +26,7 @@ const POINTS: u32 = 200;
 
 fn bodies() -> Result<Bodies, Error> {
     let [sphere, material] = MODULI.map(|youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 });
-    let half_space = HalfSpace { material, yield_strength: Some(STRENGTH), density: None };
+    let half_space = HalfSpace::flat(material, Some(STRENGTH));
     let pair = Pair::try_new(&Sphere::elastic(RADIUS, sphere, f64::NAN), &half_space)?;
     Bodies::new(&pair).ok_or_else(|| Error::failed("the half-space of case 3 does not yield"))
 }

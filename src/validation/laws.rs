@@ -69,7 +69,7 @@ fn references() -> Result<Vec<Reference>, Error> {
         all.push(Reference {
             sphere,
             half_space,
-            speed: (2.0 * row.spent * unit.force * unit.indentation / contact.mass()).sqrt(),
+            speed: (2.0 * row.spent * unit.force * unit.indentation / contact.reduced_mass()).sqrt(),
             restitution: row.restitution,
             peak_force: row.f * unit.force,
             peak_indentation: row.x * unit.indentation,

@@ -28,7 +28,7 @@ const GROUP: Group = Group::of("measured: rebound of Leeb devices", REFERENCE, "
 /// Restitution by a device on steel of this yield strength \[Pa\].
 pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, Error> {
     let sphere = Sphere::elastic(TIP, device.tip(), device.mass / sphere_volume(TIP));
-    let half_space = HalfSpace { material: STEEL, yield_strength: Some(strength), density: Some(STEEL_DENSITY) };
+    let half_space = HalfSpace { density: Some(STEEL_DENSITY), ..HalfSpace::flat(STEEL, Some(strength)) };
     let law =
         Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, ..Plm::default() };
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;

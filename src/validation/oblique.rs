@@ -27,7 +27,7 @@ const SLIP: Group = Group::of_differences("oblique: slip speed after the impact 
 pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
     let sphere = Sphere::elastic(RADIUS, Material { youngs_modulus: 380e9, poissons_ratio: 0.23 }, 4000.0);
     let glass = Material { youngs_modulus: 70e9, poissons_ratio: 0.25 };
-    let half_space = HalfSpace { material: glass, yield_strength: None, density: None };
+    let half_space = HalfSpace::flat(glass, None);
     Ok(Contact::try_new(sphere, half_space, &Plm::default())?)
 }
 
@@ -52,7 +52,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     }
     // a rigid plane under an elastic sphere has the G*/E* of two equal bodies
     let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
-    let half_space = HalfSpace { material: body, yield_strength: None, density: None };
+    let half_space = HalfSpace::flat(body, None);
     let equal = Contact::try_new(Sphere::elastic(RADIUS, body, 2700.0), half_space, &Plm::default())?;
     for row in oblique::slips()? {
         let angle = atan(FRICTION_OF_ELEMENTS * row.before);

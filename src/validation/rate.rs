@@ -53,9 +53,8 @@ fn impact(row: &RatedRow, coefficients: &Arc<PlmCoefficients>) -> Result<Impact,
     let of_sphere = material(row.sphere_modulus, row.sphere_poissons_ratio);
     let sphere = Sphere::elastic(row.radius, of_sphere, row.sphere_density);
     let half_space = HalfSpace {
-        material: material(row.half_space_modulus, row.half_space_poissons_ratio),
-        yield_strength: Some(row.yield_strength),
         density: Some(row.half_space_density),
+        ..HalfSpace::flat(material(row.half_space_modulus, row.half_space_poissons_ratio), Some(row.yield_strength))
     };
     let exponent = UnloadingExponent::PressureShape;
     let plm = Plm { coefficients: Arc::clone(coefficients), exponent, ..Plm::default() };

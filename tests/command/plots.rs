@@ -75,7 +75,7 @@ impl Drawn {
 fn impact(sphere_modulus: f64, yield_strength: Option<f64>, speed: f64) -> Impact {
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
     let sphere = Sphere { radius: 5e-3, material: material(sphere_modulus), density: 7850.0, yield_strength: None };
-    let half_space = HalfSpace { material: material(210e9), yield_strength, density: None };
+    let half_space = HalfSpace::flat(material(210e9), yield_strength);
     let contact = Contact::try_new(sphere, half_space, &Plm::default()).unwrap();
     contact.impact(speed, &Solver::default(), Some(400)).unwrap()
 }

@@ -372,7 +372,7 @@ fn e_is_as_low_as_documented_with_the_strengths_that_people_have() {
             yield_strength: None,
         };
         let material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-        let half_space = HalfSpace { material, yield_strength: Some(1e6 * strength), density: Some(7850.0) };
+        let half_space = HalfSpace { density: Some(7850.0), ..HalfSpace::flat(material, Some(1e6 * strength)) };
         let plm = Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() };
         let impact = Contact::try_new(sphere, half_space, &plm).unwrap().closed_form(device.speed()).unwrap();
         impact.restitution_with_waves().unwrap() / (steel_hardness / 1000.0) - 1.0

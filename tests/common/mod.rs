@@ -221,7 +221,7 @@ impl Scene {
     }
 
     pub fn parts(&self) -> (Sphere, HalfSpace) {
-        let half_space = HalfSpace { material: self.half_space, yield_strength: self.yield_strength, density: None };
+        let half_space = HalfSpace::flat(self.half_space, self.yield_strength);
         (Sphere::elastic(self.radius, self.sphere, self.density), half_space)
     }
 

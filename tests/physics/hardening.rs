@@ -71,7 +71,7 @@ fn gravity_has_its_closed_form() {
 fn hardening_law(ratio: f64, yield_strength: f64, flow: FlowCurve, exponent: UnloadingExponent) -> (Law, Bodies) {
     let half_space = Material { youngs_modulus: MODULUS, poissons_ratio: 0.3 };
     let sphere = Material { youngs_modulus: MODULUS * 10_f64.powf(ratio), poissons_ratio: 0.3 };
-    let half_space = HalfSpace { material: half_space, yield_strength: Some(yield_strength), density: None };
+    let half_space = HalfSpace::flat(half_space, Some(yield_strength));
     let pair = Pair::try_new(&Sphere::elastic(1.0, sphere, 1.0), &half_space).unwrap();
     let law = Plm { exponent, flow: [None, Some(flow)], ..Plm::default() }.of_pair(&pair).unwrap().unwrap();
     (law, Bodies::new(&pair).unwrap())

@@ -13,7 +13,7 @@ fn indenter() -> Indenter {
 
 /// A Ti-xNb alloy of Table 3 of Xie et al. 2024.
 fn alloy(youngs_modulus: f64, yield_strength: Option<f64>) -> HalfSpace {
-    HalfSpace { material: Material { youngs_modulus, poissons_ratio: 0.3 }, yield_strength, density: None }
+    HalfSpace::flat(Material { youngs_modulus, poissons_ratio: 0.3 }, yield_strength)
 }
 
 fn contact(half_space: &HalfSpace, exponent: UnloadingExponent) -> StaticContact {

@@ -26,6 +26,7 @@ mod rate;
 mod references;
 mod reloading;
 mod repeat;
+mod two_bodies;
 mod verlet;
 mod waves;
 mod work;

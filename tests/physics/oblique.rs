@@ -20,7 +20,7 @@ fn elastic_ratio(psi: f64, chi: f64, tolerance: f64) -> f64 {
 fn alumina_on_glass() -> Contact {
     let sphere = Sphere::elastic(2.5e-3, Material { youngs_modulus: 380e9, poissons_ratio: 0.23 }, 4000.0);
     let glass = Material { youngs_modulus: 70e9, poissons_ratio: 0.25 };
-    let half_space = HalfSpace { material: glass, yield_strength: None, density: None };
+    let half_space = HalfSpace::flat(glass, None);
     Contact::try_new(sphere, half_space, &Plm::default()).unwrap()
 }
 

@@ -17,7 +17,7 @@ impl OnPlate {
         let steel = Material { youngs_modulus: 208e9, poissons_ratio: 0.3 };
         Self {
             sphere: Sphere::elastic(2.5e-3, steel, 7850.0),
-            half_space: HalfSpace { material: glass, yield_strength: None, density: Some(2500.0) },
+            half_space: HalfSpace { density: Some(2500.0), ..HalfSpace::flat(glass, None) },
             thickness,
         }
     }
@@ -25,7 +25,7 @@ impl OnPlate {
     /// The same ball on steel that yields.
     fn steel(thickness: f64) -> Self {
         let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-        let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: Some(7850.0) };
+        let half_space = HalfSpace { density: Some(7850.0), ..HalfSpace::flat(steel, Some(345e6)) };
         Self { half_space, ..Self::glass(thickness) }
     }
 

@@ -161,7 +161,7 @@ fn steps_that_are_too_long_are_warned_of() {
     assert!(largest > 1.5, "{largest}");
     // on a thin plate, the default of 50 steps: more than all of the energy in the plate
     let glass = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-    let half_space = HalfSpace { material: glass, yield_strength: None, density: Some(7850.0) };
+    let half_space = HalfSpace { density: Some(7850.0), ..HalfSpace::flat(glass, None) };
     let plate = Plate { thickness: 1.2149e-3, edge_distance: None, theory: PlateTheory::Zener };
     let contact = Contact::try_new(Sphere::elastic(5e-3, glass, 7850.0), half_space, &Plm::default()).unwrap();
     let contact = contact.with_forces(Forces { plate: Some(plate), ..Forces::default() });

@@ -135,7 +135,7 @@ fn a_lead_ball_on_steel_hardly_rebounds() {
         ..Sphere::elastic(5e-3, Material { youngs_modulus: 16e9, poissons_ratio: 0.44 }, 11_340.0)
     };
     let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-    let half_space = HalfSpace { material: steel, yield_strength: Some(345e6), density: None };
+    let half_space = HalfSpace::flat(steel, Some(345e6));
     let impact = Contact::try_new(sphere, half_space, &Plm::default()).unwrap().closed_form(1.0).unwrap();
     assert!(
         impact.restitution < 0.3 && impact.dent_depth() == 0.0 && impact.flat_depth > 0.0,
@@ -153,7 +153,7 @@ fn sphere_and_half_space_change_places_where_the_contact_is_small() {
     let [stiff, soft] = [210e9, 70e9].map(|youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 });
     let law = |strengths: [Option<f64>; 2], materials: [Material; 2], flow: [Option<FlowCurve>; 2]| {
         let sphere = Sphere { yield_strength: strengths[0], ..Sphere::elastic(1.0, materials[0], 1.0) };
-        let half_space = HalfSpace { material: materials[1], yield_strength: strengths[1], density: None };
+        let half_space = HalfSpace::flat(materials[1], strengths[1]);
         let contact = Contact::try_new(sphere, half_space, &Plm { flow, ..Plm::default() }).unwrap();
         let (_, law, _) = contact.scaled(100.0 * contact.yield_speed().unwrap()).unwrap();
         law.clone()

@@ -54,7 +54,7 @@ pub fn flow_stress(mean_pressure: f64, material: &Material) -> f64 {
 /// no pair of bodies.
 pub fn pressure(flow_stress: f64, material: &Material) -> f64 {
     let indenter = Sphere::elastic(1.0, DIAMOND, 1.0);
-    let body = HalfSpace { material: *material, yield_strength: Some(flow_stress), density: None };
+    let body = HalfSpace::flat(*material, Some(flow_stress));
     let Ok(pair) = Pair::try_new(&indenter, &body) else { return f64::NAN };
     let Some(point) = pair.yield_point else { return f64::NAN };
     let ratio = point.contact_radius;

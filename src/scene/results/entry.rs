@@ -69,6 +69,10 @@ pub enum Needs {
     Thickness,
     /// An angle or a spin: without them nothing slides.
     Incidence,
+    /// The mass of a body that is free to move: without it that is fixed.
+    Target,
+    /// Such a mass, and an angle or a spin.
+    Struck,
     /// Air: without it heights follow from speeds.
     Air,
 }
@@ -94,6 +98,8 @@ impl Needs {
             Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
             Self::Thickness => (PLATE, |_, row| row.on_plate.is_some()),
             Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
+            Self::Target => (FREE, |_, row| row.target_speed.is_some()),
+            Self::Struck => (STRUCK, |_, row| row.rebound.is_some_and(|after| after.target.is_some())),
             Self::Air => (FLIES, |_, row| row.rebound_height.is_some()),
         }
     }
@@ -132,8 +138,11 @@ pub(crate) const RATES: &str = "a strength rises with the rate of strain";
 pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
 pub(crate) const BAND: &str =
     "the half-space yields under the law `plm`, with an exponent whose error against finite elements is known";
-pub(crate) const WAVES: &str = "the half-space has a density; not under damping, on a plate, nor without a rebound";
+pub(crate) const WAVES: &str =
+    "the half-space has a density and no mass; not under damping, on a plate, nor without a rebound";
 pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
+pub(crate) const FREE: &str = "the half-space has a mass, and is free to move";
+pub(crate) const STRUCK: &str = "a second ball is hit at an angle, or by a sphere that spins";
 pub(crate) const FLIES: &str = "there is gravity or a drop height; in tables only with air";
 pub(crate) const AIR: &str = "there is air";
 pub(crate) const FORCES: &str = "there is gravity, damping or a plate";

@@ -95,6 +95,11 @@ fn rebound(row: &Essentials, value: fn(&Rebound) -> f64) -> Option<f64> {
     row.rebound.as_ref().map(value).filter(|value| value.is_finite())
 }
 
+/// Speed along the surface and spin of a second ball.
+fn target(row: &Essentials, place: usize) -> Option<f64> {
+    row.rebound.as_ref().and_then(|after| after.target).map(|target| target[place])
+}
+
 /// The results of one impact, in the order of `summary.json`.
 #[allow(clippy::too_many_lines)] // one list, which is read from top to bottom
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
@@ -127,8 +132,14 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "wave_loss_fraction" in Percent as "waves take {} of the normal energy" [Density: |row| row.wave_loss_fraction];
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
         "restitution_with_waves" as "with waves" [Density: Essentials::restitution_with_waves];
-        /// Speed of the sphere when it separates, normal to the half-space.
+        /// Speed of the sphere when it separates, normal to the half-space; negative where it pushes a lighter body on and follows it.
         "rebound_speed_m_per_s" in Speed as "rebound speed": of.impact.rebound_speed;
+        /// Speed of the body that is hit after the impact, in the direction of the approach.
+        "target_speed_m_per_s" in Speed as "target speed" [Target: |row| row.target_speed];
+        /// Its speed along the surface, in the direction of the sphere's path.
+        "target_tangential_speed_m_per_s" in Speed as "along the surface {}" [Struck: |row| target(row, 0)];
+        /// Its spin, in the direction of a sphere that rolls forward.
+        "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target(row, 1)];
         /// Height to which the sphere rises, with waves and air where they are known.
         "rebound_height_m" in Length as "rebound height" [Air: |row| row.rebound_height];
         /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
@@ -184,7 +195,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "peak_sphere_indentation_m" in Length as "sphere {}": of.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
         "peak_contact_radius_m" in Length as "contact radius": of.impact.peak_contact_radius;
-        /// Contact radius over the radius of the sphere; the warning of a dent that is too wide names the limit of the law.
+        /// Contact radius over the radius of the sphere, or of a smaller second ball; the warning of a dent that is too wide names the limit of the law.
         "contact_radius_over_R" as "{} of the sphere's radius" [Nothing: |row| Some(row.radius_ratio)];
         /// 1 where the contact radius or the indentation is outside of the range that the law holds for, or is stated for: take
         /// the row for an estimate; else 0.
@@ -246,12 +257,15 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Relative error of the energy at the end of the contact; positive for a gain.
         "verlet.energy_drift_at_end" in Error as "energy drift at the end {}" if VERLET:
             of.verlet(|_| ()).map(|()| of.impact.energy.drift_at_end);
-        /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below.
+        /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below. With a body
+        /// that is free to move, of their relative motion.
         "energy.kinetic_in_J" in Energy as "energy": of.impact.energy.kinetic_in;
-        /// Kinetic energy of the sphere at separation.
+        /// The same at separation.
         "energy.recovered_J" in Energy as "{%} recovered": of.impact.energy.recovered;
         /// Energy spent on the dent.
         "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: of.impact.energy.plastic;
+        /// Kinetic energy of the common motion of sphere and body that is hit: of their centre of mass, which stays.
+        "energy.centre_of_mass_J" in Energy as "{} stays in the common motion" if FREE: of.impact.energy.of_centre;
         /// Energy in the plate at separation, or where the computation of a captured sphere ends.
         "energy.plate_J" in Energy as "{%} into the plate" if PLATE: of.on_plate(|plate| plate.energy);
         /// Energy taken by damping.
