@@ -12,6 +12,7 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Forces};
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Input;
+use crate::scene::at::at;
 pub use outcome::{Order, Outcome, no_result, texts};
 
 /// The outcome of a scenario: with an order it has all files, and without one it has the text of a check. `None` for a table, which
@@ -53,6 +54,11 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         ("damping", damping.is_some(), table),
         ("air", scenario.document.has("air"), table),
         ("half_space.thickness", plate.is_some(), "leave this key out, and let the simulation move the plate"),
+        (
+            "half_space.mass",
+            input.number(at!("half_space.mass")).is_some(),
+            "leave this key out; the simulation has the mass of every body",
+        ),
         ("impact.angle", scenario.document.has("impact.angle"), OF_THE_SPHERE),
         ("sphere.spin", scenario.document.has("sphere.spin"), OF_THE_SPHERE),
     ];

@@ -1,6 +1,7 @@
 //! The quantities that can be measured, and how each follows from a computed impact. Keys of `[calibrate]` are named by them.
 
 use super::Input;
+use super::at::at;
 use super::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, TIME};
 use crate::air::Flying;
 use crate::impact::Essentials;
@@ -62,7 +63,15 @@ impl Measured {
 
     /// The value after a rebound with this restitution; `None` if the quantity does not follow from that.
     pub fn of_rebound(self, restitution: f64, input: &Input) -> Option<f64> {
-        let speed = restitution * input.speed();
+        let mut speed = restitution * input.speed();
+        if input.number(at!("half_space.mass")).is_some() {
+            // the sphere leaves part of its speed to the other body; of two bodies that move nothing is known of heights
+            let [own, other] = [input.mass()?, input.half_space().free_mass()?];
+            speed = (restitution * other - own) / (own + other) * input.speed();
+            if matches!(self, Self::ReboundHeight | Self::BounceInterval) {
+                return None;
+            }
+        }
         let flying = || input.flying().unwrap_or(Flying::in_vacuum(input.falling_gravity()));
         match self {
             Self::Restitution => Some(restitution),

@@ -39,12 +39,15 @@ impl From<ImpactError> for Failure {
     fn from(error: ImpactError) -> Self {
         match error {
             ImpactError::Range(_) => Self::OutOfFloatRange,
-            ImpactError::Law(_) | ImpactError::TooDeep { .. } | ImpactError::Hollow(_) => Self::OutsideLaw,
+            // the scenario refuses a target under gravity, and one at an angle that is no ball
+            ImpactError::Law(_)
+            | ImpactError::TooDeep { .. }
+            | ImpactError::Hollow(_)
+            | ImpactError::FreeUnderGravity
+            | ImpactError::NoBall => Self::OutsideLaw,
             ImpactError::SmallInertia { .. } => Self::SmallInertia,
             ImpactError::Plate(_) => Self::OutsidePlate,
             ImpactError::NoClosedForm => Self::NoClosedForm,
-            // the scenario refuses these
-            ImpactError::FreeUnderGravity | ImpactError::NoBall => Self::OutsideLaw,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
             ImpactError::Integration(IntegrationError::TooManySteps { .. } | IntegrationError::Creeping { .. }) => {
                 Self::TooManySteps
