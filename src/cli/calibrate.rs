@@ -19,13 +19,13 @@ use super::terminal::other;
 /// scenario that change from line to line (sphere_radius_mm); or indentation_m and force_N of an indentation curve.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  plm-impact calibrate impact.toml --restitution 0.49 --speed \"2 m/s\"
+  plm-impact calibrate impact.toml --drop-height \"1 m\" --rebound-height \"24 cm\"
   plm-impact calibrate impact.toml rebounds.csv --set law=thornton --out by-thornton")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// Measurements, in place of calibrate.data
-    #[arg(value_name = "DATA.csv", conflicts_with_all = ["restitution", "rebound_speed", "leeb", "dent_diameter"])]
+    #[arg(value_name = "DATA.csv", conflicts_with_all = ["restitution", "rebound_speed", "rebound_height", "leeb", "dent_diameter"])]
     data: Option<PathBuf>,
     /// One measured restitution, in place of a file
     #[arg(long, value_name = "E")]
@@ -33,6 +33,9 @@ pub struct Arguments {
     /// One measured rebound: --rebound-speed "1.5 m/s"
     #[arg(long, value_name = "SPEED")]
     rebound_speed: Option<String>,
+    /// One measured height of a rebound: --rebound-height "24 cm"
+    #[arg(long, value_name = "HEIGHT")]
+    rebound_height: Option<String>,
     /// One measured Leeb hardness
     #[arg(long, value_name = "HL")]
     leeb: Option<String>,
@@ -42,6 +45,9 @@ pub struct Arguments {
     /// Impact speed of that measurement: --speed "3 m/s"
     #[arg(long, value_name = "SPEED")]
     speed: Option<String>,
+    /// Height of the fall before that measurement: --drop-height "1 m"
+    #[arg(long, value_name = "HEIGHT", conflicts_with = "speed")]
+    drop_height: Option<String>,
     /// Fit every other law too, and rank them
     #[arg(long, value_name = "all", value_parser = all)]
     law: Option<()>,
@@ -71,9 +77,11 @@ impl Arguments {
         let numbers = [
             ("calibrate.measured.restitution", &self.restitution),
             ("calibrate.measured.rebound_speed", &self.rebound_speed),
+            ("calibrate.measured.rebound_height", &self.rebound_height),
             ("calibrate.measured.leeb", &self.leeb),
             ("calibrate.measured.dent_diameter", &self.dent_diameter),
             ("impact.speed", &self.speed),
+            ("impact.drop_height", &self.drop_height),
         ];
         settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
         if self.law.is_some() {

@@ -215,7 +215,7 @@ impl<'a> FittedQuantity<'a> {
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
     fn along(&self, key: &'static Key) -> (Data, Vec<f64>) {
         let (from, to) = extremes(self.points.iter().map(|point| point.0));
-        let range = Free { key, from, to, is_logarithmic: is_wide(&self.points) };
+        let range = Free { key, from, to, is_logarithmic: is_wide(&self.points), hardness: None };
         let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
         let rows = at.iter().map(|value| Row { keys: vec![*value], ..Row::default() }).collect();
         (Data { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) }, at)

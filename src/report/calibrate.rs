@@ -149,6 +149,8 @@ fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
         "is_logarithmic": one.found().free.is_logarithmic;
         /// Best value.
         "estimate": one.found().estimate;
+        /// A hardness on the scale on which the scenario gives it, such as `254.3 HV`; `null` for others.
+        "estimate_on_its_scale": one.found().free.hardness.and_then(|_| one.found().free.written(one.found().estimate));
         /// Standard deviation; `null` if there is no interval.
         "sd": one.found().sd;
         /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
@@ -257,7 +259,9 @@ pub fn table(calibration: &Calibration) -> String {
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for found in &calibration.keys {
         let say = |value: f64| found.free.say(value, 4);
-        let sd = found.sd.map_or_else(String::new, |sd| format!("   sd {}", found.free.say(sd, 2)));
+        let sd = found
+            .sd
+            .map_or_else(String::new, |sd| format!("   sd {}", found.free.say_deviation(found.estimate, sd, 2)));
         row(found.free.key.path, say(found.estimate) + &sd);
         for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
             row(

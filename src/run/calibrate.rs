@@ -62,7 +62,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     let mut document = parsed(scenario.document.edited()).unwrap_or_default();
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
-        set(&mut document, free.key.path, quantity(*estimate, free.key.quantity.dimension));
+        set(&mut document, free.key.path, free.written(*estimate).map_or_else(|| (*estimate).into(), Value::from));
     }
     for (key, path) in scenario.files().filter(|(key, _)| !key.starts_with("calibrate.")) {
         if let Ok(path) = absolute(path) {
@@ -80,7 +80,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     } else if found.fit.problem.input.speed().is_nan() {
         let mut speeds = found.fit.problem.speeds();
         speeds.sort_by(f64::total_cmp);
-        set(&mut document, "impact.speed", quantity(speeds[speeds.len() / 2], Dimension::Speed));
+        set(&mut document, "impact.speed", exact(speeds[speeds.len() / 2], Dimension::Speed));
     }
     let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
     format!(
@@ -89,9 +89,4 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
         scenario.document.name(),
         written(&document)
     )
-}
-
-/// A number as people write it: with its unit, and all digits.
-fn quantity(number: f64, dimension: Dimension) -> Value {
-    if dimension == Dimension::Ratio { number.into() } else { exact(number, dimension).into() }
 }

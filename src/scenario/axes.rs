@@ -169,7 +169,7 @@ fn free(name: &Name, node: &Node) -> Result<Free, Fault> {
     if is_logarithmic && from <= 0.0 {
         return Err(Fault::at(node, "a logarithmic range begins above 0; write scale = \"linear\""));
     }
-    Ok(Free { key, from, to, is_logarithmic })
+    Ok(Free { key, from, to, is_logarithmic, hardness: None })
 }
 
 /// Refuses the word that stands in place of a number: it is no number between others.

@@ -11,9 +11,10 @@ use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scene::at::at;
 use crate::scene::keys::NEEDED;
-use crate::scene::taken::Body;
+use crate::scene::taken::{Body, Taken};
 use crate::scene::words::STUDENT_T;
 use crate::scene::{Input, Key};
+use crate::strength::hardness::{self, Scale};
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
@@ -112,7 +113,8 @@ impl Scenario {
     /// The keys to find. If the scenario names none, it is the yield strength; or the hardness, if the scenario gives that.
     fn free(&self, input: &Input) -> Vec<Free> {
         if let Some(free) = &self.varied.free {
-            return free.clone();
+            let on_scale = |free: &Free| Free { hardness: self.scale_of(free.key), ..*free };
+            return free.iter().map(on_scale).collect();
         }
         let material = input.half_space().material;
         let strengths = RANGE.map(|share| share * material.youngs_modulus);
@@ -121,8 +123,20 @@ impl Scenario {
         } else {
             (YIELD_STRENGTH, strengths)
         };
-        let free = |key: &'static Key| Free { key, from: from.max(key.quantity.range().0), to, is_logarithmic: true };
+        let free = |key: &'static Key| {
+            let (from, hardness) = (from.max(key.quantity.range().0), self.scale_of(key));
+            Free { key, from, to, is_logarithmic: true, hardness }
+        };
         Key::find(path).map(free).into_iter().collect()
+    }
+
+    /// The scale of hardness on which the scenario gives a key or the end of its range, or a material gives it.
+    fn scale_of(&self, key: &Key) -> Option<Scale> {
+        let end = format!("calibrate.free.{}.from", key.path);
+        let given = [key.path, &end].into_iter().find_map(|path| self.document.value(path));
+        let taken = self.input.taken().iter().flat_map(Taken::values).find(|(taken, _)| *taken == key.path);
+        let text = given.or(taken.map(|(_, known)| known.taken.text.as_str()))?;
+        key.quantity.is_hardness.then(|| hardness::written(text)).flatten().map(|(_, scale)| scale)
     }
 
     /// Refuses keys to find and columns of the data that have no effect, and impacts without a speed or a mass.

@@ -197,6 +197,11 @@ impl Document {
         self.places.contains_key(key)
     }
 
+    /// The value of a key as it is written, without its quotes.
+    pub(super) fn value(&self, key: &str) -> Option<&str> {
+        self.edited.get(self.places.get(key)?.clone()).map(|text| text.trim_matches(['"', '\'']))
+    }
+
     /// The keys that are given below this beginning, and tables without any key.
     pub(super) fn inside(&self, begin: &str) -> Vec<&str> {
         let keys = self.places.range(begin.to_owned()..).map(|(key, _)| key.as_str());

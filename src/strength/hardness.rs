@@ -80,16 +80,26 @@ impl Scale {
         include_str!("hardness.csv").lines().filter_map(row).collect()
     }
 
-    /// The Vickers hardness, by linear interpolation between the rows of its table.
+    /// The Vickers hardness, by its table.
     fn converted(self, value: f64) -> Result<f64, OutsideTable> {
         let table = self.table();
-        let between = |pair: &&[(f64, f64)]| (pair[0].0..=pair[1].0).contains(&value);
-        let Some([low, high]) = table.windows(2).find(between) else {
-            let end = |row: Option<&(f64, f64)>| row.map_or(f64::NAN, |row| row.0);
-            return Err(OutsideTable { value, scale: self, range: (end(table.first()), end(table.last())) });
-        };
-        Ok(low.1 + (value - low.0) / (high.0 - low.0) * (high.1 - low.1))
+        let end = |row: Option<&(f64, f64)>| row.map_or(f64::NAN, |row| row.0);
+        let range = (end(table.first()), end(table.last()));
+        between(&table, value).ok_or(OutsideTable { value, scale: self, range })
     }
+
+    /// The number on this scale with a mean pressure \[Pa\]; `None` outside of its table.
+    pub fn of_mean_pressure(self, mean_pressure: f64) -> Option<f64> {
+        let vickers = vickers(mean_pressure);
+        let turned = || self.table().into_iter().map(|(number, vickers)| (vickers, number)).collect::<Vec<_>>();
+        if self == Self::Vickers { Some(vickers) } else { between(&turned(), vickers) }
+    }
+}
+
+/// The second number of a table at this value of the first, by linear interpolation; `None` outside of the table.
+fn between(table: &[(f64, f64)], value: f64) -> Option<f64> {
+    let [low, high] = table.windows(2).find(|pair| (pair[0].0..=pair[1].0).contains(&value))? else { return None };
+    Some(low.1 + (value - low.0) / (high.0 - low.0) * (high.1 - low.1))
 }
 
 /// The number and the scale of a text such as "300 HV".
@@ -128,6 +138,7 @@ mod tests {
         ] {
             let pressure = scale.mean_pressure(value)?;
             assert_relative_eq!(vickers(pressure), vickers_hardness, max_relative = 1e-12);
+            assert_relative_eq!(scale.of_mean_pressure(pressure).unwrap_or(0.0), value, max_relative = 1e-12);
         }
         Ok(())
     }
@@ -153,6 +164,7 @@ mod tests {
             let message = scale.mean_pressure(value).map_err(|error| error.to_string());
             assert!(message.as_ref().is_err_and(|message| message.contains("conversion table")), "{message:?}");
         }
+        assert_eq!(Scale::RockwellC.of_mean_pressure(2e9), None);
         assert_eq!(Scale::from_symbol("HBW"), Some(Scale::Brinell));
         assert_eq!(Scale::from_symbol("HRB"), None);
     }

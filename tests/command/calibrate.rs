@@ -206,6 +206,46 @@ fn a_scenario_with_a_hardness_is_calibrated_by_the_hardness() {
     near(&run["restitution"], 0.49, 1e-6);
 }
 
+/// 9.80665 HV/0.9272 MPa is the mean pressure of a Vickers hardness, and 285 HB is 300 HV (ISO 18265).
+#[test]
+fn a_hardness_comes_back_on_the_scale_on_which_it_was_given() {
+    let of = |hardness: &str| crate::common::STEEL.replace("yield_strength = \"345 MPa\"", hardness);
+    let arguments = ["--restitution", "0.49", "--speed", "3 m/s"];
+    let (desk, summary) = calibrated(&of("hardness = \"300 HV\""), "", &arguments, 0);
+    let pressure = summary["keys"][0]["estimate"].as_f64().unwrap();
+    let vickers = pressure * 0.9272 / 9.80665e6;
+    let of_text = |text: &Value, scale: &str| -> f64 {
+        text.as_str().and_then(|text| text.strip_suffix(scale)).unwrap().parse().unwrap()
+    };
+    assert!(off(of_text(&summary["keys"][0]["estimate_on_its_scale"], " HV"), vickers) < 1e-12);
+    assert!(
+        desk.read("o/calibrated.toml").contains("hardness = \"") && desk.read("o/calibrated.toml").contains(" HV\"")
+    );
+    let (told, _) =
+        desk.ends(&[&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], &arguments[..]].concat(), 0);
+    let line = format!("{vickers:.2} HV ({:.1} MPa)", 1e-6 * pressure);
+    assert!(told.contains(&line), "{told}: {line}");
+    // on another scale the same pressure, and beyond the table of a scale the pressure alone
+    let (_, brinell) = calibrated(&of("hardness = \"285 HB\""), "", &arguments, 0);
+    near(&brinell["keys"][0]["estimate"], pressure, 1e-6);
+    let wanted = 95.0 + (vickers - 100.0) / 50.0 * 48.0;
+    assert!(off(of_text(&brinell["keys"][0]["estimate_on_its_scale"], " HB"), wanted) < 1e-6);
+    let (desk, _) = calibrated(&of("hardness = \"285 HB\""), "", &["--restitution", "0.97", "--speed", "3 m/s"], 0);
+    assert!(desk.read("o/calibrated.toml").contains("Pa\""));
+    let (_, strength) = calibrated(crate::common::STEEL, "", &arguments, 0);
+    assert!(strength["keys"][0]["estimate_on_its_scale"].is_null());
+}
+
+/// A ball that falls from 1 m and comes back to 24 cm has e = sqrt(0.24), at sqrt(2 g h) with standard gravity.
+#[test]
+fn one_drop_is_a_height_and_the_height_of_the_rebound() {
+    let heights = ["--drop-height", "1 m", "--rebound-height", "24 cm"];
+    let (_, of_heights) = calibrated(crate::common::STEEL, "", &heights, 0);
+    let (e, speed) = (0.24_f64.sqrt().to_string(), format!("{} m/s", (2.0 * 9.80665_f64).sqrt()));
+    let (_, of_speeds) = calibrated(crate::common::STEEL, "", &["--restitution", &e, "--speed", &speed], 0);
+    near(&of_heights["keys"][0]["estimate"], of_speeds["keys"][0]["estimate"].as_f64().unwrap(), 1e-6);
+}
+
 #[test]
 fn data_that_contradict_the_law_end_with_code_3_and_all_files() {
     let rising = "speed_m_per_s,restitution\n0.5,0.4\n1,0.5\n2,0.6\n4,0.7\n";

@@ -61,6 +61,7 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
         from: 0.5 * truth,
         to: 2.0 * truth,
         is_logarithmic: true,
+        hardness: None,
     };
     let free: Vec<Free> = keys.iter().map(range).collect();
     let exact = |(row, speed): (usize, &f64)| {
