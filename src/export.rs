@@ -8,35 +8,40 @@
 //!
 //! The peak force of the damped spring follows from these parameters. It differs from the peak force of the law.
 
+mod bare;
 mod lines;
 mod request;
 mod springs;
 
 use crate::error::{Error, ErrorKind};
+use crate::impact::Solver;
 use crate::math::functions::pow;
-use crate::run::contact_alone;
 use crate::scenario::Scenario;
-use crate::scene::at::at;
+use bare::Bare;
 pub use request::{Request, Target};
 pub use springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 
 /// Rows of a table e(v).
 const POINTS: u32 = 41;
 
-/// The lines for another code. `command` is the command line, which the lines name as their origin.
+/// The lines for another code, from the bodies and the speed of any scenario of impacts. `command` is the command line, which the
+/// lines name as their origin.
 ///
 /// # Errors
-/// [`Error`] for a bad scenario, a scenario with gravity or damping, a missing speed, or a speed without a result.
+/// [`Error`] for a bad scenario, one without impacts, a missing speed, or a speed without a result or a rebound.
 pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
-    let (input, contact) = contact_alone(scenario)?;
-    let speed = request.speed.or(Some(input.speed()).filter(|speed| speed.is_finite())).ok_or_else(|| {
-        Error::input("the scenario has no impact.speed: give --speed, such as --speed \"3 m/s\"".to_owned())
+    let bare = Bare::of(scenario)?;
+    let speed = request.speed.or(bare.speed).or(request.speeds.map(|(from, _)| from)).ok_or_else(|| {
+        Error::input("the scenario has no single impact speed: give --speed, such as --speed \"3 m/s\"".to_owned())
     })?;
     let at = |speed: f64| {
         let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
-        contact.closed_form(speed).map_err(failed)
+        bare.contact.impact(speed, &Solver::AUTO, None).map_err(failed)
     };
     let impact = at(speed)?;
+    if impact.measured_restitution() <= 0.0 {
+        return Err(Error::input(format!("at {speed} m/s the sphere does not rebound, and no spring has e = 0")));
+    }
     let mut table = Vec::new();
     if request.target.takes_table() {
         let (from, to) = request.speeds.unwrap_or((speed / 10.0, 10.0 * speed));
@@ -50,12 +55,6 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         let message = "--speeds: this code takes one constant e; give --speed, or --to csv";
         return Err(Error::input(message.to_owned()));
     }
-    let head = lines::Head {
-        scenario,
-        contact: &contact,
-        impact: &impact,
-        friction: input.number(at!("friction.coefficient")),
-        command,
-    };
-    head.lines(request, &table)
+    lines::Head { scenario, bare: &bare, impact: &impact, e: impact.measured_restitution(), command }
+        .lines(request, &table)
 }

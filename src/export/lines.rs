@@ -2,14 +2,15 @@
 
 use std::fmt::Write as _;
 
+use super::bare::Bare;
 use super::request::{Request, Target};
 use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
-use crate::impact::{Contact, Essentials, Impact, Rated};
+use crate::impact::{Essentials, Impact, Rated};
 use crate::math::functions::{atan, pow};
 use crate::provenance::PROGRAM;
 use crate::scenario::Scenario;
-use crate::units::four_digits;
+use crate::units::{Dimension, four_digits, human};
 
 /// Stiffness of a tangential spring over that of the normal one: both swing alike for a solid sphere.
 const TANGENTIAL: f64 = 2.0 / 7.0;
@@ -17,10 +18,10 @@ const TANGENTIAL: f64 = 2.0 / 7.0;
 /// The data that the lines of all codes are made from.
 pub(super) struct Head<'a> {
     pub scenario: &'a Scenario,
-    pub contact: &'a Contact,
+    pub bare: &'a Bare,
     pub impact: &'a Impact,
-    /// The coefficient of friction, if the scenario has one.
-    pub friction: Option<f64>,
+    /// The restitution that belongs into the code: with elastic waves, if the half-space has a density and is no plate.
+    pub e: f64,
     /// The command line.
     pub command: &'a str,
 }
@@ -49,7 +50,7 @@ impl Head<'_> {
     /// Where the numbers come from, and in which range they hold.
     fn about(&self, request: &Request) -> Vec<String> {
         let speed = self.impact.speed;
-        let Essentials { restitution, contact_time, peak_force, .. } = self.impact.essentials;
+        let (restitution, Essentials { contact_time, peak_force, .. }) = (self.e, self.impact.essentials);
         let mut about: Vec<String> = self.impact.warnings.iter().map(|warning| format!("warning: {warning}")).collect();
         about.extend([
             format!("{PROGRAM}: {}", self.command),
@@ -65,10 +66,12 @@ impl Head<'_> {
                 four_digits(factor)
             ));
         }
+        about.extend(self.bare.left_out.iter().cloned());
+        about.push(self.which_e());
         if request.target.takes_table() {
             about.push("all units are SI; linear between the speeds".to_owned());
         } else {
-            let [from, to] = range_of_constant(self.contact, speed, restitution).map(|end| end.map(four_digits));
+            let [from, to] = range_of_constant(&self.bare.contact, speed, restitution).map(|end| end.map(four_digits));
             let within = 100.0 * E_WITHIN;
             let range = match (from, to) {
                 (Some(from), Some(to)) => format!("from {from} to {to} m/s"),
@@ -81,18 +84,19 @@ impl Head<'_> {
             about.push(format!(
                 "time step {step:.3e} s or less ({steps} steps a contact, e within 1 %), for a sphere of"
             ));
-            about.push(format!("radius {} m and mass {:.6e} kg", self.contact.sphere().radius, self.contact.mass()));
+            about.push(format!(
+                "radius {} m and mass {:.6e} kg",
+                self.bare.contact.sphere().radius,
+                self.bare.contact.mass()
+            ));
             about.push(
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );
         }
-        if self.friction.is_some() && !request.target.takes_table() {
+        if self.bare.friction.is_some() && !request.target.takes_table() {
             about.push(
                 "friction: Coulomb's, with a tangential spring of 2/7 of the normal one; plots/validate has what springs cost".to_owned(),
             );
-        }
-        if let Some(with_waves) = self.impact.restitution_with_waves() {
-            about.push(format!("elastic waves are left out: with them e is {with_waves:.6} (restitution_with_waves)"));
         }
         if request.target == Target::Mercury {
             about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
@@ -100,18 +104,38 @@ impl Head<'_> {
         about
     }
 
+    /// Which of the numbers that are called e these lines have.
+    fn which_e(&self) -> String {
+        let contact = &self.bare.contact;
+        let damped = if contact.forces().damping.is_some() { " and its [damping]" } else { "" };
+        if let Some(plate) = contact.forces().plate {
+            let thickness = human(plate.thickness, Dimension::Length);
+            return format!(
+                "this e is for a wall that is a plate of {thickness}: what the plate takes{damped} is in it"
+            );
+        }
+        if self.impact.restitution_with_waves().is_some() {
+            let alone = self.impact.restitution;
+            return format!("this e is for a thick wall: elastic waves are in it, and it is {alone:.6} without them");
+        }
+        if !damped.is_empty() {
+            return "this e has the [damping] of the scenario in it: let the simulation add no other".to_owned();
+        }
+        "this e is without elastic waves: give half_space.density for a thick wall, and half_space.thickness too for a sheet".to_owned()
+    }
+
     /// Time step with which a damped spring is accurate enough \[s\].
     fn time_step(&self) -> f64 {
-        self.impact.contact_time / steps_per_contact(self.impact.restitution)
+        self.impact.contact_time / steps_per_contact(self.e)
     }
 
     /// Stiffness of the damped linear spring \[N/m\].
     fn stiffness(&self) -> f64 {
-        damped_spring(self.contact.mass(), self.impact.restitution, self.impact.contact_time)
+        damped_spring(self.bare.contact.mass(), self.e, self.impact.contact_time)
     }
 
     fn lammps(&self) -> String {
-        let tangential = match self.friction {
+        let tangential = match self.bare.friction {
             None => "linear_nohistory 0.0 0.0".to_owned(),
             Some(friction) => format!("linear_history {:.9e} 0.0 {friction}", TANGENTIAL * self.stiffness()),
         };
@@ -119,7 +143,7 @@ impl Head<'_> {
             "units si\nfix wall all wall/gran granular hooke {:.9e} {:.9} damping coeff_restitution tangential {tangential} \
              zplane 0.0 NULL\ntimestep {:.3e}\n",
             self.stiffness(),
-            self.impact.restitution,
+            self.e,
             self.time_step()
         )
     }
@@ -128,10 +152,10 @@ impl Head<'_> {
     /// Y*))^(1/5), with Y* = Y/(2 (1 − ν²)) for equal bodies and the characteristic velocity V.
     fn liggghts(&self) -> String {
         const POISSONS_RATIO: f64 = 0.3;
-        let (mass, speed) = (self.contact.mass(), self.impact.speed);
+        let (mass, speed) = (self.bare.contact.mass(), self.impact.speed);
         let scaled = pow(self.stiffness() / pow(mass * speed * speed, 0.2), 1.25);
-        let effective = 15.0 * scaled / (16.0 * self.contact.sphere().radius.sqrt());
-        let (friction, history) = self.friction.map_or((0.0, "no_history"), |friction| (friction, "history"));
+        let effective = 15.0 * scaled / (16.0 * self.bare.contact.sphere().radius.sqrt());
+        let (friction, history) = self.bare.friction.map_or((0.0, "no_history"), |friction| (friction, "history"));
         let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
         format!(
             "hard_particles yes\nunits si\nfix young all property/global youngsModulus peratomtype {modulus:.9e}\n\
@@ -141,28 +165,28 @@ impl Head<'_> {
              fix speed all property/global characteristicVelocity scalar {speed}\n\
              pair_style gran model hooke tangential {history}\npair_coeff * *\n\
              fix wall all wall/gran model hooke tangential {history} primitive type 1 zplane 0.0\ntimestep {:.3e}\n",
-            self.impact.restitution,
+            self.e,
             self.time_step()
         )
     }
 
     /// Yade puts the springs of the two materials in series, and its damped springs never pull.
     fn yade(&self) -> Result<String, Error> {
-        let Essentials { restitution, contact_time, .. } = self.impact.essentials;
-        let (stiffness, damping) =
-            spring_without_pull(self.contact.mass(), restitution, contact_time).ok_or_else(|| {
+        let (restitution, contact_time) = (self.e, self.impact.contact_time);
+        let (stiffness, damping) = spring_without_pull(self.bare.contact.mass(), restitution, contact_time)
+            .ok_or_else(|| {
                 Error::input(format!(
                     "--to yade: a damped spring of Yade has e above exp(-2) = 0.135, and e is {restitution:.4}"
                 ))
             })?;
-        let friction = self.friction.unwrap_or(0.0);
+        let friction = self.bare.friction.unwrap_or(0.0);
         let tangential = if friction > 0.0 { TANGENTIAL * 2.0 * stiffness } else { 0.0 };
         let angle = atan(friction);
         Ok(format!(
             "material = ViscElMat(density={:.9e}, kn={:.9e}, cn={:.9e}, ks={tangential:?}, cs=0.0, frictionAngle={angle:?})\n\
              O.materials.append(material)\n\
              functors = [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]\nO.dt = {:.3e}\n",
-            self.contact.sphere().density,
+            self.bare.contact.sphere().density,
             2.0 * stiffness,
             2.0 * damping,
             self.time_step()
@@ -170,7 +194,7 @@ impl Head<'_> {
     }
 
     fn mercury(&self) -> String {
-        let (kind, friction) = match self.friction {
+        let (kind, friction) = match self.bare.friction {
             None => ("", String::new()),
             Some(friction) => (
                 "SlidingFriction",
@@ -184,10 +208,10 @@ impl Head<'_> {
             "LinearViscoelastic{kind}Species species;\nspecies.setDensity({:.9e});\n\
              species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // 2 m: a wall has no mass\n\
              {friction}setTimeStep({:.3e});\n",
-            self.contact.sphere().density,
+            self.bare.contact.sphere().density,
             self.impact.contact_time,
-            self.impact.restitution,
-            self.contact.mass(),
+            self.e,
+            self.bare.contact.mass(),
             self.time_step()
         )
     }
@@ -197,7 +221,7 @@ impl Head<'_> {
 fn pairs(table: &[Impact]) -> String {
     let mut text = "speed_m_per_s,restitution\n".to_owned();
     for impact in table {
-        let _ = writeln!(text, "{:e},{:.9}", impact.speed, impact.restitution);
+        let _ = writeln!(text, "{:e},{:.9}", impact.speed, impact.measured_restitution());
     }
     text
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::impact::Contact;
+use crate::impact::{Contact, Solver};
 use crate::math::functions::{cos, exp, ln, sin};
 use crate::math::root::halved;
 
@@ -36,7 +36,7 @@ pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
 /// end is farther than a factor of 1000.
 pub fn range_of_constant(contact: &Contact, speed: f64, e: f64) -> [Option<f64>; 2] {
     let is_near = |factor: f64| {
-        let other = contact.closed_form(speed * factor).map_or(f64::NAN, |impact| impact.restitution);
+        let other = contact.row(speed * factor, &Solver::AUTO).map_or(f64::NAN, |row| row.measured_restitution());
         (other / e - 1.0).abs() <= E_WITHIN
     };
     [-1.0, 1.0].map(|sign| {

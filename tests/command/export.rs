@@ -168,11 +168,73 @@ fn every_code_gets_its_lines_with_their_origin() {
     }
 }
 
-/// The lines have the law alone; what waves would take is said where the half-space has a density. 0.574 is in the head of
-/// that scenario, 0.5795 in the finite elements that it names.
+/// A thick wall takes elastic waves, so where its density is known the lines have e with them. 0.574 is in the head of that
+/// scenario, 0.5795 in the finite elements that it names.
 #[test]
-fn waves_that_are_left_out_are_said() {
+fn the_lines_say_which_e_they_have() {
     let with_waves = printed(&["scenarios/alumina-on-aluminium-with-waves.toml", "--to", "lammps"]);
-    assert!(with_waves.contains("# elastic waves are left out: with them e is 0.574"), "{with_waves}");
-    assert!(!printed(&[STEEL, "--to", "lammps"]).contains("waves"));
+    assert!(with_waves.contains(": e 0.574") && with_waves.contains(" 0.574409212 damping"), "{with_waves}");
+    assert!(
+        with_waves.contains("# this e is for a thick wall: elastic waves are in it, and it is 0.585758 without them")
+    );
+    let without = printed(&[STEEL, "--to", "lammps"]);
+    assert!(
+        without.contains("# this e is without elastic waves: give half_space.density for a thick wall"),
+        "{without}"
+    );
+}
+
+/// e of the summary that a run of this scenario writes, and the one of the lines.
+fn both(scenario: &str, result: &str, arguments: &[&str]) -> (f64, f64, String) {
+    let desk = Desk::ran(scenario);
+    std::fs::write(desk.path("e.toml"), scenario).unwrap();
+    let (text, _) = desk.ends(&[&["export", "e.toml", "--to", "liggghts"], arguments].concat(), 0);
+    let line = text.lines().find_map(|line| line.split_once("coefficientRestitution peratomtypepair 1 ")).unwrap();
+    (desk.summary()[result].as_f64().unwrap(), line.1.parse().unwrap(), text.clone())
+}
+
+/// A sheet that the ball hits takes energy, and damping does: the code gets the e of all that.
+#[test]
+fn plate_and_damping_are_in_e() {
+    let plate =
+        crate::common::STEEL.replace("yield_strength", "density = 7850.0\nthickness = \"5 mm\"\nyield_strength");
+    let (run, line, text) = both(&plate, "restitution", &[]);
+    assert!((run - line).abs() < 1e-8 && text.contains("a plate of 5 mm"), "{run} {line} {text}");
+    let damped = crate::common::STEEL.to_owned() + "[damping]\nviscous = 0.1\n";
+    let (run, line, text) = both(&damped, "restitution", &[]);
+    assert!((run - line).abs() < 1e-8 && text.contains("[damping] of the scenario in it"), "{run} {line} {text}");
+}
+
+/// Gravity, air, series, angle and spin are of the motion, which the other code has itself: the e is that of the speed normal to
+/// the wall, here 3 cos(60 deg) and sqrt(2 g h).
+#[test]
+fn the_motion_of_a_scenario_is_left_out_and_named() {
+    let law = |speed: f64| steel().closed_form(speed).unwrap().restitution;
+    let of = |more: &str, arguments: &[&str]| {
+        let bodies = crate::common::STEEL.split("[impact]").next().unwrap();
+        let desk = Desk::with(format!("{bodies}{more}"));
+        let (text, _) = desk.ends(&[&["export", "s.toml", "--to", "liggghts"], arguments].concat(), 0);
+        let e = text.lines().find_map(|line| line.split_once("peratomtypepair 1 ")).unwrap().1;
+        (e.parse::<f64>().unwrap(), text)
+    };
+    let oblique = "[impact]\nspeed = \"3 m/s\"\nangle = \"60 deg\"\n[friction]\ncoefficient = 0.2\n";
+    let (e, text) = of(oblique, &[]);
+    assert!((e - law(1.5)).abs() < 1e-8 && text.contains("impact.angle is left out"), "{e} {text}");
+    let bouncing =
+        "[impact]\ndrop_height = \"0.5 m\"\n[gravity]\nacceleration = 9.81\n[repeat]\nimpacts = 3\nspot = \"same\"\n";
+    let (e, text) = of(bouncing, &[]);
+    assert!((e - law((9.81_f64).sqrt())).abs() < 1e-8, "{e} {text}");
+    assert!(
+        text.contains("# [repeat] is left out: this is the first impact") && text.contains("# [gravity] is left out")
+    );
+    let swept = "[impact]\nspeed = \"3 m/s\"\n[sweep]\n\"half_space.youngs_modulus\" = [\"210 GPa\", \"70 GPa\"]\n";
+    let (e, text) = of(swept, &["--speed", "2 m/s"]);
+    assert!((e - law(2.0)).abs() < 1e-8 && text.contains("half_space.youngs_modulus = 2.1e11 Pa (210 GPa)"), "{text}");
+    let speeds = "[impact]\n[sweep]\n\"impact.speed\" = [\"3 m/s\", \"4 m/s\"]\n";
+    let desk = Desk::with(crate::common::STEEL.split("[impact]").next().unwrap().to_owned() + speeds);
+    let (_, told) = desk.ends(&["export", "s.toml", "--to", "csv"], 2);
+    assert!(told.contains("no single impact speed: give --speed"), "{told}");
+    let wanted = crate::common::STEEL.to_owned() + "[calibrate]\ndata = \"d.csv\"\n";
+    let (_, told) = Desk::with(wanted).ends(&["export", "s.toml", "--to", "csv"], 2);
+    assert!(told.contains("export the calibrated.toml"), "{told}");
 }
