@@ -223,7 +223,7 @@ fn a_hardness_comes_back_on_the_scale_on_which_it_was_given() {
     );
     let (told, _) =
         desk.ends(&[&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], &arguments[..]].concat(), 0);
-    let line = format!("{vickers:.2} HV ({:.1} MPa)", 1e-6 * pressure);
+    let line = format!("{vickers:.2} HV ({:.3} GPa)", 1e-9 * pressure);
     assert!(told.contains(&line), "{told}: {line}");
     // on another scale the same pressure, and beyond the table of a scale the pressure alone
     let (_, brinell) = calibrated(&of("hardness = \"285 HB\""), "", &arguments, 0);
