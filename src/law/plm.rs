@@ -170,7 +170,7 @@ mod tests {
         let of = |plm: &Plm, modulus: f64, strength: f64| {
             let sphere = Sphere::elastic(5e-3, Material { youngs_modulus: modulus, poissons_ratio: 0.3 }, 7850.0);
             let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
-            let half_space = HalfSpace { material: steel, yield_strength: Some(strength), density: None };
+            let half_space = HalfSpace::flat(steel, Some(strength));
             plm.of_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().unwrap().loading
         };
         let plm = Plm::default();
