@@ -1,5 +1,6 @@
 //! CSV as people and spreadsheets write it: with a byte order mark, comment lines that begin with `#`, empty lines, and
-//! spaces around values.
+//! spaces around values. Semicolons or tabs may stand between the columns, and the numbers may then have decimal commas, as
+//! spreadsheets write them in many countries.
 
 use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
 
@@ -25,6 +26,8 @@ pub struct CsvText<'t> {
     /// The line of the header, counted from 1.
     pub line: Option<u64>,
     text: &'t str,
+    /// `None` where commas separate the columns.
+    decimals: Option<Decimals>,
     reader: Reader<&'t [u8]>,
 }
 
@@ -32,29 +35,67 @@ impl<'t> CsvText<'t> {
     /// Reads the names of the columns.
     ///
     /// # Errors
-    /// [`Refusal`] if something other than commas separates the columns.
+    /// [`Refusal`] if the names cannot be read.
     pub fn new(text: &'t str) -> Result<Self, Refusal> {
         let text = without_mark(text);
-        let mut reader = ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(text.as_bytes());
+        let separator = separator(text);
+        let mut reader =
+            ReaderBuilder::new().delimiter(separator).comment(Some(b'#')).trim(Trim::All).from_reader(text.as_bytes());
         let header = reader.headers().map_err(|error| (None, error.to_string()))?.clone();
         let line = header.position().map(|position| line_at(text, position));
-        if header.len() == 1 && header[0].contains([';', '\t']) {
-            let message = "the columns are not separated by commas: write a,b,c, with decimal points";
-            return Err((line, message.to_owned()));
-        }
-        Ok(Self { header, line, text, reader })
+        Ok(Self { header, line, text, decimals: (separator != b',').then(Decimals::default), reader })
     }
 
-    /// The rows below the header, each with its line.
+    /// The rows below the header, each with its line. Numbers have decimal points.
     pub fn rows(self) -> impl Iterator<Item = Result<(u64, StringRecord), Refusal>> {
-        let Self { header, text, reader, .. } = self;
+        let Self { header, text, mut decimals, reader, .. } = self;
         reader.into_records().map(move |record| match record {
-            Ok(record) => Ok((record.position().map_or(0, |position| line_at(text, position)), record)),
+            Ok(record) => {
+                let line = record.position().map_or(0, |position| line_at(text, position));
+                let Some(decimals) = &mut decimals else { return Ok((line, record)) };
+                Ok((line, decimals.with_points(&record).map_err(|message| (Some(line), message))?))
+            }
             Err(error) => {
                 let line = error.position().map(|position| line_at(text, position));
                 Err((line, format!("this line has not as many values as there are columns ({})", header.len())))
             }
         })
+    }
+}
+
+/// The character between the columns: a semicolon or a tab, if the names of the columns have one and no comma.
+fn separator(text: &str) -> u8 {
+    let names = text.lines().find(|line| !line.is_empty() && !line.starts_with('#')).unwrap_or_default();
+    let of_spreadsheets = || [b';', b'\t'].into_iter().find(|sign| names.as_bytes().contains(sign));
+    Some(names).filter(|names| !names.contains(',')).and_then(|_| of_spreadsheets()).unwrap_or(b',')
+}
+
+/// The decimal signs that the numbers of a file have had so far, each with an example.
+#[derive(Debug, Default)]
+struct Decimals {
+    comma: Option<String>,
+    point: Option<String>,
+}
+
+impl Decimals {
+    /// The row with decimal points. A file that has both signs is refused: one of them may stand between thousands.
+    fn with_points(&mut self, row: &StringRecord) -> Result<StringRecord, String> {
+        let mut plain = StringRecord::new();
+        for field in row {
+            let pointed = field.replacen(',', ".", 1);
+            let is_number = pointed.parse::<f64>().is_ok_and(f64::is_finite) && pointed.contains('.');
+            if is_number {
+                let sign = if field.contains(',') { &mut self.comma } else { &mut self.point };
+                sign.get_or_insert_with(|| field.to_owned());
+            }
+            plain.push_field(if is_number { &pointed } else { field });
+        }
+        match (&self.comma, &self.point) {
+            (Some(comma), Some(point)) => Err(format!(
+                "the file has numbers with decimal commas ({comma}) and with decimal points ({point}); write all with one sign, and none between thousands"
+            )),
+            _ => Ok(plain),
+        }
     }
 }
 

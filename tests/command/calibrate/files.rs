@@ -56,6 +56,22 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
     assert!(residuals.iter().all(|residual| residual.abs() < 1e-5));
 }
 
+/// A spreadsheet writes semicolons and decimal commas in many countries, and tabs into the clipboard.
+#[test]
+fn semicolons_tabs_and_decimal_commas_give_the_same_bits() {
+    let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}"));
+    let plain =
+        "note,speed_m_per_s,restitution,restitution_sd\nwarm,0.2,0.7569,1e-2\n,0.3,0.7275,1.5e-2\n,0.5,0.6623,2e-2\n";
+    let [semicolons, tabs] = [";", "\t"].map(|sign| plain.replace(',', sign));
+    let commas = semicolons.replace('.', ",").replace("1e-2", "+1,0E-2").replace("warm", "\"a; b, c\"");
+    let residuals = [plain, &semicolons, &commas, &tabs, &tabs.replace('.', ",")].map(|data| {
+        let (desk, summary) = calibrated(&text, data, &[], 0);
+        (desk.read("o/residuals.csv"), summary["keys"].to_string())
+    });
+    assert!(residuals.iter().all(|one| *one == residuals[0]), "{residuals:?}");
+    assert_eq!(numbers(&residuals[0].0, "measured"), [0.7569, 0.7275, 0.6623]);
+}
+
 #[test]
 fn a_whole_cycle_of_indentation_gives_strength_and_modulus() {
     let steps = "[indentation]\nsteps = [{ load = \"500 N\" }, { load = \"0 N\" }]\n[output]\nsamples = 24\n";
