@@ -82,10 +82,11 @@ fn written(digits: &str, exponent: i32) -> String {
     format!("{sign}{before:0<whole$}.{after}").trim_end_matches('.').to_owned()
 }
 
-/// Both: "0.005 m (5 mm)"; one where they are the same.
+/// Both: "0.005 m (5 mm)"; one where they are the same, or where the number in SI has more than six digits.
 pub fn describe(value: f64, dimension: Dimension) -> String {
     let (exact, short) = (si(value, dimension), human(value, dimension));
-    if exact == short { exact } else { format!("{exact} ({short})") }
+    let is_long = format!("{value:.5e}").parse() != Ok(value);
+    if exact == short || is_long { short } else { format!("{exact} ({short})") }
 }
 
 /// The text with a capital letter at its beginning.
