@@ -46,7 +46,7 @@ use crate::error::Error;
 use crate::impact::Warning;
 use crate::plan::axis::Setting;
 use crate::scene::at::at;
-use crate::scene::keys::{NEEDED, partner, varied as varied_key};
+use crate::scene::keys::{BODIES, NEEDED, SPHERE, partner, varied as varied_key};
 use crate::scene::read::{Reader, items};
 use crate::scene::taken::{Body, Taken};
 use crate::scene::{EITHER, EVERY_KEY, Input, Use, without_effect};
@@ -150,10 +150,14 @@ impl Scenario {
         mistakes.extend(scenario.beside());
         // a misspelt key, or what a misspelt material gives, is not told as missing too
         if !has_unknown {
-            let kind = scenario.kind().unwrap_or(Kind::Indentation);
-            let is_of_impacts = !matches!(kind, Kind::Indentation | Kind::Calibrate);
-            // what is used besides the sphere is asked for when it is used, unless the scenario has to change anyway
-            let needed = if is_of_impacts && !mistakes.is_empty() { NEEDED.len() - 1 } else { 3 };
+            let needed = match scenario.kind() {
+                // an impact asks for all that it needs when it is resolved, unless the scenario has to change anyway
+                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if mistakes.is_empty() => 0,
+                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => NEEDED.len() - 1,
+                Ok(Kind::Indentation) if !scenario.has("half_space") => SPHERE,
+                Ok(Kind::Indentation | Kind::Calibrate) => BODIES,
+                Err(_) => SPHERE,
+            };
             mistakes.extend(scenario.missing(&NEEDED[..needed]));
         }
         Error::all(mistakes).map_or(Ok(scenario), Err)

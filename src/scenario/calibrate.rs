@@ -10,7 +10,7 @@ use crate::plan::axis::{Axis, Values};
 use crate::plan::free::Free;
 use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scene::at::at;
-use crate::scene::keys::NEEDED;
+use crate::scene::keys::{BODIES, NEEDED};
 use crate::scene::taken::{Body, Taken};
 use crate::scene::words::STUDENT_T;
 use crate::scene::{Input, Key};
@@ -184,6 +184,4 @@ impl Scenario {
     }
 }
 
-/// How many of [`NEEDED`] are keys of the bodies; mass and speed follow.
-const BODIES: usize = 5;
 const NO_TABLE: &str = "there is nothing to calibrate: add [calibrate] with data = \"drops.csv\"";

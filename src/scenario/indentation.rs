@@ -7,7 +7,6 @@ use crate::indentation::{Indenter, Specimen, Target};
 use crate::law::LawChoice;
 use crate::material::{HalfSpace, Material};
 use crate::scene::at::at;
-use crate::scene::keys::NEEDED;
 use crate::scene::{Input, Use, key};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
@@ -106,7 +105,6 @@ impl Scenario {
     fn specimens(&self) -> Result<Vec<Specimen>, Error> {
         let refuse = |message: String| Err(self.document.refuse(SPECIMENS, message));
         if self.has("half_space") {
-            self.need(&NEEDED[3..5])?;
             self.check_flow(&self.input)?;
             return Ok(vec![Specimen { name: None, half_space: self.input.half_space() }]);
         }

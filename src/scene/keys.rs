@@ -90,3 +90,7 @@ pub const NEEDED: [&str; 7] = [
     "sphere.density",
     "impact.speed",
 ];
+
+/// How many of [`NEEDED`] are keys of the sphere, and how many are keys of both bodies; mass and speed follow.
+pub const SPHERE: usize = 3;
+pub const BODIES: usize = 5;
