@@ -23,6 +23,7 @@ use std::path::Path;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser, Subcommand};
 use plm_impact::error::Error;
+use plm_impact::report::laws::{data, list};
 use plm_impact::scenario::schema::schema;
 use terminal::ErrorFormat;
 
@@ -59,7 +60,11 @@ enum Command {
     #[command(after_help = "Examples:
   plm-impact laws
   plm-impact run impact.toml --set law=thornton")]
-    Laws,
+    Laws {
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     Materials(materials::Arguments),
     Keys(keys::Arguments),
     /// Print the JSON Schema of a scenario, for editors and for programs that write scenarios
@@ -88,7 +93,8 @@ pub fn run() -> Result<(), Error> {
         Command::Check(arguments) => run::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Export(arguments) => export::export(&arguments),
-        Command::Laws => terminal::print(&plm_impact::report::laws::list()),
+        Command::Laws { json: true } => terminal::print_json(&format!("{:#}\n", data())),
+        Command::Laws { json: false } => terminal::print(&list()),
         Command::Keys(arguments) => keys::keys(&arguments),
         Command::Materials(arguments) => materials::materials(&arguments),
         Command::Schema => terminal::print(&format!("{:#}\n", schema())),

@@ -1,6 +1,7 @@
 //! Texts about a run: files, and tables for the terminal. Nothing here opens a file or prints.
 
 pub(crate) mod calibrate;
+pub(crate) mod checked;
 pub(crate) mod indentation;
 pub mod inputs;
 pub mod laws;
@@ -22,7 +23,8 @@ pub use terminal::{Detail, impact as table};
 
 /// All results as Markdown, a table for every file, or part of one, that has them.
 fn results() -> String {
-    [impact::files(), series::files(), indentation::files(), sweep::files(), calibrate::files()].concat()
+    [impact::files(), series::files(), indentation::files(), sweep::files(), calibrate::files(), checked::files()]
+        .concat()
 }
 
 #[cfg(test)]
@@ -47,6 +49,7 @@ mod tests {
             names(&indentation::columns()),
             names(&sweep::totals()),
             names(&sweep::drawn()),
+            names(&checked::contact()),
         ]
         .concat();
         assert!(all.len() > 150, "{}", all.len());

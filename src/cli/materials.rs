@@ -5,8 +5,8 @@ use std::ffi::OsStr;
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Command};
 use plm_impact::error::Error;
-use plm_impact::materials::{all, find};
-use plm_impact::report::materials::{has, list, one};
+use plm_impact::materials::{Entry, all, find};
+use plm_impact::report::materials::{data, has, list, one};
 use plm_impact::units::nearest::did_you_mean;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
@@ -18,6 +18,9 @@ pub struct Arguments {
     /// Name of one material, or a part of the names or descriptions of several
     #[arg(hide_possible_values = true, value_parser = Names)]
     name: Option<String>,
+    /// Print JSON: values, ranges and sources, in SI
+    #[arg(long)]
+    json: bool,
 }
 
 /// Any text; shells complete the names of materials.
@@ -36,17 +39,19 @@ impl TypedValueParser for Names {
     }
 }
 
-pub fn materials(Arguments { name }: &Arguments) -> Result<(), Error> {
+pub fn materials(Arguments { name, json }: &Arguments) -> Result<(), Error> {
     let name = name.as_deref().unwrap_or_default();
-    let text = match find(name) {
-        Some(entry) => one(entry),
-        None if all().iter().any(|entry| has(entry, name)) => list(name),
-        None => {
-            let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
-            let known = format!("materials are {}", names.join(", "));
-            let text = format!("unknown material \"{name}\"{}", did_you_mean(name, names, '"', &known));
-            return Err(Error::input(text));
-        }
-    };
-    super::terminal::print(&text)
+    let exact = find(name);
+    let found: Vec<&Entry> =
+        exact.map_or_else(|| all().iter().filter(|entry| has(entry, name)).collect(), |one| vec![one]);
+    if found.is_empty() {
+        let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
+        let known = format!("materials are {}", names.join(", "));
+        let text = format!("unknown material \"{name}\"{}", did_you_mean(name, names, '"', &known));
+        return Err(Error::input(text));
+    }
+    if *json {
+        return super::terminal::print_json(&format!("{:#}\n", data(&found)));
+    }
+    super::terminal::print(&exact.map_or_else(|| list(name), one))
 }

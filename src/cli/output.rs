@@ -67,7 +67,7 @@ impl Output {
             let outcome = outcome(&scenario, &Order { command: &command_line(), detail, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
-        let Outcome { warnings, text, files, contradiction } = outcome;
+        let Outcome { warnings, text, files, contradiction, .. } = outcome;
         warn(&warnings);
         heed(&scenario, warnings.len(), self.strict)?;
         let out = directory.path().to_owned();

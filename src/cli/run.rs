@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use plm_impact::error::Error;
+use plm_impact::run::Outcome;
+use serde_json::Value;
 
 use super::output::Output;
 use super::scenario::ScenarioArguments;
@@ -48,15 +50,23 @@ fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact check impact.toml
-  plm-impact check impact.toml --set sphere.youngs_modulus=rigid --error-format json")]
+  plm-impact check impact.toml --set sphere.youngs_modulus=rigid --json")]
 pub struct CheckArguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
+    /// Print JSON: inputs in SI, the numbers that follow from them, and the warnings
+    #[arg(long)]
+    json: bool,
 }
 
 pub fn check(arguments: &CheckArguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load()?;
-    let outcome = plm_impact::run::check(&scenario)?;
-    super::output::warn(&outcome.warnings);
-    super::terminal::print(&outcome.text)
+    let Outcome { warnings, text, mut checked, .. } = plm_impact::run::check(&scenario)?;
+    super::output::warn(&warnings);
+    if !arguments.json {
+        return super::terminal::print(&text);
+    }
+    checked.insert("kind".to_owned(), scenario.kind()?.name().into());
+    checked.insert("warnings".to_owned(), warnings.into());
+    super::terminal::print_json(&format!("{:#}\n", Value::Object(checked)))
 }

@@ -3,12 +3,14 @@
 use std::fmt::Debug;
 use std::sync::LazyLock;
 
+use serde::Serialize;
+
 use super::Law;
 use super::published::{OutsideLaw, Rules};
 use crate::material::{Pair, YieldPoint};
 
 /// Where a law comes from and what it is good for, in words.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct About {
     pub name: &'static str,
     /// Authors and year.

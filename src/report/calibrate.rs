@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::inputs::Inputs;
 use super::rows::written;
@@ -187,6 +187,22 @@ fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
 
 /// `summary.json`.
 pub fn summary(measured: &Measurements, calibration: &Calibration, provenance: &Provenance) -> Result<String, Error> {
+    super::summary::of(
+        fields(&results(), &Calibrated { measured, calibration }),
+        &inputs(measured, calibration),
+        provenance,
+    )
+}
+
+/// The results and inputs alone, for a check.
+pub fn found(measured: &Measurements, calibration: &Calibration) -> Result<Map<String, Value>, Error> {
+    let mut all = fields(&results(), &Calibrated { measured, calibration });
+    all.extend(super::checked::of_inputs(&inputs(measured, calibration))?);
+    Ok(all)
+}
+
+/// The inputs that neither the data give nor the calibration finds.
+fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
     let varies = |key: &str| {
         calibration.keys.iter().any(|found| found.free.key.path == key)
             || measured.data.keys.iter().any(|column| column.path == key)
@@ -195,7 +211,7 @@ pub fn summary(measured: &Measurements, calibration: &Calibration, provenance: &
     };
     let mut inputs = Inputs::of(&calibration.fit.problem.input);
     inputs.0.retain(|held| !varies(&held.path));
-    super::summary::of(fields(&results(), &Calibrated { measured, calibration }), &inputs, provenance)
+    inputs
 }
 
 /// The name of a file without its folders, which differ from machine to machine.

@@ -1,6 +1,6 @@
 //! The results of an indentation, and the texts about it: `summary.json`, `trace.csv` and what the terminal shows.
 
-use serde_json::Map;
+use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
 use super::rows::csv;
@@ -189,6 +189,13 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
     let mut inputs = Inputs::of(&input);
     inputs.0.retain(|held| (held.part.is_static() || held.part == Part::Output) && !own.contains(&held.path));
     inputs
+}
+
+/// A check as data: the inputs, and every half-space.
+pub fn checked(tested: &[Tested], inputs: &Inputs) -> Result<Map<String, Value>, Error> {
+    let mut all = super::checked::of_inputs(inputs)?;
+    all.insert("half_spaces".to_owned(), lists(&half_space(), tested));
+    Ok(all)
 }
 
 /// The text of `check`: the inputs, the steps, and the contact of every half-space.

@@ -2,8 +2,17 @@
 
 use std::fmt::Write as _;
 
-use crate::law::LawChoice;
+use serde_json::{Value, json};
+
 use crate::law::catalogue::not_public;
+use crate::law::{About, LawChoice};
+
+/// All of this as JSON.
+pub fn data() -> Value {
+    let laws: Vec<&About> = LawChoice::all().iter().map(LawChoice::about).collect();
+    let missing = not_public().map(|(title, reason)| json!({ "title": title, "reason": reason }));
+    json!({ "laws": laws, "not_here": missing.collect::<Vec<_>>() })
+}
 
 /// A paragraph for every law, then the laws that are missing, each with the reason.
 pub fn list() -> String {

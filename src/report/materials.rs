@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use serde_json::{Map, Value, json};
+
 use crate::materials::{Entry, Known, Property, all};
 use crate::units::aligned::aligned;
 use crate::units::{Dimension, four_digits, quantity};
@@ -31,6 +33,26 @@ pub fn list(text: &str) -> String {
         "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
          `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"
     )
+}
+
+/// These materials as JSON, with all values in SI.
+pub fn data(entries: &[&Entry]) -> Value {
+    let property = |known: &Known| {
+        let Known { property, taken, range: [low, high], basis, sources } = known;
+        let sources = sources.iter().map(|[source, says]| json!({ "source": source, "says": says }));
+        let about = json!({
+            "written": taken.text, "value": taken.value, "low": low.value, "high": high.value,
+            "basis": basis, "sources": sources.collect::<Vec<_>>(),
+        });
+        (property.name().to_owned() + property.dimension().suffix(), about)
+    };
+    let entry = |entry: &&Entry| {
+        json!({
+            "name": entry.name, "title": entry.title, "class": entry.class.name(), "note": entry.note,
+            "properties": entry.known.iter().map(property).collect::<Map<_, _>>(),
+        })
+    };
+    entries.iter().map(entry).collect()
 }
 
 /// The page about one material: values, ranges, the kind of each number, and its sources.

@@ -2,6 +2,7 @@
 
 use std::path::absolute;
 
+use serde_json::Map;
 use toml_edit::Value;
 
 use super::outcome::{Order, Outcome, file, provenance, with_summary};
@@ -22,7 +23,8 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
     let found = measured.calibrate(order.map_or(&unwatched, |order| order.progress))?;
     let files = order.map_or_else(|| Ok(Vec::new()), |order| files(scenario, &measured, &found, order))?;
     let contradiction = found.verdict().contradiction();
-    Ok(Outcome { contradiction, ..Outcome::done(warnings(&found), report::table(&found), files) })
+    let checked = if order.is_none() { report::found(&measured, &found)? } else { Map::new() };
+    Ok(Outcome { contradiction, checked, ..Outcome::done(warnings(&found), report::table(&found), files) })
 }
 
 /// The files with these results.

@@ -7,6 +7,7 @@ use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::plot;
 use crate::plot::caption::{caption, captioned};
 use crate::provenance::{MethodOf, Provenance};
+use crate::report::checked::of_contact;
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::{summary, table, trace};
@@ -51,7 +52,8 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
 pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
     let (input, contact, impact) = compute(scenario, order.map(|_| scenario.input().samples()))?;
     let Some(order) = order else {
-        return Ok(Outcome::checked(texts(&impact.warnings), overview(&input, &contact)));
+        let checked = of_contact(&input, &contact)?;
+        return Ok(Outcome::checked(texts(&impact.warnings), overview(&input, &contact), checked));
     };
     let provenance = provenance(scenario, &input, impact.method, order.command);
     let mut files = vec![file("trace.csv", trace(&impact)?)];

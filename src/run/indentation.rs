@@ -41,10 +41,11 @@ pub fn compute(
 
 pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, order.map(|_| scenario.input().samples()))?;
-    let Some(order) = order else {
-        return Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested)));
-    };
     let inputs = report::inputs(scenario, &scene);
+    let Some(order) = order else {
+        let checked = report::checked(&tested, &inputs)?;
+        return Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested), checked));
+    };
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);
     let mut files = vec![file("trace.csv", report::trace(&tested)?)];

@@ -1,5 +1,7 @@
 //! The outcome of a scenario of any kind.
 
+use serde_json::{Map, Value};
+
 use crate::error::{Error, ErrorKind};
 use crate::impact::{ImpactError, Warning};
 use crate::integrate::IntegrationError;
@@ -35,15 +37,17 @@ pub struct Outcome {
     pub files: Vec<OutputFile>,
     /// Why measurements contradict the law, where they do: all is written, and the exit code is 3.
     pub contradiction: Option<String>,
+    /// A check as data; empty for a run, whose summary has more.
+    pub checked: Map<String, Value>,
 }
 
 impl Outcome {
-    pub(super) fn checked(warnings: Vec<String>, text: String) -> Self {
-        Self::done(warnings, text, Vec::new())
+    pub(super) fn checked(warnings: Vec<String>, text: String, checked: Map<String, Value>) -> Self {
+        Self { checked, ..Self::done(warnings, text, Vec::new()) }
     }
 
     pub(super) fn done(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
-        Self { warnings, text, files, contradiction: None }
+        Self { warnings, text, files, contradiction: None, checked: Map::new() }
     }
 }
 

@@ -8,6 +8,7 @@ use crate::plot;
 use crate::plot::caption::{caption, captioned};
 use crate::progress::Counter;
 use crate::repeat::Repeat;
+use crate::report::checked::of_contact;
 use crate::report::inputs::Inputs;
 use crate::report::overview::overview;
 use crate::report::repeat as report;
@@ -39,7 +40,8 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
     let Some(order) = order else {
-        return Ok(Outcome::checked(warnings, report::repeat_lines(&repeat) + &overview(&input, &contact)));
+        let text = report::repeat_lines(&repeat) + &overview(&input, &contact);
+        return Ok(Outcome::checked(warnings, text, of_contact(&input, &contact)?));
     };
     let provenance = provenance(scenario, &input, sequence.method, order.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };

@@ -9,6 +9,7 @@ use crate::plot::Pictures;
 use crate::plot::sweep::pictures;
 use crate::progress::Counter;
 use crate::provenance::Provenance;
+use crate::report::checked::of_plan;
 use crate::report::overview::overview;
 use crate::report::plan::plan_lines;
 use crate::report::sweep::{lines, summary};
@@ -21,7 +22,8 @@ use crate::sweep::ordered::in_order;
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
-    Ok(Outcome::checked(warnings_of(&plan, &contact), plan_lines(&plan) + &overview(&plan.input, &contact)))
+    let text = plan_lines(&plan) + &overview(&plan.input, &contact);
+    Ok(Outcome::checked(warnings_of(&plan, &contact), text, of_plan(&plan, &contact)?))
 }
 
 /// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.

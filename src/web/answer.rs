@@ -20,7 +20,7 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
     let order = Order { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
-    let Outcome { warnings, text, files, contradiction } = match at_once(scenario, Some(&order))? {
+    let Outcome { warnings, text, files, contradiction, .. } = match at_once(scenario, Some(&order))? {
         Some(outcome) => outcome,
         None => of_table(scenario, &order)?,
     };

@@ -48,3 +48,18 @@ fn laws_lists_every_law_and_those_that_are_missing() {
     }
     assert_eq!(text.matches("confidence").count(), LawChoice::names().len());
 }
+
+#[test]
+fn laws_as_json_have_the_facts_of_every_law() {
+    let (text, _) = Desk::with("").ends(&["laws", "--json"], 0);
+    let all: Value = serde_json::from_str(&text).unwrap();
+    let laws = all["laws"].as_array().unwrap();
+    let names: Vec<&str> = laws.iter().map(|law| law["name"].as_str().unwrap()).collect();
+    assert_eq!(names, LawChoice::names());
+    for key in ["title", "source", "loading", "unloading", "validity", "confidence"] {
+        assert!(laws.iter().all(|law| law[key].as_str().is_some_and(|text| !text.is_empty())), "{key}");
+    }
+    assert!(
+        all["not_here"].as_array().unwrap().iter().all(|law| law["title"].is_string() && law["reason"].is_string())
+    );
+}

@@ -7,6 +7,8 @@ use plm_impact::scene::quantity::{
     DENSITY, HARDENING_EXPONENT, HARDNESS, MODULUS, POISSONS_RATIO, Quantity, RATE_SENSITIVITY,
 };
 
+use serde_json::json;
+
 use crate::common::prelude::*;
 
 fn quantity(property: Property) -> &'static Quantity {
@@ -196,4 +198,24 @@ fn the_beginning_of_names_lists_those() {
     let count = |list: &str, begin: &str| list.lines().filter(|line| line.starts_with(begin)).count();
     assert!(count(&steels, "steel-") > 5 && count(&steels, "steel-") == count(&every, "steel-"), "{steels}");
     assert_eq!((count(&steels, "lead"), count(&every, "lead")), (0, 1));
+}
+
+/// Every value lies in its range. The density of the alloy is that of the data sheets, 2700 kg/m^3.
+#[test]
+fn materials_as_json_have_values_in_si_with_their_ranges() {
+    let desk = Desk::with("");
+    let json = |arguments: &[&str]| -> Value { serde_json::from_str(&desk.ends(arguments, 0).0).unwrap() };
+    let whole = json(&["materials", "--json"]);
+    assert_eq!(whole.as_array().unwrap().len(), all().len());
+    for property in whole.as_array().unwrap().iter().flat_map(|one| one["properties"].as_object().unwrap().values()) {
+        let [low, value, high] = ["low", "value", "high"].map(|name| property[name].as_f64().unwrap());
+        assert!(low <= value && value <= high && property["sources"].is_array(), "{property}");
+    }
+    // a whole name finds one material alone
+    let one = json(&["materials", "aluminium-6061-t6", "--json"]);
+    assert_eq!((one.as_array().unwrap().len(), &one[0]["name"]), (1, &json!("aluminium-6061-t6")));
+    assert_eq!(one[0]["properties"]["density_kg_per_m3"]["value"], 2700.0);
+    assert_eq!(json(&["materials", "1.4301", "--json"])[0]["class"], "metal");
+    let (_, said) = desk.ends(&["materials", "cheese", "--json"], 2);
+    assert!(said.contains("unknown material \"cheese\""), "{said}");
 }

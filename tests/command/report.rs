@@ -2,6 +2,8 @@
 
 use plm_impact::provenance::FORMAT;
 
+use serde_json::json;
+
 use crate::common::prelude::*;
 
 const SAMPLES: usize = 40;
@@ -144,4 +146,35 @@ fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
     let end = events.len() - 1;
     assert_eq!((of("time_s")[end], of("force_N")[end]), (impact.contact_time, 0.0));
     assert_relative_eq!(of("indentation_m")[end], impact.residual_indentation, max_relative = 1e-12);
+}
+
+/// The numbers of a check are those of the run, with all digits, in every kind of scene.
+#[test]
+fn a_check_as_json_has_the_inputs_and_the_contact_of_the_run() {
+    let desk = Desk::ran(STEEL);
+    let summary = desk.summary();
+    let checked: Value = serde_json::from_str(&desk.ends(&["check", "s.toml", "--json"], 0).0).unwrap();
+    assert_eq!((&checked["kind"], &checked["inputs"]), (&json!("impact"), &summary["inputs"]));
+    assert_eq!(checked["warnings"], summary["warnings"]);
+    let contact = checked["contact"].as_object().unwrap();
+    for name in ["sphere_mass_kg", "effective_modulus_Pa", "sphere_compliance", "yield_indentation_m", "yield_force_N"]
+    {
+        assert_eq!(contact[name], summary[name], "{name}");
+    }
+    assert_eq!(contact["yield_speed_m_per_s"], summary["yield_speed_m_per_s"]);
+    // Hertz: a^2 = R delta
+    let [radius, indentation] =
+        ["yield_contact_radius_m", "yield_indentation_m"].map(|name| contact[name].as_f64().unwrap());
+    let sphere = contact["effective_radius_m"].as_f64().unwrap();
+    assert!((radius * radius / (sphere * indentation) - 1.0).abs() < 1e-14, "{radius} {indentation} {sphere}");
+
+    for (kind, holds) in
+        [("sweep", "cases"), ("repeat", "contact"), ("indentation", "half_spaces"), ("calibrate", "keys")]
+    {
+        let file = format!("{kind}.toml");
+        desk.ends(&["init", kind, "--out", &file], 0);
+        let checked: Value = serde_json::from_str(&desk.ends(&["check", &file, "--json"], 0).0).unwrap();
+        assert_eq!(checked["kind"], kind);
+        assert!(!checked[holds].is_null() && checked["inputs"].is_object(), "{checked}");
+    }
 }
