@@ -51,7 +51,7 @@ use crate::scene::read::{Reader, items};
 use crate::scene::taken::{Body, Taken};
 use crate::scene::{EITHER, EVERY_KEY, Input, Use, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
-pub use kind::{Kind, template};
+pub use kind::{Kind, TEMPLATES};
 use varied::Varied;
 
 /// A scenario file, read and checked.

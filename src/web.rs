@@ -13,7 +13,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::error::{Error, ErrorKind};
 use crate::plot::Pictures;
-use crate::scenario::{Kind, Scenario, edit, template};
+use crate::scenario::{Scenario, TEMPLATES, edit};
 
 /// Tells JavaScript why the program stopped. After that this instance of it is of no use.
 #[wasm_bindgen(start)]
@@ -49,11 +49,10 @@ pub fn materials() -> String {
     fields::materials().to_string()
 }
 
-/// Scenarios to begin with, by their kinds.
+/// Scenarios to begin with, by name.
 #[wasm_bindgen]
 pub fn init() -> String {
-    let of = |kind: Kind| (kind.name().to_owned(), json!(template(kind)));
-    Value::Object(Kind::ALL.into_iter().map(of).collect()).to_string()
+    Value::Object(TEMPLATES.into_iter().map(|(name, text)| (name.to_owned(), json!(text))).collect()).to_string()
 }
 
 /// The keys that are one value, for a form, in the order of the reference page.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scenario::{Kind, template};
+use plm_impact::scenario::TEMPLATES;
 
 use super::output::one_of;
 use super::scenario::{STANDARD_INPUT, write_new};
@@ -14,20 +14,19 @@ use super::scenario::{STANDARD_INPUT, write_new};
 /// It runs as it is. A file that is there is never overwritten.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  plm-impact init sweep
+  plm-impact init leeb
   plm-impact init --out - | plm-impact run - --json")]
 pub struct Arguments {
     /// What is to be run
-    #[arg(default_value = "impact", value_parser = one_of(Kind::ALL, Kind::name))]
-    kind: Kind,
+    #[arg(value_name = "KIND", default_value = "impact", value_parser = one_of(TEMPLATES, |(name, _)| name))]
+    template: (&'static str, &'static str),
     /// File to write; - is standard output [default: KIND.toml]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
-pub fn init(Arguments { kind, out }: &Arguments) -> Result<(), Error> {
-    let text = template(*kind);
-    let out = out.clone().unwrap_or_else(|| format!("{}.toml", kind.name()).into());
+pub fn init(Arguments { template: (name, text), out }: &Arguments) -> Result<(), Error> {
+    let out = out.clone().unwrap_or_else(|| format!("{name}.toml").into());
     if out == Path::new(STANDARD_INPUT) {
         return super::terminal::print(text);
     }

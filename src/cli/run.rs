@@ -21,6 +21,9 @@ pub struct Arguments {
     /// More scenario files; each is run with the same options into a directory of its own
     #[arg(value_name = "FILES")]
     more: Vec<PathBuf>,
+    /// Impact speed in place of that of the scenario, as --set impact.speed="2 m/s"
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
     #[command(flatten)]
     output: Output,
     #[command(flatten)]
@@ -37,7 +40,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
 
 /// Runs one of the files.
 fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
-    let mut scenario = file.load()?;
+    let speed = arguments.speed.as_ref().map(|speed| format!("impact.speed={speed}"));
+    let mut scenario = file.load_with(speed.as_slice())?;
     let kind = scenario.kind()?;
     if kind.is_table() {
         return super::sweep::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);

@@ -22,17 +22,21 @@ named! {
     }
 }
 
-/// A scenario of this kind, with a comment for every key: a test compares them with those of the keys.
-pub fn template(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Impact => include_str!("template/impact.toml"),
-        Kind::Sweep => include_str!("template/sweep.toml"),
-        Kind::MonteCarlo => include_str!("template/monte_carlo.toml"),
-        Kind::Repeat => include_str!("template/repeat.toml"),
-        Kind::Indentation => include_str!("template/indentation.toml"),
-        Kind::Calibrate => include_str!("template/calibrate.toml"),
-    }
-}
+/// Scenarios to begin with, by name: one of each kind, and then usual tasks. A comment explains every key, and a test compares
+/// these with the list of keys.
+pub const TEMPLATES: [(&str, &str); 11] = [
+    ("impact", include_str!("template/impact.toml")),
+    ("sweep", include_str!("template/sweep.toml")),
+    ("monte_carlo", include_str!("template/monte_carlo.toml")),
+    ("repeat", include_str!("template/repeat.toml")),
+    ("indentation", include_str!("template/indentation.toml")),
+    ("calibrate", include_str!("template/calibrate.toml")),
+    ("drop", include_str!("template/drop.toml")),
+    ("plate", include_str!("template/plate.toml")),
+    ("peening", include_str!("template/peening.toml")),
+    ("leeb", include_str!("template/leeb.toml")),
+    ("oblique", include_str!("template/oblique.toml")),
+];
 
 impl Kind {
     /// Names a scenario of this kind in messages.

@@ -46,6 +46,24 @@ fn overrides_directory_and_quiet_do_what_they_say_and_other_files_are_left_alone
 }
 
 #[test]
+fn a_speed_on_the_command_line_takes_the_place_of_that_of_the_scenario_and_of_a_drop_height() {
+    let desk = Desk::with(STEEL);
+    let e = |arguments: &[&str]| -> f64 {
+        let (printed, _) =
+            desk.ends(&[&["run", "s.toml", "--json", "--pictures", "none", "--out", "o"], arguments].concat(), 0);
+        let summary: Value = serde_json::from_str(&printed).unwrap();
+        assert_eq!(summary["inputs"]["impact_speed_m_per_s"], 2.0);
+        summary["restitution"].as_f64().unwrap()
+    };
+    let wanted = e(&["--set", "impact.speed=2 m/s"]);
+    assert_eq!(e(&["--speed", "200 cm/s"]).to_bits(), wanted.to_bits());
+    std::fs::write(desk.path("s.toml"), STEEL.replace("speed = \"3 m/s\"", "drop_height = \"1 m\"")).unwrap();
+    assert_eq!(e(&["--speed", "2 m/s"]).to_bits(), wanted.to_bits());
+    let (_, said) = desk.ends(&["run", "s.toml", "--speed=-2 m/s", "--out", "p"], 2);
+    assert!(said.contains("impact.speed") && said.contains("-2 m/s"), "{said}");
+}
+
+#[test]
 fn a_reader_who_has_left_is_no_failure() {
     let desk = Desk::with(STEEL);
     // the first command prints results and warnings, the second an error
