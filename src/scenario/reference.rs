@@ -10,7 +10,7 @@ use crate::scene::tables::{POINT, pair_example};
 use crate::scene::written::pattern;
 use crate::scene::{EVERY_KEY, Key};
 
-/// All keys as Markdown, a table for every table of a scenario.
+/// All keys as Markdown, a table for every table of a scenario: first those that a user sets, then those for experts.
 pub fn keys() -> String {
     let mut tables: Vec<&str> = Vec::new();
     for (table, _) in EVERY_KEY.iter().map(place) {
@@ -20,17 +20,32 @@ pub fn keys() -> String {
     }
     // the tables in the order of the registry, those of the laws together
     tables.sort_by_key(|table| EVERY_KEY.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
-    let mut text = String::new();
-    for table in tables {
-        let _ = writeln!(text, "### {}\n\n| key | value | default | meaning |\n|---|---|---|---|", heading(table));
-        for key in EVERY_KEY.iter().filter(|key| place(key).0 == table) {
-            let axis = if Key::find(key.path).is_some() { " \u{2195}" } else { "" };
-            let default = if key.default.is_empty() { "\u{2013}" } else { key.default };
-            let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", place(key).1, written(&key.form), key.about);
-        }
-        text.push('\n');
+    let (of_experts, usual): (Vec<&str>, Vec<&str>) = tables.into_iter().partition(|table| is_of_experts(table));
+    let [usual, of_experts] = [usual, of_experts].map(|tables| tables.into_iter().map(table).collect::<String>());
+    usual + EXPERTS + &of_experts
+}
+
+const EXPERTS: &str = "## Keys for experts
+
+The constants of the other laws, and the integration. A scenario seldom needs them: the defaults are those of the
+papers, and a relative tolerance of 1e-10.
+
+";
+
+/// The constants of laws other than the default one, and the solver.
+fn is_of_experts(table: &str) -> bool {
+    table == "solver" || table.starts_with("law.") && table != "law.plm"
+}
+
+/// The keys of one table.
+fn table(name: &str) -> String {
+    let mut text = format!("### {}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", heading(name));
+    for key in EVERY_KEY.iter().filter(|key| place(key).0 == name) {
+        let axis = if Key::find(key.path).is_some() { " \u{2195}" } else { "" };
+        let default = if key.default.is_empty() { "\u{2013}" } else { key.default };
+        let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", place(key).1, written(&key.form), key.about);
     }
-    text
+    text + "\n"
 }
 
 /// Describes the keys whose paths have this text; `None` if there is none.
