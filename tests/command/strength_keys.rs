@@ -176,3 +176,24 @@ fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
     let hardening = crate::common::scene(&text, &nine_pieces);
     assert!(off(restitution(&hardening), 0.513_146_638_758_511_5) < 1e-8, "{}", restitution(&hardening));
 }
+
+/// The page scenarios/trust.md says that a simulated Brinell test gives 11 to 14 % more than the number typed. The parts: the
+/// table of ISO 18265 (HV = 1.05 HB), the faces of the pyramid over their projection (1/0.9272), and the area of the cap.
+#[test]
+fn a_brinell_test_of_a_brinell_number_gives_more_by_the_way_over_vickers() {
+    for (hardness, load) in [(130.0, 500.0), (130.0, 1000.0), (200.0, 1500.0), (300.0, 3000.0), (400.0, 3000.0)] {
+        let steps = format!("[indentation]\nsteps = [{{ load = \"{load} kgf\" }}]\n");
+        let bodies = format!(
+            "[sphere]\ndiameter = \"10 mm\"\nyoungs_modulus = \"600 GPa\"\npoissons_ratio = 0.23\n\
+             [half_space]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nhardness = \"{hardness} HB\"\n"
+        );
+        let desk = Desk::ran(bodies + &steps);
+        let radius = desk.summary()["half_spaces"][0]["steps"][0]["peak_contact_radius_m"].as_f64().unwrap() * 1e3;
+        assert!(radius < 0.45 * 5.0, "{radius}");
+        let area = std::f64::consts::PI * radius * radius;
+        let cap = 10.0 * std::f64::consts::PI * (5.0 - (25.0 - radius * radius).sqrt());
+        let tested = load / cap / hardness;
+        assert!((1.105..1.145).contains(&tested), "{hardness} HB: {tested}");
+        assert!((tested * cap / area / (1.05 / 0.9272) - 1.0).abs() < 0.02, "{hardness} HB: {}", tested * cap / area);
+    }
+}
