@@ -29,6 +29,7 @@ pub mod measured;
 pub mod oblique;
 pub mod quasi_static;
 pub mod unloading;
+pub mod yielding;
 
 use serde::de::DeserializeOwned;
 

@@ -15,6 +15,7 @@ mod pictures;
 mod quasi_static;
 mod rate;
 pub mod report;
+mod yielding;
 
 use crate::error::Error;
 use crate::law::PlmCoefficients;
@@ -31,9 +32,11 @@ const SOURCES: &[Source] = &[
     quasi_static::cycles,
     dynamic::impacts,
     hardening::unloadings,
+    yielding::load_cycles,
     rate::impacts,
     measured::rebounds,
     measured::hardnesses,
+    yielding::equal_balls,
     oblique::rebounds,
 ];
 

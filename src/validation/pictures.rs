@@ -12,10 +12,11 @@ use super::hardening::{at_energy, law};
 use super::measured::restitution as of_device;
 use super::oblique::{FRICTION, alumina_on_glass, rebound};
 use super::quasi_static::restitution;
+use super::yielding::compared;
 use crate::error::Error;
 use crate::impact::oblique::motion::Motion;
 use crate::impact::{ImpactError, TraceRow};
-use crate::law::PlmCoefficients;
+use crate::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::math::functions::{exp, ln, sin_cos};
 use crate::output::OutputFile;
 use crate::plot::{Axis, Chart, Panel, Pictures, PlotError, Series, Style};
@@ -51,6 +52,7 @@ pub fn pictures(
     }
     pictures.extend(dynamic::cases(coefficients)?.iter().map(impact));
     pictures.push(hardening(coefficients)?);
+    pictures.push(yielding(coefficients, &cases)?);
     pictures.push(leeb(coefficients)?);
     pictures.push(oblique()?);
     progress.expect(pictures.len() as u64);
@@ -170,6 +172,41 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let chart =
         chart.with_branches(&["law, flow curve", "law, initial strength"]).with_notes(["points: finite elements"]);
     Ok(("hardening-restitution".to_owned(), chart))
+}
+
+/// The pairs of steel in the picture of bodies that yield, all of the same strength; the dents are those of case 3.
+const YIELDING: [(&str, &str); 2] = [("S1", "sphere: flat"), ("S3", "both")];
+
+/// Restitution against contact radius, where the half-space yields, the sphere, or both.
+fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, Error> {
+    let (all, mut series) = (compared(coefficients)?, Vec::new());
+    let mut add = |called: &str, law: &Law, ratio: f64, points: Vec<(f64, f64)>, deepest: f64| {
+        let style = series.len() / 2;
+        series.push(Series::points(called, points).styled(style));
+        let at = |x| (law.contact_radius(&law.loaded_to(x)) * ratio, restitution(law, x));
+        series.push(Series::line("", log_sampled(1.1 * deepest, at)).styled(style));
+    };
+    for case in cases.iter().filter(|case| case.loading.case == "case3") {
+        let law = case.law(coefficients, UnloadingExponent::PressureShape);
+        let rows = case.cycles.iter().map(|cycle| &cycle.row);
+        let points = rows.clone().filter_map(|row| Some((row.contact_radius, row.restitution?))).collect();
+        let deepest = rows.map(|row| row.x).fold(1.0, f64::max);
+        add("half-space: dent", &law, case.loading.yield_radius_ratio, points, deepest);
+    }
+    for (name, called) in YIELDING {
+        let of_pair: Vec<_> = all.iter().filter(|of| of.row.case == name).collect();
+        let Some(first) = of_pair.first() else { continue };
+        let points = of_pair.iter().map(|of| (of.row.contact_radius, of.row.restitution)).collect();
+        let deepest = of_pair.iter().map(|of| of.at_depth).fold(1.0, f64::max);
+        add(called, &first.law, first.bodies.yield_radius_ratio(), points, deepest);
+    }
+    let axes = [
+        Axis::log("Contact radius over radius of the sphere a/R", ""),
+        Axis::linear("Restitution e, pressure-shape", "").between(0.25, 1.02),
+    ];
+    let chart = Chart::new("Restitution where sphere, half-space or both yield", axes, series);
+    let chart = chart.with_notes(["points: finite elements", "lines: law"]).with_caption("yield strength 345 MPa");
+    Ok(("yielding-restitution".to_owned(), chart))
 }
 
 /// The rebound hardness of steels against their tensile strength: as measured, and by the law with two strengths that are

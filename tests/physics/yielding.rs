@@ -19,7 +19,7 @@ fn contact_of(row: &Row, more: &[&str]) -> (plm_impact::scene::Input, Contact) {
 #[test]
 fn load_cycles_are_those_of_finite_elements() {
     let (mut compared, mut off_force, mut off_e) = (0, Vec::new(), Vec::new());
-    for row in rows(include_str!("../reference/fe_yielding.csv")) {
+    for row in rows(include_str!("../../src/reference/fe_yielding.csv")) {
         let (name, ratio) = (row.name().to_owned(), row.number("contact_radius_over_R"));
         if row.number("elements_in_contact") < 9.0 || ["S3", "S7"].contains(&&*name) && ratio > 0.2 {
             continue;
@@ -79,7 +79,7 @@ fn whole_impacts_are_those_of_finite_elements() {
 /// Who keeps the residual indentation, up to a/R = 0.11: the harder body's share within 0.1 of that of the finite elements.
 #[test]
 fn dent_and_flat_are_shared_as_in_finite_elements() {
-    for row in rows(include_str!("../reference/fe_yielding.csv")) {
+    for row in rows(include_str!("../../src/reference/fe_yielding.csv")) {
         if row.number("contact_radius_over_R") > 0.11 {
             continue;
         }
