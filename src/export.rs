@@ -1,12 +1,13 @@
-//! Writes input lines for other codes, so that they give the same rebound as the contact law here. The lines hold a
-//! constant e at one speed, a spring with this e and the contact time of the law, or a table e(v).
+//! Writes input lines for other codes, so that they give the same rebound as the contact law here, of a sphere from a wall or of
+//! two spheres. The lines hold a constant e at one speed, a spring with this e and the contact time of the law, or a table e(v).
 //!
 //! | model | parameters from e and contact time t of the impact at v |
 //! |---|---|
 //! | damped linear spring | k = m (π² + ln² e)/t², damping from e: the overlap lasts t, and e is the same at every speed |
 //! | damped spring that never pulls (Schwager and Pöschel 2007) | tan φ (π − 2φ) = −ln e, ω = (π − 2φ)/(t cos φ), k = m ω², c = 2 m ω sin φ: the force lasts t; for e > exp(−2) |
 //!
-//! The peak force of the damped spring follows from these parameters. It differs from the peak force of the law.
+//! The mass m is the effective mass of two spheres, and the sphere's own on a wall. The peak force of the damped spring follows from
+//! these parameters. It differs from the peak force of the law.
 
 mod bare;
 mod lines;

@@ -3,6 +3,7 @@
 
 use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
+use crate::material::Hold;
 use crate::math::functions::cos;
 use crate::scenario::{Kind, Scenario};
 use crate::scene::Input;
@@ -13,6 +14,8 @@ pub(super) struct Bare {
     pub contact: Contact,
     /// Impact speed normal to the surface \[m/s\]; `None` without one, and where it varies.
     pub speed: Option<f64>,
+    /// Radius \[m\] of the second ball; `None` for a wall.
+    pub ball: Option<f64>,
     /// The coefficient of friction, if the scenario has one.
     pub friction: Option<f64>,
     /// What the scenario has besides, and what was made of it.
@@ -56,7 +59,16 @@ impl Bare {
             input.set(key, None);
         }
         let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
-        Ok(Self { contact: input.contact().map_err(failed)?, speed, friction, left_out })
+        let contact = input.contact().map_err(failed)?;
+        let ball = match contact.half_space().hold {
+            Hold::Fixed => None,
+            Hold::Ball => contact.half_space().ball_radius(),
+            Hold::Free(_) => {
+                let message = "these lines are for a wall that is fixed, or for two spheres: leave this key out, or give mass = \"ball\" with half_space.radius and half_space.density";
+                return Err(scenario.document.refuse("half_space.mass", message));
+            }
+        };
+        Ok(Self { contact, speed, ball, friction, left_out })
     }
 }
 

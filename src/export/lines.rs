@@ -84,11 +84,7 @@ impl Head<'_> {
             about.push(format!(
                 "time step {step:.3e} s or less ({steps} steps a contact, e within 1 %), for a sphere of"
             ));
-            about.push(format!(
-                "radius {} m and mass {:.6e} kg",
-                self.bare.contact.sphere().radius,
-                self.bare.contact.mass()
-            ));
+            about.push(self.bodies());
             about.push(
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );
@@ -102,6 +98,20 @@ impl Head<'_> {
             about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
         }
         about
+    }
+
+    /// The spheres that these lines are for.
+    fn bodies(&self) -> String {
+        let contact = &self.bare.contact;
+        let sphere = format!("radius {} m and mass {:.6e} kg", contact.sphere().radius, contact.mass());
+        match (self.bare.ball, contact.target_mass()) {
+            (Some(radius), Some(mass)) => {
+                format!(
+                    "{sphere} on another of radius {radius} m and mass {mass:.6e} kg; the speed is the closing speed"
+                )
+            }
+            _ => format!("{sphere} on a wall"),
+        }
     }
 
     /// Which of the numbers that are called e these lines have.
@@ -118,6 +128,9 @@ impl Head<'_> {
             let alone = self.impact.restitution;
             return format!("this e is for a thick wall: elastic waves are in it, and it is {alone:.6} without them");
         }
+        if self.bare.ball.is_some() && damped.is_empty() {
+            return "this e is that of the closing speed of two spheres, without elastic waves in them".to_owned();
+        }
         if !damped.is_empty() {
             return "this e has the [damping] of the scenario in it: let the simulation add no other".to_owned();
         }
@@ -131,7 +144,7 @@ impl Head<'_> {
 
     /// Stiffness of the damped linear spring \[N/m\].
     fn stiffness(&self) -> f64 {
-        damped_spring(self.bare.contact.mass(), self.e, self.impact.contact_time)
+        damped_spring(self.bare.contact.reduced_mass(), self.e, self.impact.contact_time)
     }
 
     fn lammps(&self) -> String {
@@ -139,9 +152,12 @@ impl Head<'_> {
             None => "linear_nohistory 0.0 0.0".to_owned(),
             Some(friction) => format!("linear_history {:.9e} 0.0 {friction}", TANGENTIAL * self.stiffness()),
         };
+        let [contact, end] = match self.bare.ball {
+            None => ["fix wall all wall/gran granular", " zplane 0.0 NULL"],
+            Some(_) => ["comm_modify vel yes\npair_style granular\npair_coeff * *", ""],
+        };
         format!(
-            "units si\nfix wall all wall/gran granular hooke {:.9e} {:.9} damping coeff_restitution tangential {tangential} \
-             zplane 0.0 NULL\ntimestep {:.3e}\n",
+            "units si\n{contact} hooke {:.9e} {:.9} damping coeff_restitution tangential {tangential}{end}\ntimestep {:.3e}\n",
             self.stiffness(),
             self.e,
             self.time_step()
@@ -152,11 +168,20 @@ impl Head<'_> {
     /// Y*))^(1/5), with Y* = Y/(2 (1 − ν²)) for equal bodies and the characteristic velocity V.
     fn liggghts(&self) -> String {
         const POISSONS_RATIO: f64 = 0.3;
-        let (mass, speed) = (self.bare.contact.mass(), self.impact.speed);
+        let (mass, speed) = (self.bare.contact.reduced_mass(), self.impact.speed);
         let scaled = pow(self.stiffness() / pow(mass * speed * speed, 0.2), 1.25);
-        let effective = 15.0 * scaled / (16.0 * self.bare.contact.sphere().radius.sqrt());
+        // the wall of these lines is flat
+        let radius = match self.bare.ball {
+            None => self.bare.contact.sphere().radius,
+            Some(_) => self.bare.contact.pair().radius,
+        };
+        let effective = 15.0 * scaled / (16.0 * radius.sqrt());
         let (friction, history) = self.bare.friction.map_or((0.0, "no_history"), |friction| (friction, "history"));
         let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
+        let wall = match self.bare.ball {
+            None => format!("fix wall all wall/gran model hooke tangential {history} primitive type 1 zplane 0.0\n"),
+            Some(_) => String::new(),
+        };
         format!(
             "hard_particles yes\nunits si\nfix young all property/global youngsModulus peratomtype {modulus:.9e}\n\
              fix poisson all property/global poissonsRatio peratomtype {POISSONS_RATIO}\n\
@@ -164,7 +189,7 @@ impl Head<'_> {
              fix friction all property/global coefficientFriction peratomtypepair 1 {friction:?}\n\
              fix speed all property/global characteristicVelocity scalar {speed}\n\
              pair_style gran model hooke tangential {history}\npair_coeff * *\n\
-             fix wall all wall/gran model hooke tangential {history} primitive type 1 zplane 0.0\ntimestep {:.3e}\n",
+             {wall}timestep {:.3e}\n",
             self.e,
             self.time_step()
         )
@@ -173,7 +198,7 @@ impl Head<'_> {
     /// Yade puts the springs of the two materials in series, and its damped springs never pull.
     fn yade(&self) -> Result<String, Error> {
         let (restitution, contact_time) = (self.e, self.impact.contact_time);
-        let (stiffness, damping) = spring_without_pull(self.bare.contact.mass(), restitution, contact_time)
+        let (stiffness, damping) = spring_without_pull(self.bare.contact.reduced_mass(), restitution, contact_time)
             .ok_or_else(|| {
                 Error::input(format!(
                     "--to yade: a damped spring of Yade has e above exp(-2) = 0.135, and e is {restitution:.4}"
@@ -204,14 +229,18 @@ impl Head<'_> {
                 ),
             ),
         };
+        let of_mass = match self.bare.ball {
+            None => "2 m: a wall has no mass",
+            Some(_) => "twice the effective mass of the two spheres",
+        };
         format!(
             "LinearViscoelastic{kind}Species species;\nspecies.setDensity({:.9e});\n\
-             species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // 2 m: a wall has no mass\n\
+             species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // {of_mass}\n\
              {friction}setTimeStep({:.3e});\n",
             self.bare.contact.sphere().density,
             self.impact.contact_time,
             self.e,
-            self.bare.contact.mass(),
+            self.bare.contact.reduced_mass(),
             self.time_step()
         )
     }

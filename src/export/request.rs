@@ -5,9 +5,9 @@ use crate::units::names::named;
 named! {
     /// Which code the lines are for.
     pub enum Target {
-        /// LAMMPS, `fix wall/gran`.
+        /// LAMMPS, `fix wall/gran`; for two spheres `pair_style granular`.
         Lammps = "lammps",
-        /// LIGGGHTS, `fix wall/gran model hooke`.
+        /// LIGGGHTS, `fix wall/gran model hooke`; for two spheres `pair_style gran`.
         Liggghts = "liggghts",
         /// Yade, `ViscElMat`.
         Yade = "yade",

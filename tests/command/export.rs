@@ -184,6 +184,69 @@ fn the_lines_say_which_e_they_have() {
     );
 }
 
+/// Two spheres: the springs that the codes make of the lines, by the formulas in their manuals, part two free masses with e of the
+/// closing speed after the contact time of the law.
+#[test]
+fn lines_of_two_spheres_part_them_as_the_law_does() {
+    let ball = "density = 7850.0\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength";
+    let scenario = crate::common::STEEL.replace("yield_strength", ball);
+    let desk = Desk::ran(&scenario);
+    let summary = desk.summary();
+    let result = |name: &str| summary[name].as_f64().unwrap();
+    let (e, time) = (result("restitution"), result("contact_time_s"));
+    let masses = [5e-3_f64, 8e-3].map(|radius| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * 7850.0);
+    let parted = |stiffness: f64| {
+        let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);
+        let (damping, step) = (damping(reduced, stiffness, e), 1e-5 * time);
+        let ([mut v, mut w], [mut x, mut y], mut t) = ([3.0, 0.0], [0.0, 0.0], 0.0);
+        loop {
+            let force = |overlap: f64, closing: f64| stiffness * overlap + damping * closing;
+            let half = force(x - y, v - w) * 0.5 * step;
+            (v, w) = (v - half / masses[0], w + half / masses[1]);
+            (x, y, t) = (x + step * v, y + step * w, t + step);
+            let half = force(x - y, v - w) * 0.5 * step;
+            (v, w) = (v - half / masses[0], w + half / masses[1]);
+            if v < w && x <= y {
+                assert!(
+                    ((w - v) / 3.0 / e - 1.0).abs() < 1e-3 && (t / time - 1.0).abs() < 1e-3,
+                    "{} {t}",
+                    (w - v) / 3.0
+                );
+                break;
+            }
+        }
+    };
+    let lines = |code: &str| desk.ends(&["export", "s.toml", "--to", code], 0).0;
+    let number = |text: &str, before: &str| -> f64 {
+        let rest = text.split_once(before).unwrap_or_else(|| panic!("{before} in {text}")).1;
+        rest.split([' ', ',', '\n', ')']).next().unwrap().parse().unwrap()
+    };
+    let lammps = lines("lammps");
+    assert!(!lammps.contains("fix wall") && lammps.contains("comm_modify vel yes"), "{lammps}");
+    assert!(lammps.contains("on another of radius 0.008 m") && lammps.contains("of two spheres"), "{lammps}");
+    parted(number(&lammps, "pair_coeff * * hooke "));
+
+    // k = (16/15) sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), for equal Y and nu = 0.3
+    let liggghts = lines("liggghts");
+    assert!(!liggghts.contains("fix wall"), "{liggghts}");
+    let of_pair = number(&liggghts, "youngsModulus peratomtype ") / (2.0 * (1.0 - 0.09));
+    let (radius, mass) = (5e-3_f64 * 8.0 / 13.0, masses[0] * masses[1] / (masses[0] + masses[1]));
+    let plate = 16.0 / 15.0 * radius.sqrt() * of_pair;
+    let speed = number(&liggghts, "characteristicVelocity scalar ");
+    parted(plate * (mass * speed * speed / plate).powf(0.2));
+
+    // MercuryDPM divides the mass by two for two equal spheres
+    assert_relative_eq!(number(&lines("mercury"), "2.0*"), mass, max_relative = 1e-8);
+    // Yade's spring never pulls, and its two materials are in series
+    let (stiffness, damping) = spring_without_pull(mass, e, time).unwrap();
+    assert_relative_eq!(number(&lines("yade"), "kn="), 2.0 * stiffness, max_relative = 1e-8);
+    assert_relative_eq!(number(&lines("yade"), "cn="), 2.0 * damping, max_relative = 1e-8);
+
+    let free = crate::common::STEEL.replace("yield_strength", "mass = \"1 kg\"\nyield_strength");
+    let (_, told) = Desk::with(free).ends(&["export", "s.toml", "--to", "lammps"], 2);
+    assert!(told.contains("half_space.mass") && told.contains("mass = \"ball\""), "{told}");
+}
+
 /// e of the summary that a run of this scenario writes, and the one of the lines.
 fn both(scenario: &str, result: &str, arguments: &[&str]) -> (f64, f64, String) {
     let desk = Desk::ran(scenario);
