@@ -250,15 +250,13 @@ impl StaticContact {
 
     fn row(&self, step: usize, stroke: &Stroke, (state, branch): (Peak, Branch)) -> TraceRow {
         let Units { length, force, .. } = self.units;
-        let sphere_indentation = self.pair.sphere_compliance * state.elastic_approach * length;
+        let approach = if branch == Branch::Separated { stroke.dent() } else { state.indentation };
+        let sphere_indentation = self.pair.sphere_part(approach, state.elastic_approach) * length;
         TraceRow {
             step,
             indentation: state.indentation * length,
             sphere_indentation,
-            half_space_indentation: match branch {
-                Branch::Separated => stroke.dent() * length,
-                _ => state.indentation * length - sphere_indentation,
-            },
+            half_space_indentation: approach * length - sphere_indentation,
             force: state.force * force,
             branch,
         }

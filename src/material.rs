@@ -348,6 +348,13 @@ impl Pair {
         })
     }
 
+    /// The sphere's own part of an approach: its share of the elastic one, and the flat that it keeps.
+    pub fn sphere_part(&self, indentation: f64, elastic_approach: f64) -> f64 {
+        let elastic = self.sphere_compliance * elastic_approach;
+        let flat_share = self.yield_point.map_or(0.0, |point| point.flow.flat_share);
+        if flat_share > 0.0 { elastic + flat_share * (indentation - elastic_approach) } else { elastic }
+    }
+
     /// [κ, 1 − κ] of the law: see [`Flow`]; for bodies that stay elastic the shares of sphere and half-space.
     pub(crate) fn shares(&self) -> [f64; 2] {
         let of_bodies = [self.sphere_compliance, self.half_space_compliance];

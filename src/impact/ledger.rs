@@ -102,7 +102,7 @@ impl<'a> Ledger<'a> {
             () => Branch::Elastic,
         };
         let indentation = x * scales.length;
-        let sphere_indentation = self.contact.pair().sphere_compliance * elastic_approach * scales.length;
+        let sphere_indentation = self.contact.pair().sphere_part(x, elastic_approach) * scales.length;
         TraceRow {
             time: time * scales.time(),
             indentation,

@@ -185,7 +185,7 @@ impl Impact {
             essentials,
             rebound_speed: contact.speeds_after(speed, restitution).0,
             loading_time: outcome.loading_time * scales.time(),
-            peak_sphere_indentation: pair.sphere_compliance * peak.elastic_approach * scales.length,
+            peak_sphere_indentation: pair.sphere_part(peak.indentation, peak.elastic_approach) * scales.length,
             elastic_approach: peak.elastic_approach * scales.length,
             unloading_exponent: outcome.unloading.exponent,
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },

@@ -79,7 +79,7 @@ pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         "branch": of.step.branch.name();
         /// Indentation at its end.
         "indentation_m" in Length as "indentation": of.step.indentation;
-        /// The sphere's own share of the indentation.
+        /// The sphere's own share of the indentation, with the flat that it keeps.
         "sphere_indentation_m" in Length: of.step.sphere_indentation;
         /// Force at its end.
         "force_N" in Force as "force": of.step.force;
@@ -118,7 +118,7 @@ pub(super) fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
         "step": row.1.step;
         /// Indentation.
         "indentation_m" in Length: row.1.indentation;
-        /// The sphere's own share of the indentation.
+        /// The sphere's own share of the indentation, with the flat that it keeps.
         "sphere_indentation_m" in Length: row.1.sphere_indentation;
         /// The half-space's share of the indentation.
         "half_space_indentation_m" in Length: row.1.half_space_indentation;

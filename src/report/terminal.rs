@@ -42,6 +42,9 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     results.retain(|result| detail == Detail::Whole || !is_of_the_integrator(result.name));
     let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()]];
     lines.extend(self::lines(&results, single));
+    for line in &mut lines {
+        name_flat(line, single);
+    }
     if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
         value.push_str(" (outside the law)");
     }
@@ -56,9 +59,23 @@ fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
     lines.extend(BRIEF.into_iter().filter_map(|name| {
         let Reported { label, shown, value, .. } = results.iter().find(|result| result.name == name)?;
         let text = text(*shown, &value(single)?)?;
-        Some([label.split('{').next()?.trim_end().to_owned(), text, String::new()])
+        let mut line = [label.split('{').next()?.trim_end().to_owned(), text, String::new()];
+        name_flat(&mut line, single);
+        Some(line)
     }));
     aligned(&lines, |_| true)
+}
+
+/// Where the sphere flows, what stays is no dent alone.
+fn name_flat([name, _, remarks]: &mut Line, single: &Single) {
+    let impact = single.impact;
+    if impact.flat_depth > 0.0 {
+        let what = if impact.dent_depth() > 0.0 { "dent and flat" } else { "flat" };
+        if name == "dent depth" {
+            *name = format!("{what} depth");
+        }
+        *remarks = remarks.replace("into the dent", &format!("into the {what}"));
+    }
 }
 
 /// A name, a value and remarks.

@@ -90,6 +90,28 @@ fn dent_and_flat_are_shared_as_in_finite_elements() {
     }
 }
 
+/// The sphere's own part of the approach has its flat: on a rigid wall it is the whole approach all the way, and of bodies of the same
+/// modulus and strength half of it. A sphere that stays elastic has its share of what comes back alone.
+#[test]
+fn the_sphere_keeps_its_flat_in_its_part_of_the_approach() {
+    let sphere = Sphere { yield_strength: Some(345e6), ..Scene::steel().parts().0 };
+    let wall = HalfSpace::flat(Material { youngs_modulus: 1e30, poissons_ratio: 0.3 }, None);
+    let equal = HalfSpace::flat(sphere.material, Some(345e6));
+    for (half_space, share) in [(wall, 1.0), (equal, 0.5)] {
+        let contact = Contact::try_new(sphere, half_space, &Plm::default()).unwrap();
+        let impact = contact.impact(3.0, &Solver::default(), Some(50)).unwrap();
+        assert!(off(impact.peak_sphere_indentation, share * impact.peak_indentation) < 1e-12);
+        assert!(impact.trace.len() > 50);
+        for row in &impact.trace {
+            let want = share * row.indentation;
+            assert!((row.sphere_indentation - want).abs() < 1e-12 * impact.peak_indentation, "{row:?}");
+        }
+    }
+    let elastic = Contact::try_new(Sphere { yield_strength: None, ..sphere }, equal, &Plm::default()).unwrap();
+    let impact = elastic.closed_form(3.0).unwrap();
+    assert!(off(impact.peak_sphere_indentation, 0.5 * impact.elastic_approach) < 1e-12);
+}
+
 /// A scene with the sphere's strength.
 fn with_sphere(scene: Scene, strength: Option<f64>) -> Contact {
     let (sphere, half_space) = scene.parts();

@@ -191,7 +191,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "peak_force_N" in Force as "peak force" [Nothing: |row| Some(row.peak_force)];
         /// Largest indentation: how far the sphere's centre has come closer to the half-space.
         "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)];
-        /// The sphere's own share of the largest indentation; 0 for a rigid sphere.
+        /// The sphere's own share of the largest indentation, with the flat that it keeps; 0 for a rigid sphere.
         "peak_sphere_indentation_m" in Length as "sphere {}": of.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
         "peak_contact_radius_m" in Length as "contact radius": of.impact.peak_contact_radius;
@@ -320,7 +320,7 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         "time_s" in Time: row.time;
         /// How far the sphere's centre has come closer to the half-space.
         "indentation_m" in Length: row.indentation;
-        /// The sphere's own share of the indentation.
+        /// The sphere's own share of the indentation, with the flat that it keeps.
         "sphere_indentation_m" in Length: row.sphere_indentation;
         /// The half-space's share of the indentation.
         "half_space_indentation_m" in Length: row.half_space_indentation;
