@@ -28,7 +28,9 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     ];
     let is_soft = ["half_space.yield_strength", "half_space.hardness", "half_space.material"].into_iter().any(varies);
     let strength = half_space.yield_strength.filter(|_| !is_soft);
+    let curved = |radius| said("half_space.radius", format!("R {}", quantity(radius, Dimension::Length)));
     let of_half_space = [
+        half_space.radius.and_then(curved),
         body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
         strength.map(|strength| format!("yields at {}", quantity(strength, Dimension::Pressure))),
     ];

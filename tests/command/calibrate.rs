@@ -368,3 +368,24 @@ fn the_same_drops_as_heights_and_as_speeds_give_the_same_strength() {
     let under_gravity = strength(&heights, &["--set", "gravity.acceleration=9.80665"]);
     assert!(off(under_gravity, strength(&heights, &[])) < 1e-4);
 }
+
+/// A ball that yields on a hard wall: its own strength is found from its rebounds.
+#[test]
+fn the_strength_of_a_soft_ball_is_found() {
+    let hard = bodies().replace("345 MPa", "3 GPa");
+    let of_ball = |lines: &str| hard.replace("[half_space]", &format!("{lines}[half_space]"));
+    for wanted in [60e6, 300e6] {
+        let table = Desk::ran(
+            of_ball(&format!("yield_strength = {wanted:?}\n"))
+                + "[impact]\n[sweep]\n\"impact.speed\" = { logspace = [0.05, 5.0], points = 12 }\n",
+        );
+        let data =
+            pairs(&table.read("out/table.csv"), ["impact_speed_m_per_s", "restitution"], "speed_m_per_s,restitution");
+        let free = "[calibrate]\ndata = \"d.csv\"\nnoise = { restitution = 0.01 }\nfree = { \"sphere.yield_strength\" = { from = \"20 MPa\", to = \"2 GPa\" } }\n";
+        let (desk, summary) = calibrated(&(of_ball("yield_strength = \"150 MPa\"\n") + free), &data, &[], 0);
+        assert_eq!(summary["keys"][0]["key"], "sphere.yield_strength", "{summary}");
+        near(&summary["keys"][0]["estimate"], wanted, 1e-6);
+        assert!(summary["keys"][0]["sd"].as_f64().unwrap() < 0.05 * wanted, "{summary}");
+        assert!(desk.path("o/calibrated.toml").exists());
+    }
+}
