@@ -2,7 +2,7 @@
 //!
 //! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it or at an angle. The contact
 //! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
-//! (2024) on the way back; [`law::catalogue`] has the other published laws. Friction, gravity, damping, plates,
+//! (2024) on the way back; [`contact::law::catalogue`] has the other published laws. Friction, gravity, damping, plates,
 //! elastic waves, series of impacts and slow indentation are there for scenes that name them:
 //!
 //! ```text
@@ -42,12 +42,10 @@
 //! A user of the library needs six things: the contact of two bodies, its impacts, the laws, the trace of an impact, tables
 //! of many impacts, and numbers with units. Everything below is in SI units.
 //!
-//! **A contact and its impacts.** [`material`] has the bodies, [`impact`] the contact. An impact is integrated, or exact:
+//! **A contact and its impacts.** [`contact`] has the bodies and laws, [`impact`] their motion. An impact is integrated, or exact:
 //!
 //! ```
-//! use plm_impact::impact::{Contact, Solver};
-//! use plm_impact::law::Plm;
-//! use plm_impact::material::{HalfSpace, Material, Sphere};
+//! use plm_impact::{Contact, HalfSpace, Material, Plm, Solver, Sphere};
 //!
 //! let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
@@ -60,18 +58,17 @@
 //! // without stepping
 //! let exact = contact.closed_form(3.0)?;
 //! assert!((impact.contact_time / exact.contact_time - 1.0).abs() < 1e-9);
-//! # Ok::<(), plm_impact::impact::ImpactError>(())
+//! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
-//! **Laws.** [`law::LawChoice`] has the PLM and the published laws, by the names of `plm-impact laws`:
+//! **Laws.** [`LawChoice`] has the PLM and the published laws, by the names of `plm-impact laws`:
 //!
 //! ```
-//! # use plm_impact::impact::Contact;
-//! # use plm_impact::material::{HalfSpace, Material, Sphere};
+//! # use plm_impact::{Contact, HalfSpace, Material, Sphere};
 //! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
-//! use plm_impact::law::LawChoice;
+//! use plm_impact::LawChoice;
 //!
 //! let thornton = LawChoice::from_name("thornton").ok_or("no such law")?;
 //! let contact = Contact::try_new(sphere, half_space, thornton.get())?;
@@ -83,9 +80,7 @@
 //! **A trace** is the impact against time: so many rows evenly spaced, and one more for every event.
 //!
 //! ```
-//! # use plm_impact::impact::{Contact, Solver};
-//! # use plm_impact::law::Plm;
-//! # use plm_impact::material::{HalfSpace, Material, Sphere};
+//! # use plm_impact::{Contact, HalfSpace, Material, Plm, Solver, Sphere};
 //! # let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 //! # let sphere = Sphere { radius: 5e-3, material: steel, density: 7850.0, yield_strength: None };
 //! # let half_space = HalfSpace::flat(steel, Some(345e6));
@@ -94,14 +89,14 @@
 //! assert!(impact.trace.len() >= 200);
 //! let largest = impact.trace.iter().map(|row| row.force).fold(0.0, f64::max);
 //! assert_eq!(largest, impact.peak_force);
-//! # Ok::<(), plm_impact::impact::ImpactError>(())
+//! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
-//! **A table** of many impacts: a [`scenario`] says what varies, and [`sweep`] computes the rows.
+//! **A table** of many impacts: a [`scenario`] says what varies, and [`table`] computes the rows.
 //!
 //! ```
-//! use plm_impact::scenario::Scenario;
-//! use plm_impact::sweep::evaluator::{Evaluator, Rows};
+//! use plm_impact::Scenario;
+//! use plm_impact::table::evaluator::{Evaluator, Rows};
 //!
 //! let text = r#"
 //!     sphere = { radius = "5 mm", youngs_modulus = "210 GPa", poissons_ratio = 0.3, density = 7850 }
@@ -127,60 +122,34 @@
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
-//! Beside these, [`repeat`] has series of impacts, and [`indentation`] the slow ones. The other modules are what the command is made of. They are public
+//! Beside these, [`impact::repeat`] has series of impacts, and [`impact::indentation`] the slow ones. The other modules are what the command is made of. They are public
 //! for the command and for the tests, are left out here, and may change at any time; `src/README.md` shows them.
 
 // see clippy.toml
 #![warn(clippy::disallowed_methods)]
 
 #[doc(hidden)]
-pub mod air;
-pub mod bench;
 pub mod calibrate;
-#[cfg(feature = "capi")]
-pub mod capi;
+pub mod contact;
 #[doc(hidden)]
-pub mod curve;
+pub mod doors;
 #[doc(hidden)]
 pub mod error;
 #[doc(hidden)]
-pub mod export;
+pub mod evidence;
+#[doc(hidden)]
+pub mod files;
 pub mod impact;
-pub mod indentation;
 #[doc(hidden)]
-pub mod integrate;
-pub mod law;
-pub mod material;
-#[doc(hidden)]
-pub mod materials;
-#[doc(hidden)]
-pub mod math;
-#[doc(hidden)]
-pub mod output;
-#[doc(hidden)]
-pub mod plan;
-#[doc(hidden)]
-pub mod plot;
-#[doc(hidden)]
-pub mod progress;
-#[doc(hidden)]
-pub mod provenance;
-#[cfg(feature = "python")]
-mod python;
-#[doc(hidden)]
-pub mod reference;
-pub mod repeat;
+pub mod numerics;
 #[doc(hidden)]
 pub mod report;
-#[doc(hidden)]
-pub mod run;
 pub mod scenario;
-#[doc(hidden)]
-pub mod scene;
-pub mod strength;
-pub mod sweep;
+pub mod table;
 pub mod units;
-#[doc(hidden)]
-pub mod validation;
-#[cfg(all(feature = "web", target_arch = "wasm32"))]
-mod web;
+
+pub use contact::law::{self as laws, LawChoice, Plm};
+pub use contact::material::{HalfSpace, Material, Sphere};
+pub use error::Error;
+pub use impact::{Approach, Contact, Impact, ImpactError, Solver};
+pub use scenario::Scenario;

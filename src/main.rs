@@ -1,5 +1,6 @@
 //! The command: parse, call, print what went wrong, choose the exit code.
 
+#[path = "doors/cli/mod.rs"]
 mod cli;
 
 use std::process::ExitCode;

@@ -8,11 +8,11 @@ use std::hint::black_box;
 
 use allocation_counter::measure;
 use common::Scene;
+use plm_impact::contact::law::{Law, UnloadingExponent};
 use plm_impact::impact::{Damping, Recorder, ScaledForces, closed_form, course};
-use plm_impact::integrate::Drag;
-use plm_impact::integrate::Integrator;
-use plm_impact::integrate::rk8::Rk8;
-use plm_impact::law::{Law, UnloadingExponent};
+use plm_impact::numerics::integrate::Drag;
+use plm_impact::numerics::integrate::Integrator;
+use plm_impact::numerics::integrate::rk8::Rk8;
 
 /// Three cases: elastic; deep, beyond every knot of the law; an unloading exponent without a simple formula.
 fn cases() -> [(&'static str, Law, f64); 3] {

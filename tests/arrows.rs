@@ -41,8 +41,8 @@ fn sources() -> Vec<Source> {
             let relative = path.strip_prefix(&root).unwrap().with_extension("");
             let mut module: Module =
                 relative.components().map(|part| part.as_os_str().to_str().unwrap().to_owned()).collect();
-            if module == ["lib"] {
-                module.clear();
+            if module == ["lib"] || module.last().is_some_and(|part| part == "mod") {
+                module.pop();
             }
             // the command uses the library by the name of its crate
             let text = fs::read_to_string(path).unwrap().replace("plm_impact::", "crate::");

@@ -18,25 +18,25 @@ fn root() -> &'static Path {
 /// `PLM_IMPACT_HEADER=write cargo test --test capi` renews the header.
 #[test]
 fn the_header_is_that_of_the_source() {
-    let source = root().join("src/capi.rs");
+    let source = root().join("src/doors/c/mod.rs");
     let made = cbindgen::Builder::new()
         .with_src(source)
         .with_language(cbindgen::Language::C)
         .with_cpp_compat(true)
         .with_include_guard("PLM_IMPACT_H")
         .with_documentation(true)
-        .with_header("/* The contact law of plm-impact for C. Made by cbindgen from src/capi.rs; SPDX-License-Identifier: MIT */")
+        .with_header("/* The contact law of plm-impact for C. Made by cbindgen from src/doors/c/mod.rs; SPDX-License-Identifier: MIT */")
         .generate()
         .unwrap();
     let mut text = Vec::new();
     made.write(&mut text);
     let text = String::from_utf8(text).unwrap();
-    let path = root().join("src/capi/plm_impact.h");
+    let path = root().join("src/doors/c/plm_impact.h");
     if std::env::var_os("PLM_IMPACT_HEADER").is_some() {
         fs::write(&path, &text).unwrap();
     }
     let stored = fs::read_to_string(&path).unwrap();
-    assert!(text == stored, "src/capi/plm_impact.h is not the header of src/capi.rs; this is:\n{text}");
+    assert!(text == stored, "src/doors/c/plm_impact.h is not the header of src/doors/c/mod.rs; this is:\n{text}");
 }
 
 /// The library that this test is linked with, as cargo says it. `built` is the folder of what is built, `debug` or `release`.
@@ -63,7 +63,7 @@ fn library() -> PathBuf {
     let built = test.parent().and_then(Path::parent).unwrap();
     let (source, library) =
         (Path::new(env!("CARGO_TARGET_TMPDIR")).join("staticlib.rs"), built.join("libplm_impact.a"));
-    fs::write(&source, "pub use plm_impact::capi::*;").unwrap();
+    fs::write(&source, "pub use plm_impact::doors::c::*;").unwrap();
     let built = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
         .args(["--edition", "2024", "--crate-type", "staticlib", "--extern"])
         .arg(format!("plm_impact={}", linked(built)))
@@ -107,7 +107,7 @@ fn printed(source: &str, options: &[&str], scenarios: &[&Path]) -> String {
     let program = folder.path().join("program");
     let cc = Command::new("cc")
         .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I"])
-        .arg(root().join("src/capi"))
+        .arg(root().join("src/doors/c"))
         .args(options)
         .arg(root().join(source))
         .arg(&*LIBRARY)
@@ -126,10 +126,10 @@ fn printed(source: &str, options: &[&str], scenarios: &[&Path]) -> String {
 #[test]
 fn the_example_prints_e_and_the_page_shows_it() {
     let page = fs::read_to_string(root().join("plots/lammps/README.md")).unwrap();
-    let line = format!("src/capi/drop.c target/release/libplm_impact.a {} -o drop", LINKED_WITH.join(" "));
+    let line = format!("src/doors/c/drop.c target/release/libplm_impact.a {} -o drop", LINKED_WITH.join(" "));
     assert!(page.contains(&line), "{line}");
     let scenario = root().join("scenarios/steel-on-steel.toml");
-    let shown = printed("src/capi/drop.c", &[], &[&scenario]);
+    let shown = printed("src/doors/c/drop.c", &[], &[&scenario]);
     assert!(page.contains(&format!("```text\n{shown}```")), "{shown}");
     // velocity Verlet is of second order: 10 ns are a 2900th of the contact, and leave an error of some 1e-7
     let contact = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap().contact().unwrap();
@@ -144,7 +144,7 @@ fn a_c_program_has_no_leak_and_no_undefined_behaviour() {
     let scenarios = ["steel-on-steel", "alumina-on-aluminium-with-waves"];
     let [steel, waves] = scenarios.map(|name| root().join(format!("scenarios/{name}.toml")));
     let sanitized = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-    printed("src/capi/drop.c", &sanitized, &[&steel]);
+    printed("src/doors/c/drop.c", &sanitized, &[&steel]);
     printed("tests/capi/program.c", &sanitized, &[&steel, &waves]);
 }
 

@@ -79,7 +79,7 @@ struct Clone(TempDir);
 impl Clone {
     fn new() -> Self {
         let clone = Self(TempDir::new().unwrap());
-        for kept in ["README.md", ".gitignore", "scenarios", "plots", "src/law/plm/coefficients.toml"] {
+        for kept in ["README.md", ".gitignore", "scenarios", "plots", "src/contact/law/plm/coefficients.toml"] {
             copy(&Path::new(ROOT).join(kept), &clone.path().join(kept));
         }
         clone.shell("git init -q && git add -A && git clean -fdxq", 0);

@@ -16,9 +16,9 @@
 //! Lines that begin with `#` are comments.
 
 use crate::error::Error;
-use crate::scene::measured::Measured;
-use crate::scene::quantity::{INDENTATION, LOAD, Quantity};
-use crate::scene::{KEYS, Key};
+use crate::scenario::scene::measured::Measured;
+use crate::scenario::scene::quantity::{INDENTATION, LOAD, Quantity};
+use crate::scenario::scene::{KEYS, Key};
 use crate::units::csv_text::{CsvText, refused};
 use crate::units::nearest::did_you_mean;
 use crate::units::{Dimension, parse};
@@ -189,7 +189,7 @@ impl Data {
             return Err(format!("{message}: write {example}, or another unit"));
         }
         let quantity = match role {
-            _ if is_deviation => crate::scene::quantity::positive_of(dimension),
+            _ if is_deviation => crate::scenario::scene::quantity::positive_of(dimension),
             // the force of a curve may be 0
             Role::Measured(Measured::Force) => LOAD,
             _ => *quantity,

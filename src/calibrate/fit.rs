@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::minimum::{Place, Profile, Range, is_same};
 use super::problem::{NoAnswer, Problem, TAILS};
-use crate::math::functions::hypot;
+use crate::numerics::functions::hypot;
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
 const NO_SCATTER: f64 = 1e-6;

@@ -8,8 +8,8 @@ use nalgebra::{DMatrix, DVector};
 use super::data::{Data, Value};
 use super::minimum::Place;
 use super::problem::Problem;
-use crate::math::functions::{exp, ln};
-use crate::scene::measured::Measured;
+use crate::numerics::functions::{exp, ln};
+use crate::scenario::scene::measured::Measured;
 use crate::units::{four_digits, percent};
 
 /// Usual error of a law, as a share of a prediction.

@@ -6,13 +6,13 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::data::{Data, Row, Value};
-use crate::air::Flying;
+use crate::files::progress::Counter;
 use crate::impact::ImpactError;
-use crate::indentation::{IndentationError, Indenter, StaticContact, Target};
-use crate::math::functions::{ln, ln_1p};
-use crate::plan::free::Free;
-use crate::progress::Counter;
-use crate::scene::Input;
+use crate::impact::air::Flying;
+use crate::impact::indentation::{IndentationError, Indenter, StaticContact, Target};
+use crate::numerics::functions::{ln, ln_1p};
+use crate::scenario::plan::free::Free;
+use crate::scenario::scene::Input;
 
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoAnswer {

@@ -7,8 +7,8 @@ use nalgebra::{Cholesky, DMatrix};
 use super::fit::Fit;
 use super::minimum::{Place, Profile, Range};
 use super::statistics::{LEVELS, half_width};
-use crate::math::functions::{exp_m1, ln_1p, sin_cos};
-use crate::math::root::bracketed;
+use crate::numerics::functions::{exp_m1, ln_1p, sin_cos};
+use crate::numerics::root::bracketed;
 
 /// Both ends of an interval; `None` if an end lies outside of the range of the key.
 pub type Ends = [Option<f64>; 2];

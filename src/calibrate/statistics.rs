@@ -3,7 +3,7 @@
 use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 use statrs::function::factorial::ln_binomial;
 
-use crate::math::functions::exp;
+use crate::numerics::functions::exp;
 
 /// The two levels of every interval.
 pub const LEVELS: [f64; 2] = [0.682_689_492_137_085_9, 0.95];
@@ -20,7 +20,7 @@ pub fn half_width(level: f64, freedom: Option<f64>) -> f64 {
     let below = 0.5 + 0.5 * level;
     let student = freedom.and_then(|freedom| StudentsT::new(0.0, 1.0, freedom).ok());
     student.map_or_else(
-        || crate::math::functions::normal_quantile(below),
+        || crate::numerics::functions::normal_quantile(below),
         |student| to_twelve_digits(student.inverse_cdf(below)),
     )
 }
@@ -50,7 +50,7 @@ pub fn runs_test(residuals: &[f64]) -> Option<Runs> {
     if above == 0 || below == 0 {
         // all on one side: the probability that a coin falls on the same side every time
         let halvings = i32::try_from(signs.len().saturating_sub(1)).unwrap_or(i32::MAX);
-        let p = crate::math::functions::powi(0.5, halvings);
+        let p = crate::numerics::functions::powi(0.5, halvings);
         return (signs.len() > 1).then_some(Runs { p, least: p });
     }
     let runs = 1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;

@@ -4,9 +4,9 @@
 use super::contact::Contact;
 use super::result::Impact;
 use super::warning::{FULLY, Warning, WarningKind};
-use crate::law::Law;
-use crate::material::{HalfSpace, Material, Pair, YieldPoint};
-use crate::materials::{Class, Entry};
+use crate::contact::law::Law;
+use crate::contact::material::{HalfSpace, Material, Pair, YieldPoint};
+use crate::contact::materials::{Class, Entry};
 use crate::units::{Dimension, four_digits, human, quantity};
 
 /// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.

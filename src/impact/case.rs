@@ -8,9 +8,9 @@ use super::forces::ScaledForces;
 use super::plate::ScaledPlate;
 use super::scales::{ACCELERATION, Scales};
 use super::solve::free_time;
-use crate::integrate::Drag;
-use crate::law::{Dent, Ground, Law};
-use crate::material::normal;
+use crate::contact::law::{Dent, Ground, Law};
+use crate::contact::material::normal;
+use crate::numerics::integrate::Drag;
 
 /// One impact to be computed.
 #[derive(Debug, Clone, Copy)]

@@ -8,10 +8,10 @@ use super::plate::{PlateError, Under};
 use super::rated::{Rated, Rates};
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::law::{ContactLaw, Ground, Law, Peak};
-use crate::material::{HalfSpace, Hold, Pair, Sphere, normal};
-use crate::materials::Entry;
-use crate::math::functions::pow;
+use crate::contact::law::{ContactLaw, Ground, Law, Peak};
+use crate::contact::material::{HalfSpace, Hold, Pair, Sphere, normal};
+use crate::contact::materials::Entry;
+use crate::numerics::functions::pow;
 
 /// The materials of the bodies, as far as they have names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -64,7 +64,7 @@ impl Contact {
     ///
     /// # Errors
     /// [`ImpactError::Range`] where a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
-    /// loading or no unloading (see [`Combined`](crate::law::Combined)).
+    /// loading or no unloading (see [`Combined`](crate::contact::law::Combined)).
     pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
         let target_mass =
@@ -268,6 +268,6 @@ impl Contact {
     pub fn yields_at(&self) -> Option<(f64, f64)> {
         self.yield_speed()?;
         let until = self.law.limits.elastic_until;
-        Some((self.scales.length * until, self.scales.force * crate::math::power::power(until, 1.5)))
+        Some((self.scales.length * until, self.scales.force * crate::numerics::power::power(until, 1.5)))
     }
 }

@@ -16,9 +16,9 @@ use super::forces::{ScaledForces, StaticPoint, nearer};
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Recorder};
 use super::scales::ACCELERATION;
-use crate::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Rest, Sizes, State};
-use crate::law::Ground;
-use crate::math::power::max_or_nan;
+use crate::contact::law::Ground;
+use crate::numerics::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Rest, Sizes, State};
+use crate::numerics::power::max_or_nan;
 
 /// Integrates an impact at q = v/V from first touch to its end.
 pub fn integrate<'a, I: Integrator>(

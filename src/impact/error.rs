@@ -3,10 +3,10 @@
 use thiserror::Error;
 
 use super::plate::PlateError;
+use crate::contact::law::OutsideLaw;
+use crate::contact::material::{Hollow, OutOfFloatRange, PairError};
 use crate::error::{Error as Failure, ErrorKind};
-use crate::integrate::IntegrationError;
-use crate::law::OutsideLaw;
-use crate::material::{Hollow, OutOfFloatRange, PairError};
+use crate::numerics::integrate::IntegrationError;
 use crate::units::{Dimension, human};
 
 #[derive(Debug, Clone, PartialEq, Error)]

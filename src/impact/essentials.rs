@@ -10,8 +10,8 @@ use super::outcome::{Fate, Outcome};
 use super::plate::ScaledPlate;
 use super::rated::Rated;
 use super::waves;
-use crate::integrate::IntegrationError;
-use crate::material::{OutOfFloatRange, normal};
+use crate::contact::material::{OutOfFloatRange, normal};
+use crate::numerics::integrate::IntegrationError;
 
 /// What a row of a table holds of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +29,7 @@ pub struct Essentials {
     pub residual_indentation: f64,
     /// The part of it that is a flat on the sphere \[m\].
     pub flat_depth: f64,
-    /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::law::Law::contact_radius). If there is a dent, this
+    /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::contact::law::Law::contact_radius). If there is a dent, this
     /// is the radius of its rim.
     pub peak_contact_radius: f64,
     /// a_m/R \[1\], with the radius of the smaller ball.

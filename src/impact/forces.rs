@@ -18,10 +18,10 @@
 
 use super::plate::Plate;
 use super::scales::ACCELERATION;
-use crate::air::Flying;
-use crate::integrate::{Drag, Rest};
-use crate::law::unloading::GRAZING;
-use crate::law::{Ground, Unloading};
+use crate::contact::law::unloading::GRAZING;
+use crate::contact::law::{Ground, Unloading};
+use crate::impact::air::Flying;
+use crate::numerics::integrate::{Drag, Rest};
 
 /// Damping on top of the contact law; the total contact force never pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,8 +11,8 @@ use super::outcome::Outcome;
 use super::result::Impact;
 use super::solve::{FINEST, Method, Solver, run};
 use super::{closed_form, validity};
-use crate::integrate::IntegrationError;
-use crate::law::{Dent, Ground, Peak, Rule};
+use crate::contact::law::{Dent, Ground, Peak, Rule};
+use crate::numerics::integrate::IntegrationError;
 
 impl Case<'_> {
     /// The outcome by the balance of energy, where there is one; its times under gravity have this tolerance.

@@ -6,8 +6,8 @@ use super::oblique::Rubbing;
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Point};
 use super::scales::ACCELERATION;
-use crate::integrate::State;
-use crate::law::{Branch, Peak};
+use crate::contact::law::{Branch, Peak};
+use crate::numerics::integrate::State;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceRow {

@@ -1,8 +1,8 @@
 //! What an impact comes to, in dimensionless form, however it was obtained.
 
 use super::record::Point;
-use crate::integrate::Work;
-use crate::law::Unloading;
+use crate::contact::law::Unloading;
+use crate::numerics::integrate::Work;
 use crate::units::names::named;
 
 named! {

@@ -27,9 +27,9 @@
 use thiserror::Error;
 
 use super::scales::Scales;
-use crate::law::Law;
-use crate::material::HalfSpace;
-use crate::math::functions::{pow, powi};
+use crate::contact::law::Law;
+use crate::contact::material::HalfSpace;
+use crate::numerics::functions::{pow, powi};
 use crate::units::names::named;
 
 #[derive(Debug, Clone, Copy, PartialEq)]

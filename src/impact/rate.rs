@@ -19,10 +19,10 @@ use std::sync::Arc;
 use super::contact::Contact;
 use super::error::ImpactError;
 use super::rated::{Rated, Rates};
-use crate::integrate::IntegrationError;
-use crate::law::{Bodies, Ground, LawChoice};
-use crate::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
-use crate::strength::rate::Rate;
+use crate::contact::law::{Bodies, Ground, LawChoice};
+use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
+use crate::contact::strength::rate::Rate;
+use crate::numerics::integrate::IntegrationError;
 
 /// The rate of the loading and that of the turn, over w.
 const SHARES: [f64; 2] = [0.2, 0.015];

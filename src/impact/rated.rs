@@ -1,7 +1,7 @@
 //! The strain rate of an impact and what it makes of the strength, as a result; [`super::rate`] finds it.
 
-use crate::law::LawChoice;
-use crate::strength::rate::Rate;
+use crate::contact::law::LawChoice;
+use crate::contact::strength::rate::Rate;
 
 /// How the strengths of the bodies rise with the rate, and the law that they go into.
 #[derive(Debug, Clone)]

@@ -2,10 +2,10 @@
 //! are made of them.
 
 use super::scales::ACCELERATION;
-use crate::integrate::{Drag, Segment, State};
-use crate::law::{Ground, Peak, Unloading};
-use crate::math::power::max_or_nan;
-use crate::math::root::falls_through;
+use crate::contact::law::{Ground, Peak, Unloading};
+use crate::numerics::integrate::{Drag, Segment, State};
+use crate::numerics::power::max_or_nan;
+use crate::numerics::root::falls_through;
 
 /// What happens on the way; the kinds in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

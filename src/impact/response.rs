@@ -1,7 +1,7 @@
 //! The law as a force of its own, for codes that move the sphere themselves (DEM): indentation and memory in, force out.
 
 use super::contact::Contact;
-use crate::law::{Ground, Peak};
+use crate::contact::law::{Ground, Peak};
 
 /// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros, and so has
 /// one with a half-space that stays elastic.

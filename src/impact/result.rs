@@ -11,8 +11,8 @@ use super::oblique::{Approach, Inclined, Oblique};
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::solve::Method;
 use super::warning::Warning;
-use crate::integrate::{IntegrationError, Work};
-use crate::math::power::max_or_nan;
+use crate::numerics::integrate::{IntegrationError, Work};
+use crate::numerics::power::max_or_nan;
 
 /// Where the kinetic energy went \[J\].
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,9 +4,9 @@
 //! every sphere. L, Φ, V are the yield indentation, force and speed; an impact that stays elastic takes its own Hertz peak
 //! and speed instead, so that the slowest impact is no closer to underflow than the fastest.
 
-use crate::material::{OutOfFloatRange, Pair, YieldPoint, normal};
-use crate::math::functions::pow;
-use crate::math::power::power_turn;
+use crate::contact::material::{OutOfFloatRange, Pair, YieldPoint, normal};
+use crate::numerics::functions::pow;
+use crate::numerics::power::power_turn;
 
 /// c of x'' = −c f.
 pub const ACCELERATION: f64 = 1.25;

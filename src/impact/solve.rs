@@ -6,10 +6,10 @@ use super::forces::{Forces, ScaledForces};
 use super::outcome::{Computed, Outcome};
 use super::record::{Recorder, even_times};
 use super::verlet;
-use crate::integrate::library::{Library, Scheme};
-use crate::integrate::rk8::Rk8;
-use crate::integrate::{IntegrationError, Integrator, Work};
-use crate::law::Ground;
+use crate::contact::law::Ground;
+use crate::numerics::integrate::library::{Library, Scheme};
+use crate::numerics::integrate::rk8::Rk8;
+use crate::numerics::integrate::{IntegrationError, Integrator, Work};
 use crate::units::names::named;
 
 named! {

@@ -5,7 +5,7 @@ use super::error::ImpactError;
 use super::oblique::Approach;
 use super::result::Impact;
 use super::solve::Solver;
-use crate::law::{Dent, Peak};
+use crate::contact::law::{Dent, Peak};
 
 /// A place on the half-space. The indentations of all impacts on it count from the original surface, so that first touch is at
 /// the depth of the dent.

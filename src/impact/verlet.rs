@@ -10,11 +10,11 @@ use super::forces::ScaledForces;
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::record::{Event, Point, even_times};
 use super::scales::ACCELERATION;
-use crate::curve::piece::Piece;
-use crate::integrate::{Drag, IntegrationError, Segment, State, Work};
-use crate::law::{Ground, Peak, Unloading};
-use crate::math::power::max_or_nan;
-use crate::math::root::halved;
+use crate::contact::law::{Ground, Peak, Unloading};
+use crate::numerics::curve::piece::Piece;
+use crate::numerics::integrate::{Drag, IntegrationError, Segment, State, Work};
+use crate::numerics::power::max_or_nan;
+use crate::numerics::root::halved;
 
 /// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
 /// first touch.

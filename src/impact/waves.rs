@@ -13,11 +13,11 @@
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
 use super::scales::{ACCELERATION, Scales};
-use crate::curve::piece::{Piece, Shape};
-use crate::law::{Ground, Peak, Unloading};
-use crate::material::{HalfSpace, OutOfFloatRange, normal};
-use crate::math::functions::{atan2, gamma, ln_1p};
-use crate::math::quadrature::over as integrate;
+use crate::contact::law::{Ground, Peak, Unloading};
+use crate::contact::material::{HalfSpace, OutOfFloatRange, normal};
+use crate::numerics::curve::piece::{Piece, Shape};
+use crate::numerics::functions::{atan2, gamma, ln_1p};
+use crate::numerics::quadrature::over as integrate;
 
 /// How a half-space radiates under a changing normal force.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,19 +4,19 @@ use std::collections::HashSet;
 
 use toml::de::{DeTable, DeValue};
 
+use crate::contact::law::LawChoice;
+use crate::contact::materials;
+use crate::contact::strength::hardness;
 use crate::impact::Method;
-use crate::law::LawChoice;
-use crate::materials;
-use crate::plan::axis::{Axis, Values, Word};
-use crate::plan::free::Free;
-use crate::plan::random::{Distribution, Variable};
-use crate::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
-use crate::scene::read::{Fault, Reader, count, items, list, named, number, word};
-use crate::scene::taken::{Body, Taken};
-use crate::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
-use crate::scene::written::{Name, Node, described};
-use crate::scene::{KEYS, Key};
-use crate::strength::hardness;
+use crate::scenario::plan::axis::{Axis, Values, Word};
+use crate::scenario::plan::free::Free;
+use crate::scenario::plan::random::{Distribution, Variable};
+use crate::scenario::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
+use crate::scenario::scene::read::{Fault, Reader, count, items, list, named, number, word};
+use crate::scenario::scene::taken::{Body, Taken};
+use crate::scenario::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
+use crate::scenario::scene::written::{Name, Node, described};
+use crate::scenario::scene::{KEYS, Key};
 use crate::units::nearest::did_you_mean;
 
 /// The keys that are axes of words.

@@ -2,12 +2,12 @@
 //! only whether a key or table is given, or varies.
 
 use super::Scenario;
-use crate::air::Flying;
 use crate::error::Error;
+use crate::impact::air::Flying;
 use crate::impact::{ImpactError, PlateError};
-use crate::scene::at::at;
-use crate::scene::tables::is_at_or_below;
-use crate::scene::{EITHER, Input, KEYS};
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::tables::is_at_or_below;
+use crate::scenario::scene::{EITHER, Input, KEYS};
 use crate::units::four_digits;
 
 /// Keys that are refused beside others.

@@ -2,19 +2,19 @@
 
 use super::document::read_text;
 use super::{DATA, LARGEST_DATA, Scenario};
+use crate::contact::law::LawChoice;
+use crate::contact::law::plm::hardness::pressure;
+use crate::contact::strength::hardness::{self, Scale};
 use crate::error::Error;
 use crate::impact::Method;
-use crate::law::LawChoice;
-use crate::law::plm::hardness::pressure;
-use crate::plan::axis::{Axis, Values};
-use crate::plan::free::Free;
-use crate::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
-use crate::scene::at::at;
-use crate::scene::keys::{BODIES, NEEDED};
-use crate::scene::taken::{Body, Taken};
-use crate::scene::words::STUDENT_T;
-use crate::scene::{Input, Key};
-use crate::strength::hardness::{self, Scale};
+use crate::scenario::plan::axis::{Axis, Values};
+use crate::scenario::plan::free::Free;
+use crate::scenario::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::keys::{BODIES, NEEDED};
+use crate::scenario::scene::taken::{Body, Taken};
+use crate::scenario::scene::words::STUDENT_T;
+use crate::scenario::scene::{Input, Key};
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {

@@ -13,9 +13,9 @@ use super::edit::{self, Change};
 use super::mark::{Mark, shortened};
 use super::reference::{allowed, missing};
 use crate::error::{Details, Error, ErrorKind};
-use crate::scene::read::Fault;
-use crate::scene::tables::is_at_or_below;
-use crate::scene::written::{Node, add_places};
+use crate::scenario::scene::read::Fault;
+use crate::scenario::scene::tables::is_at_or_below;
+use crate::scenario::scene::written::{Node, add_places};
 
 /// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;

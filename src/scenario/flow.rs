@@ -1,13 +1,13 @@
 //! `flow_stress` of a body: how it hardens, and which keys may stand beside that.
 
 use super::Scenario;
+use crate::contact::law::LawChoice;
+use crate::contact::strength::flow::FlowCurve;
 use crate::error::Error;
-use crate::law::LawChoice;
-use crate::scene::at::At;
-use crate::scene::tables::names;
-use crate::scene::taken::Body;
-use crate::scene::{EVERY_KEY, Input, Key};
-use crate::strength::flow::FlowCurve;
+use crate::scenario::scene::at::At;
+use crate::scenario::scene::tables::names;
+use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::{EVERY_KEY, Input, Key};
 use crate::units::{Dimension, quantity};
 
 /// The four ways to write a curve.

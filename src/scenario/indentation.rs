@@ -1,13 +1,13 @@
 //! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
 
 use super::Scenario;
+use crate::contact::law::LawChoice;
+use crate::contact::material::{HalfSpace, Material};
 use crate::error::Error;
 use crate::impact::Warning;
-use crate::indentation::{Indenter, Specimen, Target};
-use crate::law::LawChoice;
-use crate::material::{HalfSpace, Material};
-use crate::scene::at::at;
-use crate::scene::{Input, Use, key};
+use crate::impact::indentation::{Indenter, Specimen, Target};
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::{Input, Use, key};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;

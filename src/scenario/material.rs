@@ -3,17 +3,17 @@
 use super::Scenario;
 use super::document::Document;
 use super::varied::Varied;
+use crate::contact::law::LawChoice;
+use crate::contact::materials::{self, Entry, Known};
 use crate::error::Error;
-use crate::law::LawChoice;
-use crate::materials::{self, Entry, Known};
-use crate::plan::axis::{Axis, Word};
-use crate::plan::random::{Distribution, Variable};
-use crate::plan::{HARDNESS, YIELD_STRENGTH};
-use crate::scene::at::at;
-use crate::scene::key::Part;
-use crate::scene::keys::partner;
-use crate::scene::taken::{Body, Taken};
-use crate::scene::{Input, Key};
+use crate::scenario::plan::axis::{Axis, Word};
+use crate::scenario::plan::random::{Distribution, Variable};
+use crate::scenario::plan::{HARDNESS, YIELD_STRENGTH};
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::key::Part;
+use crate::scenario::scene::keys::partner;
+use crate::scenario::scene::taken::{Body, Taken};
+use crate::scenario::scene::{Input, Key};
 
 impl Varied {
     /// Finds what the bodies take from the materials that they name: the values that the scenario leaves to them. A material that

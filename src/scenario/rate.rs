@@ -2,11 +2,11 @@
 
 use super::Scenario;
 use super::material::asks_material;
+use crate::contact::law::LawChoice;
+use crate::contact::materials::{Property, all};
 use crate::error::Error;
-use crate::law::LawChoice;
-use crate::materials::{Property, all};
-use crate::scene::Input;
-use crate::scene::taken::Body;
+use crate::scenario::scene::Input;
+use crate::scenario::scene::taken::Body;
 use crate::units::number;
 
 /// How a rise may be written.

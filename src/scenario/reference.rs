@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
-use crate::law::LawChoice;
-use crate::scene::key::{AnyKey, Form, Words};
-use crate::scene::keys::varied;
-use crate::scene::quantity::Quantity;
-use crate::scene::tables::{POINT, pair_example};
-use crate::scene::written::pattern;
-use crate::scene::{EVERY_KEY, Key};
+use crate::contact::law::LawChoice;
+use crate::scenario::scene::key::{AnyKey, Form, Words};
+use crate::scenario::scene::keys::varied;
+use crate::scenario::scene::quantity::Quantity;
+use crate::scenario::scene::tables::{POINT, pair_example};
+use crate::scenario::scene::written::pattern;
+use crate::scenario::scene::{EVERY_KEY, Key};
 
 /// All keys as Markdown, a table for every table of a scenario: first those that a user sets, then those for experts.
 pub fn keys() -> String {

@@ -2,9 +2,9 @@
 
 use super::Scenario;
 use crate::error::Error;
-use crate::repeat::{Drive, MOST_IMPACTS, Place, Repeat};
-use crate::scene::Input;
-use crate::scene::at::at;
+use crate::impact::repeat::{Drive, MOST_IMPACTS, Place, Repeat};
+use crate::scenario::scene::Input;
+use crate::scenario::scene::at::at;
 
 const SPOTS: &str =
     "write \"same\" (the dent is what the sphere meets next) or \"fresh\" (every impact on new surface)";

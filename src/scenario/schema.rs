@@ -5,13 +5,13 @@ use std::ops::Bound;
 use serde_json::{Value, json};
 
 use super::Kind;
-use crate::law::LawChoice;
-use crate::scene::key::{Form, Words};
-use crate::scene::quantity::Quantity;
-use crate::scene::tables::POINT;
-use crate::scene::taken::Body;
-use crate::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
-use crate::scene::{EITHER, EVERY_KEY, KEYS};
+use crate::contact::law::LawChoice;
+use crate::scenario::scene::key::{Form, Words};
+use crate::scenario::scene::quantity::Quantity;
+use crate::scenario::scene::tables::POINT;
+use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
+use crate::scenario::scene::{EITHER, EVERY_KEY, KEYS};
 
 /// The schema (draft 2020-12). It describes the forms, the words, the ranges of numbers, which keys exclude each other, and
 /// that an impact needs a speed. Of texts with a unit it refuses those of another dimension; the program itself checks more.

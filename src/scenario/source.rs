@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::{DATA, Scenario};
 use crate::error::Error;
-use crate::plan::Source;
-use crate::provenance::{FORMAT, Provenance, VERSION};
-use crate::scene::at::at;
+use crate::files::provenance::{FORMAT, Provenance, VERSION};
+use crate::scenario::plan::Source;
+use crate::scenario::scene::at::at;
 
 impl Scenario {
     /// The scenario as texts, from which it can be read again.

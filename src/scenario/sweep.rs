@@ -4,10 +4,10 @@ use super::Scenario;
 use super::axes::{METHOD, RandomKeys};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
-use crate::plan::{Cases, MOST_CASES, Plan};
-use crate::scene::Use;
-use crate::scene::at::{At, OTHER, at};
-use crate::scene::results::{Column, columns};
+use crate::scenario::plan::{Cases, MOST_CASES, Plan};
+use crate::scenario::scene::Use;
+use crate::scenario::scene::at::{At, OTHER, at};
+use crate::scenario::scene::results::{Column, columns};
 
 impl Scenario {
     /// The table that the scenario asks for.

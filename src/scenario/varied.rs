@@ -3,9 +3,9 @@
 use toml::de::{DeTable, DeValue};
 
 use super::axes::{self, RandomKeys};
-use crate::plan::axis::Axis;
-use crate::plan::free::Free;
-use crate::scene::read::Reader;
+use crate::scenario::plan::axis::Axis;
+use crate::scenario::plan::free::Free;
+use crate::scenario::scene::read::Reader;
 
 /// Nothing varies in most scenarios.
 #[derive(Debug, Clone, Default)]

@@ -3,7 +3,7 @@
 use super::Dimension;
 use super::table::Scale;
 
-use crate::math::functions::powi;
+use crate::numerics::functions::powi;
 
 /// A number in its shortest exact form, with an exponent where zeros would hide the digits.
 pub fn number(value: f64) -> String {

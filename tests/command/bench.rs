@@ -1,6 +1,6 @@
 //! `plm-impact bench` as a process: its files, not the measured times.
 
-use plm_impact::bench::hard_cases::hard_cases;
+use plm_impact::evidence::bench::hard_cases::hard_cases;
 
 use crate::common::prelude::*;
 

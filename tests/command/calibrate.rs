@@ -7,8 +7,8 @@ mod coverage;
 mod files;
 mod limits;
 
-use plm_impact::law::plm::hardness::pressure;
-use plm_impact::material::Material;
+use plm_impact::contact::law::plm::hardness::pressure;
+use plm_impact::contact::material::Material;
 
 use crate::common::prelude::*;
 

@@ -116,7 +116,7 @@ fn coefficients_come_from_a_file_beside_the_scenario() {
     fs::write(desk.path("sub/s.toml"), STEEL).unwrap();
     let arguments = ["check", "sub/s.toml", "--set", "law.plm.coefficients=my.toml"];
     assert_refused(&desk, &arguments, &["law.plm.coefficients: sub/my.toml: cannot be read"]);
-    let built_in = include_str!("../../src/law/plm/coefficients.toml");
+    let built_in = include_str!("../../src/contact/law/plm/coefficients.toml");
     fs::write(desk.path("sub/my.toml"), built_in.replace("name = \"", "name = \"mine, ")).unwrap();
     assert!(desk.ends(&arguments, 0).0.contains("mine, "));
 }

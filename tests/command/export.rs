@@ -5,7 +5,9 @@ use std::process::Output;
 
 use crate::common::prelude::*;
 use assert_cmd::Command;
-use plm_impact::export::{E_WITHIN, Target, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
+use plm_impact::doors::export::{
+    E_WITHIN, Target, damped_spring, range_of_constant, spring_without_pull, steps_per_contact,
+};
 
 const STEEL: &str = "scenarios/steel-on-steel.toml";
 

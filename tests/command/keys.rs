@@ -1,14 +1,14 @@
 //! The registry of keys: its schema and its reference page agree with what the program reads.
 
-use plm_impact::report::reference::renewed;
+use plm_impact::report::text::reference::renewed;
 use plm_impact::scenario::schema::schema;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use plm_impact::indentation::Target;
-use plm_impact::plan::Source;
-use plm_impact::scene::key::{Form, Part};
-use plm_impact::scene::{KEYS, Use, without_effect};
+use plm_impact::impact::indentation::Target;
+use plm_impact::scenario::plan::Source;
+use plm_impact::scenario::scene::key::{Form, Part};
+use plm_impact::scenario::scene::{KEYS, Use, without_effect};
 
 use crate::common::prelude::*;
 

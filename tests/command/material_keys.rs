@@ -1,7 +1,7 @@
 //! `material` in a scenario: the values that a body takes from it, the keys that replace them, and tables over
 //! materials.
 
-use plm_impact::scene::Input;
+use plm_impact::scenario::scene::Input;
 
 use crate::common::prelude::*;
 

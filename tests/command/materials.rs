@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use plm_impact::materials::read;
-use plm_impact::scene::quantity::{
+use plm_impact::contact::materials::read;
+use plm_impact::scenario::scene::quantity::{
     DENSITY, HARDENING_EXPONENT, HARDNESS, MODULUS, POISSONS_RATIO, Quantity, RATE_SENSITIVITY,
 };
 

@@ -20,7 +20,7 @@ fn pictures_of_the_program_keep_their_text() {
     };
     let materials: String = (0..12).map(material).collect();
     let bodiless = still.split("[half_space]").next().unwrap().to_owned();
-    let laws = plm_impact::law::LawChoice::all();
+    let laws = plm_impact::contact::law::LawChoice::all();
     let laws: Vec<String> =
         laws.iter().filter(|law| law.has_loading()).map(|law| format!("{:?}", law.name())).collect();
     let laws = format!("\"law\" = [{}, \"kogut_komvopoulos + mesarovic_johnson\"]\n", laws.join(", "));

@@ -1,7 +1,7 @@
 //! Pictures: curves lie at the places of their values, text stays text and on the sheet. Places are read from the SVG;
 //! one test compares it with the PNG, which is drawn from the same data.
 
-use plm_impact::plot::{self, Axis, Chart, Panel, PlotError, Series, heatmap, histogram};
+use plm_impact::report::plot::{self, Axis, Chart, Panel, PlotError, Series, heatmap, histogram};
 use roxmltree::Node;
 
 use crate::common::prelude::*;

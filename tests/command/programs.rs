@@ -177,7 +177,8 @@ fn the_examples_of_every_help_run() {
     // files that the examples need
     let prepared = "plm-impact init; plm-impact init sweep; mkdir -p scenarios measurements .local/share/bash-completion/completions";
     assert!(shell(&desk, prepared).status.success());
-    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/src/law/plm/coefficients.toml"), desk.path("mine.toml")).unwrap();
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/src/contact/law/plm/coefficients.toml"), desk.path("mine.toml"))
+        .unwrap();
     fs::write(desk.path("rebounds.csv"), "speed_m_per_s,restitution,restitution_sd\n1,0.62,0.02\n3,0.5,0.02\n")
         .unwrap();
     let mut count = 0;

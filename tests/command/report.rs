@@ -1,6 +1,6 @@
 //! The files of an impact agree with the computed impact: keys, values, rows.
 
-use plm_impact::provenance::FORMAT;
+use plm_impact::files::provenance::FORMAT;
 
 use serde_json::json;
 

@@ -1,6 +1,6 @@
 //! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
-use plm_impact::scene::{EITHER, KEYS};
+use plm_impact::scenario::scene::{EITHER, KEYS};
 
 use crate::common::prelude::*;
 
@@ -291,7 +291,7 @@ fn mistakes_are_told_at_once_each_with_its_place_and_of_very_many_their_number()
 fn the_hash_is_of_text_overrides_and_coefficients() {
     let directory = tempfile::tempdir().unwrap();
     let coefficients = directory.path().join("my.toml");
-    let built_in = include_str!("../../src/law/plm/coefficients.toml");
+    let built_in = include_str!("../../src/contact/law/plm/coefficients.toml");
     let file = directory.path().join("scenario.toml");
     let hash = |text: &str, overrides: &[&str], table: &str| {
         std::fs::write(&file, text).unwrap();
@@ -321,7 +321,7 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_has_no_warning() {
         if path.extension().is_some_and(|extension| extension == "toml") {
             let scenario = Scenario::load(&path, &[]).unwrap();
             assert!(scenario.document.text().starts_with("# "), "{}", path.display());
-            let warnings = plm_impact::run::check(&scenario).unwrap().warnings;
+            let warnings = plm_impact::report::run::check(&scenario).unwrap().warnings;
             // a table may have rows beyond the range of the law
             let is_table = matches!(scenario.kind().unwrap(), Kind::Sweep | Kind::MonteCarlo);
             assert!(is_table || warnings.is_empty(), "{}: {warnings:?}", path.display());

@@ -1,8 +1,8 @@
 //! `sphere.mass`, `half_space.hardness` and `[half_space.flow_stress]`: the scenes of scenarios with them.
 
-use plm_impact::scene::Input;
+use plm_impact::scenario::scene::Input;
 
-use plm_impact::validation::comparison;
+use plm_impact::evidence::validate::comparison;
 
 use crate::common::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Spellings of quantities that are understood, and spellings that are refused with their messages.
 
 use crate::common::prelude::*;
-use plm_impact::scene::quantity::ANGLE;
+use plm_impact::scenario::scene::quantity::ANGLE;
 use plm_impact::units::{Dimension, describe, exact, human, parse, si};
 
 #[test]

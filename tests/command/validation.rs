@@ -4,15 +4,15 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use plm_impact::reference::measured::{devices, steels};
-use plm_impact::validation::comparison::{mean, rms};
-use plm_impact::validation::{self, Comparison};
+use plm_impact::evidence::validate::comparison::{mean, rms};
+use plm_impact::evidence::validate::{self, Comparison};
+use plm_impact::impact::reference::measured::{devices, steels};
 
 use plm_impact::units::four_digits;
 
 use crate::common::prelude::*;
 
-const BUILT_IN: &str = include_str!("../../src/law/plm/coefficients.toml");
+const BUILT_IN: &str = include_str!("../../src/contact/law/plm/coefficients.toml");
 
 /// A row of a table, by column.
 type Row = BTreeMap<String, String>;
@@ -36,7 +36,7 @@ fn a_clean_checkout_compares_with_every_reference() {
     let plastic =
         |curve: &&str| records::<Row>(curve).iter().filter(|row| number(row, "delta_over_deltaY") >= 1.0).count();
     let points: usize = CURVES.iter().map(plastic).sum();
-    let yielding = records::<Row>(include_str!("../../src/reference/fe_yielding.csv"));
+    let yielding = records::<Row>(include_str!("../../src/impact/reference/fe_yielding.csv"));
     let yielding = yielding.iter().filter(|row| number(row, "elements_in_contact") >= 9.0).count();
     assert_eq!(
         rows.len(),
@@ -274,20 +274,20 @@ impl Second {
 }
 
 const CURVES: [&str; 5] = [
-    include_str!("../../src/reference/fe_loading_case1.csv"),
-    include_str!("../../src/reference/fe_loading_case2.csv"),
-    include_str!("../../src/reference/fe_loading_case3.csv"),
-    include_str!("../../src/reference/fe_loading_case4.csv"),
-    include_str!("../../src/reference/fe_loading_case5.csv"),
+    include_str!("../../src/impact/reference/fe_loading_case1.csv"),
+    include_str!("../../src/impact/reference/fe_loading_case2.csv"),
+    include_str!("../../src/impact/reference/fe_loading_case3.csv"),
+    include_str!("../../src/impact/reference/fe_loading_case4.csv"),
+    include_str!("../../src/impact/reference/fe_loading_case5.csv"),
 ];
 
 static COMPARED: LazyLock<Vec<Comparison>> =
-    LazyLock::new(|| validation::comparisons(PlmCoefficients::built_in(), &Counter::default()).unwrap());
+    LazyLock::new(|| validate::comparisons(PlmCoefficients::built_in(), &Counter::default()).unwrap());
 
 #[test]
 fn rows_of_load_cycles_follow_from_a_second_implementation() {
     let mut compared = 0;
-    for cycle in records::<Row>(include_str!("../../src/reference/fe_unloading.csv")) {
+    for cycle in records::<Row>(include_str!("../../src/impact/reference/fe_unloading.csv")) {
         let case: usize = cycle["case"].trim_start_matches("case").parse().unwrap();
         let second = Second::of(CURVES[case - 1]);
         let x = number(&cycle, "x");
@@ -357,7 +357,7 @@ fn whole_impacts_are_those_of_the_scenarios() {
         let quantity = format!("impact: restitution, {name}");
         let one = COMPARED.iter().find(|one| one.group.quantity == quantity && one.case == "D1").unwrap();
         assert_relative_eq!(one.law, second.restitution(low, is_paper), max_relative = 1e-5);
-        // src/reference/fe_dynamic.csv
+        // src/impact/reference/fe_dynamic.csv
         assert_eq!(one.reference, 0.5030);
     }
 }

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use assert_cmd::Command;
-use plm_impact::plot::Pictures;
-use plm_impact::progress::Counter;
-use plm_impact::report::Detail;
-use plm_impact::run::{Order, Outcome, at_once};
+use plm_impact::files::progress::Counter;
+use plm_impact::report::plot::Pictures;
+use plm_impact::report::run::{Order, Outcome, at_once};
+use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 use serde_json::Value;
 use tempfile::TempDir;

@@ -27,7 +27,7 @@ BIN = Path(sys.executable).parent
 
 
 def build(*arguments: str | Path) -> None:
-    command = [sys.executable, ROOT / "src/lammps/build.py", *arguments]
+    command = [sys.executable, ROOT / "src/doors/lammps/build.py", *arguments]
     if library := os.environ.get("PLM_IMPACT_LIBRARY"):
         command += ["--library", library]
     subprocess.run(command, check=True)
@@ -253,7 +253,7 @@ def test_another_lammps_is_refused(tmp_path: Path) -> None:
     build("--into", tmp_path, "--lammps-version", "20200101")
     # the plug-in of the Python module may be loaded too
     output = lammps(tmp_path, "one.in", fails=None, dt="1e-7", n=1, scenario=STEEL)
-    assert "this plug-in is for LAMMPS 20200101" in output and "src/lammps/build.py" in output
+    assert "this plug-in is for LAMMPS 20200101" in output and "src/doors/lammps/build.py" in output
 
 
 def test_lmp_finds_the_plugin_of_the_module() -> None:

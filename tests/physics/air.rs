@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use crate::common::prelude::*;
 use crate::common::reference::{Row, rows};
 use approx::assert_abs_diff_eq;
-use plm_impact::air::{Flying, Medium};
+use plm_impact::impact::air::{Flying, Medium};
 
 fn medium(row: &Row) -> Medium {
     let drag = Some(row.text("drag")).filter(|drag| *drag != "sphere").map(|drag| drag.parse().unwrap());

@@ -1,9 +1,9 @@
 //! The integrators under drag, compared with the damped harmonic oscillator.
 
 use crate::common::prelude::*;
-use plm_impact::curve::Curve;
-use plm_impact::integrate::library::{Library, Scheme};
-use plm_impact::integrate::{Drag, Landing, Leg, Path, Sizes, State};
+use plm_impact::numerics::curve::Curve;
+use plm_impact::numerics::integrate::library::{Library, Scheme};
+use plm_impact::numerics::integrate::{Drag, Landing, Leg, Path, Sizes, State};
 
 #[test]
 fn a_damped_spring_under_a_body_that_gives_way_follows_its_closed_form() {

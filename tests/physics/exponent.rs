@@ -5,7 +5,7 @@
 //! the exponent that gives back exactly W_m, f_m ε_m/W_m − 1, with a warning. It is 3/2 at first yield and falls to the n
 //! that was asked for. If it is more by over 5 %, an impact has no answer.
 
-use plm_impact::indentation::Target;
+use plm_impact::impact::indentation::Target;
 
 use crate::common::prelude::*;
 
@@ -66,7 +66,7 @@ proptest! {
         let peak = law.loaded_to(x);
         let Rule::Polyline(rule) = &law.rule else { unreachable!("{law:?}") };
         let equivalent = rule.radius.ratio_at(peak.force / peak.elastic_approach);
-        let want = if shape { plm_impact::law::pressure_shape_exponent(equivalent) } else { 1.5 };
+        let want = if shape { plm_impact::contact::law::pressure_shape_exponent(equivalent) } else { 1.5 };
         prop_assert_eq!(law.unloading(peak).exponent.to_bits(), want.to_bits());
     }
 

@@ -1,10 +1,10 @@
 //! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables.
 
-use plm_impact::curve::Curve;
-use plm_impact::curve::piece::{Piece, Shape};
 use plm_impact::impact::closed_form::solve;
+use plm_impact::numerics::curve::Curve;
+use plm_impact::numerics::curve::piece::{Piece, Shape};
 
-use plm_impact::scene::Input;
+use plm_impact::scenario::scene::Input;
 
 use crate::common::prelude::*;
 

@@ -8,7 +8,7 @@ mod peak_force;
 mod properties;
 
 use crate::common::prelude::*;
-use plm_impact::integrate::Drag;
+use plm_impact::numerics::integrate::Drag;
 
 const GRAVITY: f64 = 9.81;
 

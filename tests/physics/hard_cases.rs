@@ -2,8 +2,8 @@
 //! units.
 #![allow(clippy::unwrap_used, clippy::excessive_precision)] // values as printed
 
-use plm_impact::bench::hard_cases::hard_cases;
-use plm_impact::bench::problems::{Problem, kinked_law, steel_speed_ratio};
+use plm_impact::evidence::bench::hard_cases::hard_cases;
+use plm_impact::evidence::bench::problems::{Problem, kinked_law, steel_speed_ratio};
 
 use crate::common::prelude::*;
 

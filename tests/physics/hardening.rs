@@ -1,9 +1,9 @@
 //! A half-space that hardens: finite elements, limits without hardening, and properties that always
 //! hold.
 
-use plm_impact::reference::hardening::unloadings;
-use plm_impact::strength::flow::FlowPoint;
-use plm_impact::validation::comparison::rms;
+use plm_impact::contact::strength::flow::FlowPoint;
+use plm_impact::evidence::validate::comparison::rms;
+use plm_impact::impact::reference::hardening::unloadings;
 
 use crate::common::prelude::*;
 

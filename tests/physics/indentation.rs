@@ -1,7 +1,7 @@
 //! Slow indentation: closed forms of the loops, memory, and random steps.
 
 use Target::{Indentation as To, Load};
-use plm_impact::indentation::{Doubt, Step, Target};
+use plm_impact::impact::indentation::{Doubt, Step, Target};
 
 use crate::common::prelude::*;
 

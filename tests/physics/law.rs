@@ -212,7 +212,7 @@ fn built_in_table_is_accepted_and_says_where_it_comes_from() {
 
 #[test]
 fn a_table_without_geometry_is_read() {
-    let text = include_str!("../../src/law/plm/coefficients.toml");
+    let text = include_str!("../../src/contact/law/plm/coefficients.toml");
     assert_eq!(&PlmCoefficients::from_toml(text).unwrap(), PlmCoefficients::built_in());
     // a table in the earlier form without geometry: G = 1
     let older: String =

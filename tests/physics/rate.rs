@@ -55,7 +55,7 @@ fn impacts_are_those_of_an_independent_program() {
 /// 1.6 %, 3 % at 10 m/s and for Cowper-Symonds; residual indentation as a share of the depth.
 #[test]
 fn impacts_are_those_of_finite_elements() {
-    let all = rows(include_str!("../../src/reference/fe_rate.csv"));
+    let all = rows(include_str!("../../src/impact/reference/fe_rate.csv"));
     assert_eq!(all.len(), 10);
     for row in all {
         let scene = scene("", &[row.keys(&[]), vec!["law.plm.unloading_exponent=pressure-shape".to_owned()]].concat());

@@ -38,7 +38,7 @@ impl References {
 fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
     let (size, on_plate) = (impact.peak_indentation, impact.on_plate);
     let point = contact.pair().yield_point;
-    let of_point = |of: fn(&plm_impact::material::YieldPoint) -> f64| point.as_ref().map_or(f64::NAN, of);
+    let of_point = |of: fn(&plm_impact::contact::material::YieldPoint) -> f64| point.as_ref().map_or(f64::NAN, of);
     // R_res = R R_e/(R_e − R) loses digits where the dent is shallow
     let radius = impact.residual_radius.unwrap_or(f64::NAN);
     let of_plate = |of: fn(&plm_impact::impact::OnPlate) -> f64| on_plate.as_ref().map_or(f64::NAN, of);
@@ -140,7 +140,7 @@ fn a_trace_begins_turns_and_ends_as_the_reference_says() {
         }
         // the share of the sphere of what is elastic, and the flat that it keeps
         let compliance =
-            |body: &plm_impact::material::Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
+            |body: &plm_impact::contact::material::Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
         let [of_sphere, of_half_space] = [&scene.sphere().material, &scene.half_space().material].map(compliance);
         if let Some(elastic) = row.maybe("elastic_approach_m") {
             let kept = row.maybe("harder_body_residual_share").unwrap_or(0.0);
@@ -177,7 +177,7 @@ fn an_indentation_to_the_same_depth_has_the_same_force_and_dent() {
         let mass = |radius: f64, density: f64| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * density;
         let of_sphere = mass(radius, density);
         let other = scene("", &row.keys(&[])).half_space();
-        let free = other.radius.zip(other.density).filter(|_| other.hold == plm_impact::material::Hold::Ball);
+        let free = other.radius.zip(other.density).filter(|_| other.hold == plm_impact::contact::material::Hold::Ball);
         let reduced = free.map_or(of_sphere, |(radius, density)| {
             let other = mass(radius, density);
             of_sphere * other / (of_sphere + other)

@@ -1,6 +1,6 @@
 //! Impacts on a spot that was hit before, and the memory of a contact.
 
-use plm_impact::math::power::quarter_period;
+use plm_impact::numerics::power::quarter_period;
 
 use crate::common::prelude::*;
 

@@ -1,12 +1,12 @@
 //! Series of impacts: bouncing under gravity and repeated shots.
 
-use plm_impact::air::Flying;
-use plm_impact::repeat::flight::Flight;
-use plm_impact::repeat::{End, Hit, Sequence};
+use plm_impact::impact::air::Flying;
+use plm_impact::impact::repeat::flight::Flight;
+use plm_impact::impact::repeat::{End, Hit, Sequence};
 
 use crate::common::prelude::*;
 use crate::forces::oracle;
-use plm_impact::integrate::Drag;
+use plm_impact::numerics::integrate::Drag;
 
 const GRAVITY: f64 = 9.81;
 

@@ -1,7 +1,7 @@
 //! A second ball and a curved wall: conservation, limits, and equal balls.
 
+use plm_impact::contact::material::Hold;
 use plm_impact::impact::ImpactError;
-use plm_impact::material::Hold;
 
 use crate::common::prelude::*;
 

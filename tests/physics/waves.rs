@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use plm_impact::impact::waves::{radiation_factor, restitution_with_waves};
-use plm_impact::math::functions::{cos, sin};
-use plm_impact::math::quadrature;
+use plm_impact::numerics::functions::{cos, sin};
+use plm_impact::numerics::quadrature;
 
 use crate::common::prelude::*;
 

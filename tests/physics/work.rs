@@ -4,8 +4,8 @@
 //! beginning of each leg. Under drag there are twelve, as many for each repeat of a step that ends on an event, and three for its continuous solution there. If
 //! you change the step control, these numbers change: check first with `plm-impact bench` that the change is better.
 
-use plm_impact::bench::problems::Problem;
-use plm_impact::integrate::Work;
+use plm_impact::evidence::bench::problems::Problem;
+use plm_impact::numerics::integrate::Work;
 
 use crate::common::prelude::*;
 

@@ -1,12 +1,12 @@
 //! Which body yields: finite elements, limits, and what holds for any pair of bodies.
 
-use plm_impact::material::Flow;
+use plm_impact::contact::material::Flow;
 
 use crate::common::prelude::*;
 use crate::common::reference::{Row, rows};
 
 /// The contact of a row of finite elements, with the exponent that has a physical reason.
-fn contact_of(row: &Row, more: &[&str]) -> (plm_impact::scene::Input, Contact) {
+fn contact_of(row: &Row, more: &[&str]) -> (plm_impact::scenario::scene::Input, Contact) {
     let keys: Vec<String> = more.iter().map(|key| (*key).to_owned()).collect();
     let exponent = vec!["law.plm.unloading_exponent=pressure-shape".to_owned()];
     let scene = scene("", &[row.keys(&[]), exponent, keys].concat());
@@ -19,7 +19,7 @@ fn contact_of(row: &Row, more: &[&str]) -> (plm_impact::scene::Input, Contact) {
 #[test]
 fn load_cycles_are_those_of_finite_elements() {
     let (mut compared, mut off_force, mut off_e) = (0, Vec::new(), Vec::new());
-    for row in rows(include_str!("../../src/reference/fe_yielding.csv")) {
+    for row in rows(include_str!("../../src/impact/reference/fe_yielding.csv")) {
         let (name, ratio) = (row.name().to_owned(), row.number("contact_radius_over_R"));
         if row.number("elements_in_contact") < 9.0 || ["S3", "S7"].contains(&&*name) && ratio > 0.2 {
             continue;
@@ -44,7 +44,7 @@ fn load_cycles_are_those_of_finite_elements() {
         compared += 1;
     }
     assert_eq!(compared, 31);
-    let rms = plm_impact::validation::comparison::rms;
+    let rms = plm_impact::evidence::validate::comparison::rms;
     assert!(rms(&off_force) < 0.011 && rms(&off_e) < 0.011, "{} {}", rms(&off_force), rms(&off_e));
 }
 
@@ -79,7 +79,7 @@ fn whole_impacts_are_those_of_finite_elements() {
 /// Who keeps the residual indentation, up to a/R = 0.11: the harder body's share within 0.1 of that of the finite elements.
 #[test]
 fn dent_and_flat_are_shared_as_in_finite_elements() {
-    for row in rows(include_str!("../../src/reference/fe_yielding.csv")) {
+    for row in rows(include_str!("../../src/impact/reference/fe_yielding.csv")) {
         if row.number("contact_radius_over_R") > 0.11 {
             continue;
         }

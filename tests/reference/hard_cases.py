@@ -1,6 +1,6 @@
-"""Restitution and contact time (units of L/V) of the hard cases in `src/bench/hard_cases.rs`, with 50 digits (mpmath):
+"""Restitution and contact time (units of L/V) of the hard cases in `src/evidence/bench/hard_cases.rs`, with 50 digits (mpmath):
 energy balance for the peak and e, quadrature for the time. The law is written down anew here, from its definition
-(`src/law/plm.rs`), so that nothing but the coefficients is shared with what it checks. Prints: name, e, T."""
+(`src/contact/law/plm/mod.rs`), so that nothing but the coefficients is shared with what it checks. Prints: name, e, T."""
 import tomllib
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from mpmath import asin, atan, inf, mp, mpf, pi, quad, sqrt
 mp.dps = 50
 FIFTHS = mpf(2) / 5
 TABLE = tomllib.loads(
-    (Path(__file__).parents[2] / "src/law/plm/coefficients.toml").read_text(), parse_float=mpf
+    (Path(__file__).parents[2] / "src/contact/law/plm/coefficients.toml").read_text(), parse_float=mpf
 )
 FORCE, LINE = TABLE["force"], TABLE["elastic_approach"]
 

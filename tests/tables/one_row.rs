@@ -1,7 +1,7 @@
 //! A row of a table has the bits of the single case with the same values: for all laws, methods, forces and kinds of
 //! axes; but for friction with partial slip, which a row computes to 1e-5.
 
-use plm_impact::plan::places;
+use plm_impact::scenario::plan::places;
 
 use crate::common::prelude::*;
 
@@ -97,7 +97,8 @@ fn rows_have_the_bits_of_their_single_cases() {
 
 #[test]
 fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
-    let whole = plm_impact::law::LawChoice::all().into_iter().filter(plm_impact::law::LawChoice::has_loading);
+    let whole =
+        plm_impact::contact::law::LawChoice::all().into_iter().filter(plm_impact::contact::law::LawChoice::has_loading);
     let laws: Vec<String> = whole.map(|law| law.name()).chain(["jackson_green + brake".to_owned()]).collect();
     let laws: Vec<String> = laws.iter().map(|name| format!("{name:?}")).collect();
     let laws: Vec<&str> = laws.iter().map(String::as_str).collect();

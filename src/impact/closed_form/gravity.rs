@@ -6,14 +6,14 @@
 //!
 //! so peak, rebound and capture follow from the energy, exact to rounding. The times are those of a run by rk8.
 
+use crate::contact::law::Ground;
 use crate::impact::course;
 use crate::impact::forces::ScaledForces;
 use crate::impact::outcome::{Fate, Outcome};
 use crate::impact::record::Recorder;
 use crate::impact::scales::ACCELERATION;
-use crate::integrate::IntegrationError;
-use crate::integrate::rk8::Rk8;
-use crate::law::Ground;
+use crate::numerics::integrate::IntegrationError;
+use crate::numerics::integrate::rk8::Rk8;
 
 /// The outcome, with times of this relative tolerance.
 pub(super) fn solve(

@@ -21,7 +21,7 @@
 use super::motion::Motion;
 use super::profile::{Profile, Rim};
 use crate::impact::scales::ACCELERATION;
-use crate::integrate::IntegrationError;
+use crate::numerics::integrate::IntegrationError;
 
 /// The change of σ.
 #[derive(Debug)]

@@ -3,13 +3,13 @@
 use std::sync::LazyLock;
 
 use super::profile::Rim;
+use crate::contact::law::Ground;
 use crate::impact::case::hertz;
 use crate::impact::course;
 use crate::impact::forces::ScaledForces;
 use crate::impact::record::{Recorder, Track};
-use crate::integrate::IntegrationError;
-use crate::integrate::rk8::Rk8;
-use crate::law::Ground;
+use crate::numerics::integrate::IntegrationError;
+use crate::numerics::integrate::rk8::Rk8;
 
 /// The normal motion of an impact.
 #[derive(Debug)]

@@ -4,7 +4,7 @@ use crate::impact::contact::Contact;
 use crate::impact::result::Impact;
 use crate::impact::solve::{Method, Solver};
 use crate::impact::warning::{Warning, WarningKind};
-use crate::math::power::max_or_nan;
+use crate::numerics::power::max_or_nan;
 
 /// A restitution above this one is shown as more than 1 by a number with three digits.
 const LARGEST: f64 = 1.0005;

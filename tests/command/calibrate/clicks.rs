@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::common::prelude::*;
-use plm_impact::air::{Flying, Medium};
+use plm_impact::impact::air::{Flying, Medium};
 
 /// A ball of constant restitution that bounces in air, as a scenario with these lines of `[calibrate]`.
 fn scenario(calibrate: &str, air: &str) -> String {

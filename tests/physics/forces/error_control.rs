@@ -2,7 +2,7 @@
 
 use super::{gravity, under, viscous};
 use crate::common::prelude::*;
-use plm_impact::integrate::Drag;
+use plm_impact::numerics::integrate::Drag;
 
 /// The cases were found on bodies so soft that the sphere sank in whole. Moduli that are larger by a power of two, and speeds
 /// and gravity that are smaller by its square, are the same motion to the last bit, and a shallow dent.

@@ -10,9 +10,9 @@
 //! So peak and rebound are roots in both cases, and the time is ∫ dx/u, given the distances from both ends of a piece, which
 //! keep their digits near the ends. Only for laws of power laws and straight lines.
 
-use plm_impact::curve::piece::{Piece, Shape};
-use plm_impact::math::quadrature;
-use plm_impact::math::root::halved;
+use plm_impact::numerics::curve::piece::{Piece, Shape};
+use plm_impact::numerics::quadrature;
+use plm_impact::numerics::root::halved;
 
 use crate::common::prelude::*;
 

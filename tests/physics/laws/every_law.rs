@@ -1,6 +1,6 @@
 //! Properties of every whole law, and the limits of their ranges.
 
-use plm_impact::law::catalogue::brake::Brake;
+use plm_impact::contact::law::catalogue::brake::Brake;
 use proptest::prop_assert;
 
 use super::{bodies, law_of, whole_laws};

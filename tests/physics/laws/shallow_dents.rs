@@ -3,8 +3,8 @@
 
 use std::sync::Arc;
 
-use plm_impact::curve::Curve;
-use plm_impact::law::published::{Loading, PeakState, Rules};
+use plm_impact::contact::law::published::{Loading, PeakState, Rules};
+use plm_impact::numerics::curve::Curve;
 
 use crate::common::prelude::*;
 
@@ -38,7 +38,7 @@ fn a_dent_however_shallow_is_landed_on() {
             for (method, factor) in STEPPING {
                 for tolerance in [1e-3, 1e-6, 1e-10, 1e-13] {
                     let impact = contact.impact(speed, &solver(method, tolerance), None).unwrap();
-                    let error = plm_impact::math::power::max_or_nan(
+                    let error = plm_impact::numerics::power::max_or_nan(
                         off(impact.restitution, exact.restitution),
                         off(impact.contact_time, exact.contact_time),
                     );

@@ -1,8 +1,8 @@
 //! Forces, dents and restitutions of the published laws, compared with the tables of `reference/laws.csv` for case 3. A number
 //! has to agree to half a unit of its last printed digit: forces one decimal, dents and e three.
 
-use plm_impact::law::catalogue::yigit_christoforou::YigitChristoforou;
-use plm_impact::law::published::PeakState;
+use plm_impact::contact::law::catalogue::yigit_christoforou::YigitChristoforou;
+use plm_impact::contact::law::published::PeakState;
 
 use super::{case_3, factor, law_of};
 use crate::common::prelude::*;

@@ -1,0 +1,284 @@
+//! Finds keys of a scenario from measurements: the values for which the law gives what was measured, their uncertainty,
+//! and whether the law fits at all.
+//!
+//! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. The
+//! profile of −2 ln of the likelihood along the first key, minimised over the second, gives every basin and its minimum. If
+//! the standard deviations of the noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
+//! of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
+//! the noise in quadrature, and is independent from value to value. If the noise is not known, it is taken as the same
+//! share of every value that the law gives, and estimated from the scatter.
+//!
+//! The intervals are those of the profile likelihood. An interval holds all values of a key for which the sum,
+//! minimised over the other key, is at most z² above its minimum. If the noise is estimated, Student's t² replaces z².
+//! With two keys the same sum also gives the regions that hold both of them with these probabilities.
+//!
+//! No interval is given if the keys can be changed together while the predictions change by less than the error of the
+//! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. Nor is there an
+//! interval if nothing is known of the noise: readings that repeat to the last digit are rounded, and hide it.
+
+pub mod data;
+pub mod fit;
+pub mod identify;
+pub mod minimum;
+pub mod problem;
+pub mod profile;
+mod result;
+pub mod statistics;
+
+use crate::contact::law::LawChoice;
+use crate::error::{Error, ErrorKind};
+use crate::files::progress::Counter;
+use crate::numerics::functions::hypot;
+use crate::scenario::Scenario;
+use crate::scenario::calibrate::{Source, Wanted};
+use crate::scenario::plan::Source as Text;
+use crate::scenario::scene::measured::Measured;
+use crate::units::csv_text::refused;
+use crate::units::four_digits;
+use crate::units::human;
+use data::Data;
+pub use fit::{Fit, Noise};
+use fit::{NoiseModel, in_order, shifts};
+use identify::{Identifiability, identify};
+pub use problem::NoAnswer;
+use problem::Problem;
+use result::OUTLIER;
+pub use result::{Calibration, KeyEstimate, LawFit, Verdict};
+use statistics::{p_of_chi_square, runs_test};
+
+/// Smallest standard deviation, as a share of the value: squares of residuals stay finite.
+const LEAST_DEVIATION: f64 = 1e-9;
+
+/// The keys that are wanted, and the measurements.
+#[derive(Debug, Clone)]
+pub struct Measurements {
+    /// The request of the scenario.
+    pub wanted: Wanted,
+    /// The measurements.
+    pub data: Data,
+    /// SHA-256 of the file; `None` if the measurements are in the scenario.
+    pub sha256: Option<String>,
+}
+
+impl Measurements {
+    /// Reads the request of a scenario and its measurements.
+    pub fn of(scenario: &Scenario) -> Result<Self, Error> {
+        let wanted = scenario.wanted()?;
+        let of_text = |name: &str, text: String| {
+            let data = Data::parse(name, &text)?;
+            let text = Text { text, ..Text::default() };
+            Ok::<_, Error>((data, Some(text.sha256())))
+        };
+        let (data, sha256) = match &wanted.source {
+            Source::Numbers(numbers) => (Data::of_numbers(scenario.document.name(), numbers), None),
+            Source::Text(name, text) => of_text(name, text.clone())?,
+        };
+        scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
+        let measured = Self { wanted, data, sha256 };
+        measured.check()?;
+        Ok(measured)
+    }
+
+    /// The request and the data without deviations.
+    fn problem(&self) -> Problem<'_> {
+        let ones = vec![1.0; self.data.values.len()];
+        Problem::new(&self.wanted.input, &self.wanted.free, &self.data, ones, false)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let refuse = |message: String| Err(self.refusal(None, message));
+        let (values, keys, measured) = (self.data.values.len(), self.wanted.free.len(), self.data.measured());
+        if values < keys {
+            return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
+        }
+        let is_idle = |name: &String| !Measured::find(name).is_some_and(|quantity| measured.contains(&quantity));
+        if let Some((name, _)) = self.wanted.deviations.iter().find(|(name, _)| is_idle(name)) {
+            return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));
+        }
+        // the limit is known if speed and gravity are not to be found
+        let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
+        match self.problem().beyond_elastic() {
+            Some((value, limit)) if !self.wanted.free.iter().any(|free| is_open(free.key.path)) => {
+                let said = [value.value, limit].map(|value_of| human(value_of, value.quantity.quantity().dimension));
+                let [found, limit] = said.map(|text| text.trim_end().to_owned());
+                let message = format!(
+                    "the {} of {found} is more than a rebound without any loss gives, {limit}: check columns and units",
+                    value.quantity.name()
+                );
+                Err(self.refusal(self.line_of(value), message))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The line of a value; `None` if the measurements are in the scenario.
+    fn line_of(&self, value: &data::Value) -> Option<u64> {
+        self.sha256.is_some().then(|| self.data.rows[value.row].line)
+    }
+
+    /// The noise of every value, as far as it is given.
+    fn noise(&self) -> Result<NoiseModel, Error> {
+        let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
+        let of_quantity = |name: &str| deviations.iter().find(|given| given.0 == name).map(|given| given.1);
+        let given = |value: &data::Value| value.deviation.or_else(|| of_quantity(value.quantity.name()));
+        let values = &self.data.values;
+        let is_given = values.iter().any(|value| given(value).is_some());
+        let is_estimated = *is_estimated || *model_error == 0.0 && !is_given && deviations.is_empty();
+        if is_estimated && !is_given {
+            return Ok(NoiseModel { instrument: vec![0.0; values.len()], share: 1.0, is_estimated });
+        }
+        let instrument = |(value, size): (&data::Value, f64)| {
+            let name = value.quantity.name();
+            let sd = given(value);
+            let whole = hypot(sd.unwrap_or(0.0), size * model_error);
+            let message = if sd.is_none() && *model_error == 0.0 {
+                format!(
+                    "the {name} of this line has no standard deviation: give calibrate.noise.{name}, or a column for it, or noise = \"estimate\""
+                )
+            } else if whole < LEAST_DEVIATION * size {
+                format!(
+                    "the standard deviation of this {name} is {}, less than {} of the value: no instrument is so exact; give what the readings scatter by",
+                    four_digits(whole),
+                    four_digits(LEAST_DEVIATION)
+                )
+            } else {
+                return Ok(sd.unwrap_or(0.0));
+            };
+            Err(self.refusal(self.line_of(value), message))
+        };
+        let instrument = values.iter().zip(self.data.sizes()).map(instrument).collect::<Result<_, _>>()?;
+        Ok(NoiseModel { instrument, share: *model_error, is_estimated })
+    }
+
+    fn refusal(&self, line: Option<u64>, message: String) -> Error {
+        refused(&self.data.name)((line, message))
+    }
+
+    /// The error where the law gives no result anywhere in the ranges of the keys, or where the calibration was stopped.
+    fn no_answer(&self, reason: &NoAnswer) -> Error {
+        if *reason == NoAnswer::Stopped {
+            return Error::new(ErrorKind::Stopped(130), reason.to_string());
+        }
+        let place = " anywhere in the range of the keys";
+        let [place, way_out] = if self.wanted.free.is_empty() { ["", ""] } else { [place, "; choose another range"] };
+        let reason = format!("the law has no answer for these measurements{place}: {reason}{way_out}");
+        Error::in_file(ErrorKind::Input, &self.data.name, reason)
+    }
+
+    /// The best keys under a law.
+    fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Counter) -> Result<Result<Fit<'a>, NoAnswer>, Error> {
+        let noise = self.noise()?;
+        let deviations = noise.deviations(&self.data.sizes());
+        let mut input = self.wanted.input.clone();
+        input.named_law.clone_from(law);
+        let problem = Problem::new(&input, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
+        Ok(Fit::of(problem.watched(progress), &noise))
+    }
+
+    /// The fits of all laws that were asked for, the best first.
+    fn ranked<'a>(&'a self, progress: &'a Counter) -> Result<Vec<LawFit<'a>>, Error> {
+        let mut laws = Vec::new();
+        for law in &self.wanted.laws {
+            laws.push((law.name(), self.fit(law, progress)?));
+            progress.step();
+        }
+        let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
+        laws.sort_by(|a, b| aic(&a.1).total_cmp(&aic(&b.1)));
+        Ok(laws)
+    }
+
+    /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
+    ///
+    /// # Errors
+    /// [`Error`] of the kind `Stopped` if `progress` is asked to stop; others if there is no answer.
+    pub fn calibrate<'a>(&'a self, progress: &'a Counter) -> Result<Calibration<'a>, Error> {
+        progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
+        let laws = self.ranked(progress)?;
+        let no_answer = |reason: NoAnswer| self.no_answer(&reason);
+        let fit = self.fit(&self.wanted.input.named_law, progress)?.map_err(no_answer)?;
+        progress.step();
+        let (problem, shares) = (&fit.problem, &fit.best().shares);
+        let predicted = problem.predict(shares).map_err(no_answer)?;
+        let residuals = problem.residuals(shares).map_err(no_answer)?;
+        let matrix = problem.jacobian(shares).map_err(no_answer)?;
+        let identifiability = identify(problem, fit.best());
+        let refusal = refusal(&fit, identifiability.as_ref());
+        let keys = (0..problem.free.len()).map(|key| {
+            let found = found(&fit, key, refusal.is_none());
+            progress.step();
+            found
+        });
+        let keys: Vec<KeyEstimate> = keys.collect();
+        let has_sd = self.wanted.is_robust && !fit.has_no_noise();
+        let outlies = |residual: &&f64| has_sd && residual.abs() > OUTLIER;
+        let outliers = residuals.iter().filter(outlies).count();
+        let freedom = (residuals.len() - outliers).saturating_sub(keys.len());
+        let inliers = residuals.iter().filter(|residual| !outlies(residual));
+        let chi_square = inliers.map(|residual| residual * residual).sum();
+        let calibration = Calibration {
+            p: if fit.noise == Noise::Given { p_of_chi_square(chi_square, freedom) } else { None },
+            runs: runs_test(&in_order(problem, &residuals)),
+            shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &matrix, &residuals)),
+            misfit: misfit(&self.data, &predicted),
+            fit,
+            keys,
+            predicted,
+            residuals,
+            chi_square,
+            freedom,
+            outliers,
+            identifiability,
+            refusal,
+            laws,
+        };
+        if progress.is_stopped() { Err(self.no_answer(&NoAnswer::Stopped)) } else { Ok(calibration) }
+    }
+}
+
+/// The result for one key. Without `is_told` the measurements do not determine the keys.
+fn found(fit: &Fit, key: usize, is_determined: bool) -> KeyEstimate {
+    let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
+    let covariance = fit.covariance.as_ref().filter(|_| is_determined);
+    let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
+    KeyEstimate {
+        free,
+        estimate: free.at(share),
+        sd: covariance.map(|covariance| free.slope(share) * covariance[(key, key)].sqrt()),
+        intervals: is_determined.then(intervals),
+    }
+}
+
+/// Why the keys get no interval; `None` if they get one.
+fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<String> {
+    let problem = &fit.problem;
+    if let Some([low, high]) = fit.plateau() {
+        let free = problem.free[0];
+        let [low, high] = [low, high].map(|share| free.say(free.at(share), 4));
+        return Some(format!(
+            "every {} from {low} to {high} gives the same, as these impacts stay elastic there: measure faster impacts",
+            free.key.path
+        ));
+    }
+    let message = match fit.noise {
+        Noise::TooFew => {
+            "no standard deviation was given, and as many values as keys leave no scatter to estimate it from: give calibrate.noise, or measure more"
+        }
+        Noise::NoScatter => {
+            "the readings repeat without scatter, so that nothing is known of their noise: readings are rounded; give calibrate.noise, at least half of their last digit"
+        }
+        _ => return identifiability.and_then(|found| found.refusal.clone()),
+    };
+    Some(message.to_owned())
+}
+
+/// See [`Calibration::misfit`].
+fn misfit(data: &Data, predicted: &[f64]) -> f64 {
+    let of = |quantity: Measured| {
+        let values = data.values.iter().zip(predicted).filter(|(value, _)| value.quantity == quantity);
+        let (off, size) = values.fold((0.0, 0.0), |(off, size), (value, predicted)| {
+            (off + (value.value - predicted) * (value.value - predicted), size + value.value * value.value)
+        });
+        f64::sqrt(off / size)
+    };
+    data.measured().into_iter().map(of).fold(0.0, f64::max)
+}

@@ -1,0 +1,153 @@
+//! The list of laws, combinations of two of them, and the laws that are not public. Each law has a file of its own; where it
+//! was published stands in `facts.csv`.
+//!
+//! F/F_Y, δ_r/δ_m and e of every law at six depths of case 3 of Xie et al. (2024) agree with an independent program to
+//! all its digits (3 to 4), with one exception: that program took a² = 4c²Rδ for the dents of `mesarovic_johnson`, which
+//! is half the law's own pressure under the same force. Here it is a² = 2c²Rδ. Thornton's closed form of e(v) is met to
+//! 1e-12, and so are its limits, e = 1.185 (V_y/V)^¼ and the slope −1/4; Johnson's closed form is met to 1e-13.
+
+pub mod brake;
+pub mod hertz;
+pub mod jackson_green;
+pub mod johnson;
+pub mod kogut_etsion;
+pub mod kogut_komvopoulos;
+pub mod ma_liu;
+pub mod mesarovic_johnson;
+pub mod stronge;
+pub mod thornton;
+pub mod walton_braun;
+pub mod yigit_christoforou;
+
+use super::contact_law::{About, Bodies, ContactLaw};
+pub use super::plm;
+use super::published::Rules;
+use crate::contact::strength::flow::FlowCurve;
+
+macro_rules! laws {
+    ($($file:ident::$law:ident),* $(,)?) => {
+        /// A law with its parameters. Its file has its name.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum LawChoice {
+            $(#[doc = concat!("See [`", stringify!($file), "::", stringify!($law), "`].")] $law($file::$law),)*
+            Combined(Combined),
+        }
+
+        impl LawChoice {
+            /// Every law but combinations, with its default parameters.
+            pub fn all() -> Vec<Self> {
+                vec![$(Self::$law($file::$law::default())),*]
+            }
+
+            pub fn about(&self) -> &'static About {
+                match self {
+                    $(Self::$law(_) => About::of(stringify!($file)),)*
+                    Self::Combined(_) => About::of("combined"),
+                }
+            }
+
+            pub fn get(&self) -> &dyn ContactLaw {
+                match self {
+                    $(Self::$law(law) => law,)*
+                    Self::Combined(law) => law,
+                }
+            }
+        }
+    };
+}
+
+// in the order of lists and tables
+laws!(
+    plm::Plm,
+    hertz::Hertz,
+    thornton::Thornton,
+    stronge::Stronge,
+    jackson_green::JacksonGreen,
+    kogut_etsion::KogutEtsion,
+    kogut_komvopoulos::KogutKomvopoulos,
+    yigit_christoforou::YigitChristoforou,
+    ma_liu::MaLiu,
+    brake::Brake,
+    mesarovic_johnson::MesarovicJohnson,
+    walton_braun::WaltonBraun,
+    johnson::Johnson,
+);
+
+impl Default for LawChoice {
+    fn default() -> Self {
+        Self::Plm(plm::Plm::default())
+    }
+}
+
+impl LawChoice {
+    /// The law of that name with its default parameters: "thornton", or "jackson_green + brake" for the loading of one with
+    /// the unloading of the other.
+    pub fn from_name(name: &str) -> Option<Self> {
+        if let Some((loading, unloading)) = name.split_once('+') {
+            let half = |name: &str| Self::from_name(name.trim()).map(Box::new);
+            let (loading, unloading) = (half(loading)?, half(unloading)?);
+            return loading.has_loading().then_some(Self::Combined(Combined { loading, unloading }));
+        }
+        Self::all().into_iter().find(|law| law.about().name == name)
+    }
+
+    pub fn names() -> Vec<&'static str> {
+        Self::all().iter().map(|law| law.about().name).collect()
+    }
+
+    /// The flow curves of sphere and half-space.
+    pub fn flow(&self) -> [Option<&FlowCurve>; 2] {
+        match self {
+            Self::Plm(plm) => plm.flow.each_ref().map(Option::as_ref),
+            _ => [None, None],
+        }
+    }
+
+    /// Whether it says how a contact loads. All laws unload, if need be by the paper's law.
+    pub fn has_loading(&self) -> bool {
+        self.about().loading != "none"
+    }
+
+    /// Whether its unloading is its own and not that of another law.
+    pub(crate) fn has_own_unloading(&self) -> bool {
+        !matches!(self, Self::KogutKomvopoulos(_))
+    }
+
+    /// Its name in tables: of a combination "loading + unloading".
+    pub fn name(&self) -> String {
+        match self {
+            Self::Combined(Combined { loading, unloading }) => format!("{} + {}", loading.name(), unloading.name()),
+            law => law.about().name.to_owned(),
+        }
+    }
+
+    pub fn source(&self) -> String {
+        match self {
+            Self::Combined(Combined { loading, unloading }) => {
+                format!("loading: {}; unloading: {}", loading.source(), unloading.source())
+            }
+            law => law.about().source.to_owned(),
+        }
+    }
+}
+
+/// The loading of one law with the unloading of another.
+///
+/// The unloading is given the force, indentation and contact radius of the peak as the loading has them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Combined {
+    pub loading: Box<LawChoice>,
+    pub unloading: Box<LawChoice>,
+}
+
+impl ContactLaw for Combined {
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let [loading, unloading] = [&self.loading, &self.unloading].map(|half| half.get().rules(bodies));
+        Rules { recovery: unloading.recovery, ..loading }
+    }
+}
+
+/// The laws that Xie et al. (2024) name and that could not be implemented, each with the reason.
+pub fn not_public() -> impl Iterator<Item = (&'static str, &'static str)> {
+    include_str!("../not_public.csv").lines().skip(1).filter_map(|line| line.split_once('|'))
+}

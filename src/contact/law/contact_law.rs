@@ -1,0 +1,115 @@
+//! What every contact law has: a description, a loading, an unloading.
+
+use std::fmt::Debug;
+use std::sync::LazyLock;
+
+use serde::Serialize;
+
+use super::Law;
+use super::published::{OutsideLaw, Rules};
+use crate::contact::material::{Pair, YieldPoint};
+
+/// Where a law comes from and what it is good for, in words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct About {
+    pub name: &'static str,
+    /// Authors and year.
+    pub title: &'static str,
+    pub source: &'static str,
+    pub loading: &'static str,
+    pub unloading: &'static str,
+    pub validity: &'static str,
+    /// How sure its equations are: "high" where several independent texts agree, "low" where they were written from memory.
+    pub confidence: &'static str,
+}
+
+impl About {
+    /// The facts of a law, a line of the table `facts.csv`; nothing of a law that is not in it.
+    pub(super) fn of(name: &str) -> &'static Self {
+        static FACTS: LazyLock<Vec<About>> =
+            LazyLock::new(|| include_str!("facts.csv").lines().map(About::read).collect());
+        static NOTHING: LazyLock<About> = LazyLock::new(|| About::read(""));
+        FACTS.iter().find(|about| about.name == name).unwrap_or(&NOTHING)
+    }
+
+    fn read(line: &'static str) -> Self {
+        let mut words = line.split('|');
+        let mut next = || words.next().unwrap_or_default();
+        let (name, title, source, loading) = (next(), next(), next(), next());
+        Self { name, title, source, loading, unloading: next(), validity: next(), confidence: next() }
+    }
+}
+
+/// Two bodies of which at least one yields. A law is built for them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bodies {
+    /// Effective modulus, shares of compliance.
+    pub pair: Pair,
+    /// First yield by C_ν: the unit of x and f.
+    pub yield_point: YieldPoint,
+    /// σ_Y of the softer body \[Pa\].
+    pub yield_strength: f64,
+    /// ν of the softer body.
+    pub poissons_ratio: f64,
+}
+
+impl Bodies {
+    /// `None` for bodies without a yield strength: there is only Hertz.
+    pub fn new(pair: &Pair) -> Option<Self> {
+        let yield_point = pair.yield_point?;
+        let YieldPoint { strength, poissons_ratio, .. } = yield_point;
+        Some(Self { pair: *pair, yield_point, yield_strength: strength, poissons_ratio })
+    }
+
+    /// δ_y/δ_Y of a law that yields where the largest Hertz pressure is `factor` σ_Y: (C/C_ν)².
+    pub fn yield_at(&self, factor: f64) -> f64 {
+        let ratio = factor / self.yield_point.factor;
+        ratio * ratio
+    }
+
+    /// σ_Y/E*.
+    pub fn yield_strain(&self) -> f64 {
+        self.yield_strength / self.pair.effective_modulus
+    }
+
+    /// a_Y/R = √(δ_Y/R), with R of the finite geometry.
+    pub fn yield_radius_ratio(&self) -> f64 {
+        self.yield_point.contact_radius / self.pair.geometry_radius
+    }
+
+    /// E of the softer body \[Pa\].
+    pub fn modulus(&self) -> f64 {
+        let Pair { sphere_compliance, half_space_compliance, .. } = self.pair;
+        let compliance = self.yield_point.flow.of_softer([sphere_compliance, half_space_compliance]);
+        let plane_strain = self.pair.effective_modulus / compliance;
+        plane_strain * (1.0 - self.poissons_ratio * self.poissons_ratio)
+    }
+
+    /// Slope df/dx of F = s π R p δ, with p = `pressure` σ_Y: (3/2) s p/C_ν.
+    pub fn slope_of_pressure(&self, area_factor: f64, pressure: f64) -> f64 {
+        1.5 * area_factor * pressure / self.yield_point.factor
+    }
+}
+
+/// A contact law: its own parameters, and the law of two bodies that follows from them.
+pub trait ContactLaw: Debug {
+    /// Its loading and unloading for these bodies, in units of δ_Y and F_Y by C_ν.
+    fn rules(&self, bodies: &Bodies) -> Rules;
+
+    /// The whole law.
+    ///
+    /// # Errors
+    /// [`OutsideLaw::Incomplete`] for a law that lacks its loading.
+    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
+        let Rules { loading, recovery } = self.rules(bodies);
+        Ok(Law::published(loading?, recovery))
+    }
+
+    /// The whole law of a pair of bodies; `None` for bodies without a yield strength, whose every contact is Hertz's.
+    ///
+    /// # Errors
+    /// As of [`ContactLaw::law`].
+    fn of_pair(&self, pair: &Pair) -> Result<Option<Law>, OutsideLaw> {
+        Bodies::new(pair).map(|bodies| self.law(&bodies)).transpose()
+    }
+}

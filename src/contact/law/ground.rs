@@ -1,0 +1,288 @@
+//! The ground that a sphere meets: a law, and the dent where it was loaded before. A sphere that comes back goes up the old
+//! unloading branch, then on along the loading curve of the law.
+//!
+//! ```text
+//! f = the branch, f_m ((x − x_r)/ε_m)^n x_r ≤ x ≤ x_m     (a turn here leaves the dent as it is)
+//! f, ε as on fresh surface              x > x_m           (a turn here makes a new dent)
+//! ```
+//!
+//! x is measured from the surface as it was before the first impact, so first touch is at x_r. Work is counted from there. A
+//! reload turns at the old peak if its kinetic energy is just the energy stored there, f_m ε_m/(n + 1). A faster one goes on
+//! along the loading curve, and the energy in excess is the further work of loading:
+//!
+//! ```text
+//! w(x_m2) = w(x_m) + (kinetic − f_m ε_m/(n + 1))
+//! ```
+//!
+//! The pieces on the way in are counted from 0: on fresh surface they are those of the law; in a dent they are the branch, the
+//! rest of the piece that the old peak lies on, and the pieces behind it.
+
+use std::borrow::Cow;
+
+use super::unloading::GRAZING;
+use super::{Law, OutsideLaw, Peak, Raised, Unloading};
+use crate::numerics::curve::piece::Piece;
+use crate::numerics::power::max_or_nan;
+
+/// The dent that a spot has which was loaded before.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dent {
+    /// The unloading branch from the largest state so far.
+    pub unloading: Unloading,
+    /// Work of loading to that state on fresh surface.
+    spent: f64,
+    branch: Piece,
+    /// The piece of the law that the peak lies on, from there on.
+    first: Piece,
+    /// Index of the piece of the law behind it.
+    next: usize,
+}
+
+impl Law {
+    /// The dent of a spot that was loaded to this peak.
+    pub fn dented(&self, peak: Peak) -> Dent {
+        self.dented_by(self.unloading(peak))
+    }
+
+    /// The dent of a spot with this unloading branch, which ends on the loading curve.
+    pub(crate) fn dented_by(&self, unloading: Unloading) -> Dent {
+        let peak = unloading.peak;
+        let x = peak.indentation;
+        let index = self.loading.index_at(x);
+        let cut = &self.loading.pieces()[index];
+        let (shape, spent) = (cut.shape.later(x - cut.start), cut.work_at(x));
+        let first = Piece { start: x, force: peak.force, work: spent, is_joint: false, shape };
+        Dent { unloading, spent, branch: unloading.branch(), first, next: index + 1 }
+    }
+}
+
+/// A law, and the dent if it was loaded before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ground<'a> {
+    pub law: &'a Law,
+    dent: Option<&'a Dent>,
+}
+
+impl<'a> From<&'a Law> for Ground<'a> {
+    /// Fresh surface.
+    #[inline]
+    fn from(law: &'a Law) -> Self {
+        Self { law, dent: None }
+    }
+}
+
+impl<'a> Ground<'a> {
+    #[inline]
+    pub fn new(law: &'a Law, dent: Option<&'a Dent>) -> Self {
+        Self { law, dent }
+    }
+
+    /// The unloading branch that a reload runs back up; `None` on fresh surface.
+    #[inline]
+    pub fn branch(&self) -> Option<&'a Unloading> {
+        self.dent.map(|dent| &dent.unloading)
+    }
+
+    /// The branch, if a state at x lies on it.
+    #[inline]
+    pub(crate) fn branch_at(&self, x: f64) -> Option<&'a Unloading> {
+        self.branch().filter(|branch| x <= branch.peak.indentation)
+    }
+
+    /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
+    #[inline(always)]
+    pub fn elastic_until(&self) -> f64 {
+        self.branch().map_or(self.law.limits.elastic_until, |branch| branch.peak.indentation)
+    }
+
+    /// Whether an impact that turns at x leaves the ground as it was: at most first yield, or on the branch.
+    #[inline(always)]
+    pub(crate) fn is_elastic_to(&self, x: f64) -> bool {
+        x <= self.branch().map_or_else(|| self.law.recovers_until(), |branch| branch.peak.indentation)
+    }
+
+    /// x of first touch: x_r of the branch, 0 on fresh surface.
+    pub fn touch(&self) -> f64 {
+        self.branch().map_or(0.0, |branch| branch.peak.residual())
+    }
+
+    /// The peak that shaped the dent of an impact that turned at `peak`: the old one, if it turned on the branch.
+    #[inline(always)]
+    pub fn dent(&self, peak: &Peak) -> Peak {
+        self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
+    }
+
+    /// How many pieces there are on the way in.
+    pub fn count(&self) -> usize {
+        let whole = self.law.loading.pieces().len();
+        self.dent.map_or(whole, |dent| whole - dent.next + 2)
+    }
+
+    #[inline(always)]
+    pub fn piece(&self, index: usize) -> &'a Piece {
+        match (self.dent, index) {
+            (None, index) => &self.law.loading.pieces()[index],
+            (Some(dent), 0) => &dent.branch,
+            (Some(dent), 1) => &dent.first,
+            (Some(dent), index) => &self.law.loading.pieces()[dent.next + index - 2],
+        }
+    }
+
+    /// Work from first touch to the start of a piece.
+    #[inline(always)]
+    pub(crate) fn work_before(&self, index: usize) -> f64 {
+        let work = self.piece(index).work;
+        match self.dent {
+            Some(dent) if index > 0 => dent.unloading.capacity() + (work - dent.spent),
+            _ => work,
+        }
+    }
+
+    /// All pieces on the way in, with their work from first touch on.
+    #[inline]
+    pub fn pieces(&self) -> Cow<'a, [Piece]> {
+        let in_dent = || {
+            let piece = |index| Piece { work: self.work_before(index), ..self.piece(index).clone() };
+            (0..self.count()).map(piece).collect()
+        };
+        self.dent.map_or(Cow::Borrowed(self.law.loading.pieces()), |_| in_dent())
+    }
+
+    /// Work from first touch to x on the way in.
+    pub fn work(&self, x: f64) -> f64 {
+        let index = self.index_at(x);
+        let piece = self.piece(index);
+        self.work_before(index) + (piece.work_at(x) - piece.work)
+    }
+
+    /// Index of the piece that holds at x; at a knot it is the one that begins there.
+    pub(crate) fn index_at(&self, x: f64) -> usize {
+        match self.dent {
+            None => self.law.loading.index_at(x),
+            Some(dent) if x < dent.first.start => 0,
+            Some(dent) => self.law.loading.index_at(x) + 2 - dent.next,
+        }
+    }
+
+    /// Whether an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
+    #[inline]
+    pub(crate) fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
+        self.branch().is_some_and(|branch| {
+            kinetic + weight * branch.peak.elastic_approach <= branch.capacity() * (1.0 + GRAZING)
+        })
+    }
+
+    /// The piece that an impact with this kinetic energy and this weight turns on, and the distance from its start. The work
+    /// less that of the weight is convex, and not above the energy before the peak.
+    #[inline(always)]
+    pub(crate) fn turn(&self, kinetic: f64, weight: f64) -> (usize, f64) {
+        let left = |index: usize| {
+            let sunk = if weight == 0.0 { 0.0 } else { weight * (self.piece(index).start - self.touch()) };
+            kinetic + sunk - self.work_before(index)
+        };
+        let last = match self.dent {
+            None if weight == 0.0 => self.law.loading.index_at_work(kinetic),
+            Some(_) if self.stays_on_branch(kinetic, weight) => 0,
+            _ => (1..self.count()).take_while(|index| left(*index) >= 0.0).last().unwrap_or(0),
+        };
+        (last, self.piece(last).way_to_turn(max_or_nan(left(last), 0.0), weight))
+    }
+
+    /// The x at which the force is `force` ≥ 0 on the way in.
+    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
+        match self.branch() {
+            Some(branch) if force <= branch.peak.force => branch.peak.residual() + branch.recovered_at(force),
+            _ => self.law.loading.indentation_at_force(force),
+        }
+    }
+
+    /// The state at a distance from the start of a piece.
+    #[inline(always)]
+    pub(crate) fn state_at(&self, index: usize, distance: f64) -> Peak {
+        match self.branch() {
+            Some(branch) if index == 0 => branch.state_at(distance),
+            _ => {
+                let piece = self.piece(index);
+                let indentation = piece.start + distance;
+                let force = piece.force_at(indentation);
+                Peak { indentation, force, elastic_approach: self.law.elastic_approach(indentation, force) }
+            }
+        }
+    }
+
+    /// The state at x on the way in, as a peak that unloading may leave from.
+    pub fn loaded_to(&self, x: f64) -> Peak {
+        match self.branch_at(x) {
+            Some(branch) => branch.state_at(x - branch.peak.residual()),
+            None => self.law.loaded_to(x),
+        }
+    }
+
+    /// The unloading branch from a peak. On the branch of a dent it is that branch.
+    pub fn unloading(&self, peak: Peak) -> Unloading {
+        self.branch_at(peak.indentation).map_or_else(|| self.law.unloading(peak), |branch| branch.below(peak))
+    }
+
+    /// The unloading branch from a turn at a distance from the start of a piece, where the kinetic energy was this. With a
+    /// weight it follows from the place.
+    #[inline(always)]
+    pub(crate) fn turned(&self, index: usize, distance: f64, kinetic: Option<f64>) -> Unloading {
+        match (self.dent, kinetic) {
+            (None, Some(spent)) => {
+                let piece = self.piece(index);
+                let x = piece.start + distance;
+                self.law.left_at(x, piece.force_at(x), spent)
+            }
+            _ => self.unloading(self.state_at(index, distance)),
+        }
+    }
+
+    /// Contact radius a/a_L at a peak, see [`Law::contact_radius`]. On the branch of a dent, which keeps its shape, it goes
+    /// with f/ε.
+    pub fn contact_radius(&self, peak: &Peak) -> f64 {
+        let Some(branch) = self.branch_at(peak.indentation) else { return self.law.contact_radius(peak) };
+        let deepest = &branch.peak;
+        // exactly 1 at the old peak
+        let share = (peak.force / peak.elastic_approach) / (deepest.force / deepest.elastic_approach);
+        self.law.contact_radius(deepest) * share
+    }
+
+    /// Checks that the law has an answer for the peak of this branch, which it has in a dent that it made.
+    ///
+    /// # Errors
+    /// See [`Law::accept`].
+    #[inline]
+    pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
+        self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.accept(unloading), |_| Ok(()))
+    }
+
+    /// Returns [`Law::raised`] of the peak; `None` where the impact turned in a dent.
+    pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
+        self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.raised(unloading), |_| None)
+    }
+
+    /// Returns [`Law::outside_stated`] of the peak; `None` where the impact turned in a dent.
+    pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+        self.branch_at(peak.indentation).map_or_else(|| self.law.outside_stated(peak), |_| None)
+    }
+
+    /// Work from first touch to a state on the way in; on the branch it follows from ε, which has more digits than x.
+    pub(crate) fn work_to(&self, state: &Peak) -> f64 {
+        match self.branch_at(state.indentation) {
+            Some(branch) => branch.stored_of(state.elastic_approach),
+            None => self.work(state.indentation),
+        }
+    }
+
+    /// Work that an impact spent on the dent: w(x_m) − f_m ε_m/(n + 1), nothing on the branch, and 0 where it is rounding.
+    pub fn plastic(&self, unloading: &Unloading) -> f64 {
+        let spent = self.spent(unloading);
+        if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }
+    }
+
+    /// Returns [`Ground::plastic`] without setting rounding to 0.
+    pub fn spent(&self, unloading: &Unloading) -> f64 {
+        let x = unloading.peak.indentation;
+        if self.branch_at(x).is_some() { 0.0 } else { self.work(x) - unloading.capacity() }
+    }
+}

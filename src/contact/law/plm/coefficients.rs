@@ -1,0 +1,194 @@
+//! The coefficients of the PLM: a table of data, the check of it, and the law that follows from it for a pair of bodies.
+
+use std::fmt::Debug;
+use std::sync::LazyLock;
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::contact_radius::RadiusTable;
+use super::lines::{ElasticLine, LineSlopes};
+use super::rule::PlmRule;
+use crate::contact::law::{Law, UnloadingExponent};
+use crate::contact::material::Pair;
+use crate::numerics::curve::Curve;
+
+/// Where a set of coefficients comes from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Provenance {
+    /// Short name, reported with every result.
+    pub name: String,
+    pub source: String,
+    pub accuracy: String,
+    pub range: String,
+}
+
+/// Knots and slopes of the force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ForceTable {
+    /// x at which each straight piece begins; rising, the first ≥ 1.
+    pub from: Vec<f64>,
+    /// df/dx at κ = 0; > 0.
+    pub slope: Vec<f64>,
+    /// What κ² adds to it.
+    pub slope_kappa_squared: Vec<f64>,
+}
+
+impl ForceTable {
+    pub fn curve(&self, kappa_squared: f64) -> Curve {
+        let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
+        let lines = pieces.map(|((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared));
+        Curve::with_capacity(self.from.len()).then_straights(lines).with_crossings()
+    }
+}
+
+/// The polyline of ε in A.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ApproachTable {
+    /// Slope from A = 1 at κ = 0.
+    pub first_slope: f64,
+    /// What κ² adds to it.
+    pub first_slope_kappa_squared: f64,
+    pub first_slope_limit: f64,
+    /// Fully plastic from A = 1 + this × ρ_E.
+    pub plastic_from_rho: f64,
+    /// Slope from there on at κ = 0.
+    pub plastic_slope: f64,
+    /// What κ² adds to it.
+    pub plastic_slope_kappa_squared: f64,
+    /// Finite geometry: A a_Y/R from which each factor multiplies the slope.
+    pub geometry_from: Vec<f64>,
+    pub geometry_factor: Vec<f64>,
+}
+
+/// The coefficients of the PLM. A scenario may name a file with others.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlmCoefficients {
+    pub provenance: Provenance,
+    pub force: ForceTable,
+    pub elastic_approach: ApproachTable,
+    pub contact_radius: RadiusTable,
+}
+
+/// Why a table of coefficients is refused.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CoefficientsError {
+    /// Not TOML of the expected form; the text shows line and key.
+    #[error("{0}")]
+    Form(String),
+    #[error("{key} = {value} is not allowed: {rule}")]
+    Value { key: &'static str, value: String, rule: &'static str },
+}
+
+fn is_rising(values: &[f64]) -> bool {
+    values.iter().all(|v| v.is_finite()) && values.windows(2).all(|pair| pair[0] < pair[1])
+}
+
+fn is_positive(values: &[f64]) -> bool {
+    values.iter().all(|v| v.is_finite() && *v > 0.0)
+}
+
+fn is_not_negative(values: &[f64]) -> bool {
+    values.iter().all(|v| v.is_finite() && *v >= 0.0)
+}
+
+impl PlmCoefficients {
+    pub fn built_in() -> &'static Self {
+        static TABLE: LazyLock<PlmCoefficients> = LazyLock::new(|| {
+            PlmCoefficients::from_toml(include_str!("coefficients.toml"))
+                .expect("the built-in table is well-formed (tested)")
+        });
+        &TABLE
+    }
+
+    /// Reads a table; see `coefficients.toml` for the form.
+    ///
+    /// # Errors
+    /// [`CoefficientsError`] naming line, key and allowed range.
+    pub fn from_toml(text: &str) -> Result<Self, CoefficientsError> {
+        let table: Self = toml::from_str(text).map_err(|error| CoefficientsError::Form(error.to_string()))?;
+        table.check()?;
+        Ok(table)
+    }
+
+    /// Checks what the law needs: rising knots, positive slopes for every κ in \[0, 1\], lists of equal length.
+    ///
+    /// # Errors
+    /// [`CoefficientsError::Value`] for the first value that breaks a rule.
+    pub fn check(&self) -> Result<(), CoefficientsError> {
+        let (f, e, r) = (&self.force, &self.elastic_approach, &self.contact_radius);
+        let steepest: Vec<f64> = f.slope.iter().zip(&f.slope_kappa_squared).map(|(s, k)| s + k).collect();
+        let same = f.from.len() == f.slope.len() && f.from.len() == f.slope_kappa_squared.len();
+        let starts = is_rising(&f.from) && f.from.first().is_none_or(|x| *x >= 1.0);
+        let with_kappa = |value: f64, kappa_squared: f64| [value, value + kappa_squared];
+        let first = is_positive(&with_kappa(e.first_slope, e.first_slope_kappa_squared));
+        let plastic = is_positive(&with_kappa(e.plastic_slope, e.plastic_slope_kappa_squared));
+        let geometry = is_rising(&e.geometry_from) && is_positive(&e.geometry_from);
+        let factors = e.geometry_from.len() == e.geometry_factor.len() && is_positive(&e.geometry_factor);
+        let knots = is_rising(&r.from) && r.from.len() == r.ratio.len();
+        let ratios = r.ratio.iter().all(|v| (1.0..=1.6).contains(v));
+        let narrower = is_not_negative(&with_kappa(r.geometry_slope, r.geometry_slope_kappa_squared));
+        let rules: [(bool, &'static str, &dyn Debug, &'static str); 14] = [
+            (same, "force.slope", &f.slope, "force.from, slope and slope_kappa_squared have the same length"),
+            (starts, "force.from", &f.from, "rising, the first at least 1 (first yield)"),
+            (is_positive(&f.slope), "force.slope", &f.slope, "> 0"),
+            (
+                is_positive(&steepest),
+                "force.slope_kappa_squared",
+                &f.slope_kappa_squared,
+                "slope + slope_kappa_squared > 0",
+            ),
+            (first, "elastic_approach.first_slope", &e.first_slope, "> 0, with first_slope_kappa_squared too"),
+            (is_positive(&[e.first_slope_limit]), "elastic_approach.first_slope_limit", &e.first_slope_limit, "> 0"),
+            (plastic, "elastic_approach.plastic_slope", &e.plastic_slope, "> 0, with plastic_slope_kappa_squared too"),
+            (is_not_negative(&[e.plastic_from_rho]), "elastic_approach.plastic_from_rho", &e.plastic_from_rho, ">= 0"),
+            (geometry, "elastic_approach.geometry_from", &e.geometry_from, "> 0 and rising"),
+            (factors, "elastic_approach.geometry_factor", &e.geometry_factor, "> 0, as many as geometry_from"),
+            (knots, "contact_radius.from", &r.from, "rising, as many as ratio"),
+            (ratios, "contact_radius.ratio", &r.ratio, "from 1 (Hertz pressure) to 1.6"),
+            (is_not_negative(&[r.geometry_from]), "contact_radius.geometry_from", &r.geometry_from, ">= 0"),
+            (
+                narrower,
+                "contact_radius.geometry_slope",
+                &r.geometry_slope,
+                ">= 0, with geometry_slope_kappa_squared too",
+            ),
+        ];
+        match rules.iter().find(|(holds, ..)| !holds) {
+            Some((_, key, value, rule)) => Err(CoefficientsError::Value { key, value: format!("{value:?}"), rule }),
+            None => Ok(()),
+        }
+    }
+
+    /// The law, without the flat of a sphere, for a pair that yields at `a_Y` / R = `yield_radius_ratio`.
+    pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
+        let [kappa, _] = pair.shares();
+        Law::plm(self.force.curve(kappa * kappa), self.rule(pair, yield_radius_ratio, exponent))
+    }
+
+    /// How a pair of constant strengths unloads, without the flat of a sphere.
+    pub(super) fn rule(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> PlmRule {
+        let [kappa, _] = pair.shares();
+        let line = ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio);
+        let radius = self.contact_radius.of(kappa * kappa, yield_radius_ratio);
+        PlmRule { line, hardening: None, flattening: None, radius, exponent }
+    }
+
+    /// The slopes and knots of the polyline of the elastic approach.
+    pub(super) fn line_slopes(&self, pair: &Pair) -> LineSlopes {
+        let [kappa, rho] = pair.shares();
+        let kappa_squared = kappa * kappa;
+        let table = &self.elastic_approach;
+        let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
+        LineSlopes {
+            first,
+            plastic_from: 1.0 + table.plastic_from_rho * rho,
+            plastic: table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared,
+            geometry: table.geometry_from.iter().copied().zip(table.geometry_factor.iter().copied()).collect(),
+        }
+    }
+}

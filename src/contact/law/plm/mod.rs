@@ -1,0 +1,188 @@
+//! PLM loading: a piecewise-linear loading curve that gives force and elastic approach (Weng et al. 2021 in form).
+//!
+//! The original coefficients are printed in no public text. The built-in ones (`plm/coefficients.toml`,
+//! [`PlmCoefficients::built_in`]) were fitted to finite-element curves, keeping the form: straight characteristics for
+//! force, approach, and the shares of sphere and half-space. Whoever has better ones names a file in the scenario.
+//!
+//! ```text
+//! f(x) = x^1.5                      up to the first knot x_1, then f = f_i + s_i (x − x_i)
+//! ε    = min(x, ε_line(f))          for x > 1;  ε = x before
+//! ε_line: ε = ε_i + s (A − A_i) with A = f/ε, so  ε = (b + √(b² + 4 s f))/2,  b = ε_i − s A_i
+//! ```
+//!
+//! With the unloading of Xie et al. (2024) it is one of the laws of the [`catalogue`](super::catalogue), and either half can
+//! be combined with the other half of another law.
+
+pub mod coefficients;
+pub mod contact_radius;
+pub mod flattening;
+pub mod hardening;
+pub mod hardness;
+pub mod lines;
+pub mod rule;
+
+use std::sync::{Arc, LazyLock};
+
+use super::contact_law::{Bodies, ContactLaw};
+use super::published::{Loading, PeakState, Recovered, Rules};
+use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
+use crate::contact::material::Pair;
+use crate::contact::strength::flow::FlowCurve;
+use crate::numerics::curve::{Curve, Once};
+pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
+pub use flattening::Flattening;
+pub use hardening::Hardening;
+pub use lines::ElasticLine;
+pub use rule::PlmRule;
+
+/// The piecewise-linear model with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
+///
+/// The paper's unloading needs the sphere's own indentation at the peak. Behind the loading of another law that is not known
+/// unless it was measured; the elastic approach of the PLM at the same state stands for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plm {
+    /// The coefficients of loading, elastic approach and contact radius.
+    pub coefficients: Arc<PlmCoefficients>,
+    /// n of the unloading branch.
+    pub exponent: UnloadingExponent,
+    /// How sphere and half-space harden; `None` for a constant strength.
+    pub flow: [Option<FlowCurve>; 2],
+    /// By how much the rate of strain raises their whole flow curves; the strengths of the bodies have it already.
+    pub rate_factors: [f64; 2],
+    /// The curve of the first pair, with the coefficients and the κ² that it was made of: pairs of the same share it.
+    pub first: Once<(Arc<PlmCoefficients>, f64, Arc<Curve>)>,
+}
+
+impl Default for Plm {
+    fn default() -> Self {
+        static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
+            LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
+        Self {
+            coefficients: Arc::clone(&BUILT_IN),
+            exponent: UnloadingExponent::Paper,
+            flow: [None, None],
+            rate_factors: [1.0; 2],
+            first: Once::default(),
+        }
+    }
+}
+
+impl Plm {
+    /// The PLM of these coefficients, with this exponent.
+    pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
+        Self { coefficients: Arc::new(coefficients.clone()), exponent, ..Self::default() }
+    }
+
+    pub fn of_bodies(&self, bodies: &Bodies) -> Law {
+        let (loading, rule) = self.flattened(bodies);
+        Law::plm(loading, rule)
+    }
+
+    /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_one_curve`]).
+    pub(crate) fn of_same_curve(&self, law: &Law, bodies: &Bodies) -> Law {
+        let rule = self.coefficients.rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent);
+        Law::plm(Arc::clone(&law.loading), rule)
+    }
+
+    /// The curve of a half-space that does not harden.
+    fn perfect(&self, pair: &Pair) -> Arc<Curve> {
+        let [kappa, _] = pair.shares();
+        let square = kappa * kappa;
+        let curve = || Arc::new(self.coefficients.force.curve(square));
+        let (table, of, first) = self.first.0.get_or_init(|| (Arc::clone(&self.coefficients), square, curve()));
+        if *of == square && Arc::ptr_eq(table, &self.coefficients) { Arc::clone(first) } else { curve() }
+    }
+
+    fn halves(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
+        let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
+        let (perfect, rule) = (self.perfect(pair), self.coefficients.rule(pair, ratio, self.exponent));
+        let [sphere, half_space] = &self.flow;
+        let flows = bodies.yield_point.flow;
+        let Some(flow) = flows.of_softer([sphere, half_space]) else { return (perfect, rule) };
+        let slow = bodies.yield_strength / flows.of_softer(self.rate_factors);
+        let rise = flow.rise(slow, bodies.modulus());
+        let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
+        (Arc::new(hardening.loading(&perfect)), PlmRule { hardening: Some(hardening), ..rule })
+    }
+
+    /// The halves with the flats of balls that flow.
+    fn flattened(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
+        let (plain, rule) = self.halves(bodies);
+        let pair = &bodies.pair;
+        if pair.balls.iter().all(|ball| ball.share * ball.curvature == 0.0) {
+            return (plain, rule);
+        }
+        let plastic_from = self.coefficients.line_slopes(pair).plastic_from;
+        let radii = |x: f64, force: f64| rule.radii(x, force);
+        let (curve, flattening) = Flattening::of(pair, bodies.yield_radius_ratio(), plastic_from, plain, radii);
+        (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })
+    }
+}
+
+impl ContactLaw for Plm {
+    fn rules(&self, bodies: &Bodies) -> Rules {
+        let (curve, rule) = self.halves(bodies);
+        let (limits, of_unloading) = (rule.limits(), rule.clone());
+        let radius = move |indentation, force| {
+            let elastic_approach = rule.elastic_approach(indentation, force);
+            rule.contact_radius(&Peak { indentation, force, elastic_approach })
+        };
+        let recovery = move |at: PeakState| {
+            let of_plm = || of_unloading.elastic_approach(at.indentation, at.force);
+            let elastic_approach = at.elastic_approach.unwrap_or_else(of_plm);
+            let peak = |elastic_approach| Peak { indentation: at.indentation, force: at.force, elastic_approach };
+            let exponent = match of_unloading.exponent {
+                UnloadingExponent::Paper => 1.5,
+                UnloadingExponent::Fixed(n) => n,
+                UnloadingExponent::PressureShape => of_unloading.pressure_shape(&peak(elastic_approach)),
+            };
+            Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
+        };
+        Rules::of(Loading { curve, limits, radius: Arc::new(radius) }, Arc::new(recovery))
+    }
+
+    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
+        Ok(self.of_bodies(bodies))
+    }
+
+    fn of_pair(&self, pair: &Pair) -> Result<Option<Law>, OutsideLaw> {
+        let Some(bodies) = Bodies::new(pair) else { return Ok(None) };
+        let flows = bodies.yield_point.flow;
+        let [sphere, half_space] = &self.flow;
+        if flows.is_of_both() && (sphere.is_some() || half_space.is_some()) {
+            return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
+        }
+        if let Some(flow) = flows.of_softer([sphere, half_space]) {
+            flow.is_flatter_than(bodies.modulus(), bodies.yield_strength / flows.of_softer(self.rate_factors))?;
+        }
+        Ok(Some(self.of_bodies(&bodies)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::material::{HalfSpace, Material, Sphere};
+
+    /// The curve that pairs share is that of their coefficients and of their κ², whichever pair came first.
+    #[test]
+    fn a_shared_curve_is_that_of_the_pair() {
+        let of = |plm: &Plm, modulus: f64, strength: f64| {
+            let sphere = Sphere::elastic(5e-3, Material { youngs_modulus: modulus, poissons_ratio: 0.3 }, 7850.0);
+            let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
+            let half_space = HalfSpace::flat(steel, Some(strength));
+            plm.of_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().unwrap().loading
+        };
+        let plm = Plm::default();
+        let first = of(&plm, 210e9, 3e8);
+        assert!(Arc::ptr_eq(&first, &of(&plm, 210e9, 5e8)));
+        assert_eq!(of(&plm, 600e9, 3e8), of(&Plm::default(), 600e9, 3e8));
+        assert_ne!(of(&plm, 600e9, 3e8), first);
+        let mut coefficients = PlmCoefficients::built_in().clone();
+        coefficients.force.slope[0] *= 1.1;
+        let other = Plm::new(&coefficients, plm.exponent);
+        let changed = Plm { coefficients: Arc::clone(&other.coefficients), ..plm };
+        assert_eq!(of(&changed, 210e9, 3e8), of(&other, 210e9, 3e8));
+        assert_ne!(of(&changed, 210e9, 3e8), first);
+    }
+}

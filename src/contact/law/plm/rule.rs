@@ -1,0 +1,115 @@
+//! How the PLM unloads: elastic approach, exponent and contact radius at a point of its loading curve.
+
+use super::contact_radius::RadiusTable;
+use super::flattening::Flattening;
+use super::hardening::Hardening;
+use super::lines::ElasticLine;
+use crate::contact::law::published::Limits;
+use crate::contact::law::unloading::{Peak, Unloading, UnloadingExponent, exponent_within, pressure_shape_exponent};
+
+/// How the PLM unloads beyond first yield.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlmRule {
+    /// The elastic approach over the force.
+    pub line: ElasticLine,
+    /// How a body that hardens changes it.
+    pub hardening: Option<Hardening>,
+    /// How a sphere that flows changes it.
+    pub flattening: Option<Flattening>,
+    /// The contact radius, in units of a_Y.
+    pub radius: RadiusTable,
+    pub exponent: UnloadingExponent,
+}
+
+impl PlmRule {
+    /// Where loading holds.
+    pub(crate) fn limits(&self) -> Limits {
+        let widest = if self.hardening.is_some() { 0.32 } else { 0.45 };
+        Limits::of(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.widest))
+    }
+
+    /// ε at a point (x, f) of the loading curve.
+    #[inline(always)]
+    pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+        match (&self.flattening, &self.hardening) {
+            _ if x <= 1.0 => x,
+            (None, _) => self.plain_approach(x, force),
+            (Some(flattening), None) => (self.line.at(force) * flattening.recovered(x, 1.0)).min(x),
+            (Some(flattening), Some(hardening)) => {
+                let share = flattening.recovered(x, hardening.strength(x));
+                hardening.elastic_approach(x, force, share)
+            }
+        }
+    }
+
+    /// ε without the flat of a sphere, for x > 1.
+    #[inline(always)]
+    pub(super) fn plain_approach(&self, x: f64, force: f64) -> f64 {
+        match &self.hardening {
+            None => self.line.at(force).min(x),
+            Some(hardening) => hardening.elastic_approach(x, force, 1.0),
+        }
+    }
+
+    /// A = f/ε at a peak, without the flat of a sphere.
+    #[inline(always)]
+    fn equivalent(&self, peak: &Peak) -> f64 {
+        match &self.flattening {
+            Some(flattening) if peak.indentation > 1.0 => {
+                let force = flattening.plain_force(peak.indentation);
+                force / self.plain_approach(peak.indentation, force)
+            }
+            _ => peak.force / peak.elastic_approach,
+        }
+    }
+
+    /// At (x, f) of a law without a flat: A, in units of the strength that the body that flows has reached there, and a/a_Y.
+    pub(super) fn radii(&self, x: f64, force: f64) -> [f64; 2] {
+        let peak = Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) };
+        let equivalent = self.equivalent(&peak);
+        let of = |hardening: &Hardening| hardening.shape(x, equivalent).equivalent;
+        [self.hardening.as_ref().map_or(equivalent, of), self.contact_radius(&peak)]
+    }
+
+    /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
+    #[inline(always)]
+    pub(crate) fn unloading(&self, peak: Peak, spent: f64) -> Unloading {
+        Unloading::power(peak, exponent_within(spent, &peak, self.asked(&peak)))
+    }
+
+    /// The exponent that is asked for; that of Hertz where there is no dent.
+    #[inline(always)]
+    pub(crate) fn asked(&self, peak: &Peak) -> f64 {
+        match self.exponent {
+            UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
+            UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(peak),
+            _ => 1.5,
+        }
+    }
+
+    /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
+    #[inline(always)]
+    pub(super) fn pressure_shape(&self, peak: &Peak) -> f64 {
+        let equivalent = self.equivalent(peak);
+        match &self.hardening {
+            None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
+            Some(hardening) => {
+                let shape = hardening.shape(peak.indentation, equivalent);
+                pressure_shape_exponent(self.radius.ratio_at(shape.equivalent)) - shape.exponent_loss()
+            }
+        }
+    }
+
+    /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.
+    pub(crate) fn contact_radius(&self, peak: &Peak) -> f64 {
+        let equivalent = self.equivalent(peak);
+        match &self.hardening {
+            None => self.radius.true_radius(equivalent),
+            Some(hardening) => {
+                let shape = hardening.shape(peak.indentation, equivalent);
+                let geometry = self.radius.geometry_at(equivalent);
+                equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
+            }
+        }
+    }
+}

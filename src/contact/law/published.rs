@@ -1,0 +1,255 @@
+//! The rules of a published law: contact radius along the loading curve, and unloading from a peak.
+//!
+//! No contact gives back more energy than it has taken, and no dent is higher than the surface. Where the formulas of a law
+//! break this, the elastic approach is reduced to the largest possible one. Where they break it by more than
+//! [`LARGEST_CUT`], the law has no answer ([`OutsideLaw`]).
+//!
+//! The law has no answer for: `mesarovic_johnson` and `johnson` near yield (case 3 of Xie et al. 2024: below 14 yield
+//! indentations); `stronge` between x = 1.1 and 2.5, where it gives back up to 17 % more energy than was spent; the
+//! residual of Jackson, Chusoipin and Green beyond x = 10⁴, where δ_r > δ_m; and fits beyond a = R or δ = R/2.
+
+use std::fmt;
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use super::{Peak, Unloading, UnloadingShape};
+use crate::contact::strength::flow::FlowError;
+use crate::numerics::curve::Curve;
+use crate::numerics::root::halved;
+use crate::units::{four_digits, percent};
+
+/// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there.
+pub const LARGEST_CUT: f64 = 0.05;
+
+/// A point of a loading curve, as unloading sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PeakState {
+    /// x_m.
+    pub indentation: f64,
+    /// f_m.
+    pub force: f64,
+    /// a_m/a_Y.
+    pub radius: f64,
+    /// (E_s*/E*) δ_sm/δ_Y, where the sphere's own indentation is known, as from a measurement.
+    pub elastic_approach: Option<f64>,
+    /// W/(F_Y δ_Y): the work of loading.
+    pub spent: f64,
+}
+
+impl PeakState {
+    /// The unloading branch from here by this rule.
+    ///
+    /// # Errors
+    /// [`OutsideLaw`] where the law has no answer.
+    pub fn unload(&self, recovery: &RecoveryRule) -> Result<Unloading, OutsideLaw> {
+        let (unloading, problem) = self.unloaded(recovery(*self));
+        problem.map_or(Ok(unloading), |problem| Err(OutsideLaw::Range { ratio: self.indentation, problem }))
+    }
+
+    /// The branch whose ε is at most x and at most what the work of loading allows, and the limit that the law's own formulas
+    /// break by more than [`LARGEST_CUT`].
+    fn unloaded(&self, raw: Recovered) -> (Unloading, Option<&'static str>) {
+        let &Self { indentation, force, spent, .. } = self;
+        let branch = |elastic_approach| Unloading::new(Peak { indentation, force, elastic_approach }, raw.shape);
+        let approach = raw.elastic_approach;
+        let within = if approach > 0.0 { approach.min(indentation) } else { indentation };
+        let most = (branch(within).exponent + 1.0) * spent / force;
+        let bounded = within.min(most);
+        let problem = match () {
+            () if approach.is_nan() || approach <= 0.0 => {
+                Some("its residual indentation is the whole indentation or more")
+            }
+            () if approach > (1.0 + LARGEST_CUT) * indentation => Some("its residual indentation is negative"),
+            () if within > (1.0 + LARGEST_CUT) * most => Some("it gives back more energy than was spent"),
+            () => None,
+        };
+        (branch(if bounded < (1.0 - NO_DENT) * indentation { bounded } else { indentation }), problem)
+    }
+}
+
+/// A dent that is a smaller share of the indentation than this comes from rounding, and counts as none.
+const NO_DENT: f64 = 1e-13;
+
+/// The unloading from a peak by the law's own formulas.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Recovered {
+    /// ε = x_m − x_r.
+    pub elastic_approach: f64,
+    pub shape: UnloadingShape,
+}
+
+/// The rule of Hertz-type unloading, n = 3/2, with this elastic approach.
+pub fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'static) -> RecoveryRule {
+    let shape = UnloadingShape::Power(1.5);
+    Arc::new(move |peak| Recovered { elastic_approach: elastic_approach(peak), shape })
+}
+
+pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
+
+/// a/R up to which a sphere may be taken for the paraboloid of Hertz: at 0.3 its force is 1 % larger than that of the sphere
+/// itself (Sneddon 1965, a rigid one), at 0.45 it is 2 %.
+pub const WIDEST_PARABOLOID: f64 = 0.3;
+
+/// Where a loading holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// x up to which it is elastic, Hertz's curve.
+    pub elastic_until: f64,
+    /// x up to which a peak can be on it: beyond, the law has no answer.
+    pub holds_until: f64,
+    /// The range of x that its authors state, if they do.
+    pub stated: Option<(f64, f64)>,
+    /// Largest a/R of the data behind it, or of what it takes for granted.
+    pub widest: f64,
+}
+
+impl Limits {
+    /// A loading that is elastic up to `elastic_until` and holds everywhere beyond.
+    pub fn of(elastic_until: f64, widest: f64) -> Self {
+        Self { elastic_until, holds_until: f64::INFINITY, stated: None, widest }
+    }
+}
+
+/// The loading half of a law.
+#[derive(Clone)]
+pub struct Loading {
+    /// f(x).
+    pub curve: Arc<Curve>,
+    pub limits: Limits,
+    /// a/a_Y at (x, f) of the loading curve.
+    pub radius: RadiusRule,
+}
+
+/// The contact radius a/a_Y at (x, f) of a loading curve.
+pub type RadiusRule = Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>;
+
+impl Loading {
+    /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
+    pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
+        let limits = Limits::of(elastic_until, WIDEST_PARABOLOID);
+        let curve = if curve.has_formula() { curve.with_crossings() } else { curve };
+        Self { curve: Arc::new(curve), limits, radius: Arc::new(radius) }
+    }
+}
+
+/// The two halves of a law.
+#[derive(Clone)]
+pub struct Rules {
+    /// How it loads; [`OutsideLaw::Incomplete`] of a law of unloading only.
+    pub loading: Result<Loading, OutsideLaw>,
+    pub recovery: RecoveryRule,
+}
+
+impl Rules {
+    pub fn of(loading: Loading, recovery: RecoveryRule) -> Self {
+        Self { loading: Ok(loading), recovery }
+    }
+}
+
+/// A peak, or a whole impact, that the law has no answer for.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum OutsideLaw {
+    /// Outside the range of its formulas.
+    #[error(
+        "the law has no answer for a peak indentation of {} x its yield indentation: {problem}; use another law, or another speed or depth",
+        four_digits(*.ratio)
+    )]
+    Range {
+        /// The peak indentation over that at which the law yields.
+        ratio: f64,
+        /// What is wrong there.
+        problem: &'static str,
+    },
+    /// An exponent of unloading that gives back too much.
+    #[error(
+        "with the unloading exponent {}, a peak indentation of {} x the yield indentation would give back {} of the energy more than was spent: give a larger exponent, or another speed or depth",
+        four_digits(*.asked), four_digits(*.ratio), percent(*.gain)
+    )]
+    Exponent {
+        /// n.
+        asked: f64,
+        /// The peak indentation over that at which the law yields.
+        ratio: f64,
+        /// The energy given back over that spent, less 1.
+        gain: f64,
+    },
+    /// A flow curve that is none.
+    #[error("the flow curve of the body that yields: {0}")]
+    Flow(#[from] FlowError),
+    /// A flow curve of one of two bodies that both flow.
+    #[error(
+        "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: leave flow_stress out and give the strength at the strain of the impact, or strengths at least 1.25 to 1",
+        four_digits(*.ratio)
+    )]
+    BothFlow {
+        /// The strength of the harder body over that of the softer, as pressures at first yield.
+        ratio: f64,
+    },
+    #[error(
+        "the law \"{name}\" lacks its loading or its unloading, so that an impact has no answer; combine it with a law that has that half"
+    )]
+    Incomplete { name: &'static str },
+}
+
+/// The rules of a published law beyond its elastic regime.
+#[derive(Clone)]
+pub struct Published {
+    /// a/a_Y of its loading.
+    pub radius: RadiusRule,
+    pub recovery: RecoveryRule,
+}
+
+impl fmt::Debug for Published {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Published").finish_non_exhaustive()
+    }
+}
+
+impl PartialEq for Published {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.radius, &other.radius) && Arc::ptr_eq(&self.recovery, &other.recovery)
+    }
+}
+
+impl Published {
+    /// A point of the loading curve that took the work `spent`.
+    fn loaded(&self, indentation: f64, force: f64, spent: f64) -> PeakState {
+        let radius = (self.radius)(indentation, force);
+        PeakState { indentation, force, radius, elastic_approach: None, spent }
+    }
+
+    /// The branch from a point of the loading curve that took the work `spent`.
+    #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
+    pub(super) fn unloading(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
+        let at = self.loaded(indentation, force, spent);
+        at.unloaded((self.recovery)(at)).0
+    }
+
+    /// Why the law has no answer for a peak that took the work `spent`, where it has none.
+    #[cold]
+    pub(super) fn problem(&self, peak: &Peak, spent: f64) -> Option<&'static str> {
+        let &Peak { indentation, force, elastic_approach } = peak;
+        // an approach that is well below both limits (n is at least 1) is that of the formulas
+        if elastic_approach < indentation && force * elastic_approach < 1.9 * spent {
+            return None;
+        }
+        let at = self.loaded(indentation, force, spent);
+        at.unloaded((self.recovery)(at)).1
+    }
+}
+
+/// Where two printed pieces meet that do not join: the place where an excess that is positive at `from` falls to zero. `None`
+/// if it is not positive at `from`, or not zero before `until`.
+pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
+    /// Steps of the search.
+    const GROWTH: f64 = 1.02;
+    let mut high = from;
+    while excess(high) > 0.0 {
+        high *= GROWTH;
+        if high.is_nan() || high >= GROWTH * until {
+            return None;
+        }
+    }
+    (high > from).then(|| halved(high / GROWTH, high, |x| excess(x) > 0.0).1)
+}

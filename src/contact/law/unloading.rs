@@ -1,0 +1,268 @@
+//! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n, and the shapes of published
+//! laws that are no power law.
+
+use std::f64::consts::PI;
+
+use crate::numerics::curve::branch::{Branch, Form};
+use crate::numerics::curve::piece::{Piece, Shape};
+use crate::numerics::power::{power, quarter_period, work_share};
+
+/// The largest state that a contact has seen: the whole memory of the law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// x_m.
+    pub indentation: f64,
+    /// f_m.
+    pub force: f64,
+    /// ε_m, the part of x_m that is recovered on unloading: (E_s*/E*) δ_sm in units of L. Finite for a rigid sphere too.
+    pub elastic_approach: f64,
+}
+
+impl Peak {
+    /// Residual indentation x_r = x_m − ε_m (Eq. 23).
+    pub fn residual(&self) -> f64 {
+        self.indentation - self.elastic_approach
+    }
+
+    /// R_e/R = f_m²/ε_m³: unloading radius over sphere radius (Eq. 24). At least 1, and 1 without a dent.
+    pub fn unloading_radius_ratio(&self) -> f64 {
+        let per_approach = self.force / self.elastic_approach;
+        per_approach * per_approach / self.elastic_approach
+    }
+}
+
+/// How the force falls between the peak and the residual indentation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum UnloadingShape {
+    /// f = f_m (d/ε_m)^n, with this n.
+    Power(f64),
+    /// f = (2 f_m/π)(θ − sin θ cos θ), 1 − cos θ = d/ε_m: unloading from uniform pressure (Mesarovic and Johnson 2000).
+    UniformPressure,
+    /// f = f_m (x^1.5 − x_r^1.5)/(x_m^1.5 − x_r^1.5): the Hertz curve, moved down (Yigit and Christoforou 1994).
+    ShiftedHertz,
+}
+
+/// Which exponent n the unloading branch has.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum UnloadingExponent {
+    /// n = 3/2, the paper's law.
+    #[default]
+    Paper,
+    /// Any number in (1, 2], for comparison. Only the other two have a physical reason.
+    Fixed(f64),
+    /// n(Λ) from the contact pressure's shape at the peak: 3/2 for Hertz's ellipse, 3π/4 − 1 for uniform pressure.
+    PressureShape,
+}
+
+impl UnloadingExponent {
+    /// Takes the number 1.5 for the paper's law.
+    pub fn of(value: f64) -> Self {
+        if value == 1.5 { Self::Paper } else { Self::Fixed(value) }
+    }
+}
+
+/// A reload whose energy exceeds what the branch can store by at most this share still turns at the old peak. The share is
+/// some ten roundings: a sphere that comes back with the speed of its rebound has just that energy, but for rounding.
+pub const GRAZING: f64 = 32.0 * f64::EPSILON;
+
+/// The unloading branch that leaves a peak; d = x − x_r is what is still to be recovered.
+///
+/// ```text
+/// f = f_m ((x − x_r)/ε_m)^n,   x_r ≤ x ≤ x_m        (Eq. 19 for n = 3/2)
+/// ```
+///
+/// or another [`UnloadingShape`]. Reloading runs back up the same curve. The branch meets the loading curve at (x_m, f_m) with
+/// a kink, and its force is zero at x_r.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unloading {
+    pub peak: Peak,
+    /// n. A scenario gives it in (1, 2]; the straight branch of Walton and Braun has 1. Other shapes have the n of the power
+    /// law that gives back the same energy, f_m ε_m/(n + 1).
+    pub exponent: f64,
+    /// The curve of the branch from x_r on; `None` for a power law.
+    pub(super) curve: Option<Branch>,
+}
+
+/// The exponent of a branch that gives back no more than was spent: the one that was `asked` for, or, where that branch
+/// would give back more than the work of loading to the peak, the one that gives back just that work.
+///
+/// ```text
+/// n = asked                 where f_m ε_m ≤ w_m (asked + 1)
+///     f_m ε_m/w_m − 1       elsewhere
+/// ```
+///
+/// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the exponent that was asked for, if that is below 3/2; if
+/// it is above, n jumps to it. An impact says so: it warns of a larger exponent, and has no answer where the one that was asked
+/// for gives back over 5 % more than was spent ([`Law::accept`](super::Law::accept)). A code that asks for the force alone always
+/// gets one.
+#[inline(always)]
+pub(crate) fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
+    let whole = peak.force * peak.elastic_approach;
+    // rounding alone changes no exponent; one of −1 and less would give back energy without end
+    if whole > spent * (1.0 + 0.5 * GRAZING) * (asked + 1.0) { whole / spent - 1.0 } else { asked }
+}
+
+/// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
+/// pressure (Λ = 3π/8, n = 3π/4 − 1), both exact.
+pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
+    const THREE_PI: f64 = 3.0 * std::f64::consts::PI;
+    1.5 - 2.0 * (10.0 - THREE_PI) / (THREE_PI - 8.0) * (radius_ratio - 1.0)
+}
+
+impl Unloading {
+    /// A branch of that shape from a peak. If the shape is no power law, the exponent follows from the energy given back.
+    pub fn new(peak: Peak, shape: UnloadingShape) -> Self {
+        match shape {
+            UnloadingShape::Power(exponent) => Self::power(peak, exponent),
+            // not moved at all: Hertz itself
+            UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => Self::power(peak, 1.5),
+            UnloadingShape::UniformPressure => {
+                let form = Form::UniformPressure { force: peak.force };
+                let curve = Branch { form, length: peak.elastic_approach };
+                // the power law that gives back as much
+                Self { peak, exponent: 0.75 * PI - 1.0, curve: Some(curve) }
+            }
+            UnloadingShape::ShiftedHertz => {
+                let residual = peak.residual().max(0.0);
+                let stiffness = peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5));
+                let form = Form::ShiftedHertz { stiffness, lead: residual };
+                Self::along(peak, Branch { form, length: peak.elastic_approach })
+            }
+        }
+    }
+
+    /// The power law f_m (d/ε_m)^n.
+    #[inline(always)]
+    pub const fn power(peak: Peak, exponent: f64) -> Self {
+        Self { peak, exponent, curve: None }
+    }
+
+    /// A branch along this curve, with the exponent f_m ε_m over its energy, less 1.
+    fn along(peak: Peak, curve: Branch) -> Self {
+        let (_, energy) = curve.at(peak.elastic_approach);
+        Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
+    }
+
+    /// Whether the branch is the power law of its exponent.
+    #[inline]
+    pub(crate) fn is_power(&self) -> bool {
+        self.curve.is_none()
+    }
+
+    /// The time from the peak to x_r, times the speed there over ε_m.
+    #[inline]
+    pub(crate) fn quarter_period(&self) -> f64 {
+        self.curve.as_ref().map_or_else(|| quarter_period(self.exponent), |curve| self.quarter_period_of(curve))
+    }
+
+    #[cold]
+    fn quarter_period_of(&self, curve: &Branch) -> f64 {
+        /// ∫₀¹ dd/√(1 − w(d)/w(1)), from integration with 60 digits.
+        const UNIFORM: f64 = 1.493_167_350_244_138_5;
+        let approach = self.peak.elastic_approach;
+        // from the whole peak, and not from a lower point of its branch
+        if matches!(curve.form, Form::UniformPressure { .. }) && curve.length == approach {
+            return UNIFORM;
+        }
+        curve.time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
+    }
+
+    /// Returns this branch from a lower point of it, where a reload turned.
+    #[inline]
+    #[must_use]
+    pub fn below(&self, peak: Peak) -> Self {
+        match self.curve {
+            None => Self::power(peak, self.exponent),
+            Some(_) if peak.indentation >= self.peak.indentation => *self,
+            Some(curve) => Self::along(peak, curve),
+        }
+    }
+
+    /// Returns this branch with another end, on it or beyond.
+    #[must_use]
+    pub(super) fn lengthened(&self, peak: Peak) -> Self {
+        self.curve.map_or_else(|| Self::power(peak, self.exponent), |curve| Self::along(peak, curve))
+    }
+
+    /// Force at x ≥ x_m, if the branch went on.
+    pub(super) fn beyond(&self, x: f64) -> f64 {
+        self.branch().force_beyond(x - self.peak.residual())
+    }
+
+    /// The state at a distance from x_r, at most the peak. The distance has digits that x has lost.
+    pub(crate) fn state_at(&self, distance: f64) -> Peak {
+        let peak = self.peak;
+        if distance >= peak.elastic_approach {
+            return peak;
+        }
+        let indentation = (peak.residual() + distance).min(peak.indentation);
+        Peak { indentation, force: self.force_of(distance), elastic_approach: distance }
+    }
+
+    /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
+    #[inline]
+    pub fn force(&self, x: f64) -> f64 {
+        self.force_of(x - self.peak.residual())
+    }
+
+    /// Force where `recovered`, x − x_r, is still to be recovered.
+    pub(crate) fn force_of(&self, recovered: f64) -> f64 {
+        match recovered {
+            _ if recovered <= 0.0 => 0.0,
+            _ if recovered == self.peak.elastic_approach => self.peak.force,
+            _ => self.branch().force_beyond(recovered),
+        }
+    }
+
+    /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
+    #[inline]
+    pub fn stored(&self, x: f64) -> f64 {
+        self.stored_of(if x == self.peak.indentation { self.peak.elastic_approach } else { x - self.peak.residual() })
+    }
+
+    /// Elastic energy stored where `recovered` is still to be recovered.
+    pub(crate) fn stored_of(&self, recovered: f64) -> f64 {
+        match recovered {
+            _ if recovered <= 0.0 => 0.0,
+            _ if recovered == self.peak.elastic_approach => self.capacity(),
+            _ => self.branch().work_beyond(recovered),
+        }
+    }
+
+    /// Elastic energy stored at the peak, f_m ε_m/(n + 1). Unloading from the peak gives it back; a reload with more energy
+    /// goes beyond the peak.
+    #[inline(always)]
+    pub fn capacity(&self) -> f64 {
+        self.peak.force * self.peak.elastic_approach * work_share(self.exponent)
+    }
+
+    /// df/dx where `recovered` is still to be recovered; n f_m/ε_m where unloading begins.
+    pub(crate) fn slope_of(&self, recovered: f64) -> f64 {
+        self.branch().slope_beyond(recovered)
+    }
+
+    /// Radius of the contact as far as friction goes, in units of that at x = 1: f_m/ε_m where unloading begins, then in
+    /// proportion to the stiffness.
+    pub(crate) fn grip_of(&self, recovered: f64) -> f64 {
+        let Peak { force, elastic_approach, .. } = self.peak;
+        force / elastic_approach * self.slope_of(recovered.max(0.0)) / self.slope_of(elastic_approach)
+    }
+
+    /// Returns x − x_r where the force is `force`; from f_m on it is ε_m.
+    pub(crate) fn recovered_at(&self, force: f64) -> f64 {
+        let whole = self.peak.elastic_approach;
+        if force >= self.peak.force { whole } else { self.branch().distance_at_force(force).min(whole) }
+    }
+
+    /// k of f = k d^n with d = x − x_r, the recovered approach still stored. For other shapes than powers this is the power
+    /// law that gives back the same energy; [`Unloading::branch`] is the branch itself.
+    pub fn stiffness(&self) -> f64 {
+        self.peak.force / power(self.peak.elastic_approach, self.exponent)
+    }
+
+    /// The branch as a piece that begins at x_r without force: what reloading runs along.
+    pub fn branch(&self) -> Piece {
+        let shape = self.curve.map_or_else(|| Shape::power(self.stiffness(), self.exponent), Shape::Branch);
+        Piece { start: self.peak.residual(), force: 0.0, work: 0.0, is_joint: false, shape }
+    }
+}

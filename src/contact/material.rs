@@ -1,0 +1,384 @@
+//! The two bodies and what their pairing fixes before any law is chosen: effective modulus, compliance shares, first
+//! yield. Nothing here but the densities knows of motion.
+
+use thiserror::Error;
+
+use crate::error::ErrorKind;
+use crate::numerics::functions::exp;
+use crate::units::{Dimension, human, number};
+
+/// An isotropic elastic material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// Young's modulus E \[Pa\], > 0; `f64::INFINITY` is a rigid body.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio ν \[1\], −1 < ν < 0.5.
+    pub poissons_ratio: f64,
+}
+
+impl Material {
+    /// Plane-strain modulus E/(1 − ν²) \[Pa\] (Xie et al. 2024, Eq. 6); infinite for a rigid body.
+    pub fn plane_strain_modulus(&self) -> f64 {
+        self.youngs_modulus / (1.0 - self.poissons_ratio * self.poissons_ratio)
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
+    /// Radius R \[m\], > 0 (not the diameter).
+    pub radius: f64,
+    /// Elastic constants; may be rigid.
+    pub material: Material,
+    /// Density ρ \[kg/m³\], > 0.
+    pub density: f64,
+    /// Yield strength σ_Y \[Pa\] (von Mises); `None`: the sphere stays elastic.
+    pub yield_strength: Option<f64>,
+}
+
+impl Sphere {
+    /// A sphere whose own yield strength is not known.
+    pub fn elastic(radius: f64, material: Material, density: f64) -> Self {
+        Self { radius, material, density, yield_strength: None }
+    }
+
+    /// Mass (4/3) π R³ ρ \[kg\].
+    pub fn mass(&self) -> f64 {
+        sphere_volume(self.radius) * self.density
+    }
+}
+
+/// Volume (4/3) π R³ \[m³\] of a sphere of this radius \[m\].
+pub fn sphere_volume(radius: f64) -> f64 {
+    4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius
+}
+
+/// The body that is hit: a half-space, a curved wall, or a second ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HalfSpace {
+    /// Elastic constants; never rigid.
+    pub material: Material,
+    /// Yield strength σ_Y \[Pa\] (von Mises); `None`: the half-space stays elastic.
+    pub yield_strength: Option<f64>,
+    /// Density \[kg/m³\]; `None`: nothing is said of elastic waves.
+    pub density: Option<f64>,
+    /// R_h \[m\] where it is hit: positive for a convex wall or a ball, negative for a hollow; `None`: flat.
+    pub radius: Option<f64>,
+    pub hold: Hold,
+}
+
+/// How the body that is hit is held.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Hold {
+    #[default]
+    Fixed,
+    /// Free to move, with this mass \[kg\].
+    Free(f64),
+    /// A solid ball of its own radius and density that is free to move.
+    Ball,
+}
+
+impl HalfSpace {
+    /// A flat half-space that does not move, of unknown density.
+    pub fn flat(material: Material, yield_strength: Option<f64>) -> Self {
+        Self { material, yield_strength, density: None, radius: None, hold: Hold::Fixed }
+    }
+
+    /// The radius \[m\], if the half-space is a ball or a convex wall.
+    pub fn ball_radius(&self) -> Option<f64> {
+        self.radius.filter(|radius| *radius > 0.0)
+    }
+
+    /// Mass \[kg\] of a body that is free to move. It is not a number for a ball without radius or density.
+    pub fn free_mass(&self) -> Option<f64> {
+        match self.hold {
+            Hold::Fixed => None,
+            Hold::Free(mass) => Some(mass),
+            Hold::Ball => {
+                let volume = self.ball_radius().map_or(f64::NAN, sphere_volume);
+                Some(volume * self.density.unwrap_or(f64::NAN))
+            }
+        }
+    }
+}
+
+/// First yield of the softer body (Xie et al. 2024, Eqs. 17-18).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct YieldPoint {
+    /// Who flows.
+    pub flow: Flow,
+    /// σ_Y of the softer body \[Pa\].
+    pub strength: f64,
+    /// ν of the softer body.
+    pub poissons_ratio: f64,
+    /// C_ν \[1\] of the softer body: largest Hertz pressure over yield strength at first yield.
+    pub factor: f64,
+    /// δ_Y = (π C_ν σ_Y / 2E*)² R \[m\].
+    pub indentation: f64,
+    /// F_Y = (π C_ν σ_Y)³ R² / (6 E*²) \[N\].
+    pub force: f64,
+    /// a_Y = π C_ν σ_Y R / 2E* \[m\].
+    pub contact_radius: f64,
+}
+
+impl YieldPoint {
+    /// v_Y \[m/s\] of a sphere of this mass \[kg\], from ½ m v_Y² = (2/5) F_Y δ_Y: the slowest impact that yields.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] where it over- or underflows.
+    pub fn speed(&self, mass: f64) -> Result<f64, OutOfFloatRange> {
+        normal("yield speed (m/s)", (0.8 * (self.force / mass) * self.indentation).sqrt())
+    }
+}
+
+/// A quantity of the pair that double precision cannot hold.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "{quantity} = {} cannot be held in double precision; choose a less extreme radius, modulus, density, strength or speed",
+    number(*.value)
+)]
+pub struct OutOfFloatRange {
+    pub quantity: &'static str,
+    /// What came out.
+    pub value: f64,
+}
+
+/// A hollow wall that a sphere does not touch at a point.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "half_space.radius = {} is the radius of a hollow, and a sphere of radius {} touches it at a point only if the hollow has at least twice that radius: give at most {}, or a positive radius for a convex wall",
+    human(*.radius, Dimension::Length), human(*.sphere, Dimension::Length), human(-2.0 * *.sphere, Dimension::Length)
+)]
+pub struct Hollow {
+    /// R_h \[m\].
+    pub radius: f64,
+    /// R_s \[m\].
+    pub sphere: f64,
+}
+
+/// Why two bodies cannot be paired.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum PairError {
+    #[error(transparent)]
+    Range(#[from] OutOfFloatRange),
+    #[error(transparent)]
+    Hollow(#[from] Hollow),
+}
+
+impl From<PairError> for crate::error::Error {
+    fn from(error: PairError) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
+}
+
+impl From<OutOfFloatRange> for crate::error::Error {
+    fn from(error: OutOfFloatRange) -> Self {
+        Self::of(ErrorKind::Failed, &error)
+    }
+}
+
+/// `value`, if it is a normal positive number.
+pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFloatRange> {
+    if value.is_normal() && value > 0.0 { Ok(value) } else { Err(OutOfFloatRange { quantity, value }) }
+}
+
+/// How the flow is shared between the bodies.
+///
+/// A body yields where the largest Hertz pressure is P = C_ν σ_Y, infinite for one that stays elastic. With P_b of the softer
+/// body b and P_o of the other
+///
+/// ```text
+/// q = P_o/P_b,   w = min(1, (q − 1)/0.25)        0: both flow alike, 1: only the softer flows
+/// κ = w E*/E_o*                                  share of what stays elastic beside the flow in the compliance
+/// β = 1 − (1 − w) E*/E_h*   (the sphere is the softer, or q = 1),   (1 − w) E*/E_s*   (the half-space is)
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flow {
+    /// q; infinite beside a body that stays elastic.
+    pub ratio: f64,
+    /// Whether the sphere is the softer body. At equal strengths it counts as that.
+    pub is_sphere: bool,
+    /// w.
+    pub alone: f64,
+    /// κ.
+    pub elastic_share: f64,
+    /// 1 − κ.
+    pub plastic_share: f64,
+    /// β: the share of the flow that goes into the sphere.
+    pub sphere_share: f64,
+    /// The share of the residual indentation that is a flat on the sphere; the rest is a dent. Of the harder body it is
+    /// (E*/E_o*) exp(−(q − 1)/0.27) below q = 2 and nothing from there on: an estimate from finite elements up to a/R = 0.11.
+    pub flat_share: f64,
+}
+
+impl Flow {
+    /// Shares the flow between two bodies. It takes the pressures of sphere and half-space at first yield, and their compliances
+    /// E*/E_i*.
+    fn of([of_sphere, of_half_space]: [f64; 2], [sphere, half_space]: [f64; 2]) -> Self {
+        let is_sphere = of_sphere <= of_half_space;
+        let (ratio, softer, harder) = if is_sphere {
+            (of_half_space / of_sphere, sphere, half_space)
+        } else {
+            (of_sphere / of_half_space, half_space, sphere)
+        };
+        let alone = ((ratio - 1.0) / 0.25).min(1.0);
+        let of_harder = (1.0 - alone) * harder;
+        let kept = if ratio < 2.0 { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
+        Self {
+            ratio,
+            is_sphere,
+            alone,
+            elastic_share: alone * harder,
+            plastic_share: softer + of_harder,
+            sphere_share: if is_sphere { 1.0 - of_harder } else { of_harder },
+            flat_share: if is_sphere { 1.0 - kept } else { kept },
+        }
+    }
+
+    /// Chooses what belongs to the softer body from a pair of sphere and half-space.
+    pub fn of_softer<T>(&self, [sphere, half_space]: [T; 2]) -> T {
+        if self.is_sphere { sphere } else { half_space }
+    }
+
+    /// Whether both bodies flow.
+    pub fn is_of_both(&self) -> bool {
+        self.alone < 1.0
+    }
+}
+
+/// What the pairing of sphere and half-space fixes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// Effective radius \[m\], 1/R = 1/R_s + 1/R_h: that of the sphere on a flat half-space (Eq. 9).
+    pub radius: f64,
+    /// R \[m\] of the finite geometry of the law: the effective one, and of two equal balls that of one of them.
+    pub geometry_radius: f64,
+    /// The radius \[m\] of the smaller ball.
+    pub smaller_radius: f64,
+    /// E* \[Pa\], 1/E* = (1 − ν_s²)/E_s + (1 − ν_h²)/E_h (Eq. 11). With two equal bodies this is E/(2(1 − ν²)).
+    pub effective_modulus: f64,
+    /// κ = E*/E_s* in \[0, 1): share of the sphere in the elastic compliance; 0 is a rigid sphere.
+    pub sphere_compliance: f64,
+    /// ρ_E = E*/E_h* = 1 − κ: share of the half-space.
+    pub half_space_compliance: f64,
+    /// First yield, if a body has a yield strength.
+    pub yield_point: Option<YieldPoint>,
+    /// Sphere and half-space, as far as they are balls that flow.
+    pub balls: [Ball; 2],
+}
+
+/// How a ball that flows takes part in the law: a sphere, or a half-space with a positive radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    /// β_i: its share of the flow.
+    pub share: f64,
+    /// E*/E_i*.
+    pub compliance: f64,
+    /// R/R_i; 0 for a body that is no ball.
+    pub curvature: f64,
+}
+
+impl Ball {
+    /// Sphere and half-space. Two equal balls are one of them on a rigid wall at half the approach, in units of its own radius.
+    fn both(flow: &Flow, radii: [Option<f64>; 2], radius: f64, compliances: [f64; 2], are_equal: bool) -> [Self; 2] {
+        let [sphere, half_space] = radii.map(|ball| ball.map_or(0.0, |ball| radius / ball));
+        if are_equal {
+            let none = Self { share: 0.0, compliance: 0.0, curvature: 0.0 };
+            return [Self { share: 1.0, compliance: 1.0, curvature: 1.0 }, none];
+        }
+        let of_sphere = Self { share: flow.sphere_share, compliance: compliances[0], curvature: sphere };
+        [of_sphere, Self { share: 1.0 - flow.sphere_share, compliance: compliances[1], curvature: half_space }]
+    }
+}
+
+impl Pair {
+    /// Pairs a sphere with a half-space. The sphere's density does not matter.
+    ///
+    /// # Errors
+    /// [`PairError`] where effective radius, modulus or yield point over- or underflow, and for a hollow that is too narrow.
+    pub fn try_new(sphere: &Sphere, half_space: &HalfSpace) -> Result<Self, PairError> {
+        let radius = match half_space.radius {
+            None => sphere.radius,
+            Some(hollow) if hollow < 0.0 && -hollow < 2.0 * sphere.radius => {
+                return Err(Hollow { radius: hollow, sphere: sphere.radius }.into());
+            }
+            Some(of_wall) => normal("effective radius (m)", sphere.radius / (1.0 + sphere.radius / of_wall))?,
+        };
+        let of_sphere = 1.0 / sphere.material.plane_strain_modulus();
+        let of_half_space = 1.0 / half_space.material.plane_strain_modulus();
+        let effective_modulus = normal("effective modulus (Pa)", 1.0 / (of_sphere + of_half_space))?;
+        let compliances = [of_sphere, of_half_space].map(|compliance| compliance * effective_modulus);
+        let bodies = [(sphere.yield_strength, sphere.material), (half_space.yield_strength, half_space.material)];
+        let pressures = bodies.map(|(strength, material)| {
+            strength.map_or(f64::INFINITY, |strength| yield_factor(material.poissons_ratio) * strength)
+        });
+        let flow = Flow::of(pressures, compliances);
+        let (strength, material) = flow.of_softer(bodies);
+        let radii = [Some(sphere.radius), half_space.ball_radius()];
+        let are_equal = half_space.ball_radius() == Some(sphere.radius) && bodies[0] == bodies[1];
+        let yield_point = strength
+            .map(|strength| {
+                let poissons_ratio = material.poissons_ratio;
+                let factor = yield_factor(poissons_ratio);
+                let pressure = std::f64::consts::PI * factor * strength;
+                let a_over_r = pressure / (2.0 * effective_modulus);
+                let indentation = normal("yield indentation (m)", a_over_r * a_over_r * radius)?;
+                let a_y = a_over_r * radius;
+                let force = normal("yield force (N)", 2.0 / 3.0 * pressure * a_y * a_y)?;
+                Ok::<_, OutOfFloatRange>(YieldPoint {
+                    flow,
+                    strength,
+                    poissons_ratio,
+                    factor,
+                    indentation,
+                    force,
+                    contact_radius: a_y,
+                })
+            })
+            .transpose()?;
+        let geometry_radius = if are_equal { sphere.radius } else { radius };
+        Ok(Self {
+            radius,
+            geometry_radius,
+            smaller_radius: half_space.ball_radius().map_or(sphere.radius, |other| other.min(sphere.radius)),
+            effective_modulus,
+            sphere_compliance: compliances[0],
+            half_space_compliance: compliances[1],
+            yield_point,
+            balls: Ball::both(&flow, radii, radius, compliances, are_equal),
+        })
+    }
+
+    /// The sphere's own part of an approach: its share of the elastic one, and the flat that it keeps.
+    pub fn sphere_part(&self, indentation: f64, elastic_approach: f64) -> f64 {
+        let elastic = self.sphere_compliance * elastic_approach;
+        let flat_share = self.yield_point.map_or(0.0, |point| point.flow.flat_share);
+        if flat_share > 0.0 { elastic + flat_share * (indentation - elastic_approach) } else { elastic }
+    }
+
+    /// [κ, 1 − κ] of the law: see [`Flow`]; for bodies that stay elastic the shares of sphere and half-space.
+    pub(crate) fn shares(&self) -> [f64; 2] {
+        let of_bodies = [self.sphere_compliance, self.half_space_compliance];
+        self.yield_point.map_or(of_bodies, |point| [point.flow.elastic_share, point.flow.plastic_share])
+    }
+
+    /// Whether both bodies flow, and are balls that are not equal.
+    pub fn is_of_unequal_balls(&self) -> bool {
+        let is_of_both = self.yield_point.is_some_and(|point| point.flow.is_of_both());
+        is_of_both && self.balls[1].curvature > 0.0
+    }
+
+    /// Whether two equal balls meet, of which the law is that of one on a rigid wall.
+    pub fn is_of_equal_balls(&self) -> bool {
+        self.geometry_radius != self.radius
+    }
+
+    /// Hertz stiffness K = (4/3) E* √R \[N/m^1.5\], F = K δ^1.5.
+    pub fn hertz_stiffness(&self) -> f64 {
+        4.0 / 3.0 * self.effective_modulus * self.radius.sqrt()
+    }
+}
+
+/// C_ν = 1.30075 + 0.87825 ν + 0.54373 ν² \[1\] (Xie et al. 2024, Eq. 18), ν of the half-space; 1.61316 at ν = 0.3.
+pub fn yield_factor(poissons_ratio: f64) -> f64 {
+    1.300_75 + poissons_ratio * (0.878_25 + 0.543_73 * poissons_ratio)
+}

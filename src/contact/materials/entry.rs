@@ -1,0 +1,137 @@
+//! A material and its properties.
+
+use serde::Deserialize;
+
+use crate::contact::law::plm::hardness;
+use crate::contact::material::Material;
+use crate::contact::strength::flow::FlowCurve;
+use crate::units::Dimension;
+use crate::units::names::named;
+
+named! {
+    /// A property that a material may have, in the order of the file.
+    #[derive(PartialOrd, Ord, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Property {
+        Density = "density",
+        /// Young's modulus E.
+        YoungsModulus = "youngs_modulus",
+        /// Poisson's ratio ν.
+        PoissonsRatio = "poissons_ratio",
+        /// Hardness, as the mean pressure of a hardness test.
+        Hardness = "hardness",
+        /// Exponent N of a power law of hardening.
+        HardeningExponent = "hardening_exponent",
+        /// c of Johnson and Cook's factor 1 + c ln(rate/(1 1/s)).
+        RateSensitivity = "rate_sensitivity",
+    }
+}
+
+named! {
+    /// How a material gives way.
+    #[derive(Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Class {
+        /// It flows.
+        Metal = "metal",
+        /// It cracks.
+        Glass = "glass",
+        /// It cracks, but only where metals flow already; hardmetal too.
+        Ceramic = "ceramic",
+        /// It creeps.
+        Polymer = "polymer",
+    }
+}
+
+impl Property {
+    pub fn dimension(self) -> Dimension {
+        match self {
+            Self::Density => Dimension::Density,
+            Self::YoungsModulus | Self::Hardness => Dimension::Pressure,
+            Self::PoissonsRatio | Self::HardeningExponent | Self::RateSensitivity => Dimension::Ratio,
+        }
+    }
+}
+
+/// A number as it is written in the file, and its value in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Written {
+    /// The number as text, such as "63 HRC".
+    pub text: String,
+    pub value: f64,
+}
+
+/// A property of a material, with its value and its sources.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Known {
+    pub property: Property,
+    /// The value that is used.
+    pub taken: Written,
+    /// The smallest and the largest value that the sources give or a standard allows.
+    pub range: [Written; 2],
+    /// The kind of number, such as a hardness of a named condition.
+    pub basis: String,
+    /// Every source and the value it gives.
+    pub sources: Vec<[String; 2]>,
+}
+
+/// A material.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// The name in scenarios.
+    pub name: String,
+    /// The material and its condition, in words.
+    pub title: String,
+    pub class: Class,
+    /// The metal hardens, but no two sources agree on the exponent.
+    pub lacks_exponent: bool,
+    /// A remark for the user.
+    pub note: Option<String>,
+    /// The known properties, in the order of [`Property::ALL`].
+    pub known: Vec<Known>,
+}
+
+impl Entry {
+    /// The property, if it is known.
+    pub fn of(&self, property: Property) -> Option<&Known> {
+        self.known.iter().find(|known| known.property == property)
+    }
+
+    /// The value of a property; NaN where it is not known.
+    fn value(&self, property: Property) -> f64 {
+        self.of(property).map_or(f64::NAN, |known| known.taken.value)
+    }
+
+    /// The flow curve, if the material hardens by a power law.
+    fn flow(&self) -> Option<FlowCurve> {
+        let power = |known: &Known| FlowCurve::Power { exponent: known.taken.value };
+        self.of(Property::HardeningExponent).map(power)
+    }
+
+    /// A material with an exponent hardens by a power law.
+    pub fn hardens(&self) -> bool {
+        self.flow().is_some()
+    }
+
+    /// The yield strength \[Pa\] of the material with a hardness given as mean pressure \[Pa\].
+    pub fn strength(&self, mean_pressure: f64) -> f64 {
+        hardness::strength_of_hardness(mean_pressure, self.flow().as_ref(), &self.elastic())
+    }
+
+    /// The flow stress \[Pa\] at a plastic strain of 0.08 of the material with that hardness.
+    pub fn flow_stress(&self, mean_pressure: f64) -> f64 {
+        hardness::flow_stress(mean_pressure, &self.elastic())
+    }
+
+    fn elastic(&self) -> Material {
+        Material {
+            youngs_modulus: self.value(Property::YoungsModulus),
+            poissons_ratio: self.value(Property::PoissonsRatio),
+        }
+    }
+
+    /// Whether the material yields. Glass, ceramics and polymers are computed as elastic.
+    pub fn is_metal(&self) -> bool {
+        self.class == Class::Metal
+    }
+}

@@ -1,0 +1,21 @@
+//! Materials by name: density, elastic constants and hardness. Each value has a range, says what kind of number it is,
+//! and names its sources. The file `materials/materials.toml` says how the values were chosen.
+
+mod entry;
+mod file;
+
+use std::sync::LazyLock;
+
+pub use entry::{Class, Entry, Known, Property, Written};
+pub use file::read;
+
+/// All materials, in the order of the file.
+pub fn all() -> &'static [Entry] {
+    static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| read(include_str!("materials.toml")).unwrap_or_default());
+    &ALL
+}
+
+/// The material of this name.
+pub fn find(name: &str) -> Option<&'static Entry> {
+    all().iter().find(|entry| entry.name == name)
+}

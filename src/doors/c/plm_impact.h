@@ -1,0 +1,190 @@
+/* The contact law of plm-impact for C. Made by cbindgen from src/doors/c/mod.rs; SPDX-License-Identifier: MIT */
+
+#ifndef PLM_IMPACT_H
+#define PLM_IMPACT_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/**
+ * A sphere, a half-space and the law between them.
+ */
+typedef struct plm_contact plm_contact;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and `[impact]` may be
+ * left out. A strength that depends on the strain rate is that of the speed of `[impact]`, which is then needed. Gravity,
+ * damping, plates, and tables that ask for more than one impact (`[sweep]`, ...) are refused. Paths of files in the text are
+ * relative to the working directory.
+ *
+ * Returns NULL for a bad scenario, and writes the reason into `error`: at most `length` bytes with the final zero.
+ * Free the contact with `plm_contact_free`.
+ *
+ * # Safety
+ * `scenario_toml` ends with a zero byte; `error` is NULL or has `length` bytes.
+ */
+struct plm_contact *plm_contact_new(const char *scenario_toml,
+                                    char *error,
+                                    uintptr_t length);
+
+/**
+ * The contact of a scenario file. Otherwise as `plm_contact_new`, but paths in the scenario are relative to its
+ * folder.
+ *
+ * # Safety
+ * As `plm_contact_new`.
+ */
+struct plm_contact *plm_contact_open(const char *path,
+                                     char *error,
+                                     uintptr_t length);
+
+/**
+ * Frees a contact; NULL is allowed.
+ *
+ * # Safety
+ * `contact` comes from `plm_contact_new` or `plm_contact_open`, and is not used afterwards.
+ */
+void plm_contact_free(struct plm_contact *contact);
+
+/**
+ * Force [N] at an indentation [m] by the law alone. Updates `memory` (three doubles, zero for a fresh contact).
+ *
+ * The force is 0 for an indentation of 0 or less. Set the memory to zero when the sphere has left the surface
+ * (indentation <= 0), not when the force becomes zero. Returns NaN if the indentation is NaN or infinite, if the force
+ * would be, if no contact can have this memory (a number that is negative, NaN or infinite, or a third number larger
+ * than the first), or if a pointer is NULL; the memory then stays as it was.
+ *
+ * The law has no elastic waves: see `plm_contact_restitution_with_waves`.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed; `memory` is NULL or has three doubles that no other thread uses at the same
+ * time.
+ */
+double plm_contact_force(const struct plm_contact *contact,
+                         double indentation,
+                         double *memory);
+
+/**
+ * `plm_contact_force` for `n` contacts of one sphere and half-space: memory[3 i], memory[3 i + 1], memory[3 i + 2] and
+ * force[i] belong to indentation[i]. Does nothing if a pointer is NULL.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed; the arrays are NULL or have `n`, 3 `n` and `n` doubles, and do not overlap.
+ */
+void plm_contact_forces(const struct plm_contact *contact,
+                        uintptr_t n,
+                        const double *indentation,
+                        double *memory,
+                        double *force);
+
+/**
+ * Friction of a contact with this coefficient: one tangential spring, as LAMMPS mindlin_rescale/force. Call it in every
+ * step after plm_contact_force gave `force` and `memory` at `indentation`; `before` is the indentation of the last step, 0
+ * in the first. `slip` (three doubles) is how far the contact point moved along the surface since then [m]. `history` (three
+ * doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is that of this
+ * force at the contact point. Does nothing if a pointer is NULL.
+ *
+ * For a sphere of another radius multiply indentations and slip as for plm_contact_force, and divide the friction likewise.
+ *
+ * # Safety
+ * As `plm_contact_stiffness`; `slip` and `history` are NULL or have three doubles each.
+ */
+void plm_contact_friction(const struct plm_contact *contact,
+                          double coefficient,
+                          double before,
+                          double indentation,
+                          double force,
+                          const double *memory,
+                          const double *slip,
+                          double *history);
+
+/**
+ * Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, and of the
+ * loading curve beyond it.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed; `memory` is NULL or has three doubles.
+ */
+double plm_contact_stiffness(const struct plm_contact *contact,
+                             double indentation,
+                             const double *memory);
+
+/**
+ * Energies of a contact [J], after `plm_contact_force` gave this force and memory at this indentation. Returns the
+ * stored energy, which unloading gives back. Writes the plastic work of the dent into `plastic` if that is not NULL.
+ *
+ * # Safety
+ * As `plm_contact_stiffness`; `plastic` is NULL or points to a double.
+ */
+double plm_contact_energy(const struct plm_contact *contact,
+                          double indentation,
+                          double force,
+                          const double *memory,
+                          double *plastic);
+
+/**
+ * Radius of the sphere [m]. The law of a sphere of another radius r follows by scaling: with s = radius/r its force is
+ * plm_contact_force at s times its indentation, divided by s squared.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_radius(const struct plm_contact *contact);
+
+/**
+ * Mass of the sphere [kg].
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_mass(const struct plm_contact *contact);
+
+/**
+ * Speed [m/s] of the slowest impact that yields; NaN for a contact that stays elastic and for a law that yields at
+ * once.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_yield_speed(const struct plm_contact *contact);
+
+/**
+ * Contact time [s] of the whole impact at a speed [m/s]; NaN if there is no result. Writes the coefficient of
+ * restitution into `restitution` if that is not NULL.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed; `restitution` is NULL or points to a double.
+ */
+double plm_contact_time(const struct plm_contact *contact,
+                        double speed,
+                        double *restitution);
+
+/**
+ * Coefficient of restitution at a speed [m/s] less what elastic waves in the half-space take, to first order. The
+ * force has no waves: this is what a simulation with it leaves out. NaN if the scenario gives no half_space.density.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_restitution_with_waves(const struct plm_contact *contact,
+                                          double speed);
+
+/**
+ * Indentation [m] up to which the data behind the law reach. Beyond it forces and dent are estimates.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_deepest(const struct plm_contact *contact);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* PLM_IMPACT_H */

@@ -1,0 +1,57 @@
+//! `plm-impact materials`
+
+use std::ffi::OsStr;
+
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::{Arg, Args, Command};
+use plm_impact::contact::materials::{Entry, all, find};
+use plm_impact::error::Error;
+use plm_impact::report::text::materials::{data, has, list, one};
+use plm_impact::units::nearest::did_you_mean;
+
+/// List the materials that scenarios may name, or print values, ranges and sources of one
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact materials
+  plm-impact materials aluminium-6061-t6")]
+pub struct Arguments {
+    /// Name of one material, or a part of the names or descriptions of several
+    #[arg(hide_possible_values = true, value_parser = Names)]
+    name: Option<String>,
+    /// Print JSON: values, ranges and sources, in SI
+    #[arg(long)]
+    json: bool,
+}
+
+/// Any text; shells complete the names of materials.
+#[derive(Clone)]
+struct Names;
+
+impl TypedValueParser for Names {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(all().iter().map(|entry| PossibleValue::new(entry.name.as_str()))))
+    }
+}
+
+pub fn materials(Arguments { name, json }: &Arguments) -> Result<(), Error> {
+    let name = name.as_deref().unwrap_or_default();
+    let exact = find(name);
+    let found: Vec<&Entry> =
+        exact.map_or_else(|| all().iter().filter(|entry| has(entry, name)).collect(), |one| vec![one]);
+    if found.is_empty() {
+        let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
+        let known = format!("materials are {}", names.join(", "));
+        let text = format!("unknown material \"{name}\"{}", did_you_mean(name, names, '"', &known));
+        return Err(Error::input(text));
+    }
+    if *json {
+        return super::terminal::print_json(&format!("{:#}\n", data(&found)));
+    }
+    super::terminal::print(&exact.map_or_else(|| list(name), one))
+}

@@ -1,0 +1,144 @@
+//! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
+
+use std::path::Path;
+use std::time::Duration;
+
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::report::run::heed;
+use plm_impact::report::run::table;
+use plm_impact::report::text;
+use plm_impact::scenario::Scenario;
+use plm_impact::table::count::Tally;
+use plm_impact::table::parts::Layout;
+use plm_impact::table::{Format, Job, Shard};
+
+use super::output::{Output, one_of, say_replaced, warn};
+use super::watched::{Signals, Watch};
+
+/// Options of sweeps.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Sweeps: what the table is written as [default: csv]
+    #[arg(long, value_parser = one_of(Format::ALL, Format::name))]
+    format: Option<Format>,
+    /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed
+    #[arg(long, value_name = "I/N")]
+    shard: Option<String>,
+    /// Sweeps: the same, its number taken from an environment variable: SLURM_ARRAY_TASK_ID/16
+    #[arg(long, value_name = "VARIABLE/N", conflicts_with = "shard")]
+    shard_env: Option<String>,
+    /// Sweeps: threads [default: one a core]; the table is the same whatever their number
+    #[arg(long, value_name = "N", value_parser = super::threads::allowed())]
+    threads: Option<u16>,
+}
+
+impl Options {
+    /// Refuses options of tables for `scene`, which has none.
+    pub fn refuse_for(&self, scene: &str) -> Result<(), Error> {
+        let given = [
+            self.format.map(|_| "--format"),
+            self.shard.as_ref().map(|_| "--shard"),
+            self.shard_env.as_ref().map(|_| "--shard-env"),
+            self.threads.map(|_| "--threads"),
+        ];
+        match given.into_iter().flatten().next() {
+            Some(name) => Err(Error::input(format!(
+                "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Which part of the table is written; `None`: all.
+    fn shard(&self) -> Result<Option<Shard>, Error> {
+        let text = match (&self.shard, self.shard_env.as_deref().map(|text| (text, text.split_once('/')))) {
+            (Some(text), _) => text.clone(),
+            (None, Some((_, Some((variable, count))))) => {
+                let unset = |_| {
+                    Error::input(format!(
+                        "--shard: the environment variable {variable} is not set; it holds the shard's number, counted from 0, under the job scheduler"
+                    ))
+                };
+                format!("{}/{count}", std::env::var(variable).map_err(unset)?.trim())
+            }
+            (None, Some((text, None))) => text.to_owned(),
+            (None, None) => return Ok(None),
+        };
+        Shard::parse(&text).map(Some)
+    }
+}
+
+/// Time that a table has to stop by itself after a signal.
+const PATIENCE: Duration = Duration::from_millis(700);
+/// Rows of a part, for tests of small tables.
+const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
+
+/// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
+pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
+    let plan = scenario.plan()?;
+    let warnings = table::warnings(&plan);
+    warn(&warnings);
+    heed(scenario, warnings.len(), output.strict)?;
+    let shard = options.shard()?;
+    let pictures = output.pictures.format;
+    if shard.is_some() && output.json {
+        let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
+        return Err(Error::input(message.to_owned()));
+    }
+    let signals = Signals::listen()?;
+    let directory = output.prepare(file, scenario)?;
+    let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
+    let Options { format, threads, .. } = *options;
+    let mut layout = Layout::of(&plan);
+    if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse().ok()) {
+        layout.rows_per_part = rows;
+    }
+    let leaves = if layout.is_in_parts(shard, &directory) {
+        "the same command goes on from the parts that are whole"
+    } else {
+        "nothing was written; the same command starts anew"
+    };
+    let bar = "{human_pos}/{human_len} rows, {per_sec}, {eta} left";
+    let watch = Watch { is_quiet: output.quiet, bar, patience: PATIENCE, leaves };
+    let (directory, plan, written) = watch.watch(&signals, move |progress| {
+        let job = Job {
+            plan: &plan,
+            shard,
+            format: format.unwrap_or(Format::Csv),
+            layout,
+            directory: &directory,
+            source: &source,
+            progress,
+        };
+        let written = super::threads::with(threads, || job.run())??;
+        Ok((directory, plan, written))
+    })?;
+    let mut files = Vec::new();
+    if shard.is_none() {
+        let leaves = "the table is written, its summary is not; give the same command again";
+        let tally = written.tally.clone();
+        // the parts of a table are no file
+        let table = written.table.file_name().filter(|_| written.table.is_file());
+        provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
+        files = Watch { leaves, ..Watch::without_files(output.quiet) }
+            .watch(&signals, move |_| table::files(&plan, &tally, &warnings, provenance, pictures))?;
+        directory.write(&files)?;
+    }
+    say_replaced(&directory);
+    let found = match written.found {
+        0 => String::new(),
+        rows => format!("{rows} of these rows were there\n"),
+    };
+    let names = std::iter::once(written.table.display().to_string()).chain(files.iter().map(|file| file.name.clone()));
+    let wrote = format!("{found}wrote {}", names.collect::<Vec<_>>().join(", "));
+    output.report(&text::sweep::lines(&written.tally), &files, wrote)?;
+    let Tally { failures, rows, .. } = written.tally;
+    if failures == 0 {
+        return Ok(());
+    }
+    // rows without a result make exit code 1
+    let table = written.table.display();
+    let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
+    Err(Error::failed(text).about(table))
+}

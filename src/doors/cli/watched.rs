@@ -1,0 +1,146 @@
+//! Work that may take long: a terminal shows its progress, and Ctrl-C or SIGTERM stops it. Files stay complete, as an
+//! unfinished file has not replaced any other.
+
+use std::io::{self, IsTerminal as _};
+use std::panic::resume_unwind;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use plm_impact::error::{Error, ErrorKind};
+use plm_impact::files::progress::Counter;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+
+use super::terminal::other;
+
+/// Bytes of the stack of a thread, as many as that of a program.
+const STACK: usize = 8 << 20;
+/// Time between two looks for a signal.
+const LOOK: Duration = Duration::from_millis(50);
+/// A bar is shown for work that takes longer than so many milliseconds.
+const SOON: u64 = 500;
+/// Other milliseconds in place of these, for tests.
+const BAR_AFTER: &str = "PLM_IMPACT_BAR_AFTER_MS";
+/// A shell adds the number of the signal to this for the exit code.
+const ENDED_BY: usize = 128;
+
+/// Ctrl-C and SIGTERM. Once they are listened to they do not end the process but stop the work that is watched.
+pub struct Signals {
+    is_set: Arc<AtomicBool>,
+    /// The exit code after the signal that was received.
+    code: Arc<AtomicUsize>,
+    /// Whether signals end the process, as they do by default.
+    is_off: Arc<AtomicBool>,
+}
+
+impl Signals {
+    /// Listens from now on. This comes before anything is written, so that a signal never leaves an empty folder.
+    ///
+    /// # Errors
+    /// [`Error`] where the system gives no signals.
+    pub fn listen() -> Result<Self, Error> {
+        let (is_set, code, is_off) = (Arc::default(), Arc::default(), Arc::new(AtomicBool::new(true)));
+        for signal in [SIGINT, SIGTERM] {
+            let exit_code = ENDED_BY + signal.unsigned_abs() as usize;
+            let listened = flag::register_conditional_default(signal, Arc::clone(&is_off));
+            let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&code), exit_code));
+            listened.and_then(|_| flag::register(signal, Arc::clone(&is_set))).map_err(other("signals"))?;
+        }
+        is_off.store(false, Ordering::Relaxed);
+        Ok(Self { is_set, code, is_off })
+    }
+}
+
+pub struct Watch {
+    pub is_quiet: bool,
+    /// The text behind the bar.
+    pub bar: &'static str,
+    /// Time that the work has to stop by itself after a signal; then it is abandoned.
+    pub patience: Duration,
+    /// Tells what abandoned work leaves, and what to do then.
+    pub leaves: &'static str,
+}
+
+impl Watch {
+    /// The watch of work that writes no files.
+    pub fn without_files(is_quiet: bool) -> Self {
+        let bar = "{human_pos}/{human_len} done, {elapsed}";
+        Self { is_quiet, bar, patience: Duration::ZERO, leaves: "nothing was written" }
+    }
+
+    /// Does the work on a thread of its own. A signal asks it to stop.
+    ///
+    /// # Errors
+    /// Returns the error of the work. After a signal the error has the exit code of that signal. It is an error too if the system
+    /// gives no thread.
+    pub fn watch<T: Send + 'static>(
+        &self,
+        signals: &Signals,
+        work: impl FnOnce(&Counter) -> Result<T, Error> + Send + 'static,
+    ) -> Result<T, Error> {
+        signals.is_off.store(false, Ordering::Relaxed);
+        let progress = Arc::new(Counter::stopped_by(Arc::clone(&signals.is_set)));
+        let (sender, receiver) = channel();
+        let counter = Arc::clone(&progress);
+        let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
+        let worker = worker.map_err(other("thread"))?;
+        let done = self.wait(&receiver, &progress);
+        // signals end the process from now on, as they do by default
+        signals.is_off.store(true, Ordering::Relaxed);
+        let done = done.unwrap_or_else(|| {
+            // it ended without a result: by a panic
+            worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+            Err(Error::failed("the work ended without a result"))
+        });
+        done.map_err(|error| match (error.kind, u8::try_from(signals.code.load(Ordering::Relaxed))) {
+            (ErrorKind::Stopped(_), Ok(code @ 1..)) => {
+                // work that is abandoned at once may see the signal first, and is told in the same words
+                let what = if self.patience.is_zero() { self.interrupted() } else { error.to_string() };
+                Error::new(ErrorKind::Stopped(code), what)
+            }
+            _ => error,
+        })
+    }
+
+    fn interrupted(&self) -> String {
+        format!("interrupted; {}", self.leaves)
+    }
+
+    /// The result of the work; `None` where it ended without one.
+    fn wait<T>(&self, receiver: &Receiver<Result<T, Error>>, progress: &Counter) -> Option<Result<T, Error>> {
+        let (begun, mut signalled) = (Instant::now(), None);
+        let bar = self.bar();
+        let soon = std::env::var(BAR_AFTER).ok().and_then(|time| time.parse().ok()).unwrap_or(SOON);
+        let done = loop {
+            if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
+                break Some(Err(Error::new(ErrorKind::Stopped(0), self.interrupted())));
+            }
+            let received = receiver.recv_timeout(LOOK);
+            let (done, total) = progress.read();
+            if begun.elapsed() >= Duration::from_millis(soon) && total > 1 {
+                bar.set_length(total);
+                bar.set_position(done);
+            }
+            match received {
+                Ok(done) => break Some(done),
+                Err(RecvTimeoutError::Disconnected) => break None,
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        };
+        bar.finish_and_clear();
+        done
+    }
+
+    /// A bar, which a terminal shows as soon as it moves.
+    fn bar(&self) -> ProgressBar {
+        if self.is_quiet || super::terminal::is_json() || !io::stderr().is_terminal() {
+            return ProgressBar::hidden();
+        }
+        let style = ProgressStyle::with_template(&format!("{{bar:40}} {}", self.bar));
+        ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    }
+}

@@ -1,0 +1,194 @@
+//! Cases that are given as arrays of keys: checks the values, and makes the plan of their table and its rows.
+
+use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+
+use super::convert::{Numbers, exception, numbers, warn, with};
+use super::rows::{failures, listed, without_axes};
+use super::table::of_values;
+use super::work;
+use crate::impact::{self, Method, Solver};
+use crate::report::run::table::warnings_of;
+use crate::scenario::Scenario;
+use crate::scenario::plan::axis::{Axis, Values};
+use crate::scenario::plan::{Cases, Plan};
+use crate::scenario::scene::{Input, KEYS, Key};
+use crate::table::arrow;
+use crate::units::Dimension;
+
+/// The key of the argument `speed`.
+pub const SPEED: &str = "impact.speed";
+
+/// A sphere, a half-space and their contact law. The arguments are the tables of a scenario, each as a dict:
+///
+///     steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
+///     contact = Contact(sphere=dict(radius="5 mm", density="7850 kg/m^3", **steel),
+///                       half_space=dict(yield_strength="345 MPa", **steel), law="thornton")
+///
+/// A value is a number in SI units or a text with a unit. All tables and keys of a single impact are allowed, such as
+/// damping=dict(viscous=0.05); scenarios/README.md explains them. The speed may be left out, and the law may be a name
+/// (see `laws()`) or a table such as dict(plm=dict(unloading_exponent="pressure-shape")).
+///
+/// A bad key or value raises ValueError, one of a wrong type TypeError; the message has the key, the value and what is
+/// allowed. Warnings are ModelWarning, at most one a call. A contact can be pickled, and threads may share it. Two contacts
+/// with the same input are equal.
+#[pyclass(frozen, module = "plm_impact")]
+#[derive(Debug)]
+pub struct Contact {
+    pub scenario: Scenario,
+    pub input: Input,
+    /// Its bodies and their law.
+    pub inner: impact::Contact,
+    /// The plans of tables by the keys that vary in them, and whether the smallest value of a key is 0, which may switch
+    /// gravity or damping off.
+    pub plans: Mutex<HashMap<Vec<(&'static str, bool)>, Plan>>,
+}
+
+/// A key and its values in SI units, all of them in the allowed range.
+pub struct Given {
+    pub key: &'static Key,
+    pub numbers: Numbers,
+}
+
+impl Given {
+    /// A number, an array of numbers, or a text with a unit.
+    pub fn new(key: &'static Key, value: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let numbers = match value.cast::<PyString>() {
+            Ok(text) => Numbers::one(key.quantity.parse(&text.to_cow()?).map_err(|text| refused(key, "", &text))?),
+            Err(_) => numbers(value, key.path)?,
+        };
+        for (index, value) in numbers.values.iter().enumerate() {
+            let place = || if numbers.values.len() == 1 { String::new() } else { format!(" at index {index}") };
+            key.quantity.check(*value).map_err(|error| refused(key, &place(), &error))?;
+        }
+        Ok(Self { key, numbers })
+    }
+
+    /// The values of `speed`.
+    pub fn speed(value: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Self::new(Key::find(SPEED).ok_or_else(|| PyValueError::new_err(SPEED))?, value)
+    }
+
+    /// The smallest and the largest value, or one where they are the same; none if there are no values.
+    fn ends(&self) -> Vec<f64> {
+        let values = || self.numbers.values.iter().copied();
+        let mut ends: Vec<f64> =
+            values().min_by(f64::total_cmp).into_iter().chain(values().max_by(f64::total_cmp)).collect();
+        ends.dedup();
+        ends
+    }
+}
+
+fn refused(key: &Key, place: &str, message: &str) -> PyErr {
+    PyValueError::new_err(format!("{}{place}: {message}", key.path))
+}
+
+/// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
+/// same reasons as a scenario with these axes. What does not depend on the values is found once for the same keys.
+fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
+    let ends: Vec<Vec<f64>> = given.iter().map(Given::ends).collect();
+    let keys: Vec<_> =
+        given.iter().zip(&ends).map(|(given, ends)| (given.key.path, ends.first() == Some(&0.0))).collect();
+    let mut plans = contact.plans.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut plan = if let Some(known) = plans.get(&keys) {
+        known.clone()
+    } else {
+        let axes = given.iter().zip(&ends).map(|(Given { key, .. }, ends)| {
+            // an array is in SI; in the text of a scenario an angle carries its unit
+            let written = |low: &f64| match key.quantity.dimension {
+                Dimension::Angle => format!("\"{low:?} rad\""),
+                _ => format!("{low:?}"),
+            };
+            let value = ends.first().map_or_else(|| key.quantity.example.to_owned(), written);
+            format!("sweep.\"{}\"=[{value}]", key.path)
+        });
+        let scenario = with(&contact.scenario, axes).map_err(exception)?;
+        let plan = scenario.plan().map_err(exception)?;
+        plans.insert(keys, plan.clone());
+        plan
+    };
+    if ends.iter().all(|ends| !ends.is_empty()) {
+        let axis = |(given, ends): (&Given, Vec<f64>)| Axis::of_number(given.key, Values::List(ends));
+        plan.cases = Cases::Grid(given.iter().zip(ends).map(axis).collect());
+    }
+    Ok(plan)
+}
+
+/// The paths of all numeric keys, in the order of the registry.
+#[pyfunction]
+pub fn numeric_keys() -> Vec<&'static str> {
+    KEYS.iter().map(|key| key.path).collect()
+}
+
+/// The values of a numeric key in SI units, all of them in the allowed range: a number, or an array in the shape of `value`.
+#[pyfunction]
+pub fn checked<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let Some(key) = Key::find(path) else {
+        // a scenario refuses it with a suggestion
+        let refusal = with(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(path))]);
+        return Err(refusal.err().map_or_else(|| PyValueError::new_err(path.to_owned()), exception));
+    };
+    Given::new(key, value)?.numbers.numpy(value.py())
+}
+
+/// The columns of a table of impacts, by name. Each key comes with checked values, in arrays of one shape and in the order of
+/// the registry. A warning points at the caller of the Python function that calls this one.
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)] // what Python hands over
+pub fn rows<'py>(
+    py: Python<'py>,
+    contact: &Contact,
+    keys: Vec<(String, Bound<'py, PyAny>)>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let given = keys.iter().map(|(path, values)| {
+        let key = Key::find(path).ok_or_else(|| PyValueError::new_err(path.clone()))?;
+        Ok(Given { key, numbers: numbers(values, path)? })
+    });
+    let given: Vec<Given> = given.collect::<PyResult<_>>()?;
+    let plan = plan(contact, &given)?;
+    let count = given.first().map_or(0, |given| given.numbers.values.len());
+    let mut warnings = if count > 0 { py.detach(|| warnings_of(&plan, &contact.inner)) } else { Vec::new() };
+    let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
+    let named = without_axes(&plan);
+    let values = listed(py, &plan, &contact.inner, &keys, count, &named)?;
+    warnings.extend(failures(values.last().map_or(&[], Vec::as_slice)));
+    warn(py, 2, &warnings)?;
+    of_values(py, given.into_iter().map(|Given { key, numbers }| (key.column(), numbers.values)), named, values)
+}
+
+/// Restitution at these speeds, in an array of their shape, or as a number for one speed.
+pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let py = speed.py();
+    let given = [Given::speed(speed)?];
+    let plan = plan(contact, &given)?;
+    let [Given { key, numbers: Numbers { shape, values: speeds } }] = given;
+    let mut warnings = if speeds.is_empty() { Vec::new() } else { py.detach(|| warnings_of(&plan, &contact.inner)) };
+    let forces = plan.input.forces();
+    let is_exact = forces.is_none() && plan.input.solver().method.chosen(&forces, false) == Some(Method::ClosedForm);
+    let computed = if is_exact {
+        // friction does not change e
+        let of = |speed: &f64| {
+            let [normal_speed, _] = contact.input.approach_at(*speed).components();
+            match contact.inner.row(normal_speed, &Solver::AUTO) {
+                Ok(row) => (row.restitution, 0.0),
+                Err(error) => (f64::NAN, arrow::code(error.into())),
+            }
+        };
+        work::columns(py, speeds.len(), &[1, 1], false, |cases| {
+            let (restitutions, status): (Vec<f64>, Vec<f64>) = speeds[cases].iter().map(of).unzip();
+            Ok(vec![restitutions, status])
+        })?
+    } else {
+        let mut named = without_axes(&plan);
+        named.retain(|(name, _)| ["restitution", "status"].contains(&name.as_str()));
+        listed(py, &plan, &contact.inner, &[(key, &speeds)], speeds.len(), &named)?
+    };
+    let [restitutions, status]: [Vec<f64>; 2] = computed.try_into().unwrap_or_default();
+    warnings.extend(failures(&status));
+    warn(py, 1, &warnings)?;
+    Numbers { shape, values: restitutions }.numpy(py)
+}

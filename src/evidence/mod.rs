@@ -1,0 +1,4 @@
+//! The law against reality, and speed against error.
+
+pub mod bench;
+pub mod validate;

@@ -1,0 +1,75 @@
+//! The five pairs of materials of the quasi-static finite elements, each with its loading curve and its unloadings.
+
+use crate::contact::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
+use crate::error::Error;
+use crate::impact::reference::loading::{self, LoadingCurve};
+use crate::impact::reference::unloading::{self, UnloadingRow};
+
+/// One of the five pairs of materials: loading curve and unloadings.
+#[derive(Debug, Clone)]
+pub struct Case {
+    pub loading: LoadingCurve,
+    /// The unloadings, in the order of rising depth.
+    pub cycles: Vec<Cycle>,
+}
+
+/// A full unloading from one peak.
+#[derive(Debug, Clone)]
+pub struct Cycle {
+    /// The results of the finite elements.
+    pub row: UnloadingRow,
+    /// Their peak: x_m, f_m and ε_m = x_s,m/κ.
+    pub peak: Peak,
+    /// x and f at points between peak and separation.
+    pub points: Vec<(f64, f64)>,
+}
+
+impl Cycle {
+    /// The name, such as "case3_small, x = 105.1".
+    pub fn name(&self) -> String {
+        format!("{}, x = {}", self.row.run, crate::units::four_digits(self.row.x))
+    }
+
+    /// Residual indentation x_r of the finite elements.
+    pub fn residual(&self) -> f64 {
+        self.row.residual_share * self.row.x
+    }
+}
+
+impl Case {
+    /// The name, such as "case 3".
+    pub fn name(&self) -> String {
+        self.loading.case.replace("case", "case ")
+    }
+
+    pub fn law(&self, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Law {
+        coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
+    }
+
+    pub fn sphere_compliance(&self) -> f64 {
+        self.loading.pair.sphere_compliance
+    }
+}
+
+/// The five cases.
+///
+/// # Errors
+/// [`Error`] if a table is damaged.
+pub fn cases() -> Result<Vec<Case>, Error> {
+    let (rows, points) = (unloading::unloadings()?, unloading::points()?);
+    let cycle = |row: &UnloadingRow, kappa: f64| {
+        let points = points.iter().filter(|point| point.run == row.run && point.cycle == row.cycle);
+        Cycle {
+            peak: Peak { indentation: row.x, force: row.f, elastic_approach: row.x * row.sphere_share / kappa },
+            points: points.map(|point| (point.x, point.f)).collect(),
+            row: row.clone(),
+        }
+    };
+    let case = |loading: LoadingCurve| {
+        let of_case = rows.iter().filter(|row| row.case == loading.case);
+        let mut cycles: Vec<Cycle> = of_case.map(|row| cycle(row, loading.pair.sphere_compliance)).collect();
+        cycles.sort_by(|a, b| a.row.x.total_cmp(&b.row.x));
+        Case { loading, cycles }
+    };
+    Ok(loading::curves()?.into_iter().map(case).collect())
+}

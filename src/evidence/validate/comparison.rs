@@ -1,0 +1,72 @@
+//! A number of a reference beside that of the law.
+
+use crate::contact::law::UnloadingExponent;
+use crate::numerics::power::farther_or_nan;
+
+/// The exponents that are compared, with their names in tables and pictures.
+pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
+    [(UnloadingExponent::Paper, "exponent 3/2"), (UnloadingExponent::PressureShape, "pressure-shape")];
+
+/// A quantity that is compared with one source.
+#[derive(Debug, Clone, Copy)]
+pub struct Group {
+    /// If the deviation is not relative to the number of the reference, the name says what it is a share of.
+    pub quantity: &'static str,
+    /// Where the numbers of the reference come from.
+    pub source: &'static str,
+    /// Unit of the numbers; empty for plain numbers.
+    pub unit: &'static str,
+    /// Whether the deviation is the difference of the numbers, because both are shares of another number.
+    pub is_difference: bool,
+}
+
+impl Group {
+    pub const fn of(quantity: &'static str, source: &'static str, unit: &'static str) -> Self {
+        Self { quantity, source, unit, is_difference: false }
+    }
+
+    /// A group whose deviations are differences.
+    pub const fn of_differences(quantity: &'static str, source: &'static str, unit: &'static str) -> Self {
+        Self { is_difference: true, ..Self::of(quantity, source, unit) }
+    }
+
+    /// The comparison of one case. The numbers are that of the reference and that of the law.
+    pub fn compared(self, case: String, [reference, law]: [f64; 2]) -> Comparison {
+        let deviation = if self.is_difference { law - reference } else { deviation(reference, law) };
+        Comparison { group: self, case, reference, law, deviation, of_built_in: None }
+    }
+}
+
+/// One number of a reference, and that of the law.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    pub group: Group,
+    /// The case, run or speed.
+    pub case: String,
+    pub reference: f64,
+    pub law: f64,
+    /// Relative deviation, law/reference − 1. If it is relative to another number, the name of the quantity says so.
+    pub deviation: f64,
+    /// The deviation of the law with the built-in coefficients, if the law has others.
+    pub of_built_in: Option<f64>,
+}
+
+/// The relative deviation law/reference − 1; 0 if both numbers are equal.
+pub fn deviation(reference: f64, law: f64) -> f64 {
+    if law == reference { 0.0 } else { law / reference - 1.0 }
+}
+
+/// The deviation farthest from zero; NaN if any is NaN.
+pub fn largest(deviations: impl IntoIterator<Item = f64>) -> f64 {
+    deviations.into_iter().fold(0.0, farther_or_nan)
+}
+
+pub fn mean(values: &[f64]) -> f64 {
+    #[allow(clippy::cast_precision_loss)]
+    let n = values.len() as f64;
+    values.iter().sum::<f64>() / n
+}
+
+pub fn rms(values: &[f64]) -> f64 {
+    mean(&values.iter().map(|value| value * value).collect::<Vec<_>>()).sqrt()
+}

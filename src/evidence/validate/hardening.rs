@@ -1,0 +1,75 @@
+//! A half-space that hardens: the law, loaded with the same work as the finite elements.
+
+use super::comparison::{Comparison, Group};
+use crate::contact::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
+use crate::error::Error;
+use crate::impact::reference::hardening::{self, Materials};
+use crate::impact::reference::unloading::Unloaded;
+
+const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
+
+/// A quantity of an unloading, and its number by the finite elements and by the law.
+type Quantity = (Group, fn(&Unloaded) -> f64, fn(&AtEnergy) -> f64);
+
+const QUANTITIES: [Quantity; 5] = [
+    (group("hardening: restitution, pressure-shape"), |row| row.restitution, |state| state.restitution),
+    (group("hardening: peak force"), |row| row.f, |state| state.peak.force),
+    (group("hardening: peak indentation"), |row| row.x, |state| state.peak.indentation),
+    // a shallow dent would have a large relative deviation
+    (
+        Group::of_differences("hardening: residual indentation, deviation over peak indentation", REFERENCE, ""),
+        |row| row.residual_share,
+        |state| state.peak.residual() / state.peak.indentation,
+    ),
+    (group("hardening: contact radius"), |row| row.contact_radius, |state| state.contact_radius),
+];
+
+const fn group(name: &'static str) -> Group {
+    Group::of(name, REFERENCE, "")
+}
+
+/// A load cycle by the law.
+pub(super) struct AtEnergy {
+    peak: Peak,
+    /// Restitution √(recovered/spent work).
+    pub(super) restitution: f64,
+    /// Contact radius at the peak, a_m/R.
+    contact_radius: f64,
+}
+
+/// The load cycle in which loading takes this work, in units of first yield.
+pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEnergy {
+    let piece = &law.loading.pieces()[law.loading.index_at_work(spent)];
+    let peak = law.loaded_to(piece.indentation_at_work(spent));
+    let restitution = (law.unloading(peak).capacity() / spent).sqrt();
+    AtEnergy { peak, restitution, contact_radius: law.contact_radius(&peak) * yield_radius_ratio }
+}
+
+/// The law of these materials, and a_Y/R. Without `hardens` the law has no flow curve.
+pub(super) fn law(
+    materials: &Materials,
+    coefficients: &PlmCoefficients,
+    hardens: bool,
+) -> Result<Option<(Law, f64)>, Error> {
+    let flow = [None, materials.curve().filter(|_| hardens)];
+    let plm = Plm { flow, ..Plm::new(coefficients, UnloadingExponent::PressureShape) };
+    Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
+}
+
+pub(super) fn unloadings(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let rows = hardening::unloadings()?;
+    let mut states = Vec::with_capacity(rows.len());
+    for (materials, row) in &rows {
+        if let Some((law, yield_radius_ratio)) = law(materials, coefficients, true)? {
+            states.push((row, at_energy(&law, yield_radius_ratio, row.spent)));
+        }
+    }
+    let mut compared = Vec::new();
+    for (group, of_reference, of_law) in QUANTITIES {
+        for (row, state) in &states {
+            let case = format!("{}, x = {}", row.material, row.x);
+            compared.push(group.compared(case, [of_reference(row), of_law(state)]));
+        }
+    }
+    Ok(compared)
+}

@@ -1,0 +1,86 @@
+//! Comparisons with the quasi-static finite elements of five pairs of materials: loading curves, dents that follow from the
+//! peak of the finite elements, and load cycles by the whole law.
+
+use super::cases::{Case, Cycle, cases};
+use super::comparison::{Comparison, Group};
+use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::error::Error;
+use crate::impact::reference::STATIC;
+use crate::impact::reference::loading::LoadingPoint;
+use crate::units::four_digits;
+
+/// A quantity along the loading curve: by the finite elements, and by the law at the same depth.
+type OfLoading = (Group, fn(&LoadingPoint) -> f64, fn(&Case, &Law, f64) -> f64);
+
+const LOADING: [OfLoading; 3] = [
+    (Group::of("loading: force", STATIC, "F_Y"), |point| point.force, |_, law, x| law.loading.force(x)),
+    (
+        Group::of("loading: sphere indentation", STATIC, "delta"),
+        |point| point.sphere_share,
+        |case, law, x| case.sphere_compliance() * law.loaded_to(x).elastic_approach / x,
+    ),
+    (
+        Group::of("loading: contact radius", STATIC, "R"),
+        |point| point.contact_radius,
+        |case, law, x| law.contact_radius(&law.loaded_to(x)) * case.loading.yield_radius_ratio,
+    ),
+];
+
+/// The points of every curve from first yield on.
+pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let (mut compared, cases) = (Vec::new(), cases()?);
+    for (group, of_point, of_law) in LOADING {
+        for case in &cases {
+            let law = case.law(coefficients, PAPER);
+            for point in case.loading.points.iter().filter(|point| point.indentation >= 1.0) {
+                let x = point.indentation;
+                let name = format!("{}, x = {}", case.name(), four_digits(x));
+                compared.push(group.compared(name, [of_point(point), of_law(case, &law, x)]));
+            }
+        }
+    }
+    Ok(compared)
+}
+
+/// Restitution of a load cycle to x: √(recovered/spent work).
+pub(super) fn restitution(law: &Law, x: f64) -> f64 {
+    (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).sqrt()
+}
+
+/// A quantity of every cycle: the exponent of the law, and the numbers of reference and law, if the reference has one.
+type OfCycle = (Group, UnloadingExponent, fn(&Law, &Cycle) -> Option<[f64; 2]>);
+
+const PAPER: UnloadingExponent = UnloadingExponent::Paper;
+const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
+
+const CYCLES: [OfCycle; 4] = [
+    (
+        Group::of("unloading: residual indentation from the reference's peak (Eq. 23)", STATIC, "delta_Y"),
+        PAPER,
+        |_, cycle| Some([cycle.residual(), cycle.peak.residual()]),
+    ),
+    (
+        Group::of_differences("load cycle: residual indentation, deviation over peak indentation", STATIC, "delta_m"),
+        PAPER,
+        |law, cycle| Some([cycle.row.residual_share, law.loaded_to(cycle.row.x).residual() / cycle.row.x]),
+    ),
+    (Group::of("load cycle: restitution, exponent 3/2", STATIC, ""), PAPER, of_restitution),
+    (Group::of("load cycle: restitution, pressure-shape", STATIC, ""), SHAPE, of_restitution),
+];
+
+fn of_restitution(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
+    Some([cycle.row.restitution?, restitution(law, cycle.row.x)])
+}
+
+/// Every cycle: the dent from the peak of the finite elements; dent and restitution by the whole law.
+pub(super) fn cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let (mut compared, cases) = (Vec::new(), cases()?);
+    for (group, exponent, numbers) in CYCLES {
+        for case in &cases {
+            let law = case.law(coefficients, exponent);
+            let of_case = case.cycles.iter().filter_map(|cycle| Some((cycle.name(), numbers(&law, cycle)?)));
+            compared.extend(of_case.map(|(name, numbers)| group.compared(name, numbers)));
+        }
+    }
+    Ok(compared)
+}

@@ -1,0 +1,75 @@
+//! Whole impacts on a half-space whose strength rises with the strain rate, against explicit finite elements with the rate in
+//! every point.
+
+use std::sync::Arc;
+
+use super::comparison::{Comparison, Group};
+use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
+use crate::contact::material::{HalfSpace, Material, Sphere};
+use crate::contact::strength::rate::{Form, Rate};
+use crate::error::Error;
+use crate::impact::reference::impacts::{self, RatedRow};
+use crate::impact::{Contact, Impact};
+
+const SOURCE: &str = "explicit finite elements, src/impact/reference/fe_rate.csv";
+
+/// A quantity of an impact, and the numbers of reference and law.
+type OfImpact = (Group, fn(&RatedRow, &Impact) -> Option<[f64; 2]>);
+
+const QUANTITIES: [OfImpact; 5] = [
+    (Group::of("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |row, impact| {
+        Some([row.restitution, impact.restitution_with_waves()?])
+    }),
+    (Group::of("impact with strain rate: contact time", SOURCE, "s"), |row, impact| {
+        Some([row.contact_time, impact.contact_time])
+    }),
+    (Group::of("impact with strain rate: peak force", SOURCE, "N"), |row, impact| {
+        Some([row.peak_force, impact.peak_force])
+    }),
+    (Group::of("impact with strain rate: peak indentation", SOURCE, "m"), |row, impact| {
+        Some([row.peak_indentation, impact.peak_indentation])
+    }),
+    (
+        Group::of_differences("impact with strain rate: residual indentation over peak indentation", SOURCE, ""),
+        |row, impact| {
+            Some([row.residual_indentation, impact.residual_indentation].map(|depth| depth / row.peak_indentation))
+        },
+    ),
+];
+
+/// The rise of the strength of a row; `None` without its numbers.
+fn rate(row: &RatedRow) -> Option<Rate> {
+    let form = match (row.c, row.reference, row.rate, row.exponent) {
+        (Some(c), Some(reference), ..) => Form::JohnsonCook { c, reference },
+        (.., Some(rate), Some(exponent)) => Form::CowperSymonds { rate, exponent },
+        _ => return None,
+    };
+    Some(Rate { form, tested_at: row.tested_at })
+}
+
+/// The impact of a row by the law.
+fn impact(row: &RatedRow, coefficients: &Arc<PlmCoefficients>) -> Result<Impact, Error> {
+    let material = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
+    let of_sphere = material(row.sphere_modulus, row.sphere_poissons_ratio);
+    let sphere = Sphere::elastic(row.radius, of_sphere, row.sphere_density);
+    let half_space = HalfSpace {
+        density: Some(row.half_space_density),
+        ..HalfSpace::flat(material(row.half_space_modulus, row.half_space_poissons_ratio), Some(row.yield_strength))
+    };
+    let exponent = UnloadingExponent::PressureShape;
+    let plm = Plm { coefficients: Arc::clone(coefficients), exponent, ..Plm::default() };
+    let contact = Contact::try_new(sphere, half_space, &plm)?.with_rates([None, rate(row)], &LawChoice::Plm(plm));
+    Ok(contact.closed_form(row.speed)?)
+}
+
+pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let coefficients = Arc::new(coefficients.clone());
+    let rows = impacts::rated()?;
+    let impacts: Vec<Impact> = rows.iter().map(|row| impact(row, &coefficients)).collect::<Result<_, Error>>()?;
+    let of = |(group, numbers): &OfImpact| -> Vec<Comparison> {
+        let compared =
+            |(row, impact): (&RatedRow, &Impact)| Some(group.compared(row.case.clone(), numbers(row, impact)?));
+        rows.iter().zip(&impacts).filter_map(compared).collect()
+    };
+    Ok(QUANTITIES.iter().flat_map(of).collect())
+}

@@ -1,0 +1,318 @@
+//! Quasi-static indentation: the contact law without inertia, through a list of loads and indentations.
+//!
+//! Each step ends at a target: a load or an indentation. The way there runs along the loading curve, down the unloading branch
+//! or back up it; the contact remembers the largest state it has seen. Any law will do: its loading curve and the unloading
+//! from the largest state are all that is needed.
+//!
+//! SI units at this border, dimensionless inside.
+//!
+//! Xie et al. (2024), section 4.3; Oliver and Pharr (1992), J. Mater. Res. 7, 1564-1583, for the unloading stiffness.
+
+mod machine;
+mod specimen;
+
+use thiserror::Error;
+
+use crate::contact::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
+use crate::contact::material::{HalfSpace, Hollow, Material, OutOfFloatRange, Pair, PairError, Sphere, normal};
+use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
+use crate::numerics::functions::pow;
+use machine::{Machine, Stroke};
+pub use specimen::{Specimen, Tested};
+
+/// Where a step ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target {
+    /// F \[N\], ≥ 0.
+    Load(f64),
+    /// δ \[m\], ≥ 0. Below the residual indentation the surfaces part, and the load is zero.
+    Indentation(f64),
+}
+
+impl From<PairError> for IndentationError {
+    fn from(error: PairError) -> Self {
+        match error {
+            PairError::Range(error) => error.into(),
+            PairError::Hollow(error) => error.into(),
+        }
+    }
+}
+
+/// Why a list of steps has no result.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum IndentationError {
+    #[error(transparent)]
+    Range(#[from] OutOfFloatRange),
+    #[error(transparent)]
+    Hollow(#[from] Hollow),
+    /// A law that has no loading or no unloading.
+    #[error(transparent)]
+    Law(#[from] OutsideLaw),
+    /// A step that ends where the law has no answer.
+    #[error("step {step}: {reason}")]
+    Outside {
+        step: usize,
+        /// Why the law has no answer.
+        reason: OutsideLaw,
+    },
+    /// A step that ends where it begins.
+    #[error("step {step} ends where it begins; take it out, or give it another target")]
+    NoMove { step: usize },
+    /// A step whose contact is wider than any sphere.
+    #[error(
+        "step {step} makes a contact with a radius of {contact_radius:.4e} m, wider than the sphere with its radius of {radius:.4e} m, where no contact law holds; lower the target"
+    )]
+    TooWide { step: usize, contact_radius: f64, radius: f64 },
+    /// A step deeper than any sphere can go.
+    #[error(
+        "step {step} presses the sphere in by {indentation:.4e} m, deeper than its radius of {radius:.4e} m, where no contact law holds; lower the target"
+    )]
+    TooDeep {
+        step: usize,
+        /// δ \[m\].
+        indentation: f64,
+        /// R \[m\].
+        radius: f64,
+    },
+}
+
+/// A warning about a step.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("step {step}: {warning}")]
+pub struct Doubt {
+    pub step: usize,
+    pub warning: Warning,
+}
+
+/// The largest state of a contact so far. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Memory {
+    /// F_m \[N\].
+    pub force: f64,
+    /// δ_m \[m\].
+    pub indentation: f64,
+    /// δ_r \[m\]: what is left of it when the load is taken off.
+    pub residual_indentation: f64,
+    /// S = dF/dδ where unloading begins, n F_m/δ_e \[N/m\].
+    pub unloading_stiffness: f64,
+    /// n \[1\].
+    pub unloading_exponent: f64,
+    /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`].
+    pub contact_radius: f64,
+    /// F_m/(π a_m²) \[Pa\].
+    pub mean_pressure: f64,
+}
+
+/// The result of a step. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    pub target: Target,
+    pub branch: Branch,
+    /// δ at its end \[m\].
+    pub indentation: f64,
+    /// δ_s at its end \[m\].
+    pub sphere_indentation: f64,
+    /// F at its end \[N\].
+    pub force: f64,
+    /// ∫ F dδ over the step \[J\]; negative while unloading.
+    pub work: f64,
+    /// The part of it spent on the dent \[J\].
+    pub plastic_work: f64,
+    /// Elastic energy stored at its end \[J\].
+    pub stored_energy: f64,
+    /// The largest state up to its end.
+    pub memory: Memory,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceRow {
+    pub step: usize,
+    /// δ \[m\].
+    pub indentation: f64,
+    /// δ_s \[m\]; 0 for a rigid sphere.
+    pub sphere_indentation: f64,
+    /// δ_h \[m\]: δ − δ_s in contact, the residual indentation where the surfaces have parted.
+    pub half_space_indentation: f64,
+    /// F \[N\].
+    pub force: f64,
+    pub branch: Branch,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Indentation {
+    pub steps: Vec<Step>,
+    /// The trace; empty if none was asked for.
+    pub trace: Vec<TraceRow>,
+    pub doubts: Vec<Doubt>,
+}
+
+/// The sphere that indents. It needs no mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Indenter {
+    /// R \[m\].
+    pub radius: f64,
+    /// Elastic constants; may be rigid.
+    pub material: Material,
+    /// Its own yield strength \[Pa\], if known: only used to warn.
+    pub yield_strength: Option<f64>,
+}
+
+/// Units of the dimensionless law.
+#[derive(Debug, Clone, Copy)]
+struct Units {
+    /// \[m\]
+    length: f64,
+    /// \[N\]
+    force: f64,
+    /// Hertz contact radius at one unit of length \[m\].
+    contact_radius: f64,
+}
+
+/// An indenter on a half-space under a law.
+#[derive(Debug, Clone)]
+pub struct StaticContact {
+    indenter: Indenter,
+    /// Yield strength of the half-space \[Pa\], if it has one.
+    strength: Option<f64>,
+    pair: Pair,
+    units: Units,
+    law: Law,
+}
+
+impl StaticContact {
+    /// Pairs the bodies under a law (or Hertz alone, for a half-space without a yield strength).
+    ///
+    /// # Errors
+    /// [`IndentationError::Range`] where a constant of the pair over- or underflows, [`IndentationError::Law`] for a law that
+    /// has no loading or no unloading.
+    pub fn try_new(indenter: Indenter, half_space: &HalfSpace, law: &dyn ContactLaw) -> Result<Self, IndentationError> {
+        let radius = indenter.radius;
+        let Indenter { material, yield_strength, .. } = indenter;
+        let pair = Pair::try_new(&Sphere { radius, material, density: f64::NAN, yield_strength }, half_space)?;
+        let law = law.of_pair(&pair)?;
+        let (units, law) = if let (Some(point), Some(law)) = (pair.yield_point, law) {
+            (Units { length: point.indentation, force: point.force, contact_radius: point.contact_radius }, law)
+        } else {
+            let deep = pair.hertz_stiffness() * pow(radius, 1.5);
+            let force = normal("force of a Hertz contact one radius deep (N)", deep)?;
+            (Units { length: radius, force, contact_radius: radius }, Law::hertz())
+        };
+        Ok(Self { indenter, strength: half_space.yield_strength, pair, units, law })
+    }
+
+    pub fn pair(&self) -> &Pair {
+        &self.pair
+    }
+
+    /// Whether a load that is large enough leaves a dent.
+    pub fn can_yield(&self) -> bool {
+        self.law.limits.elastic_until.is_finite()
+    }
+
+    /// Goes through the steps from first touch on; with `samples` ≥ 2, with a trace of that many evenly spaced rows a step
+    /// and one more at every change of branch.
+    ///
+    /// # Errors
+    /// [`IndentationError`] naming the step.
+    pub fn indent(&self, targets: &[Target], samples: Option<usize>) -> Result<Indentation, IndentationError> {
+        let Units { length, force, .. } = self.units;
+        let mut machine = Machine::new(&self.law);
+        let (mut steps, mut trace, mut doubts) = (Vec::with_capacity(targets.len()), Vec::new(), Vec::new());
+        for (number, target) in (1..).zip(targets) {
+            let goal = match *target {
+                Target::Load(load) => machine.indentation_at_force(load / force),
+                Target::Indentation(indentation) => indentation / length,
+            };
+            let (indentation, radius) = (goal * length, self.pair.smaller_radius);
+            if indentation.is_nan() || indentation > radius {
+                return Err(IndentationError::TooDeep { step: number, indentation, radius });
+            }
+            let stroke = machine.go_to(goal).ok_or(IndentationError::NoMove { step: number })?;
+            let peak = &stroke.memory.peak;
+            self.law.accept(&stroke.memory).map_err(|reason| IndentationError::Outside { step: number, reason })?;
+            if let Some(samples) = samples {
+                trace.extend(stroke.points(samples).map(|point| self.row(number, &stroke, point)));
+            }
+            let step = self.step(*target, &stroke)?;
+            let Memory { contact_radius, .. } = step.memory;
+            if contact_radius > radius {
+                return Err(IndentationError::TooWide { step: number, contact_radius, radius });
+            }
+            if stroke.is_new_peak() {
+                let warnings = of_peak((&self.law).into(), peak).chain(of_exponent((&self.law).into(), &stroke.memory));
+                doubts.extend(warnings.map(|warning| Doubt { step: number, warning }));
+            }
+            self.doubt(number, &step, steps.last(), &mut doubts);
+            steps.push(step);
+        }
+        Ok(Indentation { steps, trace, doubts })
+    }
+
+    fn row(&self, step: usize, stroke: &Stroke, (state, branch): (Peak, Branch)) -> TraceRow {
+        let Units { length, force, .. } = self.units;
+        let approach = if branch == Branch::Separated { stroke.dent() } else { state.indentation };
+        let sphere_indentation = self.pair.sphere_part(approach, state.elastic_approach) * length;
+        TraceRow {
+            step,
+            indentation: state.indentation * length,
+            sphere_indentation,
+            half_space_indentation: approach * length - sphere_indentation,
+            force: state.force * force,
+            branch,
+        }
+    }
+
+    fn step(&self, target: Target, stroke: &Stroke) -> Result<Step, OutOfFloatRange> {
+        let Units { length, force, contact_radius } = self.units;
+        let energy = force * length;
+        let end = stroke.end();
+        let row = self.row(0, stroke, end);
+        let unloading = &stroke.memory;
+        let peak = unloading.peak;
+        let peak_force = normal("peak force (N)", peak.force * force)?;
+        let radius = normal("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;
+        Ok(Step {
+            target,
+            branch: row.branch,
+            indentation: row.indentation,
+            sphere_indentation: row.sphere_indentation,
+            force: row.force,
+            work: stroke.work() * energy,
+            plastic_work: stroke.plastic_work() * energy,
+            stored_energy: unloading.stored(end.0.indentation) * energy,
+            memory: Memory {
+                force: peak_force,
+                indentation: peak.indentation * length,
+                residual_indentation: peak.residual() * length,
+                unloading_stiffness: normal(
+                    "unloading stiffness (N/m)",
+                    unloading.slope_of(peak.elastic_approach) * force / length,
+                )?,
+                unloading_exponent: unloading.exponent,
+                contact_radius: radius,
+                mean_pressure: peak_force / (std::f64::consts::PI * radius) / radius,
+            },
+        })
+    }
+
+    /// Adds the warnings that no step before this one had.
+    fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
+        let radius = self.pair.smaller_radius;
+        let left_out = left_out(&self.pair, &self.law, [self.indenter.yield_strength, self.strength]);
+        let of_step = |step: &Step| {
+            let Memory { contact_radius, mean_pressure, .. } = step.memory;
+            let yields = of_yielding(mean_pressure, left_out, "less comes back than computed");
+            of_dent(&self.law, contact_radius / radius).into_iter().chain(yields).chain(of_flow(&self.pair))
+        };
+        let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| warning.kind).collect();
+        let gain = (step.plastic_work < 0.0).then(|| {
+            let text = format!(
+                "plastic work {:.3e} J is below 0: just behind a knot of the loading curve the plastic work of the law falls where it should rise; take it for 0",
+                step.plastic_work
+            );
+            Warning::new(WarningKind::EnergyGain, 0.0, text)
+        });
+        let new = of_step(step).filter(|warning| !known.contains(&warning.kind)).chain(gain);
+        doubts.extend(new.map(|warning| Doubt { step: number, warning }));
+    }
+}

@@ -1,0 +1,62 @@
+//! The impact of a sphere on a half-space: its motion, how it ends, and its results.
+//!
+//! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
+//! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
+//!
+//! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`]); the dimensionless result
+//! ([`record`], [`outcome`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is reported of it
+//! ([`contact`], `rate`, `case`, [`oblique`], [`essentials`], `ledger`, [`result`], `bodies`, `validity`); the impacts of a contact (`impacts`,
+//! [`spot`]); the law as a force of its own (`response`, [`friction`]); and this file, which only names them.
+
+pub mod air;
+mod bodies;
+mod case;
+pub mod closed_form;
+pub mod contact;
+pub mod course;
+mod error;
+pub mod essentials;
+pub mod forces;
+pub mod friction;
+mod impacts;
+pub mod indentation;
+mod ledger;
+pub mod oblique;
+pub mod outcome;
+pub mod plate;
+mod rate;
+mod rated;
+pub mod record;
+#[doc(hidden)]
+pub mod reference;
+pub mod repeat;
+mod response;
+pub mod result;
+pub mod scales;
+pub mod solve;
+pub mod spot;
+mod validity;
+pub mod verlet;
+mod warning;
+pub mod waves;
+
+pub use bodies::TOO_HIGH;
+pub(crate) use bodies::{left_out, of_flow, of_half_space, of_sphere, of_yielding};
+pub use contact::{Contact, Named};
+pub use error::ImpactError;
+pub use essentials::{Essentials, OnPlate};
+pub use forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};
+pub use friction::Rub;
+pub use ledger::TraceRow;
+pub use oblique::{Approach, Incidence, Oblique, Rebound, Rubbing};
+pub use outcome::{Computed, Fate, FixedSteps, Outcome};
+pub use plate::{Plate, PlateError, PlateTheory};
+pub use rated::Rated;
+pub use record::{Event, Point, Recorder};
+pub use response::{ContactEnergy, Memory};
+pub use result::{Accuracy, Energy, Impact, UnderForces};
+pub use scales::Scales;
+pub use solve::{Method, Solver, run};
+pub use spot::Spot;
+pub(crate) use validity::{of_dent, of_exponent, of_peak};
+pub use warning::{Warning, WarningKind};

@@ -1,0 +1,416 @@
+//! Oblique impact with Coulomb friction, in the plane of incidence.
+//!
+//! The normal motion is as without friction (exact for equal bodies, and for a rigid one on an incompressible one). With the
+//! tangential speed v_t, the spin ω > 0 of rolling forward, the slip speed s of the contact point and the friction T:
+//!
+//! ```text
+//! s = v_t − R ω,   m v_t' = T,   I ω' = −R T,   s' = (j/m) T,   j = 1 + m R²/I     (7/2 for a solid sphere)
+//! J = m (s_1 − s_0)/j,   v_t1 = v_t + J/m,   ω_1 = ω − R J/I
+//! ```
+//!
+//! A second ball that is free to move takes the opposite impulse. Then s is less by its speed at the contact point, and
+//!
+//! ```text
+//! j = m* (1/m_s + R_s²/I_s + 1/m_h + R_h²/I_h),   J = m* (s_1 − s_0)/j,   v_h = −J/m_h,   ω_h = −R_h J/I_h        I = (2/5) m R²
+//! ```
+//!
+//! So s_1/s_0 is all there is to find. With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, and the normal speed v_n:
+//!
+//! ```text
+//! ψ_1 = 4γ s_0/(μ v_n),   ψ_2 = 4γ s_1/(μ v_n),   χ = 2γ j
+//! ```
+//!
+//! Gross sliding has a closed form; everything else is [`mindlin`]'s contact.
+//!
+//! Gravity and damping change the normal motion, and friction is limited by μ times the whole contact force, as LAMMPS has it.
+//! Along the surface gravity does not act. A sphere that stays in its dent has no rebound.
+
+pub mod mindlin;
+pub mod motion;
+mod profile;
+
+use super::case::Case;
+use super::contact::Contact;
+use super::error::ImpactError;
+use super::outcome::{Fate, Outcome};
+use super::scales::ACCELERATION;
+use crate::contact::law::Rule;
+use crate::contact::material::{Hold, Material, OutOfFloatRange};
+use crate::numerics::functions::{atan2, hypot, sin_cos};
+use mindlin::Run;
+use motion::Motion;
+
+/// How a sphere comes in, beside its speed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Incidence {
+    /// θ \[rad\] from the normal, −π/2 < θ < π/2.
+    pub angle: f64,
+    /// ω \[rad/s\] before the impact; positive for rolling forward.
+    pub spin: f64,
+    /// Coefficient of friction μ \[1\].
+    pub friction: f64,
+}
+
+/// The speed of a sphere, and how it comes in if it does not come straight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Approach {
+    /// The whole speed \[m/s\].
+    pub speed: f64,
+    /// `None` without angle and spin: friction is then not computed.
+    pub incidence: Option<Incidence>,
+}
+
+impl From<f64> for Approach {
+    /// Straight towards the half-space.
+    fn from(speed: f64) -> Self {
+        Self { speed, incidence: None }
+    }
+}
+
+impl Approach {
+    /// From the speeds normal to the half-space and along it, the latter backwards where it is negative.
+    pub fn from_components([normal, tangential]: [f64; 2], spin: f64, friction: f64) -> Self {
+        let angle = atan2(tangential, normal);
+        Self { speed: hypot(normal, tangential), incidence: Some(Incidence { angle, spin, friction }) }
+    }
+
+    /// v_n and v_t.
+    #[inline]
+    pub fn components(self) -> [f64; 2] {
+        let Some(Incidence { angle, .. }) = self.incidence else { return [self.speed, 0.0] };
+        let (sin, cos) = sin_cos(angle);
+        [self.speed * cos, self.speed * sin]
+    }
+}
+
+/// What friction makes of an oblique impact: what a table holds of it. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rebound {
+    /// v_t1 \[m/s\].
+    pub tangential_speed: f64,
+    /// ω_1 \[rad/s\].
+    pub spin: f64,
+    /// From the normal \[rad\]; negative where the sphere is thrown back.
+    pub angle: f64,
+    /// v_t1/v_t; no number without v_t.
+    pub tangential_restitution: f64,
+    /// −s_1/s_0; no number without s_0.
+    pub contact_point_restitution: f64,
+    /// −J_t over the normal impulse: positive where friction slows v_t; its size is at most μ.
+    pub impulse_ratio: f64,
+    /// Speed \[m/s\] along the surface and spin \[rad/s\] of a second ball.
+    pub target: Option<[f64; 2]>,
+    /// Energy taken by friction, over ½ m* v².
+    pub loss_fraction: f64,
+    /// Whether the contact point slides all the time.
+    pub is_sliding: bool,
+    /// ψ_1; infinite without friction.
+    pub psi: f64,
+    /// The error of s_1/s_0 as the run estimates it; 0 for gross sliding.
+    pub error: f64,
+}
+
+impl Rebound {
+    /// ψ_2.
+    pub fn psi_after(&self) -> f64 {
+        -self.contact_point_restitution * self.psi
+    }
+}
+
+/// The rest of what friction makes of one impact. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oblique {
+    /// ½ m v_t² + ½ I ω² before the impact \[J\].
+    pub kinetic_in: f64,
+    /// The same after it \[J\], with that of a second ball.
+    pub recovered: f64,
+    /// Taken by friction \[J\], ½ (m*/j)(s_0² − s_1²).
+    pub loss: f64,
+    /// Change of m v_t R + I ω, over the larger of its two parts.
+    pub momentum_drift: f64,
+}
+
+/// Friction on one row of a trace. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rubbing {
+    /// s \[m/s\].
+    pub slip_speed: f64,
+    /// T \[N\] on the sphere; negative against forward motion.
+    pub friction_force: f64,
+    /// v_t \[m/s\].
+    pub tangential_speed: f64,
+    /// ω \[rad/s\].
+    pub spin: f64,
+}
+
+impl Contact {
+    /// γ = G*/E*: tangential over normal stiffness of the pair, but for a factor 4.
+    pub fn shear_ratio(&self) -> f64 {
+        // 1/G* of one body
+        let share =
+            |body: &Material| 2.0 * (1.0 + body.poissons_ratio) * (2.0 - body.poissons_ratio) / body.youngs_modulus;
+        let compliance = share(&self.sphere().material) + share(&self.half_space().material);
+        1.0 / (compliance * self.pair().effective_modulus)
+    }
+
+    /// 1 + m R²/I of the sphere.
+    fn own_slip_factor(&self) -> f64 {
+        let radius = self.sphere().radius;
+        self.moment_of_inertia().map_or(3.5, |moment| 1.0 + self.mass() * radius / moment * radius)
+    }
+
+    /// j: how much faster the slip is slowed than the relative motion of the bodies.
+    pub fn slip_factor(&self) -> f64 {
+        let own = self.own_slip_factor();
+        // 7/2 of a solid ball
+        self.target_mass().map_or(own, |target| self.reduced_mass() * (own / self.mass() + 3.5 / target))
+    }
+
+    /// χ = 2γ j.
+    pub fn chi(&self) -> f64 {
+        2.0 * self.shear_ratio() * self.slip_factor()
+    }
+
+    /// Dundurs' β of the pair: how far pressure and shear act on each other. 0 for equal materials; friction neglects it.
+    pub fn mismatch(&self) -> f64 {
+        let [sphere, half_space] = [self.sphere().material, self.half_space().material];
+        let share = |body: &Material, part: f64| {
+            (1.0 - part * body.poissons_ratio) * (1.0 + body.poissons_ratio) / body.youngs_modulus
+        };
+        let [a, b] = [&sphere, &half_space].map(|body| [share(body, 2.0), share(body, 1.0)]);
+        0.5 * (a[0] - b[0]) / (a[1] + b[1])
+    }
+}
+
+/// An oblique impact whose normal motion is known.
+pub(super) struct Inclined<'a> {
+    contact: &'a Contact,
+    case: &'a Case<'a>,
+    outcome: &'a Outcome,
+    incidence: Incidence,
+    /// v_n, v_t.
+    speeds: [f64; 2],
+    /// s_0.
+    slip: f64,
+    /// ψ_1.
+    psi: f64,
+    chi: f64,
+}
+
+/// The largest angle \[rad\] that the swings of a contact point may go through; a solid sphere has about 7. The cost of a run
+/// goes with the square of this angle.
+const LARGEST_SWINGS: f64 = 100.0;
+
+/// How the slip speed changes.
+#[derive(Debug)]
+pub(super) struct Slip {
+    /// s_1/s_0.
+    ratio: f64,
+    is_sliding: bool,
+    error: f64,
+    /// The run, where it was followed.
+    run: Option<Run>,
+}
+
+/// Tolerance of a step in a table: s_1/s_0 is then within 1e-5, and in one of 1500 random impacts within 3e-5.
+const OF_ROWS: f64 = 1e-7;
+/// Tolerance of a step in a run by itself: s_1/s_0 is then within 1e-7.
+const OF_RUNS: f64 = 1e-9;
+
+impl Slip {
+    fn new(ratio: f64) -> Self {
+        Self { ratio, is_sliding: false, error: 0.0, run: None }
+    }
+}
+
+impl<'a> Inclined<'a> {
+    /// `None` for an impact without angle and spin, and for a sphere that stays.
+    ///
+    /// # Errors
+    /// [`ImpactError::NoBall`] where the body that is hit is free to move, and is no ball.
+    pub(super) fn new(
+        contact: &'a Contact,
+        case: &'a Case,
+        outcome: &'a Outcome,
+        approach: Approach,
+    ) -> Result<Option<Self>, ImpactError> {
+        let Some(incidence) = approach.incidence.filter(|_| outcome.fate == Fate::Separated) else { return Ok(None) };
+        if matches!(contact.half_space().hold, Hold::Free(_)) {
+            return Err(ImpactError::NoBall);
+        }
+        let speeds = approach.components();
+        let rolls = contact.sphere().radius * incidence.spin;
+        // a difference of rounding is a sphere that rolls
+        let slip = speeds[1] - rolls;
+        let slip = if slip.abs() <= 4.0 * f64::EPSILON * rolls.abs() { 0.0 } else { slip };
+        let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (incidence.friction * speeds[0]) };
+        Ok(Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() }))
+    }
+
+    /// The normal impulse over m v_n: 1 + e, and under gravity that of the weight.
+    fn impulse(&self) -> f64 {
+        let Outcome { restitution, contact_time, .. } = self.outcome;
+        1.0 + restitution + ACCELERATION * self.case.forces.weight * contact_time / self.case.q
+    }
+
+    /// s_1/s_0 where the contact point slides all the time.
+    fn sliding_ratio(&self) -> f64 {
+        1.0 - 2.0 * self.chi * self.impulse() / self.psi.abs()
+    }
+
+    /// Whether the contact point surely slides all the time, without gravity, damping and plate.
+    ///
+    /// ```text
+    /// |ψ_1| ≥ max(2χ (1 + e) − e min(1, 2n − 2),  2χ + r)
+    /// ```
+    ///
+    /// First: at separation it still slides faster than the stops at the rim close in. Second: at the peak it still slides
+    /// faster than the stops rise, where r bounds their rate: 1 for Hertz, and 2 for the PLM, whose stops rise by at most 1.3.
+    /// The stops of other laws may jump: they are run.
+    fn slides(&self) -> bool {
+        let Outcome { unloading, restitution: e, .. } = self.outcome;
+        let rate = match self.case.ground.law.rule {
+            _ if self.psi.is_infinite() => 0.0,
+            _ if !self.case.forces.is_none() => return false,
+            Rule::Elastic => 1.0,
+            Rule::Polyline(_) => 2.0,
+            Rule::Published(_) => return false,
+        };
+        let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);
+        self.psi.abs() >= end.max(2.0 * self.chi + rate)
+    }
+
+    /// How the slip speed changes: known at once where the contact point does not move, or slides all the time; else from a
+    /// run. One that is followed has an error, and friction on the way.
+    ///
+    /// # Errors
+    /// [`ImpactError::SmallInertia`] where the contact point swings too often for a run.
+    pub(super) fn slip(&self, is_followed: bool) -> Result<Slip, ImpactError> {
+        if self.slip == 0.0 {
+            return Ok(Slip::new(0.0));
+        }
+        if self.slides() {
+            return Ok(Slip { is_sliding: true, ..Slip::new(self.sliding_ratio()) });
+        }
+        // the normal motion of all elastic impacts is the same
+        let is_elastic = self.case.ground.law.rule == Rule::Elastic && self.case.forces.is_none();
+        let motion;
+        let motion = if is_elastic {
+            Motion::elastic()?
+        } else {
+            motion = Motion::new(self.case.ground, self.case.q, &self.case.forces)?;
+            &motion
+        };
+        self.resolves(motion)?;
+        let sigma = self.psi.abs() * self.case.q;
+        let tolerance = if is_followed { OF_RUNS } else { OF_ROWS };
+        let run = motion.run(sigma, self.chi, tolerance, is_followed)?;
+        let (sliding, error) = (self.sliding_ratio(), run.error);
+        let is_sliding = !self.case.forces.is_none() && (run.ratio - sliding).abs() <= error;
+        let ratio = if is_sliding { sliding } else { run.ratio };
+        Ok(Slip { ratio, is_sliding, error, run: is_followed.then_some(run) })
+    }
+
+    /// Checks that the contact point does not swing too often for a run.
+    fn resolves(&self, motion: &Motion) -> Result<(), ImpactError> {
+        let (swings, mass, radius) = (motion.swings(self.chi), self.contact.mass(), self.contact.sphere().radius);
+        if swings <= LARGEST_SWINGS {
+            return Ok(());
+        }
+        // the angle goes with √j, and j − 1 with 1/I
+        let share = LARGEST_SWINGS / swings;
+        let j = self.contact.slip_factor() * share * share;
+        let of_sphere = mass * radius * radius;
+        Err(ImpactError::SmallInertia { least: of_sphere / (j - 1.0), solid: 0.4 * of_sphere })
+    }
+
+    pub(super) fn rebound(&self, slip: &Slip) -> Result<Rebound, OutOfFloatRange> {
+        let [normal, tangential] = self.speeds;
+        let (rebound, _) = self.contact.speeds_after(normal, self.outcome.restitution);
+        let [_, tangential_speed, spin] = self.at(self.slip * slip.ratio);
+        let lost = self.lost(slip);
+        let whole = normal * normal + tangential * tangential;
+        if !(tangential_speed.is_finite() && spin.is_finite() && lost.is_finite()) {
+            return Err(OutOfFloatRange {
+                quantity: "tangential speed after the impact (m/s)",
+                value: tangential_speed,
+            });
+        }
+        let is_slipping = self.slip != 0.0;
+        Ok(Rebound {
+            tangential_speed,
+            spin,
+            angle: atan2(tangential_speed, rebound),
+            tangential_restitution: tangential_speed / tangential,
+            contact_point_restitution: if is_slipping { -slip.ratio } else { f64::NAN },
+            impulse_ratio: self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * self.impulse() * normal),
+            target: self.target(self.slip * slip.ratio),
+            loss_fraction: lost / whole,
+            is_sliding: slip.is_sliding,
+            psi: self.psi,
+            error: slip.error,
+        })
+    }
+
+    /// (s_0² − s_1²)/j: what friction takes, over half of m*.
+    fn lost(&self, slip: &Slip) -> f64 {
+        self.slip * self.slip * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
+    }
+
+    /// The rest of the results of one impact.
+    pub(super) fn oblique(&self, slip: &Slip) -> Oblique {
+        let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
+        let moment = mass * radius / (self.contact.own_slip_factor() - 1.0) * radius;
+        let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
+        let [_, speed, spin] = self.at(self.slip * slip.ratio);
+        let (before, spin_before) = (self.speeds[1], self.incidence.spin);
+        let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
+        let of_target = self.target(self.slip * slip.ratio).zip(self.contact.target_mass());
+        let of_target = of_target.map_or(0.0, |([speed, spin], mass)| {
+            let rim = self.contact.half_space().ball_radius().unwrap_or(0.0) * spin;
+            0.5 * mass * (speed * speed + 0.4 * rim * rim)
+        });
+        let size = (mass * radius * before).abs().max((moment * spin_before).abs()).max(parts[0].abs());
+        Oblique {
+            kinetic_in: energy(before, spin_before),
+            recovered: energy(speed, spin) + of_target,
+            loss: 0.5 * self.contact.reduced_mass() * self.lost(slip),
+            momentum_drift: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
+        }
+    }
+
+    /// Slip speed, tangential speed and spin where the slip speed is this.
+    fn at(&self, slip: f64) -> [f64; 3] {
+        let share = self.contact.reduced_mass() / self.contact.mass();
+        let change = share * ((slip - self.slip) / self.contact.slip_factor());
+        let spin = self.incidence.spin - (self.contact.own_slip_factor() - 1.0) * change / self.contact.sphere().radius;
+        [slip, self.speeds[1] + change, spin]
+    }
+
+    /// Speed along the surface and spin of a second ball where the slip speed is this.
+    fn target(&self, slip: f64) -> Option<[f64; 2]> {
+        let share = self.contact.reduced_mass() / self.contact.target_mass()?;
+        let speed = share * ((self.slip - slip) / self.contact.slip_factor());
+        Some([speed, 2.5 * speed / self.contact.half_space().ball_radius()?])
+    }
+
+    /// Friction at a time \[s\], where the sphere has this speed towards the half-space, and the contact this force. SI units.
+    pub(super) fn rubbing(&self, slip: &Slip, time: f64, speed: f64, force: f64) -> Rubbing {
+        let (mu, scales) = (self.incidence.friction, &self.case.scales);
+        let direction = self.slip.signum();
+        let (slip_speed, friction_force) = match &slip.run {
+            // s_0 = 0: nothing moves
+            None if self.slip == 0.0 => (0.0, 0.0),
+            None => {
+                let slowed = self.contact.slip_factor() * mu * (self.speeds[0] - speed);
+                (self.slip - direction * slowed, -direction * mu * force)
+            }
+            Some(run) => {
+                let [share, of_force] = run.at(time / scales.time());
+                (share * self.slip, direction * mu * scales.force * of_force)
+            }
+        };
+        let [slip_speed, tangential_speed, spin] = self.at(slip_speed);
+        Rubbing { slip_speed, friction_force, tangential_speed, spin }
+    }
+}

@@ -1,0 +1,52 @@
+//! Public measurements of restitution: rebound hardness after Leeb.
+
+use crate::contact::material::Material;
+
+rows! {
+    /// An impact device, and what it shows on two test blocks.
+    pub struct Device read by devices from "leeb.csv" {
+        /// "D".
+        pub name as "device": String,
+        energy as "energy_J": f64,
+        /// Of the body that rebounds \[kg\].
+        pub mass as "mass_kg": f64,
+        tip_modulus as "tip_youngs_modulus_Pa": f64,
+        tip_poissons_ratio: f64,
+        hard_block: f64,
+        soft_block: f64,
+    }
+}
+
+impl Device {
+    pub fn tip(&self) -> Material {
+        Material { youngs_modulus: self.tip_modulus, poissons_ratio: self.tip_poissons_ratio }
+    }
+
+    /// Impact speed √(2 W/m) \[m/s\].
+    pub fn speed(&self) -> f64 {
+        (2.0 * self.energy / self.mass).sqrt()
+    }
+}
+
+/// A test block: its name, and its HL by a device.
+pub type Block = (&'static str, fn(&Device) -> f64);
+
+pub const BLOCKS: [Block; 2] = [("hard block", |device| device.hard_block), ("soft block", |device| device.soft_block)];
+
+rows! {
+    /// Ends of the range of a steel.
+    pub struct Steel read by steels from "leeb_tensile.csv" {
+        pub steel: String,
+        low_hardness as "low_HLD": f64,
+        high_hardness as "high_HLD": f64,
+        low_strength as "low_tensile_strength_MPa": f64,
+        high_strength as "high_tensile_strength_MPa": f64,
+    }
+}
+
+impl Steel {
+    /// Tensile strength \[MPa\] and HLD at both ends.
+    pub fn ends(&self) -> [(f64, f64); 2] {
+        [(self.low_strength, self.low_hardness), (self.high_strength, self.high_hardness)]
+    }
+}

@@ -1,0 +1,183 @@
+//! The results of a series: its impacts, why it ended, and an estimate of what would follow.
+
+use std::ops::Deref;
+
+use super::flight::Flight;
+use crate::impact::{Approach, Energy, Essentials, Fate, Impact, Method, Oblique, UnderForces, Warning};
+use crate::numerics::power::max_or_nan;
+use crate::units::names::named;
+
+named! {
+    /// Why a series ended.
+    pub enum End {
+        /// The list of shots is finished.
+        Shots = "shots",
+        /// As many impacts as were asked for.
+        Impacts = "impacts",
+        /// The next impact would be slower than `until`.
+        Until = "until",
+        /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g. Under
+        /// viscous damping, or after waves have taken their energy, it may lift off, but not high enough to leave the spot.
+        Captured = "captured",
+        /// The rebound does not lift the sphere out of its dent onto the fresh surface that was asked for.
+        InDent = "in_dent",
+    }
+}
+
+/// One impact of a series. It holds what a table holds of it, and derefs to that, as in `hit.peak_force`. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// First touch \[s\]; `None` for shots.
+    pub time: Option<f64>,
+    /// The place of this impact along the surface \[m\]; 0 for the first.
+    pub position: f64,
+    /// Impact speed \[m/s\], normal to the half-space.
+    pub speed: f64,
+    /// How the sphere comes in, if it comes at an angle or spins.
+    pub approach: Approach,
+    /// Energy and momentum of friction, if the sphere comes at an angle or spins.
+    pub oblique: Option<Oblique>,
+    /// Speed with which the flight begins \[m/s\]: e v, where e is the one with waves if the half-space has a density.
+    pub rebound_speed: f64,
+    pub essentials: Essentials,
+    /// Where the kinetic energy went; what is recovered is that of the rebound speed.
+    pub energy: Energy,
+    /// Fate, losses and work under gravity or damping.
+    pub under_forces: Option<UnderForces>,
+    /// How much deeper this impact made the dent \[m\].
+    pub dent_growth: f64,
+    pub flight: Option<Flight>,
+}
+
+impl Deref for Hit {
+    type Target = Essentials;
+
+    fn deref(&self) -> &Essentials {
+        &self.essentials
+    }
+}
+
+/// The results of a series.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sequence {
+    pub hits: Vec<Hit>,
+    /// The first of them with their traces.
+    pub traced: Vec<Impact>,
+    /// The fall before the first impact.
+    pub fall: Option<Flight>,
+    pub end: End,
+    /// Time from the last separation until the sphere would rest, if the last e held for all bounces to come \[s\]:
+    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v. Contact times are left out, and where e rises
+    /// as the speed falls this is a lower bound. `None` where it is infinite (e of 1 or more), or nothing bounces.
+    pub remaining_time: Option<f64>,
+    pub method: Method,
+    /// The first warning of each kind, with the number of its impact.
+    pub warnings: Vec<(usize, Warning)>,
+}
+
+impl Hit {
+    pub(super) fn of(impact: &Impact, approach: Approach, time: Option<f64>, dent_before: f64) -> Self {
+        let &Impact { essentials, energy, under_forces, oblique, .. } = impact;
+        let [speed, _] = approach.components();
+        let restitution = essentials.measured_restitution();
+        let rebound_speed = restitution * speed;
+        let energy = Energy { recovered: energy.kinetic_in * (restitution * restitution), ..energy };
+        let dent_growth = essentials.residual_indentation - dent_before;
+        Self {
+            time,
+            position: 0.0,
+            speed,
+            approach,
+            oblique,
+            rebound_speed,
+            essentials,
+            energy,
+            under_forces,
+            dent_growth,
+            flight: None,
+        }
+    }
+
+    /// Speed along the surface before the impact \[m/s\], if the sphere comes at an angle or spins.
+    pub fn speed_along(&self) -> Option<f64> {
+        self.approach.incidence.map(|_| self.approach.components()[1])
+    }
+
+    /// Speed along the surface after the impact \[m/s\].
+    pub(super) fn rebound_along(&self) -> f64 {
+        self.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
+    }
+
+    /// How far the sphere moves along the surface in contact \[m\], at the mean of the speeds before and after.
+    pub(super) fn way_in_contact(&self) -> f64 {
+        0.5 * (self.speed_along().unwrap_or(0.0) + self.rebound_along()) * self.contact_time
+    }
+
+    /// How the sphere comes to its next impact, where it lands at this speed.
+    pub(super) fn next_approach(&self, landing_speed: f64) -> Approach {
+        self.rebound.zip(self.approach.incidence).map_or(landing_speed.into(), |(rebound, incidence)| {
+            Approach::from_components([landing_speed, rebound.tangential_speed], rebound.spin, incidence.friction)
+        })
+    }
+
+    /// What elastic waves take \[J\], if the half-space has a density.
+    pub fn radiated(&self) -> Option<f64> {
+        self.wave_loss_fraction.map(|_| (self.recovered_fraction() * self.kinetic_in - self.energy.recovered).max(0.0))
+    }
+
+    /// A result that only an impact under gravity or damping has.
+    pub fn forced(&self, value: fn(&UnderForces) -> Option<f64>) -> Option<f64> {
+        self.under_forces.as_ref().and_then(value)
+    }
+
+    /// Energy in the plate at the end of the impact \[J\], if there is a plate.
+    pub fn plate_energy(&self) -> Option<f64> {
+        self.on_plate.map(|plate| plate.energy)
+    }
+
+    /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
+    pub fn is_captured(&self) -> bool {
+        self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)
+    }
+
+    /// δ at separation \[m\]: that of the dent, or more under viscous damping.
+    pub fn end_indentation(&self) -> f64 {
+        self.under_forces.map_or(self.residual_indentation, |forces| forces.end_indentation)
+    }
+
+    /// Time of separation \[s\]; `None` for shots and for a captured sphere.
+    pub fn separation_time(&self) -> Option<f64> {
+        self.time.filter(|_| !self.is_captured()).map(|time| time + self.contact_time)
+    }
+}
+
+impl Sequence {
+    /// The deepest dent \[m\].
+    pub fn deepest_dent(&self) -> f64 {
+        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
+    }
+
+    /// When the sphere would rest \[s\]: the last separation and the remaining time.
+    pub fn rest_time(&self) -> Option<f64> {
+        Some(self.hits.iter().rev().find_map(Hit::separation_time)? + self.remaining_time?)
+    }
+
+    /// Largest drift of the ledgers of the impacts.
+    pub fn drift(&self) -> f64 {
+        self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, max_or_nan)
+    }
+
+    pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {
+        for warning in warnings {
+            if !self.warnings.iter().any(|(_, known)| known.is_like(warning)) {
+                self.warnings.push((number, warning.clone()));
+            }
+        }
+    }
+
+    pub(super) fn geometric_rest(&self, gravity: f64) -> Option<f64> {
+        let last = self.hits.last().filter(|_| matches!(self.end, End::Impacts | End::Until))?;
+        let missing = 1.0 - last.measured_restitution();
+        (missing > 0.0).then(|| 2.0 * last.rebound_speed / gravity / missing)
+    }
+}

@@ -1,0 +1,189 @@
+//! A force over a distance as a list of smooth [`Piece`]s, without any mechanics: force, work, and the ways and times of a
+//! motion that only this force acts on.
+//!
+//! Everything here is dimensionless. For a contact law x = δ/L is the indentation, f = F/Φ the force and w = W/(Φ L) the work,
+//! where L and Φ are the yield indentation and force (or, for an elastic impact, the Hertz peak).
+
+pub mod branch;
+pub(crate) mod crossing;
+pub mod piece;
+pub mod poly;
+
+use std::sync::{Arc, OnceLock};
+
+use crate::numerics::functions::{ln, pow};
+use crate::numerics::power::power;
+use crossing::{Crossing, Reached};
+use piece::{Piece, Shape, along};
+use poly::Poly;
+
+/// An increasing and continuous loading curve from (0, 0) on; its last piece has no end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    pub(crate) pieces: Vec<Piece>,
+    /// Knots with a series for the time to them; none but on a curve of many pieces. They are made when the first closed form asks
+    /// for them; a contact that is integrated needs none.
+    crossings: Option<Once<Vec<Crossing>>>,
+}
+
+/// What follows from all that stands beside it, made when it is first asked for.
+#[derive(Debug, Clone)]
+pub struct Once<T>(pub(crate) OnceLock<T>);
+
+impl<T> Default for Once<T> {
+    fn default() -> Self {
+        Self(OnceLock::new())
+    }
+}
+
+impl<T> PartialEq for Once<T> {
+    /// It makes no difference whether it is made already.
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Curve {
+    /// f = x^1.5 without end (Hertz in units of any point of the curve).
+    pub fn hertz() -> Self {
+        Self::with_capacity(0)
+    }
+
+    /// Hertz, with memory for so many pieces behind it.
+    pub(crate) fn with_capacity(count: usize) -> Self {
+        Self::of(Vec::with_capacity(count + 1)).then(0.0, 0.0, Shape::power(1.0, 1.5))
+    }
+
+    /// f = s x without end.
+    pub fn straight(slope: f64) -> Self {
+        Self::of(Vec::new()).then_straight(0.0, slope)
+    }
+
+    pub(crate) fn of(pieces: Vec<Piece>) -> Self {
+        Self { pieces, crossings: None }
+    }
+
+    /// Lets the curve go on from `start` (beyond all starts so far) as a straight line.
+    #[must_use]
+    pub fn then_straight(self, start: f64, slope: f64) -> Self {
+        self.then_straights([(start, slope)])
+    }
+
+    /// Lets the curve go on as straight lines, each from its start on with its slope.
+    #[must_use]
+    pub fn then_straights(mut self, lines: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let [mut force, mut work, mut from] = [0.0; 3];
+        let mut before = None;
+        for (start, slope) in lines {
+            let distance = start - from;
+            [force, work] = match (before, self.pieces.last()) {
+                (Some(slope), _) => along(slope, [force, work], distance),
+                (None, Some(last)) => [last.force_at(start), last.work_at(start)],
+                (None, None) => [0.0; 2],
+            };
+            self.pieces.push(Piece { start, force, work, is_joint: false, shape: Shape::straight(slope) });
+            (before, from) = (Some(slope), start);
+        }
+        self
+    }
+
+    /// Lets the curve go on from (`start`, `force`) as a straight line.
+    #[must_use]
+    pub fn then_straight_from(self, start: f64, force: f64, slope: f64) -> Self {
+        self.then(start, force, Shape::straight(slope))
+    }
+
+    /// Lets the curve go on from `start` as k x^n.
+    #[must_use]
+    pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {
+        self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
+    }
+
+    /// Lets the curve go on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:
+    /// a piece for every octave of the distance from there. The formula is also asked 3 % of that distance outside of both.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few octaves
+    pub fn then_formula(mut self, start: f64, end: f64, pole: f64, formula: impl Fn(f64) -> f64) -> Self {
+        let whole = (end - pole) / (start - pole);
+        let count = (ln(whole) / std::f64::consts::LN_2).ceil().clamp(1.0, 2048.0);
+        let ratio = pow(whole, 1.0 / count);
+        let mut from = start;
+        for number in 1..=count as usize {
+            let to = if number == count as usize { end } else { pole + (from - pole) * ratio };
+            let poly = Poly::fit(&formula, from, to, pole);
+            self = self.then(from, poly.force(0.0), Shape::Polynomial(Arc::new(poly)));
+            if let Some(piece) = self.pieces.last_mut() {
+                piece.is_joint = number > 1;
+            }
+            from = to;
+        }
+        self
+    }
+
+    /// Gives the curve series for the time to its knots (see [`crossing::crossings`]).
+    #[must_use]
+    pub(crate) fn with_crossings(mut self) -> Self {
+        self.crossings = Some(Once::default());
+        self
+    }
+
+    /// Whether pieces of it stand for a formula.
+    pub(crate) fn has_formula(&self) -> bool {
+        self.pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)))
+    }
+
+    fn then(mut self, start: f64, force: f64, shape: Shape) -> Self {
+        let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
+        self.pieces.push(Piece { start, force, work, is_joint: false, shape });
+        self
+    }
+
+    /// Lets the curve go on from `start` along its tangent there.
+    #[must_use]
+    pub fn then_tangent(self, start: f64) -> Self {
+        let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));
+        self.then_straight(start, slope)
+    }
+
+    /// The pieces in order; never empty.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// Index of the piece that holds at x (at a knot: the one that begins there).
+    pub fn index_at(&self, x: f64) -> usize {
+        self.pieces.partition_point(|piece| piece.start <= x).saturating_sub(1)
+    }
+
+    /// Index of the piece on which the work reaches `work`.
+    #[inline(always)]
+    pub fn index_at_work(&self, work: f64) -> usize {
+        self.pieces.partition_point(|piece| piece.work <= work).saturating_sub(1)
+    }
+
+    pub fn force(&self, x: f64) -> f64 {
+        self.pieces[self.index_at(x)].force_at(x)
+    }
+
+    /// The x at which the force is `force` ≥ 0.
+    pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
+        let index = self.pieces.partition_point(|piece| piece.force <= force).saturating_sub(1);
+        self.pieces[index].indentation_at_force(force)
+    }
+
+    /// Work from first touch to x.
+    pub fn work(&self, x: f64) -> f64 {
+        self.pieces[self.index_at(x)].work_at(x)
+    }
+
+    /// The last place that a sphere of this energy and speed reaches fast enough for its series. Without one, the start of
+    /// the curve.
+    #[inline(always)]
+    pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> Reached {
+        let start = Reached { piece: 0, work: 0.0, time: 0.0 };
+        let Some(Once(series)) = &self.crossings else { return start };
+        let crossings = series.get_or_init(|| crossing::crossings(&self.pieces));
+        let fast = crossings.partition_point(|knot| knot.is_good(kinetic));
+        fast.checked_sub(1).map_or(start, |last| crossings[last].reached(kinetic, speed))
+    }
+}

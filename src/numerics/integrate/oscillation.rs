@@ -1,0 +1,146 @@
+//! Closed form of the way outward along a straight piece whose drag is linear and below critical: d'' = −(a + b d) − c d'.
+//!
+//! With y = d + a/b, β = c/2 and ω² = b − β² > 0, from y_0 and u_0 = y_0':
+//!
+//! ```text
+//! y(t) = e^(−βt) (y_0 cos ωt + (u_0 + β y_0) sin(ωt)/ω)
+//! u(t) = e^(−βt) (u_0 cos ωt − (b y_0 + β u_0) sin(ωt)/ω)
+//! ```
+
+use super::{Arrival, Drag, Landing, Leg, Path, Segment, State};
+use crate::numerics::curve::piece::Shape;
+use crate::numerics::functions::{atan2, exp, sin_cos};
+use crate::numerics::power::max_or_nan;
+use crate::numerics::root::bracketed;
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Oscillation {
+    start: State,
+    /// y_0.
+    y: f64,
+    /// b.
+    slope: f64,
+    /// β.
+    decay: f64,
+    /// ω.
+    frequency: f64,
+    /// The part of c that is in the contact.
+    in_contact: f64,
+}
+
+impl Oscillation {
+    /// `None` where the motion is another one.
+    pub fn along(path: &Path, start: State) -> Option<Self> {
+        let Shape::Straight { slope, .. } = path.piece.shape else { return None };
+        let (at_start, slope) = (path.factor * path.piece.force, path.factor * slope);
+        let Drag { chi, eta, theta } = path.drag;
+        let in_contact = eta * slope.sqrt();
+        let decay = 0.5 * (in_contact + theta * slope);
+        let square = slope - decay * decay;
+        let is_this = matches!(path.leg, Leg::Outward(_)) && chi == 0.0 && path.pull == 0.0 && square > 0.0;
+        let y = start.distance + at_start / slope;
+        (is_this && start.speed > 0.0).then(|| Self { start, y, slope, decay, frequency: square.sqrt(), in_contact })
+    }
+
+    /// (y, u) after the time t.
+    fn moved(&self, time: f64) -> (f64, f64) {
+        let (sine, cosine) = sin_cos(self.frequency * time);
+        let (sine, left, u) = (sine / self.frequency, exp(-self.decay * time), self.start.speed);
+        let y = left * (self.y * cosine + (u + self.decay * self.y) * sine);
+        (y, left * (u * cosine - (self.slope * self.y + self.decay * u) * sine))
+    }
+
+    /// The first time at which `of_speed` u + `of_place` y vanishes, which is positive at first.
+    fn vanishes(&self, of_speed: f64, of_place: f64) -> f64 {
+        let (y, u) = (self.y, self.start.speed);
+        let falls = of_speed * (self.slope * y + self.decay * u) - of_place * (u + self.decay * y);
+        atan2(self.frequency * (of_speed * u + of_place * y), falls) / self.frequency
+    }
+
+    /// The state after the time t, at a place that may be known better; the loss follows from the energy.
+    fn state(&self, time: f64, place: Option<f64>) -> State {
+        let (y, speed) = self.moved(time);
+        let way = place.map_or(y - self.y, |distance| distance - self.start.distance);
+        let kinetic = 0.5 * (self.start.speed - speed) * (self.start.speed + speed);
+        let loss = self.start.loss + kinetic - self.slope * (self.y + 0.5 * way) * way;
+        let distance = place.unwrap_or(self.start.distance + way);
+        State { time: self.start.time + time, distance, speed, loss }
+    }
+
+    /// Carries the state to the end of the leg, or to where it turns.
+    pub fn land(self, path: &Path, state: &mut State, track: Option<&mut Vec<Segment>>) -> Arrival {
+        let end = path.leg.end();
+        let turning = self.vanishes(1.0, 0.0);
+        let turned = self.state(turning, None);
+        let (landing, time) = if turned.distance < end {
+            *state = State { speed: 0.0, ..turned };
+            (Landing::Turning, turning)
+        } else {
+            let ahead = |time| {
+                let (y, u) = self.moved(time);
+                (end - self.start.distance - (y - self.y), -u)
+            };
+            let way = end - self.start.distance;
+            let first = (way / self.start.speed).min(turning);
+            let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON * next;
+            let time = bracketed((0.0, turning), first, is_near, ahead);
+            *state = self.state(time, Some(end));
+            (Landing::End, time)
+        };
+        // damping adds c_contact u to the contact force, which then grows at the rate (b − c c_contact) u − c_contact b y
+        let (of_speed, of_place) = (self.slope - 2.0 * self.decay * self.in_contact, -self.in_contact * self.slope);
+        let crests = self.in_contact > 0.0 && of_speed * self.start.speed + of_place * self.y > 0.0;
+        let crest = crests.then(|| self.vanishes(of_speed, of_place)).filter(|crest| *crest < time);
+        let mut largest_force = path.larger_force(&self.start, state);
+        if let Some(crest) = crest {
+            let (y, u) = self.moved(crest);
+            largest_force = max_or_nan(largest_force, self.slope * y + self.in_contact * u);
+        }
+        if let Some(track) = track {
+            track.push(Segment::new(state.time, move |time| self.state(time - self.start.time, None)));
+        }
+        Arrival { landing, largest_force }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::curve::Curve;
+    use crate::numerics::integrate::damped::Damped;
+    use crate::numerics::integrate::path::Sizes;
+    use crate::numerics::integrate::piece::straight::DraggedStraight;
+    use approx::assert_abs_diff_eq;
+
+    /// The same way by steps at a tolerance of 1e-13: to the end of the piece, and to the turning point.
+    #[test]
+    fn steps_lead_to_the_same_state() {
+        for (end, eta, theta) in [(0.3, 0.2, 0.0), (9.0, 0.2, 0.0), (0.3, 1.5, 0.1), (9.0, 1.0, 0.3), (9.0, 0.0, 0.4)] {
+            let curve = Curve::straight(2.0).then_straight_from(0.25, 0.5, 2.0);
+            let path = Path {
+                piece: &curve.pieces()[1],
+                factor: 1.0,
+                leg: Leg::Outward(end),
+                sizes: Sizes { distance: 1.0, speed: 1.3 },
+                pull: 0.0,
+                drag: Drag { chi: 0.0, eta, theta },
+                rest: None,
+            };
+            let start = State { time: 0.7, distance: 0.1, speed: 1.3, loss: 0.05 };
+            let (mut exact, mut stepped) = (start, start);
+            let mut track = Vec::new();
+            let closed = Oscillation::along(&path, start).unwrap().land(&path, &mut exact, Some(&mut track));
+            let piece = DraggedStraight::along(0.5, 2.0, &path);
+            let steps = Damped::new(1e-13).run(piece, &path, &mut stepped, None).unwrap();
+            assert_eq!(closed.landing, steps.landing);
+            assert_abs_diff_eq!(closed.largest_force, steps.largest_force, epsilon = 2e-12);
+            let parts = |state: State| [state.time, state.distance, state.speed, state.loss];
+            for (exact, stepped) in parts(exact).into_iter().zip(parts(stepped)) {
+                assert_abs_diff_eq!(exact, stepped, epsilon = 2e-12);
+            }
+            let [first, last] = [start.time, exact.time].map(|time| track[0].at(time));
+            assert_abs_diff_eq!(first.distance, start.distance, epsilon = 1e-15);
+            assert_abs_diff_eq!(last.distance, exact.distance, epsilon = 1e-14);
+        }
+    }
+}

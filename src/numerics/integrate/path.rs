@@ -1,0 +1,241 @@
+//! The way along one smooth piece, and what acts there: its restoring force g = c f, drag in the contact and on the motion, a pull.
+
+use crate::numerics::curve::piece::{Piece, Shape};
+use crate::numerics::power::{max_or_nan, power};
+
+/// A state on the way along a piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Time since first touch.
+    pub time: f64,
+    /// d, from the zero of a power law, or from the start of any other piece.
+    pub distance: f64,
+    /// d'; negative on the way back.
+    pub speed: f64,
+    /// ∫ drag d' dt: the energy that drag has taken so far, in units of speed².
+    pub loss: f64,
+}
+
+/// The way along one piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Leg {
+    /// Outward with positive speed, until the turning point or this distance, where the piece ends (infinite for the last
+    /// one).
+    Outward(f64),
+    /// Back from rest to this distance.
+    Back(f64),
+}
+
+impl Leg {
+    /// Where it ends at the latest.
+    pub(crate) fn end(self) -> f64 {
+        let (Self::Outward(end) | Self::Back(end)) = self;
+        end
+    }
+
+    /// +1 outward, −1 back.
+    pub(super) fn direction(self) -> f64 {
+        if matches!(self, Self::Outward(_)) { 1.0 } else { -1.0 }
+    }
+}
+
+/// Sizes of the variables, so that one relative tolerance serves all of them: an error is measured against these.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    pub distance: f64,
+    pub speed: f64,
+}
+
+/// What resists motion beside the restoring force g: drag = (χ g + η √g') d' + θ g' d'.
+///
+/// The first two terms are in the contact: they are a part of its force, and so they count where it vanishes and where it is
+/// largest. The third acts on the motion alone, as where the ground gives way at a speed in proportion to the force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drag {
+    /// χ: drag in proportion to the force.
+    pub chi: f64,
+    /// η: drag in proportion to the root of the stiffness; twice the fraction of critical damping.
+    pub eta: f64,
+    /// θ: drag in proportion to the stiffness, which is no part of the contact force.
+    pub theta: f64,
+}
+
+impl Drag {
+    pub const NONE: Self = Self { chi: 0.0, eta: 0.0, theta: 0.0 };
+
+    /// Whether any of it is a part of the contact force.
+    pub(crate) fn is_in_contact(self) -> bool {
+        self.chi != 0.0 || self.eta != 0.0
+    }
+
+    /// Whether the contact force can vanish before the restoring force does.
+    pub(crate) fn lifts_off(self) -> bool {
+        self.eta > 0.0
+    }
+
+    /// Whether the stiffness counts.
+    pub(super) fn needs_slope(self) -> bool {
+        self.eta != 0.0 || self.theta != 0.0
+    }
+
+    /// The drags per speed, in the contact and on the motion, where the force is `force`; its slope is asked for only if it
+    /// counts.
+    #[inline]
+    pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> (f64, f64) {
+        self.per_speed(force, if self.needs_slope() { root_of(slope()) } else { 0.0 })
+    }
+
+    /// χ g + η √g' and θ g', the drags per speed in the contact and on the motion.
+    #[inline(always)]
+    pub fn per_speed(self, force: f64, root_of_slope: f64) -> (f64, f64) {
+        (force * self.chi + self.eta * root_of_slope, self.theta * root_of_slope * root_of_slope)
+    }
+}
+
+/// √g' for a slope g'. By rounding, a formula may give a slope below 0 where it should be 0; it counts as 0.
+#[inline]
+fn root_of(slope: f64) -> f64 {
+    max_or_nan(slope, 0.0).sqrt()
+}
+
+/// A place where a damped motion may come to rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rest {
+    /// Its distance along the piece.
+    pub distance: f64,
+    /// How far from there still counts as rest.
+    pub within: f64,
+    /// The largest speed that still counts as rest.
+    pub below: f64,
+}
+
+/// One smooth piece, the way along it, and what acts there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Path<'a> {
+    /// The force f of the piece.
+    pub piece: &'a Piece,
+    /// c: the deceleration is g = c f.
+    pub factor: f64,
+    pub leg: Leg,
+    /// The sizes that errors are measured against.
+    pub sizes: Sizes,
+    /// γ ≥ 0: a constant acceleration outward.
+    pub pull: f64,
+    pub drag: Drag,
+    /// Where the motion may end without an event.
+    pub rest: Option<Rest>,
+}
+
+impl Path<'_> {
+    /// g(d), continued smoothly a little beyond both ends of the piece.
+    #[inline]
+    pub(super) fn restoring(&self, distance: f64) -> f64 {
+        self.factor * self.piece.force_beyond(distance - self.piece.shape.lead())
+    }
+
+    /// g, g' and g'' at d.
+    #[inline]
+    pub(super) fn jet(&self, distance: f64) -> [f64; 3] {
+        self.piece.jet(distance - self.piece.shape.lead()).map(|part| self.factor * part)
+    }
+
+    /// √g'(d).
+    #[inline]
+    pub(super) fn root_of_slope(&self, distance: f64) -> f64 {
+        match self.piece.shape {
+            Shape::Power { stiffness, exponent: 1.5, .. } => {
+                (1.5 * (self.factor * stiffness)).sqrt() * distance.abs().sqrt().sqrt()
+            }
+            Shape::Power { stiffness, exponent, .. } => {
+                (self.factor * stiffness * exponent).sqrt() * power(distance.abs(), 0.5 * (exponent - 1.0))
+            }
+            Shape::Straight { slope, .. } => (self.factor * slope).sqrt(),
+            Shape::Polynomial(_) | Shape::Branch(_) => root_of(self.jet(distance)[1]),
+        }
+    }
+
+    /// g(d), and the drags at this speed: in the contact and on the motion.
+    pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64, f64) {
+        let force = self.restoring(distance);
+        let root = if self.drag.needs_slope() { self.root_of_slope(distance) } else { 0.0 };
+        let (in_contact, on_motion) = self.drag.per_speed(force, root);
+        (force, in_contact * speed, on_motion * speed)
+    }
+
+    /// The contact force: g and what damping adds to it.
+    pub(crate) fn contact_force(&self, distance: f64, speed: f64) -> f64 {
+        let (force, drag, _) = self.forces(distance, speed);
+        force + drag
+    }
+
+    /// How fast the contact force grows in time:
+    ///
+    /// ```text
+    /// g' u (1 + χ u) + χ g u' + η (√g' u' + g'' u²/(2 √g'))
+    /// ```
+    pub(super) fn growth_of_force(&self, distance: f64, speed: f64) -> f64 {
+        let [force, slope, curvature] = self.jet(distance);
+        let Drag { chi, eta, theta } = self.drag;
+        let acceleration = self.pull - self.contact_force(distance, speed) - theta * slope * speed;
+        let of_law = slope * speed * (1.0 + chi * speed) + chi * force * acceleration;
+        if eta == 0.0 {
+            return of_law;
+        }
+        let root = root_of(slope);
+        let of_root = if curvature == 0.0 { 0.0 } else { 0.5 * curvature * speed * speed / root };
+        of_law + eta * (root * acceleration + of_root)
+    }
+
+    /// The larger one of the contact forces at both ends of a leg.
+    pub(super) fn larger_force(&self, begun: &State, end: &State) -> f64 {
+        let at = |state: &State| self.contact_force(state.distance, state.speed);
+        max_or_nan(at(begun), at(end))
+    }
+
+    /// Whether the contact force can vanish before the restoring force does.
+    pub(crate) fn can_lift_off(&self) -> bool {
+        matches!(self.leg, Leg::Back(_)) && self.drag.lifts_off()
+    }
+
+    /// Whether this state counts as rest.
+    pub(crate) fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
+        self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= rest.within && speed.abs() <= rest.below)
+    }
+
+    /// Whether a place is the place of rest, within this share of its distance. A turn there counts as rest.
+    pub(crate) fn is_next_to_rest(&self, distance: f64, share: f64) -> bool {
+        self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= share * rest.distance)
+    }
+
+    /// The distance of a landing: exactly the end's, or where the motion came to.
+    pub(super) fn landed_at(&self, landing: Landing, distance: f64) -> f64 {
+        if landing == Landing::End { self.leg.end() } else { distance }
+    }
+}
+
+/// Where a leg ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Landing {
+    /// At the end of the piece, exactly.
+    End,
+    /// At speed zero, exactly.
+    Turning,
+    /// Where the contact force vanishes on the way back, before the restoring force does.
+    LiftOff,
+    /// As near to rest as the path says.
+    Rest,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slope_below_zero_by_rounding_damps_nothing_and_one_that_is_no_number_stays_so() {
+        let both = Drag { eta: 0.2, theta: 3.0, ..Drag::NONE };
+        assert_eq!(both.at(1.0, || -1e-17), (0.0, 0.0));
+        assert!(both.at(1.0, || f64::NAN).0.is_nan());
+        // η √g' and θ g'
+        assert_eq!(both.at(1.0, || 2.25), (0.2 * 1.5, 3.0 * 2.25));
+    }
+}

@@ -1,0 +1,9 @@
+//! Mathematics that knows nothing of contacts: functions with the same bits on every machine, powers, roots, quadrature, a
+//! force as a curve of smooth pieces, and the integration of a motion along them.
+
+pub mod curve;
+pub mod functions;
+pub mod integrate;
+pub mod power;
+pub mod quadrature;
+pub mod root;

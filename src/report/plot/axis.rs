@@ -1,0 +1,283 @@
+//! Axes, linear or logarithmic: range, ticks and labels.
+
+use crate::numerics::functions::{exp, ln, log10};
+use crate::units::rounded::{Prefix, power_of_ten, ten_to};
+
+/// Values larger than this are not drawn; on a logarithmic axis, nor are values smaller than its inverse. So the ends
+/// and the length of an axis do not overflow.
+const LARGEST: f64 = 1e200;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal steps have equal lengths.
+    Linear,
+    /// Equal ratios have equal lengths; values ≤ 0 are not drawn.
+    Log,
+}
+
+impl Scale {
+    /// A value on the scale on which equal steps have equal lengths.
+    pub(super) fn of(self, value: f64) -> f64 {
+        if self == Self::Log { ln(value) } else { value }
+    }
+
+    /// The inverse of [`Self::of`].
+    pub(super) fn back(self, scaled: f64) -> f64 {
+        if self == Self::Log { exp(scaled) } else { scaled }
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// The title without the unit, such as "Impact speed".
+    pub title: String,
+    /// The unit, such as "m/s"; empty for a plain number.
+    pub unit: String,
+    pub scale: Scale,
+    /// Whether values are shown with a fitting SI prefix (only on axes whose unit has no prefix).
+    pub is_engineering: bool,
+    /// Lower and upper end, in the unit of the values; `None` to fit them to the data.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// A linear axis whose values are in `unit`.
+    pub fn linear(title: &str, unit: &str) -> Self {
+        Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, is_engineering: false, range: None }
+    }
+
+    /// A linear axis for values in an SI unit without prefix. Its labels have a fitting prefix, such as µm for small
+    /// lengths. Plain numbers, kilograms and HV get no prefix.
+    pub fn engineering(title: &str, unit: &str) -> Self {
+        Self { is_engineering: !["", "HV"].contains(&unit) && !unit.starts_with("kg"), ..Self::linear(title, unit) }
+    }
+
+    pub fn log(title: &str, unit: &str) -> Self {
+        Self::linear(title, unit).logarithmic()
+    }
+
+    /// Returns the axis with a logarithmic scale.
+    #[must_use]
+    pub fn logarithmic(self) -> Self {
+        Self { scale: Scale::Log, ..self }
+    }
+
+    /// Returns the axis from `low` to `high`.
+    #[must_use]
+    pub fn between(mut self, low: f64, high: f64) -> Self {
+        self.range = Some((low, high));
+        self
+    }
+
+    /// The axis with range and prefix fitted to these values.
+    pub(super) fn fitted(&self, values: impl IntoIterator<Item = f64>) -> FittedAxis {
+        let is_log = self.scale == Scale::Log;
+        let drawable = |v: &f64| v.abs() < LARGEST && (!is_log || *v > 1.0 / LARGEST);
+        let is_range = |(low, high): &(f64, f64)| drawable(low) && drawable(high) && !is_one_value(*low, *high);
+        let (low, high) = self.range.filter(is_range).unwrap_or_else(|| {
+            let (low, high) = extremes(values.into_iter().filter(drawable));
+            padded(low, high, is_log)
+        });
+        let prefix = match self.scale {
+            _ if !self.is_engineering => Prefix::of(1.0),
+            Scale::Linear => Prefix::of(low.abs().max(high.abs())),
+            // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
+            Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::of(1.0),
+            Scale::Log => Prefix::of(low.sqrt() * high.sqrt()),
+        };
+        let unit = format!("{}{}", prefix.symbol, self.unit);
+        let title = match unit.trim() {
+            "" => self.title.clone(),
+            unit => format!("{} [{unit}]", self.title),
+        };
+        FittedAxis {
+            title,
+            scale: self.scale,
+            low: low / prefix.factor,
+            high: high / prefix.factor,
+            factor: prefix.factor,
+        }
+    }
+}
+
+/// The smallest and the largest of these values; infinite if there are none.
+pub fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
+}
+
+/// Whether a range is empty or too short to differ from one value.
+fn is_one_value(low: f64, high: f64) -> bool {
+    high - low <= 1e-9 * high.abs().max(low.abs())
+}
+
+/// The range of an axis: a little more than the range of the data, and with zero if the data are near to it.
+fn padded(low: f64, high: f64, is_log: bool) -> (f64, f64) {
+    if low > high {
+        return if is_log { (0.1, 10.0) } else { (0.0, 1.0) };
+    }
+    if is_log {
+        let room = if is_one_value(low, high) { 3.0 } else { exp(0.04 * (ln(high) - ln(low))) };
+        return (low / room, high * room);
+    }
+    let room = match high - low {
+        _ if low == 0.0 && high == 0.0 => 1.0,
+        _ if is_one_value(low, high) => 0.1 * high.abs(),
+        length => 0.06 * length,
+    };
+    if low >= 0.0 && low < 0.5 * high { (0.0, high + room) } else { (low - room, high + room) }
+}
+
+/// A tick; a major tick has a label.
+pub(super) struct Tick {
+    /// Place along the axis, 0 … 1.
+    pub at: f64,
+    pub label: Option<String>,
+}
+
+/// An axis with a fixed range.
+#[derive(Clone)]
+pub(super) struct FittedAxis {
+    pub title: String,
+    scale: Scale,
+    low: f64,
+    high: f64,
+    factor: f64,
+}
+
+impl FittedAxis {
+    /// The place of a value along the axis; 0 … 1 within its range.
+    pub(super) fn at(&self, value: f64) -> f64 {
+        self.share(value / self.factor)
+    }
+
+    /// The value at a place along the axis: the inverse of [`FittedAxis::at`].
+    pub(super) fn value_at(&self, share: f64) -> f64 {
+        let (low, high) = (self.scale.of(self.low), self.scale.of(self.high));
+        self.factor * self.scale.back(low + share * (high - low))
+    }
+
+    fn share(&self, value: f64) -> f64 {
+        let (low, high) = (self.scale.of(self.low), self.scale.of(self.high));
+        (self.scale.of(value) - low) / (high - low)
+    }
+
+    /// Ticks from low to high, with about `wanted` labels, and at least four.
+    pub(super) fn ticks(&self, wanted: f64) -> Vec<Tick> {
+        let wanted = wanted.max(FEWEST);
+        let is_short = self.scale == Scale::Linear || self.high / self.low < 3.0;
+        let of_log =
+            DIGITS.into_iter().filter(|_| !is_short).map(|digits| log_ticks(self.low, self.high, wanted, digits));
+        let of_linear = [1.0, 1.5, 2.0, 3.0].into_iter().map(|more| linear_ticks(self.low, self.high, more * wanted));
+        let mut ticks = Vec::new();
+        for values in of_log.chain(of_linear) {
+            ticks = self.inside(values);
+            #[allow(clippy::cast_precision_loss)] // a handful
+            if ticks.iter().filter(|tick| tick.label.is_some()).count() as f64 >= FEWEST {
+                break;
+            }
+        }
+        ticks
+    }
+
+    /// The ticks that lie on the axis.
+    fn inside(&self, values: Vec<(f64, Option<String>)>) -> Vec<Tick> {
+        let tick = |(value, label): (f64, Option<String>)| {
+            let at = self.share(value);
+            // a tick at the end of the axis must not be lost by rounding
+            (-1e-9..=1.0 + 1e-9).contains(&at).then(|| Tick { at: at.clamp(0.0, 1.0), label })
+        };
+        values.into_iter().filter_map(tick).collect()
+    }
+}
+
+/// Smallest number of labels of an axis.
+const FEWEST: f64 = 4.0;
+/// Digits that have a label on a logarithmic axis, from long axes to short ones.
+const DIGITS: [&[i32]; 3] = [&[1], &[1, 3], &[1, 2, 5]];
+
+#[allow(clippy::cast_possible_truncation)] // exponents and counts of ticks
+fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
+    let raw = (high - low) / wanted;
+    let exponent = log10(raw).floor() as i32;
+    let (digit, exponent): (i32, i32) = match raw / ten_to(exponent) {
+        r if r <= 1.0 => (1, exponent),
+        r if r <= 2.0 => (2, exponent),
+        r if r <= 5.0 => (5, exponent),
+        _ => (1, exponent + 1),
+    };
+    let step = f64::from(digit) * ten_to(exponent);
+    // a narrow range of numbers that are not small needs more decimals
+    let largest = low.abs().max(high.abs());
+    let is_plain = (-4..=5).contains(&exponent) && largest < 1e6 || (-9..-4).contains(&exponent) && largest > 0.1;
+    let decimals = usize::try_from(-exponent).unwrap_or(0);
+    ((low / step - 1e-6).ceil() as i64..=(high / step + 1e-6).floor() as i64)
+        .map(|i| {
+            // i × digit × 10^exponent as text is exact: no 0.7000000000000001
+            let value: f64 = format!("{}e{exponent}", i * i64::from(digit)).parse().unwrap_or(f64::NAN);
+            let label = if is_plain { format!("{value:.decimals$}") } else { format!("{value:e}") };
+            (value, Some(label.replace('-', "−")))
+        })
+        .collect()
+}
+
+#[allow(clippy::cast_possible_truncation)] // exponents
+fn log_ticks(low: f64, high: f64, wanted: f64, labelled: &[i32]) -> Vec<(f64, Option<String>)> {
+    let (first, last) = (log10(low).floor() as i32, log10(high).ceil() as i32);
+    let decades = log10(high) - log10(low);
+    let every = (decades / wanted).ceil().max(1.0) as i32;
+    let is_plain = low > 5e-4 && high < 5e4;
+    let label = |digit: i32, exponent: i32| match digit {
+        _ if is_plain => crate::units::four_digits(f64::from(digit) * ten_to(exponent)),
+        1 => power_of_ten(exponent),
+        _ => format!("{digit}·{}", power_of_ten(exponent)),
+    };
+    let digits = if every == 1 { 1..=9 } else { 1..=1 };
+    (first..=last)
+        .flat_map(|exponent| digits.clone().map(move |digit| (digit, exponent)))
+        .map(|(digit, exponent)| {
+            let has_label = labelled.contains(&digit) && exponent.rem_euclid(every) == 0;
+            (f64::from(digit) * ten_to(exponent), has_label.then(|| label(digit, exponent)))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(axis: &Axis, values: [f64; 2]) -> Vec<String> {
+        axis.fitted(values).ticks(6.0).into_iter().filter_map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn ticks_are_short_round_numbers() {
+        let axis = Axis::engineering("Force", "N");
+        assert_eq!(labels(&axis, [0.0, 0.7]), ["0", "200", "400", "600"]); // mN
+        assert_eq!(labels(&Axis::linear("e", ""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(labels(&Axis::log("v", "m/s"), [0.01, 100.0]), ["0.01", "0.1", "1", "10", "100"]);
+        assert_eq!(labels(&Axis::log("error", ""), [1e-12, 1e-2])[..2], ["10⁻¹²", "10⁻¹⁰"]);
+    }
+
+    #[test]
+    fn a_prefix_stands_before_a_unit_that_has_none() {
+        let title = |unit, value| Axis::engineering("x", unit).fitted([0.0, value]).title;
+        assert_eq!(title("m", 1e-6), "x [µm]");
+        // 0.4 is not 400 "m", and 7850 kg/m^3 are not 7.85 kkg/m^3
+        assert_eq!(title("", 0.4), "x");
+        assert_eq!(title("kg/m^3", 7850.0), "x [kg/m^3]");
+    }
+
+    #[test]
+    fn a_narrow_range_of_ordinary_numbers_has_decimals() {
+        assert_eq!(labels(&Axis::linear("e", ""), [0.546_53, 0.546_56])[..2], ["0.54653", "0.54654"]);
+        assert_eq!(labels(&Axis::linear("drift", ""), [0.0, 3e-5])[1], "1e−5");
+    }
+
+    #[test]
+    fn value_at_inverts_at() {
+        for axis in [Axis::linear("x", "m"), Axis::log("x", "m")] {
+            let axis = axis.fitted([1.0, 50.0]);
+            approx::assert_relative_eq!(axis.at(axis.value_at(0.3)), 0.3, max_relative = 1e-14);
+        }
+    }
+}

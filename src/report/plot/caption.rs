@@ -1,0 +1,77 @@
+//! The line below the title of a picture: who hits whom, and the law that was used. A picture that has left its folder
+//! still says what it shows.
+
+use super::Chart;
+use crate::contact::law::{LawChoice, UnloadingExponent};
+use crate::contact::material::Material;
+use crate::scenario::indentation::IndentationScene;
+use crate::scenario::scene::Input;
+use crate::scenario::scene::taken::Body;
+use crate::units::{Dimension, quantity};
+
+/// The bodies and the law of a scene, without the keys that vary in the picture.
+pub fn caption(input: &Input, varied: &[&str]) -> String {
+    let varies = |beginning: &str| varied.iter().any(|path| path.starts_with(beginning));
+    let said = |path: &str, text: String| Some(text).filter(|_| !varies(path));
+    let body = |body: Body, modulus: &str, material: &Material| {
+        let named = input.taken().iter().find(|taken| taken.body == body);
+        match named {
+            Some(taken) => said(body.material(), taken.material.name.clone()),
+            None => said(modulus, elastic(material)),
+        }
+    };
+    let own_law = input.law();
+    let (sphere, half_space) = input.bodies(&own_law);
+    let of_sphere = [
+        said("sphere.radius", format!("R {}", quantity(sphere.radius, Dimension::Length))),
+        body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
+    ];
+    let is_soft = ["half_space.yield_strength", "half_space.hardness", "half_space.material"].into_iter().any(varies);
+    let strength = half_space.yield_strength.filter(|_| !is_soft);
+    let curved = |radius| said("half_space.radius", format!("R {}", quantity(radius, Dimension::Length)));
+    let of_half_space = [
+        half_space.radius.and_then(curved),
+        body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
+        strength.map(|strength| format!("yields at {}", quantity(strength, Dimension::Pressure))),
+    ];
+    line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&own_law))])])
+}
+
+/// These pictures with this line below their titles.
+pub fn captioned<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
+    pictures.into_iter().map(|(name, chart)| (name, chart.with_caption(line))).collect()
+}
+
+/// The sphere and the law of an indentation; its half-spaces have names in the key.
+pub fn of_indentation(scene: &IndentationScene) -> String {
+    let sphere = [
+        Some(format!("R {}", quantity(scene.indenter.radius, Dimension::Length))),
+        Some(elastic(&scene.indenter.material)),
+    ];
+    line(&[("sphere", &sphere), ("law", &[Some(law(&scene.law))])])
+}
+
+fn elastic(material: &Material) -> String {
+    let modulus = material.youngs_modulus;
+    if modulus.is_finite() { format!("E {}", quantity(modulus, Dimension::Pressure)) } else { "rigid".to_owned() }
+}
+
+fn law(law: &LawChoice) -> String {
+    match law {
+        LawChoice::Plm(law) => match law.exponent {
+            UnloadingExponent::Paper => "plm, n = 3/2".to_owned(),
+            UnloadingExponent::Fixed(exponent) => format!("plm, n = {exponent}"),
+            UnloadingExponent::PressureShape => "plm, pressure-shape".to_owned(),
+        },
+        other => other.name(),
+    }
+}
+
+/// The parts that have something to say.
+fn line(parts: &[(&str, &[Option<String>])]) -> String {
+    let words = parts.iter().filter_map(|(name, values)| {
+        let values: Vec<&str> = values.iter().flatten().map(String::as_str).collect();
+        (!values.is_empty()).then(|| format!("{name} {}", values.join(", ")))
+    });
+    words.collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,218 @@
+//! Pictures of repeated impacts: height and dents against time, the loops of all impacts, and e and dents against the
+//! number of the impact.
+
+use super::PlotError;
+use super::axis::Axis;
+use super::chart::{Chart, Panel};
+use super::loops;
+use super::series::Series;
+use super::style::{GREY, Style};
+use crate::impact::Impact;
+use crate::impact::repeat::flight::Flight;
+use crate::impact::repeat::{Hit, Place, Repeat, Sequence};
+use crate::numerics::functions::pow;
+use crate::units::{Dimension, four_digits, quantity};
+
+/// Largest number of points of one flight.
+const FLIGHT_POINTS: u32 = 48;
+/// Points of all flights together; more are not needed for a picture of 1600 px.
+const MOST_POINTS: usize = 200_000;
+
+/// The height of the lowest point of the sphere, and the depth of the dents, against time. `None` for shots, which have
+/// no times.
+pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
+    let last = sequence.hits.last()?;
+    let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
+    let flights: Vec<&Flight> =
+        sequence.fall.iter().chain(sequence.hits.iter().filter_map(|hit| hit.flight.as_ref())).collect();
+    let points = (MOST_POINTS / flights.len().max(1)).clamp(2, FLIGHT_POINTS as usize);
+    let points = u32::try_from(points).unwrap_or(FLIGHT_POINTS);
+    let along = |flight: &Flight| -> Vec<(f64, f64)> {
+        let time = |i: u32| flight.duration * f64::from(i) / f64::from(points);
+        (0..=points).map(|i| (flight.begin + time(i), flight.height_at(time(i)))).collect()
+    };
+    let mut curve: Vec<(f64, f64)> = flights.iter().flat_map(|flight| along(flight)).collect();
+    curve.extend(last.time.map(|time| (time, 0.0)));
+    // where the air takes more than 1 % of a height
+    let free = flights.iter().map(|flight| (flight.top(), flight.without_air()));
+    let free = free.filter(|(top, free)| free.top() > 1.01 * top).map(|(_, free)| along(&free));
+    let mut without_air: Vec<Series> =
+        free.map(|points| Series::line("", points).styled(Style::line(GREY, 1.5))).collect();
+    if let Some(first) = without_air.first_mut() {
+        first.texts.push("Same take-off without air".to_owned());
+    }
+    let path = Series::line("Lowest point of the sphere", curve);
+    let drawn: Vec<Series> = [path].into_iter().chain(without_air).collect();
+    let highest = drawn.iter().flat_map(|one| &one.points).map(|at| at.1).fold(0.0, f64::max);
+    let y = Axis::engineering("Height", "m").between(0.0, 1.06 * highest);
+    let mut panels = vec![Panel { share: 2.0, ..Panel::new(y, drawn) }];
+    let shallowest = sequence.hits.iter().map(|hit| hit.residual_indentation).fold(f64::INFINITY, f64::min);
+    // a dent that only the first impact makes is a number, not a curve
+    let is_constant = sequence.deepest_dent() <= 1.001 * shallowest;
+    if sequence.deepest_dent() > 0.0 && is_constant {
+        panels[0].series[0]
+            .texts
+            .push(format!("dent δᵣ = {} from the first impact on", quantity(shallowest, Dimension::Length)));
+    } else if sequence.deepest_dent() > 0.0 {
+        let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation))).collect();
+        let dents = match repeat.place {
+            Place::Same => Series::marked_line("Dent δᵣ of the one spot", dents),
+            Place::Fresh => Series::points("Dent δᵣ, each on its spot", dents),
+        };
+        let y = Axis::engineering("Dent depth", "m").between(0.0, 1.15 * sequence.deepest_dent());
+        panels.push(Panel::new(y, vec![dents.styled(Style::of(1).solid())]));
+    }
+    let x = Axis::engineering("Time", "s").between(0.0, 1.03 * end);
+    Some(Chart::stacked(title(repeat, sequence), x, panels))
+}
+
+/// The path of a ball that hops along: the height of its lowest point over the place along the surface.
+pub fn path(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
+    let flights: Vec<&Flight> = sequence.hits.iter().filter_map(|hit| hit.flight.as_ref()).collect();
+    sequence.hits.first()?.speed_along().filter(|_| !flights.is_empty())?;
+    let at = |i: u32| f64::from(i) / f64::from(FLIGHT_POINTS);
+    let points = flights.iter().flat_map(|flight| {
+        (0..=FLIGHT_POINTS).map(move |i| {
+            let time = flight.duration * at(i);
+            (flight.position_at(time), flight.height_at(time))
+        })
+    });
+    let hits = sequence.hits.iter().map(|hit| (hit.position, 0.0)).collect();
+    let series = vec![Series::line("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
+    let axes = [Axis::engineering("Place along the surface", "m"), Axis::engineering("Height", "m")];
+    Some(Chart::new(title(repeat, sequence), axes, series))
+}
+
+fn title(repeat: &Repeat, sequence: &Sequence) -> String {
+    let what = if repeat.is_bouncing() { "bounces" } else { "shots" };
+    let place = match repeat.place {
+        Place::Same => "on the same spot",
+        Place::Fresh => "on fresh surface",
+    };
+    let count = sequence.hits.len();
+    let what = if count == 1 { what.trim_end_matches('s') } else { what };
+    format!("{count} {what} {place}")
+}
+
+/// Impact speed, e, and the depth of the dent against the number of the impact.
+pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
+    #[allow(clippy::cast_precision_loss)] // at most a million
+    let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&Hit) -> f64| {
+        let points = sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
+        let series = Series::marked_line(name, points.collect()).styled(Style::of(style).solid());
+        Panel::new(y.between(0.0, highest), vec![series])
+    };
+    #[allow(clippy::cast_precision_loss)]
+    let last = sequence.hits.len() as f64;
+    let fastest = sequence.hits.iter().map(|hit| hit.speed).fold(0.0, f64::max);
+    let largest = sequence.hits.iter().map(|hit| hit.measured_restitution()).fold(0.0, f64::max);
+    let has_waves = sequence.hits.iter().any(|hit| hit.wave_loss_fraction.is_some());
+    let name = if has_waves { "Restitution e with waves" } else { "Restitution e" };
+    let top = if largest > 0.8 { 1.1 } else { 1.2 * largest };
+    let mut panels = vec![
+        panel(Axis::engineering("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.speed),
+        panel(Axis::linear("Restitution", ""), top, name, 0, |hit| hit.measured_restitution()),
+    ];
+    let deepest = sequence.deepest_dent();
+    if deepest > 0.0 {
+        let y = Axis::engineering("Dent depth", "m");
+        panels.push(panel(y, 1.15 * deepest, "Dent δᵣ", 1, |hit| hit.residual_indentation));
+    }
+    let x = if last > 200.0 {
+        Axis::log("Impact", "").between(0.9, 1.1 * last)
+    } else {
+        Axis::linear("Impact", "").between(0.0, last + 1.0)
+    };
+    Chart::stacked(title(repeat, sequence), x, panels)
+}
+
+/// Largest number of loops with a colour and an entry in the key. The other loops are grey.
+const NAMED: usize = 7;
+/// Loops are drawn on logarithmic axes if the largest force is more than this multiple of the smallest.
+const WIDE: f64 = 20.0;
+/// Largest number of loops that are drawn. More loops would only cover each other.
+const DRAWN: usize = 300;
+
+/// Force against approach of all traced impacts, for loading and unloading.
+///
+/// # Errors
+/// [`PlotError::Data`] for a series without traces; other [`PlotError`]s from drawing.
+pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
+    let traced = &sequence.traced;
+    if traced.is_empty() {
+        return Err(PlotError::Data("loops need traces: run the series with samples".into()));
+    }
+    // identical impacts have one loop
+    let same = |a: &Impact, b: &Impact| {
+        let of = |one: &Impact| (one.speed, one.restitution, one.peak_indentation);
+        of(a) == of(b)
+    };
+    let groups: Vec<&[Impact]> = traced.chunk_by(same).collect();
+    let mut named = spread(groups.len(), NAMED);
+    let largest = (0..groups.len()).max_by(|a, b| groups[*a][0].peak_force.total_cmp(&groups[*b][0].peak_force));
+    if let Some(largest) = largest.filter(|largest| !named.contains(largest)) {
+        named.push(largest);
+        named.sort_unstable();
+    }
+    let one_loop = |impact, name: String, style| {
+        loops::of_impact(impact, Series::line(name, Vec::new()), style, |row| row.indentation).unwrap_or_default()
+    };
+    let grey = Style::line(GREY, 1.5);
+    let mut series: Vec<Series> =
+        spread(traced.len(), DRAWN).into_iter().flat_map(|i| one_loop(&traced[i], String::new(), grey)).collect();
+    // loops lie on each other where they follow the same branch, so each is narrower than the one before
+    for (i, number) in named.iter().enumerate() {
+        let first = 1 + groups[..*number].iter().map(|group| group.len()).sum::<usize>();
+        let (impact, count) = (&groups[*number][0], groups[*number].len());
+        let name =
+            if count == 1 { format!("Impact {first}") } else { format!("Impacts {first} to {}", first + count - 1) };
+        let mut drawn = one_loop(impact, name, loops::style(i, width(i, named.len())));
+        let about = format!("{}, e = {}", quantity(impact.speed, Dimension::Speed), four_digits(impact.restitution));
+        drawn.iter_mut().take(1).for_each(|first| first.texts.push(about.clone()));
+        series.extend(drawn);
+    }
+    let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
+    let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
+    let [x, y] = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
+    let least =
+        |value: fn(&Impact) -> f64| traced.iter().map(value).filter(|least| *least > 0.0).fold(f64::MAX, f64::min);
+    let (shallowest, weakest) = (least(|impact| impact.peak_indentation), least(|impact| impact.peak_force));
+    let axes = if strongest > WIDE * weakest {
+        [
+            x.logarithmic().between(0.1 * shallowest, 1.2 * deepest),
+            y.logarithmic().between(0.05 * weakest, 1.5 * strongest),
+        ]
+    } else {
+        [x.between(0.0, 1.06 * deepest), y.between(0.0, 1.08 * strongest)]
+    };
+    Ok(Chart::new(title(repeat, sequence), axes, series).with_branches(&["loading", "unloading"]))
+}
+
+#[allow(clippy::cast_precision_loss)] // a handful
+fn width(index: usize, count: usize) -> f64 {
+    if count < 2 { 4.0 } else { 8.0 - 5.5 * index as f64 / (count - 1) as f64 }
+}
+
+/// At most `wanted` of the indices below `count`: all of them, or from the first to the last with equal ratios.
+fn spread(count: usize, wanted: usize) -> Vec<usize> {
+    if count <= wanted {
+        return (0..count).collect();
+    }
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below a million
+    let at = |i: usize| (pow(count as f64, i as f64 / (wanted - 1) as f64).round() as usize).clamp(1, count) - 1;
+    let mut indices: Vec<usize> = (0..wanted).map(at).collect();
+    indices.dedup();
+    indices
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loops_are_picked_from_the_first_to_the_last() {
+        assert_eq!(spread(3, 7), [0, 1, 2]);
+        assert_eq!(spread(20, 7), [0, 1, 2, 3, 6, 11, 19]);
+        assert_eq!(*spread(1_000_000, 300).last().unwrap(), 999_999);
+    }
+}

@@ -1,0 +1,310 @@
+//! Pictures of a sweep: e, or other results, along an axis of numbers, in columns by words, and as a map over two long axes;
+//! or a histogram of e of random cases.
+
+use super::axis::extremes;
+use super::caption::{caption, captioned};
+use super::of_key;
+use super::style::Style;
+use crate::contact::law::Bodies;
+use crate::contact::strength::hardness::vickers;
+use crate::impact::reference::quasi_static;
+use crate::impact::{Essentials, Rebound};
+use crate::report::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
+use crate::scenario::plan::axis::{Axis, Setting, Word};
+use crate::scenario::plan::{Cases, Plan};
+use crate::scenario::scene::results::impact::results;
+use crate::scenario::scene::results::{Column, Shown, columns};
+use crate::table::count::{Tally, count};
+use crate::table::evaluator::{Evaluator, Failure, Rows};
+use crate::units::{Dimension, capital, four_digits, quantity};
+
+/// Largest number of points of a curve: more than the pixels of a picture.
+const MOST_POINTS: u64 = 2000;
+/// A curve with up to this number of points has a marker on each.
+const FEW_POINTS: usize = 12;
+/// Largest number of curves in one picture that a reader can distinguish.
+const MOST_CURVES: u64 = 8;
+/// Largest number of curves if the second axis has words: as many names as the key has room for.
+const MOST_WORDS: u64 = 13;
+/// Largest number of cells on a side of a map.
+const MOST_CELLS: u64 = 200;
+/// A map is drawn if both axes have at least this number of values.
+const LONG: u64 = 8;
+/// The result that is drawn unless the scenario names others.
+const RESTITUTION: &str = "restitution";
+/// Number of bars of a histogram.
+const BARS: usize = 60;
+
+/// The pictures of a plan with their names.
+pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
+    captioned(charts(plan, tally), &caption(&plan.input, &plan.paths()))
+}
+
+fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
+    let Cases::Grid(axes) = &plan.cases else {
+        return bars(tally).map(|drawn| ("restitution_histogram".to_owned(), drawn)).into_iter().collect();
+    };
+    let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
+    if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
+        return vec![("rebound".to_owned(), rebounds(plan, axes))];
+    }
+    // the axis along which curves run: the first, unless only the second has numbers
+    let along = (0..axes.len().min(2)).find(|at| is_drawable(&axes[*at]));
+    let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG);
+    let evaluator = &Evaluator::new(plan);
+    let is_drawn = |name| plan.pictures.as_deref().unwrap_or(&[RESTITUTION]).contains(&name);
+    let drawn = columns().into_iter().filter(|column| is_drawn(column.name)).flat_map(|result| {
+        let over = Over { plan, evaluator, axes, along, result };
+        let lines = if along.is_some() { over.curves() } else { over.columns() };
+        let map = has_map.then(|| (format!("{}_map", result.name), over.map()));
+        [(result.name.to_owned(), lines)].into_iter().chain(map)
+    });
+    drawn.collect()
+}
+
+/// At most `most` of the places of an axis, at even steps, including both ends.
+fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
+    let (last, count) = (axis.len() - 1, axis.len().min(most));
+    #[allow(clippy::cast_possible_truncation)] // at most `last`
+    (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
+}
+
+/// The row of that case.
+fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<Essentials, Failure>> {
+    let case = axes
+        .iter()
+        .zip(places.iter().copied().chain(std::iter::repeat(0)))
+        .fold(0, |case, (axis, place)| case * axis.len() + place);
+    let mut rows = Rows::default();
+    evaluator.rows(case..case + 1, &mut rows);
+    rows.results.pop()
+}
+
+/// Rebound angle and spin against the angle of impact, curves by the second axis.
+fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
+    let evaluator = Evaluator::new(plan);
+    let at = some_places(&axes[0], MOST_POINTS);
+    let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, MOST_CURVES));
+    let (mut angles, mut spins) = (Vec::new(), Vec::new());
+    for (number, curve) in of.iter().enumerate() {
+        let rows =
+            at.iter().filter_map(|place| Some((*place, row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
+        let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
+        let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
+        let name = axes.get(1).map_or_else(String::new, |second| label(second, *curve));
+        angles.push(curve_of(name, points(|after| after.angle.to_degrees())).styled(number));
+        spins.push(curve_of("", points(|after| after.spin)).styled(number));
+    }
+    let panels = [
+        Panel::new(plot::Axis::linear("Rebound angle", "°"), angles),
+        Panel::new(plot::Axis::linear("Spin afterwards", "rad/s"), spins),
+    ];
+    let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", words(second)));
+    Chart::stacked(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into()).with_notes(notes(axes))
+}
+
+/// The name of an axis in words, such as "half-space yield strength".
+fn words(axis: &Axis) -> String {
+    of_key::words(axis.path())
+}
+
+fn plot_axis(axis: &Axis) -> plot::Axis {
+    let (title, (unit, _)) = (capital(&words(axis)), unit(axis));
+    let shown = plot::Axis::engineering(&title, unit);
+    if axis.is_logarithmic { shown.logarithmic() } else { shown }
+}
+
+/// The unit of an axis in pictures, and a value of the axis in it.
+fn unit(axis: &Axis) -> (&'static str, fn(f64) -> f64) {
+    match &axis.setting {
+        Setting::Number { key, .. } if key.quantity.is_hardness => ("HV", vickers),
+        Setting::Number { key, .. } if key.quantity.dimension == Dimension::Angle => ("°", f64::to_degrees),
+        Setting::Number { key, .. } => (key.quantity.dimension.si_unit(), |value| value),
+        Setting::Words { .. } => ("", |place| place),
+    }
+}
+
+/// A value of an axis with at most four digits, as the key has it.
+fn label(axis: &Axis, place: u64) -> String {
+    match &axis.setting {
+        Setting::Number { key, .. } if key.quantity.is_hardness => format!("{} HV", four_digits(shown(axis, place))),
+        Setting::Number { .. } if unit(axis).0 == "°" => format!("{}°", four_digits(shown(axis, place))),
+        Setting::Number { key, .. } => quantity(axis.number(place), key.quantity.dimension),
+        Setting::Words { .. } => axis.label(place),
+    }
+}
+
+/// The value at a place of an axis, in the unit of the picture.
+fn shown(axis: &Axis, place: u64) -> f64 {
+    unit(axis).1(axis.number(place))
+}
+
+/// A curve, with a marker on each of few points.
+fn curve_of(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
+    let look = if points.len() <= FEW_POINTS { Look::MarkedLine } else { Look::Line };
+    Series { look, ..Series::line(name, points) }
+}
+
+/// A result over one or two axes of a grid.
+struct Over<'a> {
+    plan: &'a Plan,
+    evaluator: &'a Evaluator<'a>,
+    axes: &'a [Axis],
+    /// The place of the axis along which curves run: 0 or 1.
+    along: Option<usize>,
+    result: Column,
+}
+
+impl Over<'_> {
+    /// The result of the case at these places of the first axes; not a number if the case has none.
+    fn value(&self, places: &[u64]) -> f64 {
+        let row = row(self.evaluator, self.axes, places);
+        let value = match &row {
+            Some(row) if self.is_restitution() => count(row).ok().flatten(),
+            Some(Ok(row)) => (self.result.value)(row),
+            _ => None,
+        };
+        value.unwrap_or(f64::NAN)
+    }
+
+    fn is_restitution(&self) -> bool {
+        self.result.name == RESTITUTION
+    }
+
+    fn dimension(&self) -> Dimension {
+        match results().iter().find(|result| result.name == self.result.name).map(|result| result.shown) {
+            Some(Shown::In(dimension)) => dimension,
+            _ => Dimension::Ratio,
+        }
+    }
+
+    /// The name of the result, and its axis.
+    fn axis(&self) -> (String, plot::Axis) {
+        if self.is_restitution() {
+            return ("Restitution".to_owned(), plot::Axis::linear("Restitution e", ""));
+        }
+        let (name, dimension) = (self.result.name, self.dimension());
+        let title = of_key::title_of(name.trim_end_matches(dimension.suffix()));
+        let axis = plot::Axis::engineering(&title, dimension.si_unit());
+        (title, axis)
+    }
+
+    /// Curves along one axis, one for each value of the other.
+    fn curves(&self) -> Chart {
+        let (axes, along) = (self.axes, self.along.unwrap_or(0));
+        let first = &axes[along];
+        let other = if along == 0 { axes.get(1) } else { axes.first() };
+        let at = some_places(first, MOST_POINTS);
+        let most = |axis: &Axis| if axis.words().is_empty() { MOST_CURVES } else { MOST_WORDS };
+        let curves = other.map_or_else(|| vec![0], |other| some_places(other, most(other)));
+        // all laws yield at about the same speed, so one guide is enough
+        let is_by_law = other.is_some_and(|other| matches!(other.words(), [Word::Law(_), ..]));
+        let is_by_speed = first.path() == "impact.speed";
+        let (mut series, mut yielding) = (Vec::new(), Vec::new());
+        for (number, curve) in curves.iter().enumerate() {
+            let places = |place: u64| if along == 0 { [place, *curve] } else { [*curve, place] };
+            let points = at.iter().map(|place| (shown(first, *place), self.value(&places(*place)))).collect();
+            let name = other.map_or_else(String::new, |other| label(other, *curve));
+            if is_by_speed && !(is_by_law && number > 0) {
+                yielding.extend(yield_speed(self.plan, other, *curve).map(|at| (number, at)));
+            }
+            let drawn = curve_of(name, points);
+            // the law of this program is the widest line among laws
+            let is_first = is_by_law && number == 0;
+            series.push(if is_first { drawn.styled(Style::of(number).wide(7.0)) } else { drawn });
+        }
+        // one guide in grey where all curves yield at the same speed
+        let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);
+        let guide = |(number, at): &(usize, f64)| {
+            let guide = Series::vertical(*at, "yield speed");
+            if is_same { guide } else { guide.colored(*number) }
+        };
+        let guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
+        if is_by_speed && is_by_law && self.is_restitution() {
+            series.extend(finite_elements(self.plan, &series));
+        }
+        let (name, y) = self.axis();
+        let y = self.ranged(y, &series);
+        let title = match other {
+            Some(other) => format!("{name} by {}", words(other)),
+            None => format!("{name} against {}", words(first)),
+        };
+        Chart::new(title, [plot_axis(first), y], series).with_guides(guides).with_notes(notes(axes))
+    }
+
+    /// A column for each word of the first axis, such as a law or a material, with its value in the key.
+    #[allow(clippy::cast_precision_loss)] // a handful of words
+    fn columns(&self) -> Chart {
+        let (name, y) = self.axis();
+        let column = |(number, place): (usize, u64)| {
+            let value = self.value(&[place]);
+            let (left, right) = (number as f64 + 0.6, number as f64 + 1.4);
+            let text = quantity(value, self.dimension());
+            let outline = vec![(left, 0.0), (left, value), (right, value), (right, 0.0)];
+            Series::band(label(&self.axes[0], place), outline).and(text).styled(number)
+        };
+        let series: Vec<Series> = some_places(&self.axes[0], MOST_WORDS).into_iter().enumerate().map(column).collect();
+        let x = plot::Axis::linear(&capital(&words(&self.axes[0])), "").between(0.0, series.len() as f64 + 1.0);
+        let y = self.ranged(y.clone(), &series);
+        Chart::new(format!("{name} by {}", words(&self.axes[0])), [x, y], series).with_notes(notes(self.axes))
+    }
+
+    /// Colours over the first two axes.
+    fn map(&self) -> Chart {
+        let axes = self.axes;
+        let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
+        let (name, color) = self.axis();
+        let title = std::iter::once(name).chain(notes(axes)).collect::<Vec<_>>().join(", ");
+        let on = |axis: &Axis, places: &[u64]| -> Vec<f64> { places.iter().map(|place| shown(axis, *place)).collect() };
+        let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
+        let value = |column: usize, row: usize| self.value(&[columns[column], rows[row]]);
+        heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], value, color)
+    }
+
+    /// The axis with the range of the data, so that guides do not extend it.
+    fn ranged(&self, axis: plot::Axis, series: &[Series]) -> plot::Axis {
+        let values = series.iter().flat_map(|series| &series.points).map(|(_, value)| *value);
+        let (low, high) = extremes(values.filter(|value| value.is_finite()));
+        let high = if self.is_restitution() { high.max(1.0) } else { high };
+        if low < high && low >= 0.0 { axis.between(0.0, 1.05 * high) } else { axis }
+    }
+}
+
+/// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a
+/// point is the impact speed with the same energy as the loading.
+fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
+    let contact = plan.input.contact().ok()?;
+    let bodies = Bodies::new(contact.pair())?;
+    let energy = bodies.yield_point.force * bodies.yield_point.indentation;
+    let (low, high) = extremes(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
+    let points: Vec<_> = quasi_static::unloadings(contact.sphere().material.youngs_modulus, &bodies)
+        .into_iter()
+        .map(|row| ((2.0 * row.spent * energy / contact.reduced_mass()).sqrt(), row.restitution))
+        .filter(|(speed, _)| (low..=high).contains(speed))
+        .collect();
+    (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(Style::BLACK))
+}
+
+/// Notes on the axes after the second one, which stay at their first value.
+fn notes(axes: &[Axis]) -> Vec<String> {
+    axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
+}
+
+/// The yield speed v_Y at a place of an axis; `None` where the strength depends on the speed.
+fn yield_speed(plan: &Plan, axis: Option<&Axis>, place: u64) -> Option<f64> {
+    let mut input = plan.input.clone();
+    if let Some(axis) = axis {
+        axis.put(place, &mut input);
+    }
+    input.contact().ok().filter(|contact| !contact.has_rate())?.yield_speed()
+}
+
+fn bars(tally: &Tally) -> Option<Chart> {
+    let (low, high, counts) = tally.statistics.histogram(BARS)?;
+    let e = tally.statistics.distribution()?;
+    let lines = [("mean", e.mean), ("5 %", e.quantile_05), ("50 %", e.quantile_50), ("95 %", e.quantile_95)];
+    let lines = lines.into_iter().map(|(name, value)| (value, format!("{name}: {value:.4}")));
+    let x = plot::Axis::linear("Restitution e", "");
+    let notes = [format!("standard deviation: {:.4}", e.standard_deviation), format!("samples: {}", e.samples)];
+    Some(histogram("Restitution of random cases", x, (low, high), &counts, lines).with_notes(notes))
+}

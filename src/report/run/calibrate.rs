@@ -1,0 +1,94 @@
+//! Keys that are found from measurements.
+
+use std::path::absolute;
+
+use serde_json::Map;
+use toml_edit::Value;
+
+use super::outcome::{Order, Outcome, file, provenance, with_summary};
+use crate::calibrate::{Calibration, KeyEstimate, Measurements};
+use crate::error::Error;
+use crate::files::OutputFile;
+use crate::files::progress::Counter;
+use crate::files::provenance::PROGRAM;
+use crate::report::plot::calibrate::pictures;
+use crate::report::text::calibrate as report;
+use crate::scenario::Scenario;
+use crate::scenario::edit::{parsed, set, written};
+use crate::units::{Dimension, exact};
+
+pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+    let measured = Measurements::of(scenario)?;
+    let unwatched = Counter::default();
+    let found = measured.calibrate(order.map_or(&unwatched, |order| order.progress))?;
+    let files = order.map_or_else(|| Ok(Vec::new()), |order| files(scenario, &measured, &found, order))?;
+    let contradiction = found.verdict().contradiction();
+    let checked = if order.is_none() { report::found(&measured, &found)? } else { Map::new() };
+    Ok(Outcome { contradiction, checked, ..Outcome::done(warnings(&found), report::table(&found), files) })
+}
+
+/// The files with these results.
+fn files(
+    scenario: &Scenario,
+    measured: &Measurements,
+    found: &Calibration,
+    order: &Order,
+) -> Result<Vec<OutputFile>, Error> {
+    let provenance = provenance(scenario, &measured.wanted.input.law(), true, order.command);
+    let mut files = vec![file("residuals.csv", report::residuals(found)?)];
+    if !found.keys.is_empty() {
+        files.push(file("calibrated.toml", calibrated(scenario, measured, found)));
+    }
+    files.extend(order.pictures.files(|| Ok(pictures(found)))?);
+    with_summary(files, provenance, |of| report::summary(measured, found, of))
+}
+
+fn warnings(found: &Calibration) -> Vec<String> {
+    let unbounded = |key: &KeyEstimate| {
+        key.intervals.is_some_and(|[_, wide]| wide.iter().any(Option::is_none)).then(|| {
+            format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
+        })
+    };
+    let runs = found.runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
+        let p = crate::units::four_digits(runs.p);
+        format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
+    });
+    let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
+    refusal.chain(found.verdict().undecided()).chain(runs).chain(found.keys.iter().filter_map(unbounded)).collect()
+}
+
+/// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
+/// line says which keys are new.
+fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> String {
+    // it was parsed before
+    let mut document = parsed(scenario.document.edited()).unwrap_or_default();
+    document.remove("calibrate");
+    for KeyEstimate { free, estimate, .. } in &found.keys {
+        set(&mut document, free.key.path, free.written(*estimate).map_or_else(|| (*estimate).into(), Value::from));
+    }
+    for (key, path) in scenario.files().filter(|(key, _)| !key.starts_with("calibrate.")) {
+        if let Ok(path) = absolute(path) {
+            set(&mut document, key, path.display().to_string());
+        }
+    }
+    let data = &measured.data;
+    if data.is_curve() {
+        let deepest = data.rows.iter().filter_map(|row| row.indentation).fold(0.0, f64::max);
+        let steps = format!("[{{ indentation = {deepest:?} }}, {{ load = 0.0 }}]");
+        document.remove("impact");
+        if let Ok(steps) = steps.parse::<Value>() {
+            set(&mut document, "indentation.steps", steps);
+        }
+    } else if found.fit.problem.input.speed().is_nan() {
+        let mut speeds = found.fit.problem.speeds();
+        speeds.sort_by(f64::total_cmp);
+        set(&mut document, "impact.speed", exact(speeds[speeds.len() / 2], Dimension::Speed));
+    }
+    let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
+    format!(
+        "# {}: found by {PROGRAM}. The other comments are those of {}.\n{}",
+        keys.join(", "),
+        scenario.document.name(),
+        written(&document)
+    )
+}

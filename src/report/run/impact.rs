@@ -1,0 +1,70 @@
+//! One impact.
+
+use super::band::band;
+use super::outcome::{self, Order, Outcome, file, no_result, texts, with_summary};
+use crate::error::Error;
+use crate::files::provenance::{MethodOf, Provenance};
+use crate::impact::{Contact, Impact, ImpactError, Method};
+use crate::report::plot;
+use crate::report::plot::caption::{caption, captioned};
+use crate::report::text::checked::of_contact;
+use crate::report::text::inputs::Inputs;
+use crate::report::text::overview::overview;
+use crate::report::text::{summary, table, trace};
+use crate::scenario::Scenario;
+use crate::scenario::scene::results::impact::Single;
+use crate::scenario::scene::{Input, Use};
+
+/// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
+/// to be one.
+pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Contact, Impact), Error> {
+    let (input, contact) = prepare(scenario)?;
+    can_be_traced(scenario, &input)?;
+    let refuse = |reason| no_result(scenario, &reason);
+    // the strength is that of this speed from here on
+    let [speed, _] = input.approach().components();
+    let contact = contact.at_speed(speed).map_err(refuse)?;
+    let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
+    impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Use::Impact));
+    impact.warnings.extend(input.doubts_of_air());
+    Ok((input, contact, impact))
+}
+
+pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
+    scenario.refuse_columns("one impact")?;
+    let input = scenario.resolve()?;
+    let contact = input.contact().map_err(|error| no_result(scenario, &error))?;
+    Ok((input, contact))
+}
+
+/// Refuses a method without a trace, which a run writes.
+pub(super) fn can_be_traced(scenario: &Scenario, input: &Input) -> Result<(), Error> {
+    let method = input.solver().method.chosen(&input.forces(), true);
+    method.map(drop).ok_or_else(|| no_result(scenario, &ImpactError::NoClosedForm))
+}
+
+/// The provenance of results that were computed by this method.
+pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, command: &str) -> Provenance {
+    let method = Some(MethodOf { method: method.name(), tolerance: input.solver().tolerance });
+    Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
+}
+
+pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+    let (input, contact, impact) = compute(scenario, order.map(|_| scenario.input().samples()))?;
+    let Some(order) = order else {
+        let checked = of_contact(&input, &contact)?;
+        return Ok(Outcome::checked(texts(&impact.warnings), overview(&input, &contact), checked));
+    };
+    let provenance = provenance(scenario, &input, impact.method, order.command);
+    let mut files = vec![file("trace.csv", trace(&impact)?)];
+    files.extend(order.pictures.files(|| {
+        let mut drawn =
+            vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)];
+        drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
+        Ok(captioned(drawn, &caption(&input, &[])))
+    })?);
+    let band = band(&input, &impact);
+    let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };
+    let files = with_summary(files, provenance, |of| summary(&single, &Inputs::of(&input), of))?;
+    Ok(Outcome::done(texts(&impact.warnings), table(&single, order.detail), files))
+}

@@ -1,0 +1,69 @@
+//! Slow indentations.
+
+use std::fmt::Display;
+
+use super::outcome::{self, Order, Outcome, file, texts, with_summary};
+use crate::error::{Error, ErrorKind};
+use crate::impact::indentation::{IndentationError, Indenter, StaticContact, Tested};
+use crate::impact::{of_half_space, of_sphere};
+use crate::report::plot;
+use crate::report::plot::caption::of_indentation;
+use crate::report::text::indentation as report;
+use crate::scenario::Scenario;
+use crate::scenario::indentation::IndentationScene;
+
+/// The scene of a scenario, the results of every half-space, and all warnings; `samples` are the rows of the trace in each
+/// step, if there is to be one.
+pub fn compute(
+    scenario: &Scenario,
+    samples: Option<usize>,
+) -> Result<(IndentationScene, Vec<Tested>, Vec<String>), Error> {
+    let scene = scenario.indentation()?;
+    let mut warnings = texts(&scene.warnings);
+    let Indenter { radius, material, yield_strength } = scene.indenter;
+    warnings.extend(of_sphere(radius, &material, yield_strength, None).map(|doubt| doubt.to_string()));
+    let mut tested = Vec::new();
+    for specimen in &scene.specimens {
+        let name = specimen.name.as_deref();
+        let contact = StaticContact::try_new(scene.indenter, &specimen.half_space, scene.law.get());
+        let contact = contact.map_err(|reason| refused(scenario, None, reason))?;
+        let indentation = contact.indent(&scene.targets, samples).map_err(|reason| refused(scenario, name, reason))?;
+        let named = |doubt: &dyn Display| {
+            specimen.name.as_ref().map_or_else(|| doubt.to_string(), |name| format!("{name}, {doubt}"))
+        };
+        warnings.extend(of_half_space(&specimen.half_space).map(|doubt| named(&doubt)));
+        warnings.extend(indentation.doubts.iter().map(|doubt| named(doubt)));
+        let (pair, can_yield) = (*contact.pair(), contact.can_yield());
+        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation });
+    }
+    Ok((scene, tested, warnings))
+}
+
+pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+    let (scene, tested, warnings) = compute(scenario, order.map(|_| scenario.input().samples()))?;
+    let inputs = report::inputs(scenario, &scene);
+    let Some(order) = order else {
+        let checked = report::checked(&tested, &inputs)?;
+        return Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested), checked));
+    };
+    let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
+    let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);
+    let mut files = vec![file("trace.csv", report::trace(&tested)?)];
+    files.extend(order.pictures.files(|| {
+        let drawn = plot::indentation(&tested).with_caption(of_indentation(&scene));
+        Ok(vec![("force_indentation", drawn)])
+    })?);
+    let files = with_summary(files, provenance, |of| report::summary(&tested, &warnings, &inputs, of))?;
+    Ok(Outcome::done(warnings, report::table(&tested), files))
+}
+
+/// The error of a scenario without a result. If a step is the reason, the error points at the steps.
+fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationError) -> Error {
+    let on = half_space.map_or_else(String::new, |name| format!("\"{name}\", "));
+    match reason {
+        reason @ (IndentationError::Range(_) | IndentationError::Law(_)) => {
+            Error::in_file(ErrorKind::Input, scenario.document.name(), format!("{on}{reason}"))
+        }
+        step => scenario.document.refuse("indentation.steps", format!("{on}{step}")),
+    }
+}

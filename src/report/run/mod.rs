@@ -1,0 +1,107 @@
+//! From a scenario to its files and its text on the terminal: one way for every kind of scene.
+
+pub mod band;
+mod calibrate;
+pub mod impact;
+pub mod indentation;
+mod outcome;
+pub mod repeat;
+pub mod table;
+
+use crate::error::{Error, ErrorKind};
+use crate::impact::{Contact, Forces};
+use crate::scenario::scene::Input;
+use crate::scenario::scene::at::at;
+use crate::scenario::{Kind, Scenario};
+pub use outcome::{Order, Outcome, no_result, texts};
+
+/// The outcome of a scenario: with an order it has all files, and without one it has the text of a check. `None` for a table, which
+/// is made row after row by [`crate::table::Job`].
+pub fn at_once(scenario: &Scenario, order: Option<&Order>) -> Result<Option<Outcome>, Error> {
+    let outcome = match scenario.kind()? {
+        Kind::Sweep | Kind::MonteCarlo => return Ok(None),
+        Kind::Impact => impact::outcome,
+        Kind::Repeat => repeat::outcome,
+        Kind::Calibrate => calibrate::outcome,
+        Kind::Indentation => indentation::outcome,
+    };
+    outcome(scenario, order).map(Some)
+}
+
+/// Checks a scenario; nothing is written.
+pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    at_once(scenario, None)?.map_or_else(|| table::check(scenario), Ok)
+}
+
+/// Such a key is of a sphere that moves, and not of its contact.
+const OF_THE_SPHERE: &str = "leave this key out; the simulation has path and spin of every sphere";
+
+/// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
+///
+/// # Errors
+/// [`Error`]: a bad scenario, one with gravity, damping or a plate, and one of another kind than an impact.
+pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
+    let kind = scenario.kind()?;
+    if kind != Kind::Impact {
+        let message = "is not a part of a contact of two bodies: leave this table out";
+        return Err(scenario.document.refuse(kind.name(), message));
+    }
+    let input = scenario.resolve_bodies()?;
+    let Forces { gravity, damping, plate, .. } = input.forces();
+    let table = "leave this table out, and let the simulation add the force";
+    let keys = [
+        ("gravity", gravity.is_some(), table),
+        ("damping", damping.is_some(), table),
+        ("air", scenario.document.has("air"), table),
+        ("half_space.thickness", plate.is_some(), "leave this key out, and let the simulation move the plate"),
+        (
+            "half_space.mass",
+            input.number(at!("half_space.mass")).is_some(),
+            "leave this key out; the simulation has the mass of every body",
+        ),
+        ("impact.angle", scenario.document.has("impact.angle"), OF_THE_SPHERE),
+        ("sphere.spin", scenario.document.has("sphere.spin"), OF_THE_SPHERE),
+    ];
+    if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
+        let message = format!("is not a part of the contact law: {way_out}");
+        return Err(scenario.document.refuse(key, message));
+    }
+    let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
+    let contact = input.contact().map_err(failed)?;
+    Ok((input, contact))
+}
+
+/// That contact with the strength of the speed of the scenario, for codes that ask for forces one after the other.
+///
+/// # Errors
+/// [`Error`] as of [`contact_alone`], and where a strength depends on a speed that the scenario does not give.
+pub fn contact_of_one_strength(scenario: &Scenario) -> Result<Contact, Error> {
+    let (input, contact) = contact_alone(scenario)?;
+    at_speed_of(scenario, &input, &contact).map(|own| own.unwrap_or(contact))
+}
+
+/// The contact with the strength of the speed of the scenario; `None` where it does not depend on a speed.
+///
+/// # Errors
+/// [`Error`] where the scenario gives no speed.
+pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Result<Option<Contact>, Error> {
+    if !contact.has_rate() {
+        return Ok(None);
+    }
+    let speed = input.speed();
+    if !speed.is_finite() {
+        let table = if scenario.document.has("half_space.rate") { "half_space.rate" } else { "sphere.rate" };
+        let message = "the strength depends on the speed: give impact.speed, and the law is that of this speed";
+        return Err(scenario.document.refuse(table, message));
+    }
+    contact.at_speed(speed).map(Some).map_err(|reason| no_result(scenario, &reason))
+}
+
+/// Refuses a scenario with warnings, if `is_strict`.
+pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
+    if is_strict && warnings > 0 {
+        let text = format!("{warnings} warning(s), which --strict makes errors; nothing was written");
+        return Err(Error::in_file(ErrorKind::Failed, scenario.document.name(), text));
+    }
+    Ok(())
+}

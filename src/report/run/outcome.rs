@@ -1,0 +1,132 @@
+//! The outcome of a scenario of any kind.
+
+use serde_json::{Map, Value};
+
+use crate::contact::law::{LawChoice, OutsideLaw};
+use crate::error::{Error, ErrorKind};
+use crate::files::progress::Counter;
+use crate::files::provenance::{LawOf, Provenance};
+use crate::files::{OutputFile, SUMMARY};
+use crate::impact::{ImpactError, Warning};
+use crate::numerics::integrate::IntegrationError;
+use crate::report::plot::Pictures;
+use crate::report::text::Detail;
+use crate::scenario::Scenario;
+
+/// The options of a run, besides its scenario.
+#[derive(Debug, Clone, Copy)]
+pub struct Order<'a> {
+    /// The command line, for the provenance.
+    pub command: &'a str,
+    /// How much the text says of an impact.
+    pub detail: Detail,
+    /// The format of the pictures.
+    pub pictures: Pictures,
+    /// Counts how far the run is.
+    pub progress: &'a Counter,
+}
+
+/// The outcome of a scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Warnings about scene, model or run.
+    pub warnings: Vec<String>,
+    /// The text for the terminal.
+    pub text: String,
+    /// The files for the output directory; empty for a check.
+    pub files: Vec<OutputFile>,
+    /// Why measurements contradict the law, where they do: all is written, and the exit code is 3.
+    pub contradiction: Option<String>,
+    /// A check as data; empty for a run, whose summary has more.
+    pub checked: Map<String, Value>,
+}
+
+impl Outcome {
+    pub(super) fn checked(warnings: Vec<String>, text: String, checked: Map<String, Value>) -> Self {
+        Self { checked, ..Self::done(warnings, text, Vec::new()) }
+    }
+
+    pub(super) fn done(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
+        Self { warnings, text, files, contradiction: None, checked: Map::new() }
+    }
+}
+
+/// Warnings as they are shown.
+pub fn texts(warnings: &[Warning]) -> Vec<String> {
+    warnings.iter().map(ToString::to_string).collect()
+}
+
+pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
+    OutputFile { name: name.to_owned(), bytes: bytes.into() }
+}
+
+/// All files: the summary, which lists the others, and these.
+pub(super) fn with_summary(
+    files: Vec<OutputFile>,
+    provenance: Provenance,
+    summary: impl FnOnce(&Provenance) -> Result<String, Error>,
+) -> Result<Vec<OutputFile>, Error> {
+    let names = files.iter().map(|file| file.name.clone());
+    let provenance = Provenance { files: provenance.files.iter().cloned().chain(names).collect(), ..provenance };
+    let mut all = vec![file(SUMMARY, summary(&provenance)?)];
+    all.extend(files);
+    Ok(all)
+}
+
+/// The provenance of results of a scenario under one law. The law of elastic bodies is that of Hertz.
+pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, command: &str) -> Provenance {
+    let coefficients = match law {
+        LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
+        _ => None,
+    };
+    let law = LawOf {
+        law: if can_yield { law.name() } else { "hertz".to_owned() },
+        law_source: (can_yield && coefficients.is_none()).then(|| law.source()),
+        coefficients: coefficients.map(|table| table.name.clone()),
+        coefficients_source: coefficients.map(|table| table.source.clone()),
+    };
+    Provenance { law: Some(law), ..scenario.provenance(command) }
+}
+
+/// The error of a scenario without a result. If one key is the reason, the error points at it.
+pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
+    let speeds = ["impact.speed", "impact.drop_height", "repeat.speeds"];
+    let key = match reason {
+        ImpactError::Law(OutsideLaw::Exponent { .. }) => "law.plm.unloading_exponent",
+        ImpactError::Law(_) => "law",
+        ImpactError::Plate(_) => "half_space.thickness",
+        ImpactError::Hollow(_) => "half_space.radius",
+        ImpactError::FreeUnderGravity | ImpactError::NoBall => "half_space.mass",
+        ImpactError::NoClosedForm => "solver.method",
+        ImpactError::SmallInertia { .. } => "sphere.moment_of_inertia",
+        ImpactError::TooDeep { .. } => speeds.into_iter().find(|key| scenario.document.has(key)).unwrap_or(speeds[0]),
+        ImpactError::Range(_) | ImpactError::Integration(_) => "",
+    };
+    let document = &scenario.document;
+    if document.has(key) {
+        return document.refuse(key, reason.to_string());
+    }
+    match reason {
+        ImpactError::Integration(IntegrationError::StepUnderflow { .. } | IntegrationError::NotFinite { .. }) => {
+            let given: Vec<&str> = OF_THE_MOTION.into_iter().filter(|key| document.has(key)).collect();
+            let text = format!("{reason}; one of these numbers is too extreme for it: {}", given.join(", "));
+            Error::in_file(ErrorKind::Input, document.name(), text)
+        }
+        ImpactError::Integration(_) => Error::in_file(ErrorKind::Failed, document.name(), reason),
+        _ => Error::in_file(ErrorKind::Input, document.name(), reason),
+    }
+}
+
+/// The keys that a motion depends on most.
+const OF_THE_MOTION: [&str; 10] = [
+    "sphere.radius",
+    "sphere.diameter",
+    "sphere.density",
+    "sphere.mass",
+    "impact.speed",
+    "impact.drop_height",
+    "gravity.acceleration",
+    "damping.viscous",
+    "damping.hunt_crossley",
+    "solver.tolerance",
+];

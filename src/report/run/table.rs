@@ -1,0 +1,100 @@
+//! Summary, pictures and warnings of a table.
+
+use super::outcome::{Order, Outcome, no_result, texts, with_summary};
+use crate::error::{Error, ErrorKind};
+use crate::files::OutputFile;
+use crate::files::progress::Counter;
+use crate::files::provenance::Provenance;
+use crate::impact::Contact;
+use crate::report::plot::Pictures;
+use crate::report::plot::sweep::pictures;
+use crate::report::text::checked::of_plan;
+use crate::report::text::overview::overview;
+use crate::report::text::plan::plan_lines;
+use crate::report::text::sweep::{lines, summary};
+use crate::scenario::Scenario;
+use crate::scenario::plan::Plan;
+use crate::table::caution::at_corners;
+use crate::table::count::{Tally, count};
+use crate::table::evaluator::{Evaluator, Rows};
+use crate::table::ordered::in_order;
+
+pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
+    let plan = scenario.plan()?;
+    let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
+    let text = plan_lines(&plan) + &overview(&plan.input, &contact);
+    Ok(Outcome::checked(warnings_of(&plan, &contact), text, of_plan(&plan, &contact)?))
+}
+
+/// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.
+///
+/// # Errors
+/// [`Error`] of the kind `Stopped` if the progress is asked to stop.
+pub fn rows<P: Send>(
+    plan: &Plan,
+    progress: &Counter,
+    encode: impl Fn(&Rows) -> P + Sync + Send,
+    mut take: impl FnMut(P) + Send,
+) -> Result<Tally, Error> {
+    let step = if plan.microseconds() > SLOW { 16 } else { 1024 };
+    let evaluator = Evaluator::new(plan);
+    let mut tally = Tally::of(plan);
+    let make = |piece: u64| {
+        if progress.is_stopped() {
+            return Err(Error::new(ErrorKind::Stopped(130), "the table was stopped"));
+        }
+        let mut rows = Rows::default();
+        evaluator.rows(piece * step..plan.count().min((piece + 1) * step), &mut rows);
+        let counts: Vec<_> = rows.results.iter().map(count).collect();
+        Ok((encode(&rows), counts))
+    };
+    in_order(0..plan.count().div_ceil(step), make, |(piece, counts)| {
+        take(piece);
+        for count in counts {
+            tally.push(count);
+        }
+        Ok(())
+    })?;
+    Ok(tally)
+}
+
+/// Rows that take longer than this \[µs\] are made a few at a time, so that a stop is heard soon.
+const SLOW: f64 = 100.0;
+
+/// The outcome of a whole table with this tally, and with the file of the table where it is one of the results.
+pub fn outcome(
+    scenario: &Scenario,
+    plan: &Plan,
+    tally: &Tally,
+    order: &Order,
+    table: Option<OutputFile>,
+) -> Result<Outcome, Error> {
+    let warnings = warnings(plan);
+    let names = table.iter().map(|file| file.name.clone()).collect();
+    let provenance = Provenance { files: names, ..scenario.provenance(order.command) };
+    let mut files = files(plan, tally, &warnings, provenance, order.pictures)?;
+    files.extend(table);
+    Ok(Outcome::done(warnings, lines(tally), files))
+}
+
+/// The warnings about a table of this plan.
+pub fn warnings(plan: &Plan) -> Vec<String> {
+    [at_corners(plan, None), texts(&plan.warnings)].concat()
+}
+
+/// Warnings of a plan whose contact is known.
+pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
+    [at_corners(plan, Some(contact)), texts(&plan.warnings)].concat()
+}
+
+/// `summary.json`, which repeats the `warnings`, and the pictures of a whole table. Its own file is in the provenance.
+pub fn files(
+    plan: &Plan,
+    tally: &Tally,
+    warnings: &[String],
+    provenance: Provenance,
+    format: Pictures,
+) -> Result<Vec<OutputFile>, Error> {
+    let pictures = format.files(|| Ok(pictures(plan, tally)))?;
+    with_summary(pictures, provenance, |of| summary(plan, tally, warnings, of))
+}

@@ -1,0 +1,341 @@
+//! Texts about a calibration: `summary.json`, `residuals.csv` and the table on the terminal.
+
+use std::fmt::Write as _;
+
+use serde_json::{Map, Value, json};
+
+use super::inputs::Inputs;
+use super::rows::written;
+use crate::calibrate::minimum::Place;
+use crate::calibrate::profile::Ends;
+use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
+use crate::error::Error;
+use crate::files::provenance::Provenance;
+use crate::scenario::scene::measured::Measured;
+use crate::scenario::scene::results::entry::{file, results};
+use crate::scenario::scene::results::{Reported, fields};
+use crate::units::aligned::aligned;
+use crate::units::{four_digits, percent};
+
+/// The note on an interval with an end outside of the range of the key.
+const UNBOUNDED: &str = "not bounded by these data";
+
+/// An interval in SI. An end that the data do not bound is `null`.
+fn interval(ends: Ends) -> Value {
+    let note = ends.iter().any(Option::is_none).then_some(UNBOUNDED);
+    json!({ "low": ends[0], "high": ends[1], "note": note })
+}
+
+/// `yield_strength x youngs_modulus^-0.8`.
+fn combination(calibration: &Calibration, exponents: &[f64]) -> String {
+    let factors = calibration.keys.iter().zip(exponents).map(|(key, exponent)| match *exponent {
+        1.0 => key.free.key.path.to_owned(),
+        exponent => format!("{}^{exponent:.2}", key.free.key.path),
+    });
+    factors.collect::<Vec<_>>().join(" x ")
+}
+
+/// Tells in words how the noise is found, with the share of every value if it is estimated.
+fn noise(calibration: &Calibration) -> (&'static str, Option<f64>) {
+    match calibration.fit.noise {
+        Noise::Estimated { share, .. } => ("estimated from the residuals", share),
+        Noise::TooFew | Noise::NoScatter => ("unknown", None),
+        Noise::Given => ("given", None),
+    }
+}
+
+/// A calibration and its request.
+pub struct Calibrated<'a> {
+    measured: &'a Measurements,
+    calibration: &'a Calibration<'a>,
+}
+
+/// The results of a calibration, in the order of `summary.json`.
+pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
+    results! { |one: Calibrated<'a>|
+        /// The result for each key, see below.
+        "keys": (0..one.calibration.keys.len()).map(|i| json!(fields(&key(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
+        /// Why there is no interval; `null` if there is one.
+        "refusal": one.calibration.refusal.clone();
+        /// Correlation of the two keys.
+        "correlation": one.calibration.correlation().filter(|_| one.calibration.refusal.is_none());
+        /// Whether the law fits; `null` if these measurements cannot tell.
+        "fits": one.calibration.verdict().fits();
+        /// Why the law does not fit.
+        "contradiction": one.calibration.verdict().contradiction();
+        /// Why it cannot be judged whether the law fits, although it is off.
+        "undecided": one.calibration.verdict().undecided();
+        /// Measured values.
+        "values": one.calibration.residuals.len();
+        /// Values without outliers, less the keys.
+        "degrees_of_freedom": one.calibration.freedom;
+        /// Sum of the squares of the residuals over their standard deviations, without outliers.
+        "chi_square": one.calibration.chi_square;
+        /// That sum over the degrees of freedom: about 1 for a law that fits.
+        "chi_square_per_degree_of_freedom": per_degree(one.calibration);
+        /// Root mean square of measured less predicted over that of the measured values, of the worst quantity.
+        "misfit": one.calibration.misfit;
+        /// Probability of such a chi-square or a larger one, for a noise that is given.
+        "p": one.calibration.p;
+        /// Probability of as few runs of equal signs in the residuals, in the order of the speeds.
+        "p_of_runs": one.calibration.runs.map(|runs| runs.p);
+        /// `given`, `estimated from the residuals`, or `unknown`.
+        "noise": noise(one.calibration).0;
+        /// The estimated standard deviation as a share of every value.
+        "estimated_noise": noise(one.calibration).1;
+        /// Error of the law that was assumed, as a share of every value.
+        "model_error": one.measured.wanted.model_error;
+        /// `normal`, or `student-t with 4 degrees of freedom`.
+        "likelihood": if one.calibration.fit.problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
+        /// Values that count as outliers.
+        "outliers": one.calibration.outliers;
+        /// Akaike's information criterion; less is better.
+        "aic": one.calibration.fit.aic;
+        /// Every basin: the values of the keys, and the excess of its sum of squares over the least.
+        "minima": one.calibration.fit.minima.iter().map(|place| basin(one.calibration, place)).collect::<Vec<_>>();
+        /// Singular values of the relative changes of the predictions by those of the keys.
+        "identifiability.singular_values": one.calibration.identifiability.as_ref().map(|found| found.singular_values.clone());
+        /// Relative change of the predictions where one key is doubled and the others go along so that it is least.
+        "identifiability.change_along_the_weakest_direction": one.calibration.identifiability.as_ref().map(|found| found.change);
+        /// The product of powers of the keys that is known best.
+        "identifiability.best_known_combination":
+            one.calibration.identifiability.as_ref().map(|identifiability| combination(one.calibration, &identifiability.exponents));
+        /// Its relative standard deviation.
+        "identifiability.relative_sd_of_that": one.calibration.identifiability.as_ref().map(|found| found.deviation);
+        /// Every law that was asked for, the best first: its AIC, how far that is above the least, its values of the keys.
+        "laws": one.calibration.laws.iter().map(|law| of_law(one.calibration, law)).collect::<Vec<_>>();
+        /// The file of measurements, and
+        "data_file": one.measured.sha256.is_some().then(|| file_name(&one.measured.data.name));
+        /// its hash; `null` if the measurements are in the scenario.
+        "data_sha256": one.measured.sha256.clone();
+    }
+}
+
+/// One of the keys that were found.
+struct KeyResult<'a> {
+    number: usize,
+    calibration: &'a Calibration<'a>,
+}
+
+impl KeyResult<'_> {
+    fn found(&self) -> &KeyEstimate {
+        &self.calibration.keys[self.number]
+    }
+
+    /// The value that shifts the key most.
+    fn largest_shift(&self) -> Option<Value> {
+        let calibration = self.calibration;
+        let shifts = calibration
+            .shifts
+            .as_ref()
+            .filter(|_| calibration.refusal.is_none() && calibration.freedom > 0)?
+            .column(self.number);
+        let value = &calibration.fit.problem.data.values[shifts.icamax()];
+        let slope = self.found().free.slope(calibration.fit.best().shares[self.number]);
+        let line = calibration.fit.problem.data.rows[value.row].line;
+        Some(json!({ "line": line, "quantity": value.quantity.name(), "without_it": slope * shifts[shifts.icamax()] }))
+    }
+}
+
+fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
+    results! { |one: KeyResult<'a>|
+        /// Path of the key.
+        "key": one.found().free.key.path;
+        /// Its name as a column, with the unit of the values.
+        "column": one.found().free.key.column();
+        /// Range that was searched.
+        "range": vec![one.found().free.from, one.found().free.to];
+        /// Whether it was searched in the logarithm.
+        "is_logarithmic": one.found().free.is_logarithmic;
+        /// Best value.
+        "estimate": one.found().estimate;
+        /// A hardness on the scale on which the scenario gives it, such as `254.3 HV`; `null` for others.
+        "estimate_on_its_scale": one.found().free.hardness.and_then(|_| one.found().free.written(one.found().estimate));
+        /// Standard deviation; `null` if there is no interval.
+        "sd": one.found().sd;
+        /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
+        "interval_68": one.found().intervals.map(|[narrow, _]| interval(narrow));
+        /// Ends of the interval with a confidence of 95 %.
+        "interval_95": one.found().intervals.map(|[_, wide]| interval(wide));
+        /// The value that shifts the key most: its line, its quantity, and the shift if it were left out.
+        "largest_shift": one.largest_shift();
+    }
+}
+
+/// The tables of these results for the reference page.
+pub fn files() -> String {
+    file("Calibrations: `summary.json`", &results()) + &file("Calibrations: every key in `summary.json`", &key())
+}
+
+#[allow(clippy::cast_precision_loss)] // counts of measurements
+fn per_degree(calibration: &Calibration) -> Option<f64> {
+    (calibration.freedom > 0).then_some(calibration.chi_square / calibration.freedom as f64)
+}
+
+fn basin(calibration: &Calibration, place: &Place) -> Value {
+    json!({ "values": calibration.fit.problem.values(&place.shares), "excess": place.sum - calibration.fit.best().sum })
+}
+
+fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
+    match fit {
+        Ok(fit) => {
+            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - calibration.least_aic(), "values": fit.values() })
+        }
+        Err(reason) => json!({ "law": name, "no_answer": reason.to_string() }),
+    }
+}
+
+/// `summary.json`.
+pub fn summary(measured: &Measurements, calibration: &Calibration, provenance: &Provenance) -> Result<String, Error> {
+    super::summary::of(
+        fields(&results(), &Calibrated { measured, calibration }),
+        &inputs(measured, calibration),
+        provenance,
+    )
+}
+
+/// The results and inputs alone, for a check.
+pub fn found(measured: &Measurements, calibration: &Calibration) -> Result<Map<String, Value>, Error> {
+    let mut all = fields(&results(), &Calibrated { measured, calibration });
+    all.extend(super::checked::of_inputs(&inputs(measured, calibration))?);
+    Ok(all)
+}
+
+/// The inputs that neither the data give nor the calibration finds.
+fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
+    let varies = |key: &str| {
+        calibration.keys.iter().any(|found| found.free.key.path == key)
+            || measured.data.keys.iter().any(|column| column.path == key)
+            || key == "output.samples"
+            || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
+    };
+    let mut inputs = Inputs::of(&calibration.fit.problem.input);
+    inputs.0.retain(|held| !varies(&held.path));
+    inputs
+}
+
+/// The name of a file without its folders, which differ from machine to machine.
+fn file_name(path: &str) -> String {
+    std::path::Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+/// `residuals.csv`: a line for every measured value.
+pub fn residuals(calibration: &Calibration) -> Result<Vec<u8>, Error> {
+    let data = calibration.fit.problem.data;
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let keys = data.keys.iter().map(|key| key.column());
+    let shifted = calibration.keys.iter().map(|found| format!("shift_without_it_{}", found.free.key.column()));
+    let fixed = ["quantity", "measured", "sd", "predicted", "residual_over_sd"].map(str::to_owned);
+    let indentation = data.is_curve().then(|| "indentation_m".to_owned());
+    let header = ["line".to_owned()].into_iter().chain(keys).chain(indentation).chain(fixed).chain(shifted);
+    writer.write_record(header)?;
+    for (i, value) in data.values.iter().enumerate() {
+        let row = &data.rows[value.row];
+        let slope = |key: usize| calibration.keys[key].free.slope(calibration.fit.best().shares[key]);
+        let shift = |key: usize| {
+            calibration.shifts.as_ref().map_or_else(String::new, |all| (all[(i, key)] * slope(key)).to_string())
+        };
+        let numbers =
+            [value.value, calibration.fit.problem.deviations[i], calibration.predicted[i], calibration.residuals[i]];
+        let fields = [row.line.to_string()].into_iter().chain(
+            row.keys
+                .iter()
+                .chain(&row.indentation)
+                .map(|key| if key.is_nan() { String::new() } else { key.to_string() }),
+        );
+        let fields = fields.chain([value.quantity.name().to_owned()]).chain(numbers.map(|number| number.to_string()));
+        writer.write_record(fields.chain((0..calibration.keys.len()).map(shift)))?;
+    }
+    written(writer)
+}
+
+/// A line for every law, the best first: its AIC, how far that is above the smallest AIC, and the values of the keys.
+fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
+    let row = |(law, fit): &LawFit| match fit {
+        Ok(fit) => {
+            // where the law does not know the keys, rounding alone is left of their information
+            let is_known = fit.covariance.as_ref().is_some_and(|all| all.diagonal().iter().all(|square| *square < 1.0));
+            let say = |(value, found): (f64, &KeyEstimate)| {
+                if is_known { found.free.say(value, 4) } else { "not determined".to_owned() }
+            };
+            let values = fit.values().into_iter().zip(&calibration.keys).map(say);
+            let numbers = [fit.aic, fit.aic - calibration.least_aic()].map(|number| format!("{number:.2}"));
+            [law.clone()].into_iter().chain(numbers).chain(values).collect()
+        }
+        Err(reason) => vec![law.clone(), reason.to_string()],
+    };
+    let names = calibration.keys.iter().map(|found| found.free.key.path.to_owned());
+    let header = ["law", "AIC", "above the best"].map(str::to_owned).into_iter().chain(names).collect();
+    [header].into_iter().chain(calibration.laws.iter().map(row)).collect()
+}
+
+/// The table for the terminal.
+pub fn table(calibration: &Calibration) -> String {
+    let mut rows: Vec<[String; 2]> = Vec::new();
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
+    for found in &calibration.keys {
+        let say = |value: f64| found.free.say(value, 4);
+        let sd = found
+            .sd
+            .map_or_else(String::new, |sd| format!("   sd {}", found.free.say_deviation(found.estimate, sd, 2)));
+        row(found.free.key.path, say(found.estimate) + &sd);
+        for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
+            row(
+                name,
+                match *ends {
+                    [Some(low), Some(high)] => format!("{} to {}", say(low), say(high)),
+                    [Some(low), None] => format!("{} and more, {UNBOUNDED}", say(low)),
+                    [None, Some(high)] => format!("{} and less, {UNBOUNDED}", say(high)),
+                    [None, None] => UNBOUNDED.to_owned(),
+                },
+            );
+        }
+    }
+    if let Some(identifiability) =
+        calibration.identifiability.as_ref().filter(|_| calibration.refusal.is_some() && calibration.keys.len() > 1)
+    {
+        let known = combination(calibration, &identifiability.exponents);
+        row("best known", format!("{known}, to {}", percent(identifiability.deviation)));
+    }
+    let measured = calibration.fit.problem.data.measured().into_iter().map(Measured::name).collect::<Vec<_>>();
+    row(
+        "data",
+        format!(
+            "{} value{} of {}",
+            calibration.residuals.len(),
+            if calibration.residuals.len() == 1 { "" } else { "s" },
+            measured.join(", ")
+        ),
+    );
+    let (noise, share) = noise(calibration);
+    let share = share.map_or_else(String::new, |share| format!(", {} of a value", percent(share)));
+    row("noise", format!("{noise}{share}"));
+    row("misfit", format!("{} rms", percent(calibration.misfit)));
+    if let Some(p) = calibration.p {
+        let outliers = if calibration.outliers > 0 {
+            format!(", without {} outliers", calibration.outliers)
+        } else {
+            String::new()
+        };
+        let chi_square = four_digits(calibration.chi_square);
+        row(
+            "chi-square",
+            format!("{chi_square} on {} degrees of freedom{outliers}, p = {}", calibration.freedom, four_digits(p)),
+        );
+    }
+    if let Some(runs) = calibration.runs {
+        row("runs of signs", format!("p = {}", four_digits(runs.p)));
+    }
+    if calibration.fit.minima.len() > 1 && calibration.refusal.is_none() {
+        let second = &calibration.fit.minima[1];
+        let values = calibration.fit.problem.values(&second.shares);
+        let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.say(value, 4));
+        let excess = four_digits(second.sum - calibration.fit.best().sum);
+        row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
+    }
+    let mut text = aligned(&rows, |_| true);
+    if !calibration.laws.is_empty() {
+        let _ = write!(text, "\n{}", aligned(&ranked(calibration), |column| column == 0));
+    }
+    text
+}

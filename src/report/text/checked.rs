@@ -1,0 +1,62 @@
+//! What `check --json` prints: the inputs, and the numbers that follow from them before anything is run.
+
+use serde_json::{Map, Value, json};
+
+use super::inputs::Inputs;
+use crate::error::Error;
+use crate::impact::Contact;
+use crate::scenario::plan::Plan;
+use crate::scenario::scene::Input;
+use crate::scenario::scene::results::entry::{file, results};
+use crate::scenario::scene::results::{Reported, fields};
+
+/// The numbers of a contact at which no sphere has arrived.
+pub(super) fn contact() -> Vec<Reported<Contact>> {
+    results! { |of: Contact|
+        /// Mass of the sphere.
+        "sphere_mass_kg" in Mass: of.mass();
+        /// Mass of the body that is hit.
+        "target_mass_kg" in Mass if FREE: of.target_mass();
+        /// Effective mass of both bodies.
+        "effective_mass_kg" in Mass if FREE: of.target_mass().map(|_| of.reduced_mass());
+        /// Effective radius of both bodies; the radius of the sphere where a flat surface is hit.
+        "effective_radius_m" in Length: of.pair().radius;
+        /// Effective modulus E* of the pair of bodies.
+        "effective_modulus_Pa" in Pressure: of.pair().effective_modulus;
+        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        "sphere_compliance": of.pair().sphere_compliance;
+        /// Indentation at first yield.
+        "yield_indentation_m" in Length if YIELDS: of.pair().yield_point.map(|point| point.indentation);
+        /// Force at first yield.
+        "yield_force_N" in Force if YIELDS: of.pair().yield_point.map(|point| point.force);
+        /// Contact radius at first yield.
+        "yield_contact_radius_m" in Length if YIELDS: of.pair().yield_point.map(|point| point.contact_radius);
+        /// Impact speed above which a body yields.
+        "yield_speed_m_per_s" in Speed if YIELDS: of.yield_speed();
+    }
+}
+
+/// The table of these numbers for the reference page.
+pub(super) fn files() -> String {
+    file("Checks: `contact` in `check --json`", &contact())
+}
+
+/// A scenario of impacts; of a table, it is its first case.
+pub fn of_contact(input: &Input, contact: &Contact) -> Result<Map<String, Value>, Error> {
+    let mut all = of_inputs(&Inputs::of(input))?;
+    all.insert("contact".to_owned(), fields(&self::contact(), contact).into());
+    Ok(all)
+}
+
+/// A scenario of which the inputs say all.
+pub fn of_inputs(inputs: &Inputs) -> Result<Map<String, Value>, Error> {
+    Ok(Map::from_iter([("inputs".to_owned(), serde_json::to_value(inputs)?)]))
+}
+
+/// A table: also its size and its columns.
+pub fn of_plan(plan: &Plan, contact: &Contact) -> Result<Map<String, Value>, Error> {
+    let mut all = of_contact(&plan.input, contact)?;
+    all.insert("cases".to_owned(), plan.count().into());
+    all.insert("columns".to_owned(), json!(plan.column_names()));
+    Ok(all)
+}

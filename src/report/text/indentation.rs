@@ -1,0 +1,228 @@
+//! The results of an indentation, and the texts about it: `summary.json`, `trace.csv` and what the terminal shows.
+
+use serde_json::{Map, Value};
+
+use super::inputs::Inputs;
+use super::rows::csv;
+use super::{overview, terminal};
+use crate::error::Error;
+use crate::files::provenance::Provenance;
+use crate::impact::indentation::{Step, Target, Tested, TraceRow};
+use crate::scenario::Scenario;
+use crate::scenario::indentation::IndentationScene;
+use crate::scenario::scene::EVERY_KEY;
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::key::Part;
+use crate::scenario::scene::results::entry::{file, results};
+use crate::scenario::scene::results::{Reported, fields, lists};
+use crate::scenario::scene::taken::Body;
+use crate::units::aligned::aligned;
+use crate::units::{self, Dimension, describe};
+
+/// The results of one half-space, in the order of `summary.json`.
+pub(super) fn half_space() -> Vec<Reported<Tested>> {
+    results! { |of: Tested|
+        /// Name of the half-space.
+        "name" if NAMED: of.specimen.name.clone();
+        /// Young's modulus.
+        "youngs_modulus_Pa" in Pressure: of.specimen.half_space.material.youngs_modulus;
+        /// Poisson's ratio.
+        "poissons_ratio": of.specimen.half_space.material.poissons_ratio;
+        /// Yield strength.
+        "yield_strength_Pa" in Pressure if YIELDS: of.specimen.half_space.yield_strength;
+        /// Effective modulus E* of the pair of bodies.
+        "effective_modulus_Pa" in Pressure: of.pair.effective_modulus;
+        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        "sphere_compliance": of.pair.sphere_compliance;
+        /// Indentation at first yield.
+        "yield_indentation_m" in Length if YIELDS: of.pair.yield_point.map(|point| point.indentation);
+        /// Force at first yield.
+        "yield_force_N" in Force if YIELDS: of.pair.yield_point.map(|point| point.force);
+        /// Work of all steps.
+        "work_J" in Energy: of.indentation.steps.iter().map(|step| step.work).sum::<f64>();
+        /// Energy spent on the dent in all steps.
+        "plastic_work_J" in Energy if YIELDS: of.can_yield.then(|| {
+            of.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
+        });
+    }
+}
+
+/// The steps of one half-space.
+fn stepped(of: &Tested) -> Vec<Stepped<'_>> {
+    (1..).zip(&of.indentation.steps).map(|(number, step)| Stepped { number, step, tested: of }).collect()
+}
+
+/// One step of an indentation.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stepped<'a> {
+    number: usize,
+    step: &'a Step,
+    tested: &'a Tested,
+}
+
+/// The results of one step.
+pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
+    results! { |of: Stepped<'a>|
+        /// Number of the step, from 1.
+        "step" as "step": of.number;
+        /// Load at which the step ends.
+        "target_load_N" in Force as "to" if GIVEN: match of.step.target {
+            Target::Load(load) => Some(load),
+            Target::Indentation(_) => None,
+        };
+        /// Indentation at which the step ends.
+        "target_indentation_m" in Length as "to" if GIVEN: match of.step.target {
+            Target::Load(_) => None,
+            Target::Indentation(indentation) => Some(indentation),
+        };
+        /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+        "branch": of.step.branch.name();
+        /// Indentation at its end.
+        "indentation_m" in Length as "indentation": of.step.indentation;
+        /// The sphere's own share of the indentation, with the flat that it keeps.
+        "sphere_indentation_m" in Length: of.step.sphere_indentation;
+        /// Force at its end.
+        "force_N" in Force as "force": of.step.force;
+        /// Work done in the step; negative on unloading.
+        "work_J" in Energy as "work": of.step.work;
+        /// Elastic energy in the contact at its end.
+        "stored_energy_J" in Energy: of.step.stored_energy;
+        /// Energy spent on the dent in the step.
+        "plastic_work_J" in Energy as "plastic work" if YIELDS: of.tested.can_yield.then_some(of.step.plastic_work);
+        /// Largest force so far.
+        "peak_force_N" in Force: of.step.memory.force;
+        /// Largest indentation so far.
+        "peak_indentation_m" in Length: of.step.memory.indentation;
+        /// Contact radius at that indentation.
+        "peak_contact_radius_m" in Length as "contact radius": of.step.memory.contact_radius;
+        /// Largest force over the contact area there.
+        "peak_mean_pressure_Pa" in Pressure: of.step.memory.mean_pressure;
+        /// Depth of the dent.
+        "residual_indentation_m" in Length as "dent depth" if YIELDS: of.tested.can_yield.then_some(of.step.memory.residual_indentation);
+        /// Slope of the unloading branch at its top.
+        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": of.step.memory.unloading_stiffness;
+        /// Exponent of the force on unloading.
+        "unloading_exponent": of.step.memory.unloading_exponent;
+    }
+}
+
+/// A row of the trace, with the name of the half-space.
+pub(super) type Traced<'a> = (Option<&'a str>, &'a TraceRow);
+
+/// The columns of `trace.csv`.
+pub(super) fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
+    results! { |row: Traced<'a>|
+        /// Name of the half-space.
+        "half_space" if NAMED: row.0.map(str::to_owned);
+        /// Number of the step, from 1.
+        "step": row.1.step;
+        /// Indentation.
+        "indentation_m" in Length: row.1.indentation;
+        /// The sphere's own share of the indentation, with the flat that it keeps.
+        "sphere_indentation_m" in Length: row.1.sphere_indentation;
+        /// The half-space's share of the indentation.
+        "half_space_indentation_m" in Length: row.1.half_space_indentation;
+        /// Force.
+        "force_N" in Force: row.1.force;
+        /// Branch of the law: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
+        "branch": row.1.branch.name();
+    }
+}
+
+/// The files with these results, as Markdown.
+pub(super) fn files() -> String {
+    file("Indentation: every half-space in `summary.json`", &half_space())
+        + &file("Indentation: every step of a half-space", &step())
+        + &file("Indentation: `trace.csv`", &columns())
+}
+
+/// `summary.json`.
+pub fn summary(
+    tested: &[Tested],
+    warnings: &[String],
+    inputs: &Inputs,
+    provenance: &Provenance,
+) -> Result<String, Error> {
+    let of_half_space = |one| {
+        let mut half_space = fields(&half_space(), one);
+        half_space.insert("steps".to_owned(), lists(&step(), &stepped(one)));
+        half_space
+    };
+    let half_spaces = tested.iter().map(of_half_space).collect();
+    let all = [("half_spaces".to_owned(), half_spaces), ("warnings".to_owned(), warnings.into())];
+    super::summary::of(Map::from_iter(all), inputs, provenance)
+}
+
+/// `trace.csv`.
+pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, Error> {
+    let rows = tested.iter().flat_map(|one| {
+        let name = one.specimen.name.as_deref();
+        one.indentation.trace.iter().map(move |row| (name, row))
+    });
+    csv(&columns(), rows)
+}
+
+/// The table for the terminal: for every half-space, a line for each step.
+pub fn table(tested: &[Tested]) -> String {
+    let mut text = String::new();
+    for one in tested {
+        if let Some(name) = &one.specimen.name {
+            text.push_str(if text.is_empty() { "" } else { "\n" });
+            text.push_str(name);
+            text.push('\n');
+        }
+        text.push_str(&terminal::table(&step(), &stepped(one)));
+    }
+    text
+}
+
+/// The inputs of an indentation, without its steps and half-spaces.
+pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
+    let mut input = scenario.input().clone();
+    if !input.can_yield() {
+        let strength = scene.specimens.iter().find_map(|specimen| specimen.half_space.yield_strength);
+        input.set(at!("half_space.yield_strength"), strength);
+    }
+    // every half-space has keys of its own
+    let own = EVERY_KEY.iter().filter_map(|key| key.path.strip_prefix("indentation.half_space[]."));
+    let own: Vec<String> = own.map(|name| format!("half_space.{name}")).collect();
+    let mut inputs = Inputs::of(&input);
+    inputs.0.retain(|held| (held.part.is_static() || held.part == Part::Output) && !own.contains(&held.path));
+    inputs
+}
+
+/// A check as data: the inputs, and every half-space.
+pub fn checked(tested: &[Tested], inputs: &Inputs) -> Result<Map<String, Value>, Error> {
+    let mut all = super::checked::of_inputs(inputs)?;
+    all.insert("half_spaces".to_owned(), lists(&half_space(), tested));
+    Ok(all)
+}
+
+/// The text of `check`: the inputs, the steps, and the contact of every half-space.
+pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
+    let mut rows = overview::rows(&inputs(scenario, scene));
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
+    for (i, target) in (1..).zip(&scene.targets) {
+        let (what, value) = match *target {
+            Target::Load(load) => ("load", describe(load, Dimension::Force)),
+            Target::Indentation(indentation) => ("indentation", describe(indentation, Dimension::Length)),
+        };
+        row(&format!("step {i}"), format!("{what} {value}"));
+    }
+    for Tested { specimen, pair, .. } in tested {
+        let half_space = &specimen.half_space;
+        row("", String::new());
+        row("half-space", specimen.name.clone().unwrap_or_default());
+        row("youngs_modulus", describe(half_space.material.youngs_modulus, Dimension::Pressure));
+        row("poissons_ratio", units::number(half_space.material.poissons_ratio));
+        if let Some(strength) = half_space.yield_strength {
+            row("yield_strength", describe(strength, Dimension::Pressure));
+        }
+        for [name, value] in overview::paired(pair) {
+            row(&name, value);
+        }
+    }
+    let softer = |one: &Tested| one.pair.yield_point.map(|point| point.flow.of_softer(Body::ALL));
+    let is_vague = |body: Body| !scenario.input().has_flow(body);
+    aligned(&rows, |_| true) + overview::which_strength(tested.iter().filter_map(softer).any(is_vague))
+}

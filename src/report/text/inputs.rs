@@ -1,0 +1,105 @@
+//! The values of all keys of a scene, defaults included: `check` prints them, and a summary lists them as `inputs`, in SI, with
+//! the unit in every name.
+
+use serde::ser::{Serialize, Serializer};
+
+use crate::contact::law::plm::hardness::flow_stress;
+use crate::impact::Method;
+use crate::scenario::plan::Plan;
+use crate::scenario::plan::axis::{Axis, Word};
+use crate::scenario::scene::Input;
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::input::Held;
+use crate::scenario::scene::key::Part;
+use crate::scenario::scene::keys::partner;
+use crate::scenario::scene::quantity::FACTOR;
+use crate::scenario::scene::taken::Body;
+
+/// Keys and values in the order of the file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inputs(pub Vec<Held>);
+
+impl Serialize for Inputs {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|held| (held.column(), &held.value)))
+    }
+}
+
+impl Inputs {
+    /// Keys and values of an input, with its defaults and with what follows from other keys.
+    pub fn of(input: &Input) -> Self {
+        let (can_yield, is_verlet) = (input.can_yield(), input.solver().method == Method::Verlet);
+        let is_used = |held: &Held| match held.part {
+            // an elastic half-space does not use the keys of the law
+            Part::Law => can_yield && !held.value.is_null(),
+            Part::Solver if held.path == "solver.steps_per_contact" => is_verlet,
+            _ => !held.value.is_null(),
+        };
+        let mut entries: Vec<Held> = input.filled().held().into_iter().filter(is_used).collect();
+        for body in Body::ALL {
+            let keys = body.strength_keys();
+            let Some(mean_pressure) = input.number(keys.hardness) else { continue };
+            let rule = if input.flow_curve(body).is_some() { "hardness and flow_stress" } else { "hardness" };
+            entries.push(Held::word(&strength_from(body), Part::Flow, rule));
+            let ratio = mean_pressure / flow_stress(mean_pressure, &input.material(body));
+            let (path, quantity) = (constraint(body), Some(&FACTOR));
+            entries.push(Held { path, part: Part::Flow, quantity, value: ratio.into() });
+        }
+        for taken in input.taken() {
+            let part = if taken.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
+            entries.push(Held::word(taken.body.material(), part, taken.material.name.as_str()));
+            entries.extend(taken.notes().map(|(path, note)| Held::word(&path, part, note)));
+        }
+        Self(entries)
+    }
+
+    /// The inputs that all rows of a table share, and the parameters of every law on its axes.
+    pub fn of_plan(plan: &Plan) -> Self {
+        let Self(mut entries) = Self::of(&plan.input);
+        for input in plan.worded() {
+            let Self(mut new) = Self::of(&input);
+            new.retain(|entry| entries.iter().all(|old| old.path != entry.path));
+            entries.extend(new);
+        }
+        let mut varied = plan.paths();
+        for word in plan.axes().iter().flat_map(Axis::words) {
+            if let Word::Material(taken) = word {
+                varied.extend(taken.values().map(|(path, _)| path));
+            }
+        }
+        let varies = |key: &str| varied.contains(&key);
+        // beside a material that varies stand notes on it
+        let of_material = |path: &str| {
+            let mut materials = Body::ALL.map(Body::material).into_iter().filter(|material| varies(material));
+            materials.any(|material| path.starts_with(material))
+        };
+        let mut changing: Vec<String> = Vec::new();
+        for body in Body::ALL {
+            if plan.derives_strength(body) {
+                changing.extend([body.strength_keys().yield_strength.path().to_owned(), constraint(body)]);
+            }
+            if varies(body.material()) {
+                changing.push(strength_from(body));
+            }
+        }
+        let is_shared = |held: &Held| match held.path.as_str() {
+            _ if changing.contains(&held.path) => false,
+            "impact.speed" => plan.input.number(at!("impact.drop_height")).is_none() || !varies("gravity.acceleration"),
+            path => !of_material(path),
+        };
+        // a table has no trace
+        let is_kept = |held: &Held| held.part != Part::Output && !varies(&held.path) && is_shared(held);
+        entries.retain(|held| is_kept(held) && !partner(&held.path).is_some_and(varies));
+        Self(entries)
+    }
+}
+
+/// The mean pressure of the hardness of a body over its flow stress at a plastic strain of 0.08.
+fn constraint(body: Body) -> String {
+    format!("{}_over_flow_stress", body.strength_keys().hardness.path())
+}
+
+/// The name under which a summary says where the yield strength of a body comes from.
+fn strength_from(body: Body) -> String {
+    format!("{}_from", body.strength_keys().yield_strength.path())
+}

@@ -1,0 +1,95 @@
+//! The list of materials, and the page about one of them, for the terminal.
+
+use std::fmt::Write as _;
+
+use serde_json::{Map, Value, json};
+
+use crate::contact::materials::{Entry, Known, Property, all};
+use crate::units::aligned::aligned;
+use crate::units::{Dimension, four_digits, quantity};
+
+/// Whether the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
+pub fn has(entry: &Entry, text: &str) -> bool {
+    let text = text.to_lowercase();
+    [&entry.name, &entry.title].into_iter().any(|words| words.to_lowercase().contains(&text))
+}
+
+/// A head, and a row for every material whose name or description has this text.
+pub fn rows(text: &str) -> Vec<[String; 7]> {
+    let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
+    let mut rows = vec![heads.map(ToOwned::to_owned)];
+    rows.extend(all().iter().filter(|entry| has(entry, text)).map(|entry| {
+        let text = |property| entry.of(property).map_or_else(|| "-".to_owned(), |known| known.taken.text.clone());
+        let [density, modulus, ratio, hardness, exponent, _] = Property::ALL.map(text);
+        [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
+    }));
+    rows
+}
+
+/// The materials whose name or description has this text, one per line.
+pub fn list(text: &str) -> String {
+    let table = aligned(&rows(text), |column| column == 0 || column == 6);
+    format!(
+        "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
+         `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"
+    )
+}
+
+/// These materials as JSON, with all values in SI.
+pub fn data(entries: &[&Entry]) -> Value {
+    let property = |known: &Known| {
+        let Known { property, taken, range: [low, high], basis, sources } = known;
+        let sources = sources.iter().map(|[source, says]| json!({ "source": source, "says": says }));
+        let about = json!({
+            "written": taken.text, "value": taken.value, "low": low.value, "high": high.value,
+            "basis": basis, "sources": sources.collect::<Vec<_>>(),
+        });
+        (property.name().to_owned() + property.dimension().suffix(), about)
+    };
+    let entry = |entry: &&Entry| {
+        json!({
+            "name": entry.name, "title": entry.title, "class": entry.class.name(), "note": entry.note,
+            "properties": entry.known.iter().map(property).collect::<Map<_, _>>(),
+        })
+    };
+    entries.iter().map(entry).collect()
+}
+
+/// The page about one material: values, ranges, the kind of each number, and its sources.
+pub fn one(entry: &Entry) -> String {
+    let mut text = format!("{}\n  {} ({})\n", entry.name, entry.title, entry.class.name());
+    if let Some(note) = &entry.note {
+        let _ = writeln!(text, "  {note}");
+    }
+    for Known { property, taken, range: [low, high], basis, sources } in &entry.known {
+        let _ = writeln!(text, "\n{} = \"{}\"", property.name(), taken.text);
+        let _ = writeln!(text, "  from {} to {}; {basis}", low.text, high.text);
+        if *property == Property::Hardness {
+            let _ = writeln!(text, "  {}", strength(entry, taken.value));
+        }
+        for [source, says] in sources {
+            let _ = writeln!(text, "  {source}: {says}");
+        }
+    }
+    if !entry.is_metal() {
+        let _ = writeln!(
+            text,
+            "\nno strength: as half-space it stays elastic; for another give yield_strength or hardness"
+        );
+    }
+    text
+}
+
+/// The flow stress and the yield strength that follow from a hardness.
+fn strength(entry: &Entry, mean_pressure: f64) -> String {
+    let stress = entry.flow_stress(mean_pressure);
+    let flow = format!(
+        "flow stress {}, the mean pressure of the hardness over {}",
+        quantity(stress, Dimension::Pressure),
+        four_digits(mean_pressure / stress)
+    );
+    if !entry.hardens() {
+        return flow;
+    }
+    format!("{flow}; the power law begins at {}", quantity(entry.strength(mean_pressure), Dimension::Pressure))
+}

@@ -1,0 +1,146 @@
+//! The text of `check`: every value in SI and in a suitable unit, and the numbers that follow from them
+//! before anything is run.
+
+use super::inputs::Inputs;
+use crate::contact::law::LawChoice;
+use crate::contact::material::{Flow, Pair};
+use crate::contact::materials::Property;
+use crate::contact::strength::hardness;
+use crate::impact::Contact;
+use crate::scenario::scene::Input;
+use crate::scenario::scene::taken::Body;
+use crate::units::aligned::aligned;
+use crate::units::{Dimension, describe, four_digits, number, percent};
+
+/// A name and a value.
+type Row = [String; 2];
+
+/// A few aligned lines.
+pub fn overview(input: &Input, contact: &Contact) -> String {
+    let mut rows = Vec::new();
+    let [speed, _] = input.approach().components();
+    let own = if contact.has_rate() { contact.at_speed(speed).ok() } else { None };
+    let contact = own.as_ref().unwrap_or(contact);
+    let law = input.law();
+    for [key, text] in self::rows(&Inputs::of(input)) {
+        match key.as_str() {
+            // the keys of the PLM name the law
+            "law" if matches!(law, LawChoice::Plm(_)) => {}
+            "law" => {
+                let about = law.about();
+                rows.push([key, format!("{text} ({})", law.source())]);
+                rows.push(["law.validity".to_owned(), about.validity.to_owned()]);
+                rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
+            }
+            _ => {
+                let hardness =
+                    Body::ALL.into_iter().map(|body| body.strength_keys().hardness).find(|at| at.path() == key);
+                let vickers = hardness.and_then(|at| input.number(at)).map(hardness::vickers);
+                let vickers = vickers.map_or_else(String::new, |vickers| format!(", {} HV", four_digits(vickers)));
+                rows.push([key, text + &vickers]);
+            }
+        }
+    }
+    rows.push([String::new(), String::new()]);
+    rows.push(["sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass)]);
+    if let Some(target) = contact.target_mass() {
+        rows.push(["mass of the body that is hit".to_owned(), describe(target, Dimension::Mass)]);
+        rows.push(["effective mass m*".to_owned(), describe(contact.reduced_mass(), Dimension::Mass)]);
+    }
+    if contact.half_space().radius.is_some() {
+        rows.push(["effective radius R".to_owned(), describe(contact.pair().radius, Dimension::Length)]);
+    }
+    rows.extend(paired(contact.pair()));
+    if let Some(point) = contact.pair().yield_point {
+        let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
+        rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
+        rows.push(["yield speed v_Y".to_owned(), speed]);
+    }
+    if let Some(rated) = contact.rated() {
+        rows.push(["strain rate".to_owned(), describe(rated.strain_rate, Dimension::StrainRate)]);
+        rows.push(["strength raised by".to_owned(), four_digits(rated.factor)]);
+        rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
+    }
+    let strengths = [contact.sphere().yield_strength, contact.half_space().yield_strength];
+    let is_precise = |body: Body| body.of(strengths).is_none() || input.has_flow(body);
+    let softer = contact.pair().yield_point.map(|point| point.flow.of_softer(Body::ALL));
+    let strength = which_strength(softer.is_some_and(|softer| !is_precise(softer)));
+    aligned(&rows, |_| true) + strength + &with_rate(input, contact, softer, speed).unwrap_or_default()
+}
+
+/// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.
+fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
+    let body = softer?;
+    let taken = input.taken().iter().find(|taken| taken.body == body)?;
+    let c = taken.material.of(Property::RateSensitivity)?.taken.value;
+    if input.has_rate() || !matches!(input.law(), LawChoice::Plm(_)) {
+        return None;
+    }
+    let mut raised = input.clone();
+    raised.set(body.rate_keys().c, Some(c));
+    let e = |contact: &Contact| Some(contact.row(speed, &input.solver()).ok()?.restitution);
+    let higher = e(&raised.contact().ok()?)? / e(contact)? - 1.0;
+    (higher > 0.0).then(|| {
+        format!(
+            "\nWith the strain rate of {}, c = {c}, e is {} higher: {} = \"material\"\n",
+            taken.material.name,
+            percent(higher),
+            body.rate_keys().table
+        )
+    })
+}
+
+/// A line on the yield strength, where the scenario says nothing more of the flow stress of the body that yields.
+pub(super) fn which_strength(is_vague: bool) -> &'static str {
+    if is_vague { WHICH_STRENGTH } else { "" }
+}
+
+const WHICH_STRENGTH: &str = "
+Which strength? With the proof stress of a metal that hardens e is too low: scenarios/README.md#which-strength
+";
+
+/// Keys and values.
+pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {
+    inputs.0.iter().map(|held| [held.path.clone(), held.text()]).collect()
+}
+
+/// The rows that follow from the pair of bodies.
+pub(super) fn paired(pair: &Pair) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
+    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
+    row("share of the sphere kappa", number(pair.sphere_compliance));
+    match pair.yield_point {
+        Some(point) => {
+            row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
+            row("yield force F_Y", describe(point.force, Dimension::Force));
+            row("who yields", who(pair, &point.flow));
+        }
+        None => row("yield point", ELASTIC.to_owned()),
+    }
+    rows
+}
+
+/// A line on the body that flows, and on the ratio of the strengths.
+fn who(pair: &Pair, flow: &Flow) -> String {
+    let Flow { ratio, is_sphere, .. } = *flow;
+    let [softer, harder] = if is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
+    let times = four_digits(ratio);
+    match () {
+        () if pair.is_of_equal_balls() => {
+            "both alike: two equal balls are one of them on a rigid wall at half the approach".to_owned()
+        }
+        () if ratio.is_infinite() => format!("the {softer}; the {harder} stays elastic"),
+        () if flow.is_of_both() => {
+            let sum = if pair.is_of_unequal_balls() {
+                "; their parts are added, which misses equal balls by up to 1 % of e"
+            } else {
+                ""
+            };
+            format!("both: the {harder} is {times} times as strong, and the {softer} flows more{sum}")
+        }
+        () => format!("the {softer}, as the {harder} is {times} times as strong"),
+    }
+}
+
+const ELASTIC: &str = "none: no body has a yield_strength, and the contact stays elastic";

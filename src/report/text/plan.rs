@@ -1,0 +1,58 @@
+//! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
+
+use std::fmt::Write as _;
+
+use crate::scenario::plan::axis::{Axis, Setting, Values};
+use crate::scenario::plan::random::{Distribution, Variable};
+use crate::scenario::plan::{Cases, Plan};
+use crate::units::percent;
+
+/// An axis with at most so many values is listed value by value.
+const MOST_LISTED: u64 = 8;
+
+/// The lines about the cases. The scene of the first case is printed after them.
+pub fn plan_lines(plan: &Plan) -> String {
+    let mut text = String::new();
+    let count = plan.count();
+    let rows: Vec<(&str, String)> = match &plan.cases {
+        Cases::Grid(axes) => {
+            let _ = writeln!(text, "{count} cases, every combination of");
+            axes.iter().map(|axis| (axis.path(), values(axis))).collect()
+        }
+        Cases::MonteCarlo { seed, variables, .. } => {
+            let _ = writeln!(text, "{count} cases, drawn with seed {seed} from");
+            variables.iter().map(|variable| (variable.key.path, distribution(variable))).collect()
+        }
+    };
+    let width = rows.iter().map(|(path, _)| path.len()).max().unwrap_or(0);
+    for (path, values) in rows {
+        let _ = writeln!(text, "  {path:<width$}  {values}");
+    }
+    let _ = writeln!(text, "columns {}", plan.column_names().join(","));
+    let scene = if plan.is_monte_carlo() { "the scene at the medians" } else { "the scene of the first case" };
+    let _ = writeln!(text, "\n{scene}:");
+    text
+}
+
+fn values(axis: &Axis) -> String {
+    let count = axis.len();
+    if count <= MOST_LISTED {
+        return (0..count).map(|place| axis.label(place)).collect::<Vec<_>>().join(", ");
+    }
+    let spacing = match (&axis.setting, axis.is_logarithmic) {
+        (Setting::Number { .. }, true) => ", evenly in the logarithm",
+        (Setting::Number { values: Values::Spaced { decades: None, .. }, .. }, _) => ", evenly",
+        _ => "",
+    };
+    format!("{count} values from {} to {}{spacing}", axis.label(0), axis.label(count - 1))
+}
+
+fn distribution(variable: &Variable) -> String {
+    let (name, parameters) = variable.distribution.parts();
+    let [first, second] = parameters.map(|value| variable.key.quantity.human(value));
+    if let Distribution::Uniform { .. } = variable.distribution {
+        return format!("{name} from {first} to {second}");
+    }
+    let kept = percent(variable.kept());
+    format!("{name}, mean {first}, sd {second}, cut to {} (keeps {kept})", variable.key.quantity.allowed())
+}

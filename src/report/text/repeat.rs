@@ -1,0 +1,142 @@
+//! Texts about repeated impacts: `summary.json`, `impacts.csv`, `trace.csv` and the table on the terminal.
+
+use std::fmt::Write as _;
+
+use super::inputs::Inputs;
+use super::rows::csv;
+use super::series::{self as results, Series, TraceRow};
+use super::terminal;
+use crate::error::Error;
+use crate::files::provenance::Provenance;
+use crate::impact::repeat::flight::Flight;
+use crate::impact::repeat::{Drive, Hit, Place, Repeat, Sequence};
+use crate::scenario::scene::results::fields;
+use crate::scenario::scene::results::impact::event_name;
+use crate::units::aligned::aligned;
+use crate::units::{Dimension, quantity};
+
+/// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.
+const LISTED: usize = 1000;
+
+/// `summary.json`.
+pub fn summary(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+    let mut results = fields(&results::results(), of);
+    if let Drive::Shots(speeds) = &of.repeat.drive
+        && speeds.len() <= LISTED
+    {
+        results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
+    }
+    super::summary::of(results, inputs, provenance)
+}
+
+/// `impacts.csv`: one row per impact.
+pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, Error> {
+    csv(&results::impacts(), (1..).zip(sequence.hits.iter().copied()))
+}
+
+/// `trace.csv`: the impacts that were traced, and the flights between them.
+pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
+    let mut rows = Vec::new();
+    let hops = sequence.hits.iter().any(|hit| hit.speed_along().is_some());
+    if let Some(fall) = &sequence.fall {
+        fly(0, fall, hops, samples, &mut rows);
+    }
+    for (i, (hit, impact)) in sequence.hits.iter().zip(&sequence.traced).enumerate() {
+        let mut at: Option<(f64, f64, f64)> = None;
+        rows.extend(impact.trace.iter().map(|row| TraceRow {
+            impact: i + 1,
+            time: hit.time.unwrap_or(0.0) + row.time,
+            position: row.rubbing.map(|rubbing| {
+                // by the trapezoidal rule along the contact
+                let (time, speed) = (row.time, rubbing.tangential_speed);
+                let moved =
+                    at.map_or(hit.position, |(before, place, was)| place + 0.5 * (was + speed) * (time - before));
+                at = Some((time, moved, speed));
+                moved
+            }),
+            height: -row.indentation,
+            speed: row.speed,
+            force: row.force,
+            branch: row.branch.name(),
+            event: event_name(row.event),
+        }));
+        if let Some(flight) = &hit.flight {
+            fly(i + 1, flight, hops, samples, &mut rows);
+        }
+    }
+    csv(&results::trace(), rows.into_iter())
+}
+
+/// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
+/// sphere, where the first fall begins, is a row of the flight.
+#[allow(clippy::cast_precision_loss)]
+fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<TraceRow>) {
+    rows.extend((usize::from(impact > 0)..=samples).map(|i| {
+        let time = flight.duration * i as f64 / (samples + 1) as f64;
+        TraceRow {
+            impact,
+            time: flight.begin + time,
+            position: hops.then(|| flight.position_at(time)),
+            height: flight.height_at(time),
+            speed: flight.speed_at(time),
+            force: 0.0,
+            branch: "flight",
+            event: if i == 0 { "release" } else { "" },
+        }
+    }));
+}
+
+/// How many impacts at the beginning and at the end of a long series the terminal shows.
+const SHOWN: (usize, usize) = (12, 5);
+
+/// The table for the terminal: lines about the series, and a line for each impact.
+pub fn table(of: &Series) -> String {
+    let hits = &of.sequence.hits;
+    let is_shown = |(number, _): &(usize, &Hit)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
+    let shown: Vec<(usize, Hit)> = (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
+    let mut rows = terminal::columns(&results::impacts(), &shown);
+    if shown.len() < hits.len() {
+        rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
+    }
+    aligned(&terminal::lines(&results::results(), of), |_| true) + "\n" + &aligned(&rows, |_| false)
+}
+
+/// A list of at most so many speeds is shown speed by speed.
+const MOST_LISTED: usize = 8;
+
+/// The text of `check` about a series. The scene of the first impact is printed after it.
+pub fn repeat_lines(repeat: &Repeat) -> String {
+    let place = match repeat.place {
+        Place::Same => "all on the same spot",
+        Place::Fresh => "each on fresh surface",
+    };
+    let mut text = String::new();
+    match &repeat.drive {
+        Drive::Bouncing { most, until, .. } => {
+            let _ = writeln!(text, "bouncing under gravity, {place}, until");
+            let _ = writeln!(text, "  there were {most} impacts");
+            if let Some(until) = until {
+                let _ = writeln!(text, "  or the next one would be slower than {}", quantity(*until, Dimension::Speed));
+            }
+            if repeat.place == Place::Fresh {
+                let _ = writeln!(text, "  or the rebound does not lift the sphere out of its dent");
+            }
+            let _ = writeln!(text, "  or the sphere is captured");
+        }
+        Drive::Shots(speeds) => {
+            let _ = writeln!(text, "{} shots, {place}, at", speeds.len());
+            let say = |speed: &f64| quantity(*speed, Dimension::Speed);
+            let is_one = speeds.iter().all(|speed| *speed == speeds[0]);
+            let list = if is_one {
+                say(&speeds[0])
+            } else if speeds.len() <= MOST_LISTED {
+                speeds.iter().map(say).collect::<Vec<_>>().join(", ")
+            } else {
+                format!("{}, {} ... {}", say(&speeds[0]), say(&speeds[1]), say(&speeds[speeds.len() - 1]))
+            };
+            let _ = writeln!(text, "  {list}");
+        }
+    }
+    text.push_str("\nthe scene of the first impact:\n");
+    text
+}

@@ -1,0 +1,33 @@
+//! Tables of results as CSV: the trace of an impact, the impacts of a series. A number has the fewest digits that read
+//! back to the same number.
+
+use crate::error::Error;
+use crate::impact::Impact;
+use crate::scenario::scene::results::{Reported, impact};
+
+/// The rows as CSV with a header line. A column with a condition is written if any row has a
+/// value for it.
+pub fn csv<T>(columns: &[Reported<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, Error> {
+    let is_there =
+        |column: &&Reported<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());
+    let columns: Vec<_> = columns.iter().filter(is_there).collect();
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    writer.write_record(columns.iter().map(|column| column.name))?;
+    let mut fields = Vec::new();
+    for row in rows {
+        fields.clear();
+        fields.extend(columns.iter().map(|column| (column.value)(&row)));
+        writer.serialize(&fields)?;
+    }
+    written(writer)
+}
+
+/// The bytes that were written.
+pub fn written(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, Error> {
+    writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
+}
+
+/// `trace.csv` of one impact; only the header for an impact that recorded none.
+pub fn trace(impact: &Impact) -> Result<Vec<u8>, Error> {
+    csv(&impact::trace(), impact.trace.iter().copied())
+}

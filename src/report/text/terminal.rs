@@ -1,0 +1,156 @@
+//! Results on the terminal: those that have a label in the registry, in the order of the registry.
+
+use serde_json::Value;
+
+use crate::scenario::scene::results::impact::{Single, results};
+use crate::scenario::scene::results::{Reported, Shown};
+use crate::units::aligned::aligned;
+use crate::units::{Dimension, four_digits, percent, quantity};
+
+/// How much the terminal shows of an impact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// The few results that most people ask for.
+    Brief,
+    /// All results but how exact the integration was.
+    Usual,
+    /// All results.
+    Whole,
+}
+
+/// The results of a brief answer, in its order.
+const BRIEF: [&str; 8] = [
+    "restitution_with_waves",
+    "rebound_height_m",
+    "rebound_angle_deg",
+    "flat_diameter_m",
+    "dent_diameter_m",
+    "residual_indentation_m",
+    "peak_force_N",
+    "contact_time_s",
+];
+
+/// The text of an impact.
+pub fn impact(single: &Single, detail: Detail) -> String {
+    let impact = single.impact;
+    let is_of_the_integrator =
+        |name: &str| ["accuracy.", "work.", "energy.drift"].iter().any(|begin| name.starts_with(begin));
+    let mut results = results();
+    if detail == Detail::Brief {
+        return brief(&results, single);
+    }
+    results.retain(|result| detail == Detail::Whole || !is_of_the_integrator(result.name));
+    let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()]];
+    lines.extend(self::lines(&results, single));
+    for line in &mut lines {
+        name_flat(line, single);
+    }
+    if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
+        value.push_str(" (outside the law)");
+    }
+    aligned(&lines, |_| true)
+}
+
+/// A line for the restitution with its band, and for each of the other results of a brief answer that has a value.
+fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
+    let first: Vec<_> =
+        results.iter().filter(|result| ["restitution", "restitution_band"].contains(&result.name)).copied().collect();
+    let mut lines = lines(&first, single);
+    lines.extend(BRIEF.into_iter().filter_map(|name| {
+        let Reported { label, shown, value, .. } = results.iter().find(|result| result.name == name)?;
+        let text = text(*shown, &value(single)?)?;
+        let mut line = [label.split('{').next()?.trim_end().to_owned(), text, String::new()];
+        name_flat(&mut line, single);
+        Some(line)
+    }));
+    aligned(&lines, |_| true)
+}
+
+/// Where the sphere flows, what stays is no dent alone.
+fn name_flat([name, _, remarks]: &mut Line, single: &Single) {
+    let impact = single.impact;
+    if impact.flat_depth > 0.0 {
+        let what = if impact.dent_depth() > 0.0 { "dent and flat" } else { "flat" };
+        if name == "dent depth" {
+            *name = format!("{what} depth");
+        }
+        *remarks = remarks.replace("into the dent", &format!("into the {what}"));
+    }
+}
+
+/// A name, a value and remarks.
+pub(super) type Line = [String; 3];
+
+/// A line for every result; a label with braces adds its value to the remarks of the line above.
+pub(super) fn lines<T>(results: &[Reported<T>], of: &T) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    let mut whole = f64::NAN;
+    for Reported { shown, label, value, .. } in labelled(results) {
+        let Some(value) = value(of) else { continue };
+        let Some((before, after)) = label.split_once('{') else {
+            whole = value.as_f64().unwrap_or(f64::NAN);
+            lines.push([(*label).to_owned(), text(*shown, &value).unwrap_or_else(|| "none".to_owned()), String::new()]);
+            continue;
+        };
+        let share =
+            value.as_f64().map(|part| part / whole).filter(|share| after.starts_with('%') && share.abs() <= 1.0);
+        let (Some(remark), Some([_, _, remarks])) =
+            (share.map(percent).or_else(|| text(*shown, &value)), lines.last_mut())
+        else {
+            continue;
+        };
+        let comma = if remarks.is_empty() { "" } else { ", " };
+        remarks.extend([comma, before, &remark, after.trim_start_matches(['%', '}'])]);
+    }
+    lines
+}
+
+/// A line of labels, and a line for every row. Results with the same label share a column; a column without values is left
+/// out.
+pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>> {
+    let cell = |label: &str, row: &T| {
+        labelled(results).filter(|result| result.label == label).find_map(|result| {
+            let value = (result.value)(row)?;
+            text(result.shown, &value)
+        })
+    };
+    let mut labels: Vec<&str> = labelled(results).map(|result| result.label).collect();
+    labels.dedup();
+    let columns = labels.into_iter().filter_map(|label| {
+        let cells: Vec<Option<String>> = rows.iter().map(|row| cell(label, row)).collect();
+        let is_there = cells.iter().any(Option::is_some);
+        is_there.then(|| [Some(label.to_owned())].into_iter().chain(cells).map(|cell| cell.unwrap_or("-".to_owned())))
+    });
+    let mut lines = vec![Vec::new(); rows.len() + 1];
+    for column in columns {
+        for (line, cell) in lines.iter_mut().zip(column) {
+            line.push(cell);
+        }
+    }
+    lines
+}
+
+/// The columns as text.
+pub(super) fn table<T>(results: &[Reported<T>], rows: &[T]) -> String {
+    aligned(&columns(results, rows), |_| true)
+}
+
+fn labelled<T>(results: &[Reported<T>]) -> impl Iterator<Item = &Reported<T>> {
+    results.iter().filter(|result| !result.label.is_empty())
+}
+
+/// A value as text; `None` where there is no value.
+fn text(shown: Shown, value: &Value) -> Option<String> {
+    let value = match value {
+        Value::String(word) => return Some(word.clone()),
+        Value::Number(count) if !count.is_f64() => return Some(count.to_string()),
+        value => value.as_f64()?,
+    };
+    Some(match shown {
+        Shown::Plain => four_digits(value),
+        Shown::In(dimension) => quantity(value, dimension),
+        Shown::Percent => percent(value),
+        Shown::Deviation => format!("{:+.1} %", 100.0 * value),
+        Shown::Error => format!("{value:.1e}"),
+    })
+}

@@ -1,0 +1,277 @@
+//! Scenarios: a TOML file with units, checked while it is read.
+//!
+//! ```
+//! use plm_impact::scenario::Scenario;
+//!
+//! let text = r#"
+//!     [sphere]
+//!     radius = "5 mm"
+//!     youngs_modulus = "210 GPa"
+//!     poissons_ratio = 0.3
+//!     density = "7850 kg/m^3"
+//!     [half_space]
+//!     youngs_modulus = "210 GPa"
+//!     poissons_ratio = 0.3
+//!     yield_strength = "345 MPa"
+//!     [impact]
+//!     speed = "3 m/s"
+//! "#;
+//! let input = Scenario::from_text("steel", text, &["impact.speed=1 m/s".to_owned()])?.resolve()?;
+//! assert_eq!(input.speed(), 1.0);
+//! # Ok::<(), plm_impact::error::Error>(())
+//! ```
+
+mod axes;
+mod beside;
+pub mod calibrate;
+mod document;
+pub mod edit;
+mod flow;
+pub mod indentation;
+mod kind;
+mod mark;
+mod material;
+#[doc(hidden)]
+pub mod plan;
+mod rate;
+pub mod reference;
+mod repeat;
+#[doc(hidden)]
+pub mod scene;
+pub mod schema;
+mod source;
+mod sweep;
+mod varied;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::error::Error;
+use crate::impact::Warning;
+use crate::scenario::plan::axis::Setting;
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::keys::{BODIES, NEEDED, SPHERE, partner, varied as varied_key};
+use crate::scenario::scene::read::{Reader, items};
+use crate::scenario::scene::taken::{Body, Taken};
+use crate::scenario::scene::{EITHER, EVERY_KEY, Input, Use, without_effect};
+pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
+pub use kind::{Kind, TEMPLATES};
+use varied::Varied;
+
+/// A scenario file, read and checked.
+#[derive(Debug, Clone)]
+pub struct Scenario {
+    /// Its text, in which the place of a value can be found.
+    pub document: Document,
+    /// Its values, with what the bodies take from their materials.
+    input: Input,
+    varied: Varied,
+    /// The files that it names, by their keys, with their texts. They are read once: hash and numbers are of one text.
+    files: BTreeMap<String, (PathBuf, String)>,
+    /// The folder of the files that it names.
+    directory: PathBuf,
+    /// The way to its file from the folder of its results, where there is one.
+    pub from_results: Option<String>,
+}
+
+const NO_FALL: &str = "a sphere that is released at first touch needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0";
+
+/// The key of the file of measurements.
+const DATA: &str = "calibrate.data";
+
+impl Scenario {
+    /// Reads a scenario file, with `key=value` overrides.
+    ///
+    /// # Errors
+    /// [`Error`], naming file, line, value, allowed range.
+    pub fn load(path: &Path, overrides: &[String]) -> Result<Self, Error> {
+        let text = document::read_text(path, LARGEST_SCENARIO)?;
+        let directory = path.parent().unwrap_or(Path::new("")).to_owned();
+        Self::new(path.display().to_string(), text, overrides, directory, BTreeMap::new())
+    }
+
+    /// Reads a scenario from a text; `name` stands for the file in messages.
+    ///
+    /// # Errors
+    /// [`Error`], naming line, value, allowed range.
+    pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, Error> {
+        Self::in_directory(name, text, overrides, PathBuf::new())
+    }
+
+    /// Reads a scenario from a text whose files are relative to a directory.
+    ///
+    /// # Errors
+    /// [`Error`], naming line, value, allowed range.
+    pub fn in_directory(name: &str, text: &str, overrides: &[String], directory: PathBuf) -> Result<Self, Error> {
+        Self::new(name.to_owned(), text.to_owned(), overrides, directory, BTreeMap::new())
+    }
+
+    /// `texts` are those of files by their keys, where they are known without the files.
+    fn new(
+        name: String,
+        text: String,
+        overrides: &[String],
+        directory: PathBuf,
+        mut texts: BTreeMap<String, String>,
+    ) -> Result<Self, Error> {
+        let document = Document::new(name, text, overrides)?;
+        let mut files = BTreeMap::new();
+        let mut read = |key: &str, name: &str| {
+            let path = directory.join(name);
+            let text = match texts.remove(key) {
+                Some(text) => text,
+                None => document::read_text(&path, LARGEST_SCENARIO).map_err(|error| error.to_string())?,
+            };
+            files.insert(key.to_owned(), (path.clone(), text.clone()));
+            Ok([path.display().to_string(), text])
+        };
+        let root = document.tables()?;
+        let mut reader = Reader::new(&mut read);
+        let (mut input, mut varied) = (Input::default(), Varied::default());
+        if let Ok(tables) = items(&root) {
+            input.read(tables, "", &mut reader);
+            varied = Varied::read(tables, &mut reader);
+        }
+        // a material that is refused would have given keys
+        let lacks_material = |(path, _): &(String, _)| Body::of_key(varied_key(path)).is_some();
+        let has_unknown = reader.has_unknown || reader.refused.iter().any(lacks_material);
+        let mut mistakes = document.refused(reader.refused);
+        let taken = varied.take_materials(&input, &document).unwrap_or_else(|mistake| {
+            mistakes.push(mistake);
+            Vec::new()
+        });
+        for taken in &taken {
+            input.take(taken);
+        }
+        input.set_taken(taken);
+        if let Some(name) = input.text(at!("calibrate.data")) {
+            let path = directory.join(name);
+            // one that cannot be read is refused where it is needed
+            let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
+            files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
+        }
+        let scenario = Self { document, input, varied, files, directory, from_results: None };
+        mistakes.extend(scenario.beside());
+        // a misspelt key, or what a misspelt material gives, is not told as missing too
+        if !has_unknown {
+            let needed = match scenario.kind() {
+                // an impact asks for all that it needs when it is resolved, unless the scenario has to change anyway
+                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if mistakes.is_empty() => 0,
+                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => NEEDED.len() - 1,
+                Ok(Kind::Indentation) if !scenario.has("half_space") => SPHERE,
+                Ok(Kind::Indentation | Kind::Calibrate) => BODIES,
+                Err(_) => SPHERE,
+            };
+            mistakes.extend(scenario.missing(&NEEDED[..needed]));
+        }
+        Error::all(mistakes).map_or(Ok(scenario), Err)
+    }
+
+    /// Whether the scenario, or a material that it names, gives a key, or the scenario has a table.
+    fn has(&self, path: &str) -> bool {
+        let is_taken = || self.input.taken().iter().flat_map(Taken::values).any(|(taken, _)| taken == path);
+        self.document.has(path) || is_taken()
+    }
+
+    /// Whether a key varies over the cases of a table, or is to be found.
+    fn varies(&self, path: &str) -> bool {
+        self.varied.paths().contains(&path)
+    }
+
+    /// Refuses a scenario in which one of these keys is missing.
+    fn need(&self, keys: &[&'static str]) -> Result<(), Error> {
+        Error::all(self.missing(keys)).map_or(Ok(()), Err)
+    }
+
+    /// The refusals of those of these keys that are missing. A key in place of one counts, and a key that varies over the
+    /// cases of a table. Of a table that is missing its keys are not told.
+    fn missing(&self, keys: &[&'static str]) -> Vec<Error> {
+        let group = |key: &&'static str| {
+            EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
+        };
+        let (mut missing, mut tables) = (Vec::new(), Vec::new());
+        for group in keys.iter().map(group).filter(|group| !group.iter().any(|path| self.gives(path))) {
+            let (table, _) = group[0].split_once('.').unwrap_or_default();
+            // a body needs more keys than the one that varies, and so its table
+            let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
+            if self.has(table) || self.varied.paths().iter().any(|path| table == "impact" && in_table(path)) {
+                missing.push(self.document.missing_one_of(table, &group, ""));
+            } else if !tables.contains(&table) {
+                tables.push(table);
+                missing.push(self.document.missing("", table));
+            }
+        }
+        missing
+    }
+
+    /// The values of the scenario, complete or not.
+    pub fn input(&self) -> &Input {
+        &self.input
+    }
+
+    /// The input of the first impact, with which all is given that an impact needs.
+    ///
+    /// # Errors
+    /// [`Error`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
+    /// bad.
+    pub fn resolve(&self) -> Result<Input, Error> {
+        self.check_speeds()?;
+        self.checked(if self.speeds().is_some() { NEEDED.len() - 1 } else { NEEDED.len() })
+    }
+
+    /// The input of a scenario that needs no impact: its speed is not a number where none is given.
+    ///
+    /// # Errors
+    /// [`Error`] as of [`Scenario::resolve`].
+    pub fn resolve_bodies(&self) -> Result<Input, Error> {
+        self.checked(NEEDED.len() - 1)
+    }
+
+    /// The input of the first case, with which the first `needed` of [`NEEDED`] must be given.
+    fn checked(&self, needed: usize) -> Result<Input, Error> {
+        self.need(&NEEDED[..needed])?;
+        let input = self.first_case();
+        self.check_flow(&input)?;
+        if input.speed() == 0.0 && input.forces().gravity.is_none() {
+            return Err(self.refuse_varied("impact.drop_height", NO_FALL));
+        }
+        self.check_target(&input)?;
+        self.check_plate(&input)?;
+        self.check_air(&input)?;
+        self.check_strength(&input)?;
+        self.check_rates(&input)?;
+        Ok(input)
+    }
+
+    /// The input with the first value of every key that varies: of its axis or range, of a list of shots, or the median of its
+    /// distribution.
+    fn first_case(&self) -> Input {
+        let mut input = self.input.clone();
+        if let Some(speed) = self.speeds().and_then(<[f64]>::first) {
+            input.set(at!("impact.speed"), Some(*speed));
+        }
+        for axis in self.varied.sweep.iter().flatten() {
+            if let Setting::Number { key, values } = &axis.setting {
+                key.put(&mut input, values.at(0));
+            }
+        }
+        for variable in self.varied.monte_carlo.iter().flat_map(|random| &random.variables) {
+            variable.key.put(&mut input, variable.middle());
+        }
+        for free in self.varied.free.iter().flatten() {
+            free.key.put(&mut input, free.from);
+        }
+        input
+    }
+
+    /// Warnings about keys that the scenario gives, and that have no effect on what is computed of these inputs. They are
+    /// allowed, as the file may also be run in another way. Keys that are needed are no mistake.
+    pub fn without_effect(&self, inputs: &[Input], of: Use) -> Vec<Warning> {
+        let needed = if of == Use::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
+        let is_needed = |path: &str| [Some(path), partner(path)].into_iter().flatten().any(|key| needed.contains(&key));
+        let keys =
+            EVERY_KEY.iter().map(|key| key.path).filter(|path| !path.starts_with("law.") && self.document.has(path));
+        let given = keys.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
+        given.filter_map(|path| Some(Warning::unused(path, without_effect(path, inputs, of)?))).collect()
+    }
+}

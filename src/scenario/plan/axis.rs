@@ -1,0 +1,185 @@
+//! An axis of a sweep: a key of the scene and the values it takes.
+
+use crate::contact::law::LawChoice;
+use crate::impact::Method;
+use crate::numerics::functions::{log10, pow};
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::key::Part;
+use crate::scenario::scene::taken::Taken;
+use crate::scenario::scene::{EVERY_KEY, Input, Key};
+
+/// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
+const TABULATED: u64 = 1 << 19;
+
+/// The numbers of an axis, in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    List(Vec<f64>),
+    /// Evenly spaced, both ends included; may fall.
+    Spaced {
+        from: f64,
+        to: f64,
+        points: u64,
+        /// Logarithms to base 10 of the first and the last value, where the values are evenly spaced in the logarithm.
+        decades: Option<(f64, f64)>,
+    },
+}
+
+impl Values {
+    /// The number of values.
+    pub fn len(&self) -> u64 {
+        match self {
+            Self::List(values) => values.len() as u64,
+            Self::Spaced { points, .. } => *points,
+        }
+    }
+
+    /// Evenly spaced in the logarithm; both ends are > 0.
+    pub fn logarithmic(from: f64, to: f64, points: u64) -> Self {
+        Self::Spaced { from, to, points, decades: Some((log10(from), log10(to))) }
+    }
+
+    /// Value `i`; the ends are exact.
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
+    pub fn at(&self, i: u64) -> f64 {
+        match *self {
+            Self::List(ref values) => values[i as usize],
+            Self::Spaced { from, .. } if i == 0 => from,
+            Self::Spaced { to, points, .. } if i + 1 >= points => to,
+            Self::Spaced { from, to, points, decades } => {
+                let share = i as f64 / (points - 1) as f64;
+                let between = |low: f64, high: f64| low + (high - low) * share;
+                decades.map_or_else(|| between(from, to), |(low, high)| pow(10f64, between(low, high)))
+            }
+        }
+    }
+
+    /// Makes a list of the values, where that is short.
+    fn tabulated(self) -> Self {
+        if self.len() <= TABULATED { Self::List((0..self.len()).map(|i| self.at(i)).collect()) } else { self }
+    }
+}
+
+/// The key that an axis changes, and its values.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Setting {
+    /// A numeric key.
+    Number { key: &'static Key, values: Values },
+    /// A key that takes words.
+    Words {
+        path: &'static str,
+        /// At least one.
+        words: Vec<Word>,
+    },
+}
+
+/// A word of an axis, with what it stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Word {
+    Method(Method),
+    Law(LawChoice),
+    Material(Taken),
+}
+
+impl Word {
+    /// The word itself.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Method(method) => method.name().to_owned(),
+            Self::Law(law) => law.name(),
+            Self::Material(taken) => taken.material.name.clone(),
+        }
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    pub setting: Setting,
+    part: Part,
+    /// Whether pictures show it on a logarithmic scale.
+    pub is_logarithmic: bool,
+}
+
+impl Axis {
+    /// An axis of a numeric key.
+    pub fn of_number(key: &'static Key, values: Values) -> Self {
+        let is_logarithmic = matches!(values, Values::Spaced { decades: Some(_), .. });
+        Self { setting: Setting::Number { key, values: values.tabulated() }, part: key.part, is_logarithmic }
+    }
+
+    /// An axis of words.
+    pub fn of_words(path: &'static str, words: Vec<Word>) -> Self {
+        // the axis of laws is no key, but a table
+        let key = EVERY_KEY.iter().find(|key| key.path == path);
+        let part = key.map_or(Part::Law, |key| key.part);
+        Self { setting: Setting::Words { path, words }, part, is_logarithmic: false }
+    }
+
+    /// The key, as in the file.
+    pub fn path(&self) -> &'static str {
+        match &self.setting {
+            Setting::Number { key, .. } => key.path,
+            Setting::Words { path, .. } => path,
+        }
+    }
+
+    pub fn len(&self) -> u64 {
+        match &self.setting {
+            Setting::Number { values, .. } => values.len(),
+            Setting::Words { words, .. } => words.len() as u64,
+        }
+    }
+
+    /// Its words; none for an axis of numbers.
+    pub fn words(&self) -> &[Word] {
+        if let Setting::Words { words, .. } = &self.setting { words } else { &[] }
+    }
+
+    pub fn words_mut(&mut self) -> &mut [Word] {
+        if let Setting::Words { words, .. } = &mut self.setting { words } else { &mut [] }
+    }
+
+    /// A value as text, for pictures and messages.
+    #[allow(clippy::cast_possible_truncation)] // lists of words are short
+    pub fn label(&self, i: u64) -> String {
+        match &self.setting {
+            Setting::Number { key, values } => key.quantity.human(values.at(i)),
+            Setting::Words { words, .. } => words[i as usize].name(),
+        }
+    }
+
+    /// Bodies and law then stay the same along the axis.
+    pub fn keeps_contact(&self) -> bool {
+        !self.part.changes_contact()
+    }
+
+    /// Whether the law with its flow curve may change along it, as it does with a material that hardens.
+    pub fn changes_law(&self) -> bool {
+        self.part.changes_law() || !self.words().is_empty()
+    }
+
+    /// Puts value `i` into an input. A law or a material brings numbers of its own: for several axes there is
+    /// [`super::put`].
+    #[allow(clippy::cast_possible_truncation)] // lists of words are short
+    pub fn put(&self, i: u64, input: &mut Input) {
+        match &self.setting {
+            Setting::Number { key, values } => key.set(input, Some(values.at(i))),
+            Setting::Words { words, .. } => match &words[i as usize] {
+                Word::Method(method) => {
+                    input.choose(at!("solver.method"), Method::ALL.iter().position(|known| known == method));
+                }
+                Word::Law(law) => input.named_law.clone_from(law),
+                Word::Material(taken) => input.take(taken),
+            },
+        }
+    }
+
+    /// Value `i`; for a word, its place in the list.
+    #[allow(clippy::cast_precision_loss)]
+    pub fn number(&self, i: u64) -> f64 {
+        match &self.setting {
+            Setting::Number { values, .. } => values.at(i),
+            Setting::Words { .. } => i as f64,
+        }
+    }
+}

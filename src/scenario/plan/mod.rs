@@ -1,0 +1,242 @@
+//! Which cases a table has: what varies, over which values, and what is reported.
+
+pub(crate) mod axis;
+pub mod free;
+pub(crate) mod random;
+mod source;
+
+use crate::impact::{Method, Warning};
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::results::{Column, Needs, columns};
+use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::{Input, Key, Use, without_effect};
+use axis::{Axis, Word};
+use random::Variable;
+pub use source::Source;
+
+/// Where the cases come from.
+#[derive(Debug, Clone)]
+pub enum Cases {
+    /// All combinations of the axes; the first varies slowest.
+    Grid(Vec<Axis>),
+    /// Random samples.
+    MonteCarlo { samples: u64, seed: u64, variables: Vec<Variable> },
+}
+
+/// A sweep: an input and what is changed in it.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// The input with the first value of every axis, or with the medians of random keys. All cases have its other keys.
+    pub input: Input,
+    /// Warnings about keys without effect.
+    pub warnings: Vec<Warning>,
+    pub cases: Cases,
+    /// Names of the results that the table has; `None`: all.
+    pub columns: Option<Vec<&'static str>>,
+    /// Names of the results that are drawn; `None`: those that suit the first axis.
+    pub pictures: Option<Vec<&'static str>>,
+}
+
+/// The key of the yield strength, which may follow from a hardness.
+pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
+/// The key of that hardness.
+pub const HARDNESS: &str = "half_space.hardness";
+
+/// The largest number of cases. Any tool can hold so large a case number.
+pub const MOST_CASES: u64 = 1 << 63;
+
+impl Plan {
+    /// These cases of an input, in which every key that varies has its first value or its median.
+    pub fn new(input: &Input, cases: Cases) -> Self {
+        let mut plan = Self { input: input.clone(), warnings: Vec::new(), cases, columns: None, pictures: None };
+        plan.input = plan.input_at(&vec![0; plan.axes().len()]);
+        plan
+    }
+
+    /// The axes; none for random cases.
+    pub fn axes(&self) -> &[Axis] {
+        if let Cases::Grid(axes) = &self.cases { axes } else { &[] }
+    }
+
+    /// The number of cases, or `u64::MAX` for more than can be counted. More than [`MOST_CASES`] are refused while the
+    /// scenario is read.
+    pub fn count(&self) -> u64 {
+        match &self.cases {
+            Cases::Grid(axes) => axes.iter().map(Axis::len).fold(1, u64::saturating_mul),
+            Cases::MonteCarlo { samples, .. } => *samples,
+        }
+    }
+
+    /// The input of the case at these places of the axes.
+    pub fn input_at(&self, places: &[u64]) -> Input {
+        let mut input = self.input.clone();
+        put(self.axes(), places, &mut input);
+        input
+    }
+
+    /// The columns of the swept values, and of yield strengths that follow from them.
+    pub fn columns(&self) -> Vec<String> {
+        let derived = self.derived().map(|body| body.strength_keys().yield_strength.path());
+        let column = |path: &str| Key::find(path).map_or_else(|| path.replace('.', "_"), Key::column);
+        self.paths().into_iter().chain(derived).map(column).collect()
+    }
+
+    /// The bodies whose yield strength follows from values that vary.
+    pub fn derived(&self) -> impl Iterator<Item = Body> {
+        Body::ALL.into_iter().filter(|body| self.derives_strength(*body))
+    }
+
+    /// Whether the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
+    /// with it from its moduli and its exponent of hardening.
+    pub fn derives_strength(&self, of: Body) -> bool {
+        let (paths, keys) = (self.paths(), of.strength_keys());
+        let varies = |path: &str| paths.contains(&path);
+        let numbers = [keys.hardness, keys.modulus, keys.poissons_ratio, keys.exponent];
+        self.input.number(keys.hardness).is_some()
+            && (varies(of.material()) || numbers.into_iter().any(|number| varies(number.path())))
+    }
+
+    /// The results that the table has.
+    pub fn results(&self) -> Vec<Column> {
+        let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
+        let all = columns().into_iter();
+        all.filter(|column| self.missing(column.needs).is_none() && is_wanted(column.name)).collect()
+    }
+
+    /// Why a table has no column that needs this; `None` if it has.
+    pub fn missing(&self, needs: Needs) -> Option<&'static str> {
+        let input = &self.input;
+        let is_on_plate = input.forces().plate.is_some();
+        let is_free = input.number(at!("half_space.mass")).is_some();
+        match needs {
+            Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
+            Needs::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
+            Needs::Flat if !input.has_strength(Body::Sphere) => Some("without sphere.yield_strength there is no flat"),
+            Needs::Incidence if input.incidence().is_none() => {
+                Some("without impact.angle or sphere.spin nothing slides")
+            }
+            Needs::Air if !input.forces().flying.is_some_and(|flying| flying.is_in_air()) => {
+                Some("without [air] a height is a speed")
+            }
+            Needs::Density if input.number(at!("half_space.density")).is_none() => {
+                Some("without half_space.density nothing is known of elastic waves")
+            }
+            Needs::Density if is_free => Some("a body with half_space.mass moves, and no waves are computed in it"),
+            Needs::Target | Needs::Struck if !is_free => Some("without half_space.mass the body that is hit is fixed"),
+            Needs::Struck if input.incidence().is_none() => Some("without impact.angle or sphere.spin nothing slides"),
+            Needs::Density if is_on_plate => Some("with half_space.thickness a plate takes the energy"),
+            Needs::Thickness if !is_on_plate => Some("without half_space.thickness there is no plate"),
+            _ => None,
+        }
+    }
+
+    /// The names of all columns of the table.
+    pub fn column_names(&self) -> Vec<String> {
+        let results = self.results().into_iter().map(|column| column.name.to_owned());
+        std::iter::once("case".to_owned()).chain(self.columns()).chain(results).chain(["status".to_owned()]).collect()
+    }
+
+    /// The keys that vary.
+    pub fn paths(&self) -> Vec<&'static str> {
+        match &self.cases {
+            Cases::Grid(axes) => axes.iter().map(Axis::path).collect(),
+            Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path).collect(),
+        }
+    }
+
+    /// A key that varies without any effect on the table, and why.
+    pub fn unused(&self) -> Option<(&'static str, String)> {
+        let (paths, cases) = (self.paths(), self.worded());
+        let has_laws = paths.contains(&"law");
+        paths.into_iter().find_map(|path| {
+            let problem = if has_laws && path.starts_with("law.") && !path.starts_with("law.plm.") {
+                "cannot vary together with \"law\": give it in the table of its law".to_owned()
+            } else {
+                format!("is not used: {}", without_effect(path, &cases, Use::Rows)?)
+            };
+            Some((path, problem))
+        })
+    }
+
+    /// The inputs under all laws and methods of the axes, with the first values of the other axes.
+    pub fn worded(&self) -> Vec<Input> {
+        let mut all = vec![self.input_at(&vec![0; self.axes().len()])];
+        for axis in self.axes().iter().filter(|axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..])) {
+            let with = |input: &Input, place| {
+                let mut input = input.clone();
+                axis.put(place, &mut input);
+                input
+            };
+            all = all.iter().flat_map(|input| (0..axis.len()).map(move |place| with(input, place))).collect();
+        }
+        all
+    }
+
+    /// The methods of the cases.
+    fn methods(&self) -> Vec<Method> {
+        self.worded().iter().map(|input| input.solver().method).collect()
+    }
+
+    /// Whether a case has the method `closed_form`, but no closed form.
+    pub fn lacks_closed_form(&self) -> bool {
+        let mut input = self.input.clone();
+        for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
+            // a swept damping may begin at 0
+            key.set(&mut input, Some(1.0));
+        }
+        let chosen = |method: Method| method.chosen(&input.forces(), false);
+        self.methods().into_iter().map(chosen).any(|method| method.is_none())
+    }
+
+    /// About how many microseconds a row takes on one core, under the slowest of its methods.
+    pub fn microseconds(&self) -> f64 {
+        let of = |input: &Input| {
+            let friction = match input.incidence() {
+                None => 0.0,
+                Some(_) if input.can_yield() => 1500.0,
+                Some(_) => 1.0,
+            };
+            let solver = input.solver();
+            friction
+                + match solver.method {
+                    Method::Verlet => 0.05 * f64::from(solver.steps_per_contact),
+                    Method::Dopri5 | Method::Dop853 => 32.0,
+                    _ if input.is_stepped() => 8.0,
+                    _ => 0.25,
+                }
+        };
+        self.worded().iter().map(of).fold(0.25, f64::max)
+    }
+
+    pub fn is_monte_carlo(&self) -> bool {
+        matches!(self.cases, Cases::MonteCarlo { .. })
+    }
+}
+
+fn is_of_damping(path: &str) -> bool {
+    path.starts_with("damping.")
+}
+
+/// Puts values of all axes into an input: words first, as a law and a material bring numbers that others replace.
+pub fn put(axes: &[Axis], places: &[u64], input: &mut Input) {
+    for is_word in [true, false] {
+        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.words().is_empty() != is_word) {
+            axis.put(*place, input);
+        }
+    }
+}
+
+pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
+    let mut rest = case;
+    let mut places: Vec<u64> = axes
+        .iter()
+        .rev()
+        .map(|axis| {
+            let place = rest % axis.len();
+            rest /= axis.len();
+            place
+        })
+        .collect();
+    places.reverse();
+    places
+}

@@ -1,0 +1,146 @@
+//! Random values that depend on seed, variable and case number alone: sample k is the same on every thread and machine.
+//!
+//! The 64-bit word k of stream a of ChaCha8 (keyed by the seed) is the uniform number of variable a in case k. The
+//! inverse of the distribution function makes a value of it. A distribution is truncated at the key's allowed range, by
+//! cutting the uniform number's interval: no draw is thrown away, so that the count of words stays the case number.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+use crate::numerics::functions::{exp, ln, ln_1p, normal_below, normal_quantile, powi};
+use crate::scenario::scene::Key;
+
+/// A distribution of a key's values, in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Distribution {
+    /// Even between two ends.
+    Uniform { from: f64, to: f64 },
+    /// A normal distribution.
+    Normal {
+        /// Mean before truncation.
+        mean: f64,
+        /// Standard deviation before truncation, > 0.
+        sd: f64,
+    },
+    /// A distribution whose logarithm is normal.
+    Lognormal {
+        /// Mean of the value itself, > 0.
+        mean: f64,
+        /// Standard deviation of the value itself, > 0.
+        sd: f64,
+    },
+}
+
+/// A key with random values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    pub key: &'static Key,
+    /// It is truncated at the allowed range.
+    pub distribution: Distribution,
+    /// The allowed range it is cut to.
+    range: (f64, f64),
+    /// The probabilities of values below either end of the range.
+    share: (f64, f64),
+}
+
+impl Variable {
+    /// The variable, cut to the allowed range of its key (the ends may be infinite).
+    pub fn of(key: &'static Key, distribution: Distribution) -> Self {
+        let range = key.quantity.range();
+        let share = (distribution.below(range.0), distribution.below(range.1));
+        Self { key, distribution, range, share }
+    }
+
+    /// The probability of the allowed range.
+    pub fn kept(&self) -> f64 {
+        self.share.1 - self.share.0
+    }
+
+    /// The median.
+    pub fn middle(&self) -> f64 {
+        self.value(0.5)
+    }
+
+    /// The value at the uniform number `u` in (0, 1).
+    pub fn value(&self, u: f64) -> f64 {
+        let (low, high) = self.share;
+        let value = self.distribution.quantile(low + u * (high - low));
+        // rounding at the very ends of an open range
+        value.clamp(self.range.0.next_up(), self.range.1.next_down())
+    }
+}
+
+impl Distribution {
+    /// Its name, and its two ends, or mean and standard deviation before truncation.
+    pub fn parts(&self) -> (&'static str, [f64; 2]) {
+        match *self {
+            Self::Uniform { from, to } => ("uniform", [from, to]),
+            Self::Normal { mean, sd } => ("normal", [mean, sd]),
+            Self::Lognormal { mean, sd } => ("lognormal", [mean, sd]),
+        }
+    }
+
+    /// Standard deviation and mean of the logarithm of a lognormal.
+    fn logarithmic(mean: f64, sd: f64) -> (f64, f64) {
+        let variance = ln_1p(powi(sd / mean, 2));
+        (variance.sqrt(), ln(mean) - 0.5 * variance)
+    }
+
+    /// Probability of a value below x.
+    fn below(&self, x: f64) -> f64 {
+        match *self {
+            Self::Uniform { from, to } => {
+                if from == to {
+                    f64::from(u8::from(x > from))
+                } else {
+                    ((x - from) / (to - from)).clamp(0.0, 1.0)
+                }
+            }
+            Self::Normal { mean, sd } => normal_below((x - mean) / sd),
+            Self::Lognormal { .. } if x <= 0.0 => 0.0,
+            Self::Lognormal { mean, sd } => {
+                let (sigma, mu) = Self::logarithmic(mean, sd);
+                normal_below((ln(x) - mu) / sigma)
+            }
+        }
+    }
+
+    /// The value below which a share p of the distribution lies.
+    fn quantile(&self, p: f64) -> f64 {
+        match *self {
+            Self::Uniform { from, to } => from + p * (to - from),
+            Self::Normal { mean, sd } => mean + sd * normal_quantile(p),
+            Self::Lognormal { mean, sd } => {
+                let (sigma, mu) = Self::logarithmic(mean, sd);
+                exp(mu + sigma * normal_quantile(p))
+            }
+        }
+    }
+}
+
+/// Draws the values of consecutive cases of one variable.
+#[derive(Debug)]
+pub struct Draws<'a> {
+    pub variable: &'a Variable,
+    generator: ChaCha8Rng,
+}
+
+impl<'a> Draws<'a> {
+    /// From case `first` on; `stream` is the place of the variable in the file.
+    pub fn new(variable: &'a Variable, seed: u64, stream: u64, first: u64) -> Self {
+        let mut generator = ChaCha8Rng::seed_from_u64(seed);
+        generator.set_stream(stream);
+        // a 64-bit number is two words
+        generator.set_word_pos(2 * u128::from(first));
+        Self { variable, generator }
+    }
+
+    /// The value of the next case.
+    #[allow(clippy::cast_precision_loss)] // 53 bits
+    pub fn next_value(&mut self) -> f64 {
+        const STEP: f64 = 1.0 / (1u64 << 53) as f64;
+        // the middle of one of 2^53 equal steps: never 0, never 1
+        let u = ((self.generator.next_u64() >> 11) as f64 + 0.5) * STEP;
+        self.variable.value(u)
+    }
+}

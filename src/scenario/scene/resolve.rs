@@ -1,0 +1,288 @@
+//! From what is written to bodies, contact and motion: the only place where a mass becomes a density, a hardness a strength,
+//! and a height a speed. A number that is missing is not a number here; the scenario asks before whether all are given.
+
+use std::sync::Arc;
+
+use super::at::at;
+use super::input::{Input, Value};
+use super::key::Part;
+use super::keys::Key;
+use super::taken::{Body, Taken};
+use crate::contact::law::LawChoice;
+use crate::contact::material::{HalfSpace, Hold, Sphere, sphere_volume};
+use crate::contact::materials::all;
+use crate::impact::air::{Flying, Medium};
+use crate::impact::{
+    Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
+    Solver, Warning, WarningKind,
+};
+use crate::units::percent;
+
+/// Evenly spaced rows of a trace, unless the scenario gives another number.
+pub const DEFAULT_SAMPLES: usize = 400;
+
+impl Input {
+    /// The bodies. With a flow curve, which the law has, a hardness is another yield strength.
+    pub fn bodies(&self, law: &LawChoice) -> (Sphere, HalfSpace) {
+        let radius = self.radius().unwrap_or(f64::NAN);
+        let of_mass = |mass: f64| mass / sphere_volume(radius);
+        let number = |at| self.number(at);
+        let [of_sphere, of_half_space] = law.flow();
+        let yield_strength = self.yield_strength(Body::Sphere, of_sphere);
+        let strength = self.yield_strength(Body::HalfSpace, of_half_space);
+        let density = number(at!("sphere.density")).unwrap_or(f64::NAN);
+        let density = number(at!("sphere.mass")).map_or(density, of_mass);
+        (
+            Sphere { radius, material: self.material(Body::Sphere), density, yield_strength },
+            HalfSpace {
+                density: number(at!("half_space.density")),
+                radius: number(at!("half_space.radius")),
+                hold: match number(at!("half_space.mass")) {
+                    None => Hold::Fixed,
+                    Some(f64::INFINITY) => Hold::Ball,
+                    Some(mass) => Hold::Free(mass),
+                },
+                ..HalfSpace::flat(self.material(Body::HalfSpace), strength)
+            },
+        )
+    }
+
+    pub fn sphere(&self) -> Sphere {
+        self.bodies(&self.law()).0
+    }
+
+    pub fn half_space(&self) -> HalfSpace {
+        self.bodies(&self.law()).1
+    }
+
+    /// More than a yield strength describes the flow stress of a body, or the law does not use it.
+    pub fn has_flow(&self, of: Body) -> bool {
+        let law = self.law();
+        let is_hard = self.number(of.strength_keys().hardness).is_some();
+        is_hard || of.of(law.flow()).is_some() || matches!(law, LawChoice::Hertz(_))
+    }
+
+    /// Gravity, damping and the plate.
+    pub fn forces(&self) -> Forces {
+        let number = |at| self.number(at);
+        let viscous = || number(at!("damping.viscous")).map(Damping::Viscous);
+        let damping = number(at!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
+        let plate = number(at!("half_space.thickness")).map(|thickness| Plate {
+            thickness,
+            edge_distance: number(at!("half_space.edge_distance")),
+            theory: self
+                .word(at!("half_space.plate"))
+                .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
+        });
+        Forces { gravity: number(at!("gravity.acceleration")), damping, plate, flying: self.flying() }
+    }
+
+    /// The flight of the sphere, if there is gravity or a height.
+    pub fn flying(&self) -> Option<Flying> {
+        let falls = self.number(at!("gravity.acceleration")).or(self.number(at!("impact.drop_height"))).is_some();
+        let gravity = self.falling_gravity();
+        let in_vacuum = Flying::in_vacuum(gravity);
+        let in_air = || {
+            let medium = self.air()?;
+            Some(Flying::in_air(gravity, &medium, self.radius()?, self.mass()?))
+        };
+        falls.then(|| in_air().unwrap_or(in_vacuum))
+    }
+
+    /// Warns of a fall without air that air would slow, and of a ball that is so light that the
+    /// air that moves with it counts.
+    pub fn doubts_of_air(&self) -> Option<Warning> {
+        /// Air of a room, and the drag of a smooth sphere.
+        const USUAL: Medium = Medium { density: 1.2, drag: Some(0.47), viscosity: f64::NAN };
+        let (radius, mass) = (self.radius()?, self.mass()?);
+        if let Some(air) = self.air() {
+            let added = 0.5 * Flying::buoyancy(air.density, radius, mass);
+            return (added > 0.003).then(|| {
+                let text = format!(
+                    "the air that moves with so light a ball has {} of its mass, which is neglected: heights and times may be off by as much",
+                    percent(added)
+                );
+                Warning::new(WarningKind::InAir, added, text)
+            });
+        }
+        let height = self.number(at!("impact.drop_height")).filter(|height| *height > 0.0)?;
+        // a body with a tip falls in a guide
+        let is_ball = self.number(at!("sphere.mass")).is_none();
+        let flying = Flying::in_air(self.falling_gravity(), &USUAL, radius, mass);
+        let slower = 1.0 - flying.landing_speed(height) / self.speed();
+        (is_ball && slower > 0.005).then(|| {
+            let text = format!(
+                "in air the ball arrives {} slower: add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
+                percent(slower)
+            );
+            Warning::new(WarningKind::InAir, slower, text)
+        })
+    }
+
+    /// The air, if it is given.
+    pub fn air(&self) -> Option<Medium> {
+        let density = self.number(at!("air.density"))?;
+        let drag = self.number(at!("air.drag")).filter(|drag| drag.is_finite());
+        Some(Medium { density, drag, viscosity: self.number(at!("air.viscosity")).unwrap_or(f64::NAN) })
+    }
+
+    /// The mass of all that moves \[kg\], by itself or by the sphere's density.
+    pub fn mass(&self) -> Option<f64> {
+        let of_density = || Some(self.number(at!("sphere.density"))? * sphere_volume(self.radius()?));
+        self.number(at!("sphere.mass")).or_else(of_density)
+    }
+
+    /// The bodies paired under the law.
+    ///
+    /// # Errors
+    /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
+    pub fn contact(&self) -> Result<Contact, ImpactError> {
+        let law = self.law();
+        let (sphere, half_space) = self.bodies(&law);
+        self.pair(sphere, half_space, &law)
+    }
+
+    /// Pairs these bodies under this law.
+    ///
+    /// # Errors
+    /// [`ImpactError`] as of [`Input::contact`].
+    pub fn pair(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
+        let mut contact = Contact::try_new(sphere, half_space, law.get())?.with_forces(self.forces());
+        if self.number(at!("sphere.mass")).is_some() {
+            contact = contact.of_a_body();
+        }
+        if let Some(moment) = self.number(at!("sphere.moment_of_inertia")) {
+            contact = contact.with_moment_of_inertia(moment);
+        }
+        let [sphere, half_space] =
+            Body::ALL.map(|body| self.word(body.material_key()).and_then(|place| all().get(place)));
+        let flow = law.flow();
+        let is_by_hardness =
+            Body::ALL.map(|body| self.number(body.strength_keys().hardness).is_some() && body.of(flow).is_none());
+        let named = Named { sphere, half_space, is_by_hardness };
+        Ok(contact.of_materials(named).with_rates(self.rates(), law))
+    }
+
+    /// The impact speed \[m/s\]: that of the fall where a height is given.
+    pub fn speed(&self) -> f64 {
+        let fallen =
+            self.number(at!("impact.drop_height")).and_then(|height| Some(self.flying()?.landing_speed(height)));
+        fallen.or(self.number(at!("impact.speed"))).unwrap_or(f64::NAN)
+    }
+
+    /// The gravity of falls and of rebounds to a height \[m/s²\]. Without `[gravity]` a height is only another way to say
+    /// a speed.
+    pub fn falling_gravity(&self) -> f64 {
+        self.number(at!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
+    }
+
+    /// Angle, spin and friction, if an angle or a spin is given.
+    #[inline]
+    pub fn incidence(&self) -> Option<Incidence> {
+        let (angle, spin) = (self.number(at!("impact.angle")), self.number(at!("sphere.spin")));
+        (angle.is_some() || spin.is_some()).then(|| Incidence {
+            angle: angle.unwrap_or(0.0),
+            spin: spin.unwrap_or(0.0),
+            friction: self.number(at!("friction.coefficient")).unwrap_or(0.0),
+        })
+    }
+
+    /// Speed, angle and spin at first touch.
+    #[inline]
+    pub fn approach(&self) -> Approach {
+        self.approach_at(self.speed())
+    }
+
+    /// Replaces the speed of [`Input::approach`].
+    #[inline]
+    pub fn approach_at(&self, speed: f64) -> Approach {
+        Approach { speed, incidence: self.incidence() }
+    }
+
+    /// Method and tolerance.
+    pub fn solver(&self) -> Solver {
+        let defaults = Solver::default();
+        let steps = self.count(at!("solver.steps_per_contact")).and_then(|steps| steps.try_into().ok());
+        Solver {
+            method: self.word(at!("solver.method")).map_or(defaults.method, |place| Method::ALL[place]),
+            tolerance: self.number(at!("solver.tolerance")).unwrap_or(defaults.tolerance),
+            steps_per_contact: steps.unwrap_or(defaults.steps_per_contact),
+        }
+    }
+
+    /// Takes this method, unless one is named.
+    pub fn choose_method(&mut self, method: Method) {
+        if self.word(at!("solver.method")).is_none() {
+            self.choose(at!("solver.method"), Method::ALL.iter().position(|known| *known == method));
+        }
+    }
+
+    /// A row of a table is integrated then, or its times are.
+    pub fn is_stepped(&self) -> bool {
+        let forces = self.forces();
+        let method = self.solver().method.chosen(&forces, false);
+        forces.gravity.is_some() || method.is_some_and(|method| method != Method::ClosedForm)
+    }
+
+    /// Evenly spaced rows of the trace.
+    pub fn samples(&self) -> usize {
+        self.count(at!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
+    }
+
+    /// The sphere's radius \[m\], by its radius or its diameter.
+    pub fn radius(&self) -> Option<f64> {
+        let of_diameter = || Some(0.5 * self.number(at!("sphere.diameter"))?);
+        self.number(at!("sphere.radius")).or_else(of_diameter)
+    }
+
+    /// Puts what a body takes from its material in the place of what it took from another.
+    pub fn take(&mut self, taken: &Taken) {
+        self.choose(taken.body.material_key(), all().iter().position(|known| known.name == taken.material.name));
+        for &(path, property) in &taken.left {
+            let number = taken.material.of(property).map(|known| known.taken.value);
+            if let Some(key) = Key::find(path) {
+                key.set(self, number);
+            }
+        }
+    }
+
+    /// The input with the values that follow from others, and with the defaults of the keys that are used, for reports.
+    #[must_use]
+    pub fn filled(&self) -> Self {
+        let mut input = self.clone();
+        input.set(at!("sphere.radius"), self.radius());
+        input.set(at!("sphere.diameter"), None);
+        for body in Body::ALL {
+            input.choose(body.material_key(), None);
+        }
+        let (sphere, half_space) = self.bodies(&self.law());
+        input.fill_strength(Body::Sphere, sphere.yield_strength);
+        input.fill_strength(Body::HalfSpace, half_space.yield_strength);
+        input.set(at!("impact.speed"), Some(self.speed()));
+        if let Some(Incidence { angle, spin, .. }) = self.incidence() {
+            input.set(at!("impact.angle"), Some(angle));
+            input.set(at!("sphere.spin"), Some(spin));
+        }
+        input.choose_method(self.solver().method);
+        let is_on_plate = self.forces().plate.is_some();
+        let rates = self.rates();
+        let is_raised = |path: &str| {
+            Body::ALL.iter().zip(rates).any(|(body, rate)| path.starts_with(body.rate_keys().table) && rate.is_some())
+        };
+        let has_reference = |path: &str| {
+            !path.ends_with(".reference")
+                || Key::find(&path.replace("reference", "c")).is_some_and(|c| c.get(self).is_some())
+        };
+        input.fill(|key| match key.part {
+            Part::Rate => is_raised(key.path) && has_reference(key.path),
+            Part::Law => self.is_of_law(key.path),
+            Part::Motion => is_on_plate,
+            part => matches!(part, Part::Solver | Part::Output),
+        });
+        let coefficients = at!("law.plm.coefficients");
+        if let (LawChoice::Plm(law), None) = (&self.named_law, self.value(coefficients)) {
+            input.put_value(coefficients, Some(Value::Coefficients(Arc::clone(&law.coefficients))));
+        }
+        input
+    }
+}

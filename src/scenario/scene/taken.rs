@@ -1,0 +1,89 @@
+//! The values that the bodies of a scene take from named materials, where the scenario does not give them itself.
+
+use super::at::{At, WORD, at};
+use crate::contact::materials::{Entry, Known, Property};
+
+/// A body that may name its material.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Body {
+    Sphere,
+    HalfSpace,
+}
+
+impl Body {
+    pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
+
+    /// Chooses what belongs to this body from a pair of sphere and half-space.
+    pub fn of<T>(self, [sphere, half_space]: [T; 2]) -> T {
+        match self {
+            Self::Sphere => sphere,
+            Self::HalfSpace => half_space,
+        }
+    }
+
+    /// Its table.
+    pub fn table(self) -> &'static str {
+        self.of(["sphere", "half_space"])
+    }
+
+    /// The key that names its material.
+    pub fn material(self) -> &'static str {
+        self.of(["sphere.material", "half_space.material"])
+    }
+
+    pub fn material_key(self) -> At<WORD> {
+        self.of([at!("sphere.material"), at!("half_space.material")])
+    }
+
+    /// The body whose material a key names.
+    pub fn of_key(path: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|body| body.material() == path)
+    }
+
+    /// The keys that a material gives the body values for, each with the property that gives it.
+    pub fn defaults(self) -> &'static [(&'static str, Property)] {
+        match self {
+            Self::Sphere => &[
+                ("sphere.density", Property::Density),
+                ("sphere.youngs_modulus", Property::YoungsModulus),
+                ("sphere.poissons_ratio", Property::PoissonsRatio),
+                ("sphere.hardness", Property::Hardness),
+                ("sphere.flow_stress.power.exponent", Property::HardeningExponent),
+                ("sphere.rate.johnson_cook.c", Property::RateSensitivity),
+            ],
+            Self::HalfSpace => &[
+                ("half_space.density", Property::Density),
+                ("half_space.youngs_modulus", Property::YoungsModulus),
+                ("half_space.poissons_ratio", Property::PoissonsRatio),
+                ("half_space.hardness", Property::Hardness),
+                ("half_space.flow_stress.power.exponent", Property::HardeningExponent),
+                ("half_space.rate.johnson_cook.c", Property::RateSensitivity),
+            ],
+        }
+    }
+}
+
+/// A body and the material that it takes numbers from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Taken {
+    pub body: Body,
+    pub material: &'static Entry,
+    /// The keys that the scenario leaves to the material.
+    pub left: Vec<(&'static str, Property)>,
+}
+
+impl Taken {
+    /// The keys that take a value, each with what is known of the property.
+    pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
+        let material = self.material;
+        self.left.iter().filter_map(move |(key, property)| Some((*key, material.of(*property)?)))
+    }
+
+    /// The taken values for a summary, each with its name: the value as it is written, its range, and the kind of number.
+    pub fn notes(&self) -> impl Iterator<Item = (String, String)> {
+        self.values().map(|(_, Known { property, taken, range: [low, high], basis, .. })| {
+            let name = format!("{}_{}", self.body.material(), property.name());
+            (name, format!("{} ({} to {}); {basis}", taken.text, low.text, high.text))
+        })
+    }
+}

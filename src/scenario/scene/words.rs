@@ -1,0 +1,56 @@
+//! The words that keys take in place of numbers.
+
+use super::key::Words;
+use super::results::columns;
+use crate::contact::law::LawChoice;
+use crate::contact::law::catalogue::jackson_green::Hardness;
+use crate::contact::materials::all;
+use crate::impact::repeat::Place;
+use crate::impact::{Method, PlateTheory};
+
+const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> Words {
+    Words { one, several, known }
+}
+
+/// Names of integration methods.
+pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.map(Method::name)));
+/// Names of whole laws.
+pub static LAWS: Words = words("law", "laws", || laws(LawChoice::has_loading));
+/// Laws, as an axis takes them.
+pub static AXIS_OF_LAWS: Words =
+    words("law", "laws (or \"loading + unloading\" such as \"jackson_green + brake\")", || {
+        laws(LawChoice::has_loading)
+    });
+/// Names of laws that load.
+pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
+/// Names of laws that unload.
+pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
+/// Spots of repeated impacts.
+pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
+/// Forms of the hardness of Jackson and Green.
+pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
+/// Words for the noise of measurements, if it is not given by numbers.
+pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
+/// How the rise of a strength with the rate of strain is given, if not by a table.
+pub static RATES: Words = words("word", "words here", || texts(["material"]));
+/// Scales on which the range of a key is searched.
+pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]));
+/// The ways to treat outliers.
+pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "none"]));
+/// The place of `student-t` among them.
+pub const STUDENT_T: usize = 0;
+pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
+/// Theories of plates.
+pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL.map(PlateTheory::name)));
+/// Distributions of a material within its ranges.
+pub static DRAWN: Words = words("word", "words here", || texts(["uniform"]));
+/// Names of the results that a table may have.
+pub static COLUMNS: Words = words("result", "results", || texts(columns().iter().map(|column| column.name)));
+
+fn texts(known: impl IntoIterator<Item = impl ToString>) -> Vec<String> {
+    known.into_iter().map(|word| word.to_string()).collect()
+}
+
+fn laws(is_wanted: fn(&LawChoice) -> bool) -> Vec<String> {
+    texts(LawChoice::all().iter().filter(|law| is_wanted(law)).map(LawChoice::name))
+}

@@ -1,0 +1,133 @@
+//! Warns where a table leaves the range of the model. Before the sweep starts, one impact is computed at each corner of
+//! the grid, or in the tails of the distributions. Of very many corners, those that differ from the first in one axis are
+//! computed, and a sample of the others. The rows of a table carry no warnings.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
+
+use crate::impact::{Contact, Impact, Method, Solver, Warning};
+use crate::scenario::plan::axis::{Axis, Setting, Values, Word};
+use crate::scenario::plan::random::Variable;
+use crate::scenario::plan::{Cases, Plan, put};
+use crate::scenario::scene::Input;
+
+/// The largest number of corners that are computed all: those of thirteen axes of numbers. Of more, so many are a sample.
+const MOST_CORNERS: u64 = 1 << 13;
+/// The tails of a distribution lie below the first of these shares and above the second.
+const TAILS: [f64; 2] = [0.001, 0.999];
+
+/// The worst warning of each kind with the corner where it was found, and a warning about corners that were not looked at.
+/// `known` is the contact of the plan, if it is made already.
+pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
+    let tails: Vec<Axis> = match &plan.cases {
+        Cases::Grid(_) => Vec::new(),
+        Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
+    };
+    let axes = if plan.is_monte_carlo() { &tails } else { plan.axes() };
+    let ends: Vec<Vec<u64>> = axes.iter().map(ends).collect();
+    let all = ends.iter().map(|ends| ends.len() as u64).fold(1, u64::saturating_mul);
+    let chosen: Vec<Vec<u64>> = if all <= MOST_CORNERS {
+        (0..all).map(|number| corner(&ends, number)).collect()
+    } else {
+        // the same in every run
+        let mut random = ChaCha8Rng::seed_from_u64(0);
+        let sample = (0..MOST_CORNERS).map(|_| corner(&ends, random.next_u64()));
+        one_at_a_time(&ends).chain(sample).collect()
+    };
+    let computed = chosen.len();
+    // where no axis changes the contact, one serves all corners
+    let is_one = axes.iter().all(Axis::keeps_contact);
+    let own = if is_one && known.is_none() { plan.input.contact().ok() } else { None };
+    let shared = known.or(own.as_ref()).filter(|_| is_one);
+    let mut worst: Vec<(Warning, String)> = Vec::new();
+    for places in chosen {
+        let mut input = plan.input.clone();
+        put(axes, &places, &mut input);
+        let Some(impact) = shared.map_or_else(
+            || {
+                let contact = input.contact().ok()?;
+                impact(&contact, &input)
+            },
+            |contact| impact(contact, &input),
+        ) else {
+            continue;
+        };
+        for warning in impact.warnings {
+            let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
+            let place = || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", ");
+            match worst.iter_mut().find(|(known, _)| known.is_like(&warning)) {
+                None => worst.push((warning, place())),
+                Some(known) if warning.size.is_nan() || warning.size > known.0.size => *known = (warning, place()),
+                Some(_) => {}
+            }
+        }
+    }
+    worst.sort_by_key(|(warning, _)| !warning.is_grave());
+    let mut warnings: Vec<String> =
+        worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect();
+    if all > MOST_CORNERS {
+        warnings.push(format!(
+            "of the {all} corners of this table {computed} were looked at: every value at an end of one axis, and a sample of the others; the model may be left at the rest"
+        ));
+    }
+    warnings
+}
+
+/// The corner of this number; beyond the last corner they begin again.
+#[allow(clippy::cast_possible_truncation)] // less than the length of a list
+fn corner(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
+    let place = |ends: &Vec<u64>| {
+        let count = ends.len() as u64;
+        let place = ends[(number % count) as usize];
+        number /= count;
+        place
+    };
+    ends.iter().map(place).collect()
+}
+
+/// The corners that differ from the first one on one axis.
+fn one_at_a_time(ends: &[Vec<u64>]) -> impl Iterator<Item = Vec<u64>> {
+    let first: Vec<u64> = ends.iter().map(|ends| ends[0]).collect();
+    ends.iter().enumerate().flat_map(move |(axis, ends)| {
+        let first = first.clone();
+        ends.iter().map(move |place| {
+            let mut places = first.clone();
+            places[axis] = *place;
+            places
+        })
+    })
+}
+
+/// The places of the smallest and the largest value of an axis, or of all its words.
+fn ends(axis: &Axis) -> Vec<u64> {
+    let mut places: Vec<u64> = match &axis.setting {
+        // a list may be in any order
+        Setting::Number { values: Values::List(values), .. } => {
+            let all = || (0..).zip(values);
+            let smallest = all().min_by(|a, b| a.1.total_cmp(b.1));
+            let largest = all().max_by(|a, b| a.1.total_cmp(b.1));
+            smallest.into_iter().chain(largest).map(|(place, _)| place).collect()
+        }
+        Setting::Number { .. } => vec![0, axis.len() - 1],
+        // of the methods only fixed steps have warnings of their own
+        Setting::Words { words, .. } if matches!(words[..], [Word::Method(_), ..]) => {
+            let verlet = words.iter().position(|word| matches!(word, Word::Method(Method::Verlet)));
+            vec![0, verlet.unwrap_or(0) as u64]
+        }
+        Setting::Words { .. } => (0..axis.len()).collect(),
+    };
+    places.dedup();
+    places
+}
+
+/// The values of a random key in the tails of its distribution, as an axis.
+fn tails(variable: &Variable) -> Axis {
+    Axis::of_number(variable.key, Values::List(TAILS.map(|share| variable.value(share)).to_vec()))
+}
+
+/// The impact of one corner; `None` if it has no result, which the status in the table says.
+fn impact(contact: &Contact, input: &Input) -> Option<Impact> {
+    let of_input = input.solver();
+    let solver = if of_input.method == Method::Verlet { of_input } else { Solver::AUTO };
+    contact.impact(input.approach(), &solver, None).ok()
+}

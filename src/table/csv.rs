@@ -1,0 +1,143 @@
+//! A table as CSV, written directly into a buffer. No field needs quotes: all are numbers or names without commas.
+
+use std::fs::File;
+use std::io::{self, BufRead as _, BufReader, Write as _};
+use std::path::Path;
+
+use super::column::{Column, columns};
+use super::count::{Count, status, written};
+use super::evaluator::Rows;
+use super::form::{Form, Found};
+use crate::files::NewFile;
+use crate::scenario::plan::Plan;
+use crate::scenario::plan::axis::Values;
+
+/// Writes rows as lines of text.
+#[derive(Debug)]
+pub struct Csv {
+    header: Vec<u8>,
+    /// The columns; those of an axis with its values as text, so that they are converted once.
+    fields: Vec<(Column, Vec<Vec<u8>>)>,
+    /// Place of e among the fields; every table has it.
+    restitution: usize,
+}
+
+/// An axis with up to this number of values is converted to text before the first row, which takes some milliseconds.
+const RENDERED: usize = 1 << 15;
+
+/// The values of an axis as text, unless they are very many.
+fn rendered(column: &Column) -> Vec<Vec<u8>> {
+    let render = |value: &f64| zmij::Buffer::new().format(*value).as_bytes().to_vec();
+    match column {
+        Column::Name(_, names) => names.iter().map(|name| name.clone().into_bytes()).collect(),
+        Column::Number(_, Values::List(values)) if values.len() <= RENDERED => values.iter().map(render).collect(),
+        _ => Vec::new(),
+    }
+}
+
+impl Csv {
+    /// The table of a plan.
+    pub fn new(plan: &Plan) -> Self {
+        let names = plan.column_names();
+        let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);
+        let fields = columns(plan).into_iter().map(|column| (rendered(&column), column));
+        let fields = fields.map(|(texts, column)| (column, texts)).collect();
+        Self { header: (names.join(",") + "\n").into_bytes(), fields, restitution }
+    }
+
+    /// Appends rows.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // places on an axis are whole numbers
+    pub fn write(&self, rows: &Rows, text: &mut Vec<u8>) {
+        let n_swept = if rows.cases.is_empty() { 0 } else { rows.swept.len() / rows.cases.len() };
+        let mut integers = itoa::Buffer::new();
+        let mut floats = zmij::Buffer::new();
+        for (row, (case, result)) in rows.cases.iter().zip(&rows.results).enumerate() {
+            let swept = &rows.swept[row * n_swept..];
+            for (place, (column, texts)) in self.fields.iter().enumerate() {
+                if place > 0 {
+                    text.push(b',');
+                }
+                let number = match column {
+                    Column::Name(place, _) | Column::Number(place, _) if !texts.is_empty() => {
+                        text.extend_from_slice(&texts[swept[*place] as usize]);
+                        continue;
+                    }
+                    Column::Case => {
+                        text.extend_from_slice(integers.format(*case).as_bytes());
+                        continue;
+                    }
+                    Column::Name(..) | Column::Status => {
+                        text.extend_from_slice(status(result).as_bytes());
+                        continue;
+                    }
+                    Column::Result(column) => result.as_ref().ok().and_then(column.value),
+                    Column::Number(place, values) => Some(values.at(swept[*place] as u64)),
+                    Column::Plain(place) => Some(swept[*place]).filter(|number| !number.is_nan()),
+                };
+                if let Some(number) = number {
+                    text.extend_from_slice(floats.format(number).as_bytes());
+                }
+            }
+            text.push(b'\n');
+        }
+    }
+
+    /// How a row counts; `None` if it is not whole.
+    fn count(&self, line: &[u8]) -> Option<Count> {
+        let line = std::str::from_utf8(line).ok()?;
+        let (before, status) = line.rsplit_once(',')?;
+        let restitution = before.split(',').nth(self.restitution)?;
+        let restitution = if restitution.is_empty() { None } else { Some(restitution.parse().ok()?) };
+        written(status, restitution)
+    }
+}
+
+impl Form for Csv {
+    type Piece = Vec<u8>;
+    type Writer = NewFile;
+
+    /// Few enough for the cache. Their text is also shorter than 128 KiB: memory of a longer one goes back to the system when it is
+    /// freed, and to get it again costs a quarter of the time of a row.
+    const BATCH: u64 = 256;
+
+    fn header(&self) -> &[u8] {
+        &self.header
+    }
+
+    fn encode(&self, rows: &Rows) -> io::Result<Vec<u8>> {
+        // numbers take up to 24 characters
+        let mut lines = Vec::with_capacity(rows.cases.len() * 192);
+        self.write(rows, &mut lines);
+        Ok(lines)
+    }
+
+    fn begin(&self, mut file: NewFile) -> io::Result<NewFile> {
+        file.write_all(&self.header)?;
+        Ok(file)
+    }
+
+    fn append(&self, writer: &mut NewFile, piece: &Vec<u8>) -> io::Result<()> {
+        writer.write_all(piece)
+    }
+
+    fn end(&self, writer: NewFile) -> io::Result<NewFile> {
+        Ok(writer)
+    }
+
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found> {
+        let mut reader = BufReader::with_capacity(1 << 18, File::open(path)?);
+        let (mut line, mut read) = (Vec::new(), 0);
+        reader.read_until(b'\n', &mut line)?;
+        if line != self.header {
+            return Ok(Found::Torn);
+        }
+        line.clear();
+        while reader.read_until(b'\n', &mut line)? > 0 {
+            let Some(one) = line.strip_suffix(b"\n").and_then(|line| self.count(line)) else { return Ok(Found::Torn) };
+            count(one);
+            read += 1;
+            line.clear();
+        }
+        Ok(if read == rows { Found::Whole } else { Found::Torn })
+    }
+}

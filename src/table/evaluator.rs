@@ -1,0 +1,301 @@
+//! Computes the rows of the cases of a plan.
+
+use std::ops::Range;
+
+use crate::contact::law::LawChoice;
+use crate::impact::{Contact, Essentials, ImpactError};
+use crate::numerics::integrate::IntegrationError;
+use crate::scenario::plan::axis::Axis;
+use crate::scenario::plan::random::{Draws, Variable};
+use crate::scenario::plan::{Cases, Plan, places};
+use crate::scenario::scene::at::at;
+use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::{Input, Key};
+use crate::units::names::named;
+
+named! {
+    /// Why a row has no numbers, and its name in the column `status`.
+    pub enum Failure {
+        /// A quantity is too large or too small for double precision.
+        OutOfFloatRange = "out_of_float_range",
+        /// The integrator's step underflowed.
+        StepUnderflow = "step_underflow",
+        /// The integrator ran out of steps.
+        TooManySteps = "too_many_steps",
+        /// The state was not finite.
+        NotFinite = "not_finite",
+        /// The case lies outside the range of the law.
+        OutsideLaw = "outside_law",
+        /// The moment of inertia is too small for the steps of friction.
+        SmallInertia = "small_inertia",
+        /// There is no impact on such a plate.
+        OutsidePlate = "outside_plate",
+        /// The method is `closed_form`, but the scene has no closed form.
+        NoClosedForm = "no_closed_form",
+    }
+}
+
+impl From<ImpactError> for Failure {
+    fn from(error: ImpactError) -> Self {
+        match error {
+            ImpactError::Range(_) => Self::OutOfFloatRange,
+            // the scenario refuses a target under gravity, and one at an angle that is no ball
+            ImpactError::Law(_)
+            | ImpactError::TooDeep { .. }
+            | ImpactError::Hollow(_)
+            | ImpactError::FreeUnderGravity
+            | ImpactError::NoBall => Self::OutsideLaw,
+            ImpactError::SmallInertia { .. } => Self::SmallInertia,
+            ImpactError::Plate(_) => Self::OutsidePlate,
+            ImpactError::NoClosedForm => Self::NoClosedForm,
+            ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
+            ImpactError::Integration(IntegrationError::TooManySteps { .. } | IntegrationError::Creeping { .. }) => {
+                Self::TooManySteps
+            }
+            ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
+        }
+    }
+}
+
+/// The rows of consecutive cases.
+#[derive(Debug, Clone, Default)]
+pub struct Rows {
+    /// Case numbers.
+    pub cases: Vec<u64>,
+    /// Swept values, case after case. On a grid it is the place of each value on its axis, not the value. Yield strengths that
+    /// follow from the swept values ([`Plan::derives_strength`]) are the last values of a case.
+    pub swept: Vec<f64>,
+    /// The result of each case.
+    pub results: Vec<Result<Essentials, Failure>>,
+}
+
+impl Rows {
+    /// No rows, with memory for `count` rows of `n_swept` swept values each.
+    pub fn with_capacity(count: u64, n_swept: usize) -> Self {
+        let count = usize::try_from(count).unwrap_or(0);
+        Self {
+            cases: Vec::with_capacity(count),
+            swept: Vec::with_capacity(count * n_swept),
+            results: Vec::with_capacity(count),
+        }
+    }
+
+    /// Takes all rows away; the memory stays.
+    pub fn clear(&mut self) {
+        self.cases.clear();
+        self.swept.clear();
+        self.results.clear();
+    }
+}
+
+/// The bodies of a row and their law.
+#[derive(Debug)]
+struct Known {
+    /// The yield strengths of sphere and half-space.
+    strengths: [Option<f64>; 2],
+    contact: Result<Contact, Failure>,
+}
+
+/// The law of rows that may change it. Rows that do not share it, and the curve that it has made for their first pair.
+struct Laws {
+    changes: bool,
+    law: LawChoice,
+}
+
+impl Laws {
+    fn of(input: &Input, changes: bool) -> Self {
+        Self { changes, law: input.law() }
+    }
+
+    /// The bodies of a row and their law.
+    fn known(&mut self, input: &Input) -> Known {
+        if self.changes {
+            self.law = input.law();
+        }
+        let (sphere, half_space) = input.bodies(&self.law);
+        let contact = input.pair(sphere, half_space, &self.law).map_err(Failure::from);
+        Known { strengths: [sphere.yield_strength, half_space.yield_strength], contact }
+    }
+}
+
+/// A plan, and what its rows have in common, computed once.
+#[derive(Debug)]
+pub struct Evaluator<'a> {
+    plan: &'a Plan,
+    /// Whether the yield strengths of sphere and half-space follow from the swept values ([`Plan::derives_strength`]).
+    derives: [bool; 2],
+    /// Input and contact of every combination of the axes that change the contact. Empty if there are too many
+    /// combinations.
+    contacts: Vec<(Input, Known)>,
+    /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
+    /// contact.
+    strides: Vec<u64>,
+}
+
+impl<'a> Evaluator<'a> {
+    /// Computes the contact of every combination, if there are at most 10⁴ combinations (about 1 kB each).
+    pub fn new(plan: &'a Plan) -> Self {
+        const MOST_CONTACTS: u64 = 10_000;
+        let (mut strides, mut combinations) = (Vec::new(), 1_u64);
+        match &plan.cases {
+            Cases::Grid(axes) => {
+                for axis in axes {
+                    strides.push(if axis.keeps_contact() { 0 } else { combinations });
+                    combinations = combinations.saturating_mul(if axis.keeps_contact() { 1 } else { axis.len() });
+                }
+            }
+            Cases::MonteCarlo { variables, .. } => {
+                if variables.iter().any(|variable| variable.key.part.changes_contact()) {
+                    combinations = u64::MAX;
+                }
+            }
+        }
+        let mut laws = Laws::of(&plan.input, plan.axes().iter().any(Axis::changes_law));
+        let combination = |index: u64| {
+            // at the first places of the other axes
+            let axes = plan.axes().iter().zip(&strides);
+            let places: Vec<u64> =
+                axes.map(|(axis, stride)| index.checked_div(*stride).unwrap_or(0) % axis.len()).collect();
+            let input = plan.input_at(&places);
+            let known = laws.known(&input);
+            (input, known)
+        };
+        let contacts =
+            if combinations <= MOST_CONTACTS { (0..combinations).map(combination).collect() } else { Vec::new() };
+        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), contacts, strides }
+    }
+
+    /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
+    /// changes it.
+    pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
+        let (sphere, half_space) = plan.input.bodies(&plan.input.law());
+        let strengths = [sphere.yield_strength, half_space.yield_strength];
+        let known = |contact: &Contact| (plan.input.clone(), Known { strengths, contact: Ok(contact.clone()) });
+        let contacts = contact.map(known).into_iter().collect();
+        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), contacts, strides: Vec::new() }
+    }
+
+    /// The number of swept values of a row.
+    pub fn n_swept(&self) -> usize {
+        self.plan.paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
+    }
+
+    /// The input at these places. It is made from that of the plan or of its combination, never from that of the row before,
+    /// as a law or a material brings numbers of its own and takes others away.
+    fn put_at(&self, axes: &[Axis], places: &[u64], input: &mut Input) {
+        let Some((known, _)) = self.known(places) else {
+            *input = self.plan.input_at(places);
+            return;
+        };
+        // the contact is known: of the keys that change it a row needs gravity alone, for the speed of a fall
+        let gravity = at!("gravity.acceleration");
+        input.set(gravity, known.number(gravity));
+        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.keeps_contact()) {
+            axis.put(*place, input);
+        }
+    }
+
+    /// The prepared contact of the combination at these places.
+    #[allow(clippy::cast_possible_truncation)] // at most 10⁴
+    fn known(&self, places: &[u64]) -> Option<&(Input, Known)> {
+        let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
+        self.contacts.get(index as usize)
+    }
+
+    /// Appends the rows of `cases`.
+    pub fn rows(&self, cases: Range<u64>, rows: &mut Rows) {
+        rows.cases.extend(cases.clone());
+        match &self.plan.cases {
+            Cases::Grid(axes) => self.grid(axes, cases, rows),
+            Cases::MonteCarlo { seed, variables, .. } => self.samples(variables, *seed, cases, rows),
+        }
+    }
+
+    /// Appends the row of an input with this contact.
+    fn row(&self, input: &Input, Known { strengths, contact }: &Known, rows: &mut Rows) {
+        for (strength, is_derived) in strengths.iter().zip(self.derives) {
+            // a body that stays elastic has none
+            rows.swept.extend(is_derived.then(|| strength.unwrap_or(f64::NAN)));
+        }
+        let row = contact.as_ref().map_err(|error| *error);
+        let row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
+        rows.results.push(row);
+    }
+
+    /// Appends the rows of a grid.
+    #[allow(clippy::cast_precision_loss)]
+    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
+        let mut places = places(axes, cases.start);
+        let mut input = self.plan.input_at(&places);
+        let mut own: Option<Known> = None;
+        let mut laws = Laws::of(&input, axes.iter().any(Axis::changes_law));
+        for _ in cases {
+            rows.swept.extend(places.iter().map(|place| *place as f64));
+            let known = match self.known(&places) {
+                Some((_, known)) => known,
+                None => own.get_or_insert_with(|| laws.known(&input)),
+            };
+            self.row(&input, known, rows);
+            // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
+            let mut is_new = false;
+            for (axis, place) in axes.iter().zip(&mut places).rev() {
+                *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
+                if axis.keeps_contact() {
+                    axis.put(*place, &mut input);
+                } else {
+                    is_new = true;
+                }
+                if *place > 0 {
+                    break;
+                }
+            }
+            if is_new {
+                own = None;
+                self.put_at(axes, &places, &mut input);
+            }
+        }
+    }
+
+    /// Does for random cases what [`Self::grid`] does for a grid.
+    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
+        let mut draws: Vec<Draws> =
+            (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
+        let mut input = self.plan.input.clone();
+        let mut laws = Laws::of(&input, variables.iter().any(|variable| variable.key.part.changes_law()));
+        for _ in cases {
+            for draw in &mut draws {
+                let value = draw.next_value();
+                draw.variable.key.set(&mut input, Some(value));
+                rows.swept.push(value);
+            }
+            if let Some((_, known)) = self.contacts.first() {
+                self.row(&input, known, rows);
+            } else {
+                self.row(&input, &laws.known(&input), rows);
+            }
+        }
+    }
+
+    /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
+    /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
+    /// values only yield strengths that follow from the keys are appended.
+    pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
+        let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
+        let mut input = self.plan.input.clone();
+        let mut own: Option<Known> = None;
+        let mut laws = Laws::of(&input, keys.iter().any(|(key, _)| key.part.changes_law()));
+        for case in cases {
+            for (key, values) in keys {
+                key.set(&mut input, Some(values[case]));
+            }
+            if case > 0 && of_contact.iter().any(|(_, values)| values[case] != values[case - 1]) {
+                own = None;
+            }
+            let known = match self.contacts.first().filter(|_| of_contact.is_empty()) {
+                Some((_, known)) => known,
+                None => own.get_or_insert_with(|| laws.known(&input)),
+            };
+            self.row(&input, known, rows);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The forms that a table is written in, and what one of them has to do.
+
+use std::io;
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::count::Count;
+use super::evaluator::Rows;
+use crate::files::NewFile;
+use crate::units::names::named;
+
+named! {
+    /// The file format of a table; its name is the extension, and the word on the command line.
+    #[derive(Serialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Format {
+        /// Comma-separated values with one header line.
+        Csv = "csv",
+        /// Parquet; needs the cargo feature `parquet`.
+        Parquet = "parquet",
+    }
+}
+
+/// The state of a file that is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Found {
+    /// All rows of the part are there.
+    Whole,
+    /// Rows are missing.
+    Torn,
+}
+
+/// How rows become a file.
+pub(super) trait Form: Sync + Send {
+    /// Encoded rows.
+    type Piece: Send;
+    /// A file that is being written.
+    type Writer: Send;
+
+    /// The most rows that are encoded at a time.
+    const BATCH: u64;
+
+    /// Every file begins with these bytes.
+    fn header(&self) -> &[u8];
+
+    /// Encodes rows; many threads do so at a time.
+    fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
+
+    fn begin(&self, file: NewFile) -> io::Result<Self::Writer>;
+
+    /// Appends the next rows.
+    fn append(&self, writer: &mut Self::Writer, piece: &Self::Piece) -> io::Result<()>;
+
+    fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
+
+    /// Reads a file that ought to have so many rows. Counts the rows until it finds that the file is not whole.
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found>;
+}

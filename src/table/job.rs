@@ -1,0 +1,276 @@
+//! The request for a table, and how it is fulfilled: parts that are there are read, the others computed.
+
+use std::fs::{self, File};
+use std::io::{Seek as _, SeekFrom, Write as _};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use rayon::prelude::*;
+
+use super::count::{Count, Tally, count};
+use super::csv::Csv;
+use super::evaluator::{Evaluator, Rows};
+use super::form::{Form, Format, Found};
+use super::ordered::in_order;
+use super::parts::{Identity, JOINED, Layout, ONE_FILE, PARTS};
+use super::shard::Shard;
+use super::{file, unwritable};
+use crate::error::{Error, ErrorKind};
+use crate::files::progress::Counter;
+use crate::files::{NewFile, OutputDirectory, remove, remove_folder, remove_stale};
+use crate::scenario::plan::{Plan, Source};
+
+/// A sweep to be run.
+pub struct Job<'a> {
+    /// The cases of the table.
+    pub plan: &'a Plan,
+    /// The shard to compute; `None` for the whole table.
+    pub shard: Option<Shard>,
+    /// The format of the table.
+    pub format: Format,
+    pub layout: Layout,
+    /// The directory that the table is written to.
+    pub directory: &'a OutputDirectory,
+    /// The scenario that the plan was read from.
+    pub source: &'a Source,
+    /// Counts the rows that are computed or found. If asked to stop, the job ends within a fraction of a second, unless a
+    /// single row takes longer.
+    pub progress: &'a Counter,
+}
+
+/// A finished table or shard.
+#[derive(Debug)]
+pub struct Written {
+    /// The file, or the folder of the parts.
+    pub table: PathBuf,
+    /// Counts of rows and failures, and the distribution of e.
+    pub tally: Tally,
+    /// Rows that an earlier run had written, or another process.
+    pub found: u64,
+}
+
+/// One piece of the work for a table.
+enum Task {
+    /// Read a part that is there.
+    Read(u64),
+    /// Compute some rows of a part that is missing.
+    Compute(Range<u64>),
+}
+
+/// Some rows of a part, encoded; without a piece if they are in a file already.
+struct Made<T> {
+    cases: Range<u64>,
+    piece: Option<T>,
+    counts: Vec<Count>,
+}
+
+impl Job<'_> {
+    /// Writes the table, or what is missing of it.
+    ///
+    /// # Errors
+    /// [`Error`]; parts written so far stay.
+    pub fn run(&self) -> Result<Written, Error> {
+        let identity = Identity::new(self.source, self.format, self.layout);
+        match self.format {
+            Format::Csv => self.run_as(&Csv::new(self.plan), &identity),
+            #[cfg(feature = "parquet")]
+            Format::Parquet => {
+                let failed = |error| Error::failed(format!("Parquet: {error}"));
+                self.run_as(&super::parquet::Parquet::new(self.plan).map_err(failed)?, &identity)
+            }
+            #[cfg(not(feature = "parquet"))]
+            Format::Parquet => Err(Error::input(
+                "this build writes csv; for Parquet build with `cargo build --release --features parquet`",
+            )),
+        }
+    }
+
+    fn run_as<F: Form>(&self, form: &F, identity: &Identity) -> Result<Written, Error> {
+        let table = Table {
+            job: self,
+            form,
+            evaluator: &Evaluator::new(self.plan),
+            layout: self.layout,
+            name: format!("table.{}", self.format.name()),
+        };
+        let mut tries = 0;
+        loop {
+            match table.write(identity) {
+                // another run has put the parts together and removed them: then the table is there
+                Err(error) if error.is_not_found() && tries < 3 => tries += 1,
+                result => return result,
+            }
+        }
+    }
+}
+
+/// A table in one form.
+struct Table<'a, F> {
+    job: &'a Job<'a>,
+    form: &'a F,
+    evaluator: &'a Evaluator<'a>,
+    layout: Layout,
+    /// Its name as one file.
+    name: String,
+}
+
+impl<F: Form> Table<'_, F> {
+    fn path(&self, name: &str) -> PathBuf {
+        self.job.directory.path().join(name)
+    }
+
+    fn part(&self, part: u64) -> PathBuf {
+        // so many digits that the names are in the order of the parts
+        self.path(PARTS).join(format!("part-{part:05}.{}", self.job.format.name()))
+    }
+
+    fn write(&self, identity: &Identity) -> Result<Written, Error> {
+        let Self { job, layout, .. } = *self;
+        let (table, folder) = (self.path(&self.name), self.path(PARTS));
+        job.directory.may_replace(&self.name, self.form.header())?;
+        remove_stale(&table).map_err(file("cannot be written", &table))?;
+        let is_begun = identity.is_in(job.directory)?;
+        if !is_begun && job.shard.is_none() && layout.parts() <= ONE_FILE {
+            let (tally, found) = self.fill(Layout { rows_per_part: layout.rows.max(1), ..layout }, true)?;
+            return Ok(Written { table, tally, found });
+        }
+        // CSV becomes one file in the end
+        let is_joined = job.format == Format::Csv && layout.rows <= JOINED;
+        if !is_begun {
+            job.directory.remove_older(&[])?;
+            remove(&table).map_err(file("cannot be removed", &table))?;
+            identity.create(job.directory)?;
+        } else if is_joined && table.exists() {
+            // the table was finished, perhaps by another run; without its parts it is as good
+            let mut tally = Tally::of(job.plan);
+            if self.read(&table, 0..layout.rows, &mut |count| tally.push(count))? == Found::Whole {
+                remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
+                return Ok(Written { table, found: tally.rows, tally });
+            }
+        }
+        fs::create_dir_all(&folder).map_err(file("cannot be made", &folder))?;
+        let (tally, found) = self.fill(layout, false)?;
+        if job.shard.is_some() || !is_joined {
+            return Ok(Written { table: folder, tally, found });
+        }
+        self.join()?;
+        Ok(Written { table, tally, found })
+    }
+
+    /// Puts the parts together, and removes them.
+    fn join(&self) -> Result<(), Error> {
+        let (table, folder, header) = (self.path(&self.name), self.path(PARTS), self.form.header());
+        let unwritable = unwritable(&table);
+        let mut whole = NewFile::create(&table).map_err(&unwritable)?;
+        whole.write_all(header).map_err(&unwritable)?;
+        for part in 0..self.layout.parts() {
+            let path = self.part(part);
+            let mut part = File::open(&path).map_err(file("cannot be read", &path))?;
+            part.seek(SeekFrom::Start(header.len() as u64)).map_err(file("cannot be read", &path))?;
+            whole.append(&mut part).map_err(&unwritable)?;
+        }
+        whole.sync().and_then(|()| whole.put()).map_err(&unwritable)?;
+        remove_folder(&folder).map_err(file("cannot be removed", &folder))
+    }
+
+    /// Reads a file that ought to hold these cases.
+    fn read(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(Count)) -> Result<Found, Error> {
+        self.form.read(path, cases.end - cases.start, count).map_err(file("cannot be read", path))
+    }
+
+    /// Reads the parts of this table or shard that are there, and computes the others; as one file all is computed. Returns
+    /// the counts of all rows, and how many were there.
+    fn fill(&self, layout: Layout, is_one_file: bool) -> Result<(Tally, u64), Error> {
+        let job = self.job;
+        let path = |part| if is_one_file { self.path(&self.name) } else { self.part(part) };
+        // rows may be slow, and a signal has to be heard between two pieces
+        let step = F::BATCH.min(self.layout.rows_per_part / 64).max(1);
+        let pieces = |part: u64| {
+            let cases = layout.cases(part);
+            let count = (cases.end - cases.start).div_ceil(step);
+            (0..count).map(move |k| cases.start + k * step..cases.end.min(cases.start + (k + 1) * step))
+        };
+        let mine = || (0..layout.parts()).filter(|part| job.shard.is_none_or(|shard| shard.has(*part)));
+        let total = mine().map(|part| layout.cases(part)).map(|of| of.end - of.start).sum();
+        let tasks = mine().flat_map(|part| -> Box<dyn Iterator<Item = Task> + Send> {
+            // looked for when its turn comes: another process may have written it in the meantime
+            if !is_one_file && path(part).exists() {
+                Box::new(std::iter::once(Task::Read(part)))
+            } else {
+                Box::new(pieces(part).map(Task::Compute))
+            }
+        });
+        let interrupted = |rows: u64| {
+            let then = if is_one_file {
+                "nothing was written, as a table of this size is written at once; the same command starts anew"
+            } else {
+                "the same command goes on from the parts that are whole"
+            };
+            Error::new(ErrorKind::Stopped(130), format!("interrupted after {rows} of {total} rows; {then}"))
+        };
+        // rows of pieces that are done: their memory serves the next ones
+        let spare = Mutex::new(Vec::new());
+        let compute = |cases: Range<u64>| {
+            if job.progress.is_stopped() {
+                return Err(interrupted(0));
+            }
+            let known: Option<Rows> = spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
+            let mut rows =
+                known.unwrap_or_else(|| Rows::with_capacity(cases.end - cases.start, self.evaluator.n_swept()));
+            rows.clear();
+            self.evaluator.rows(cases.clone(), &mut rows);
+            let piece = self.form.encode(&rows).map_err(file("cannot be encoded", &self.path(&self.name)))?;
+            let counts = rows.results.iter().map(count).collect();
+            spare.lock().unwrap_or_else(PoisonError::into_inner).push(rows);
+            Ok(Made { cases, piece: Some(piece), counts })
+        };
+        let make = |task| -> Result<Vec<Made<F::Piece>>, Error> {
+            let part = match task {
+                Task::Compute(cases) => return Ok(vec![compute(cases)?]),
+                Task::Read(part) => part,
+            };
+            let (path, cases, mut counts) = (path(part), layout.cases(part), Vec::new());
+            match self.read(&path, cases.clone(), &mut |count| counts.push(count))? {
+                Found::Whole => Ok(vec![Made { cases, piece: None, counts }]),
+                Found::Torn => pieces(part).collect::<Vec<_>>().into_par_iter().map(compute).collect(),
+            }
+        };
+        let (mut tally, mut found, mut open) = (Tally::of(job.plan), 0, None);
+        let append = |cases: &Range<u64>, piece: &F::Piece, open: &mut Option<F::Writer>| -> Result<(), Error> {
+            let part = cases.start / layout.rows_per_part;
+            let (of_part, path) = (layout.cases(part), path(part));
+            let unwritable = unwritable(&path);
+            let begin = || NewFile::create(&path).and_then(|file| self.form.begin(file));
+            let mut writer = open.take().map_or_else(begin, Ok).map_err(&unwritable)?;
+            self.form.append(&mut writer, piece).map_err(&unwritable)?;
+            if cases.end < of_part.end {
+                *open = Some(writer);
+                return Ok(());
+            }
+            // the part is whole: it is put in its place
+            let file = self.form.end(writer).and_then(|file| file.sync().map(|()| file)).map_err(&unwritable)?;
+            if is_one_file {
+                job.directory.remove_older(&[&self.name])?;
+            }
+            file.put().map_err(&unwritable)
+        };
+        let take = |many: Vec<Made<F::Piece>>| {
+            for Made { cases, piece, counts } in many {
+                match piece {
+                    Some(piece) => append(&cases, &piece, &mut open)?,
+                    None => found += cases.end - cases.start,
+                }
+                for count in counts {
+                    tally.push(count);
+                }
+                job.progress.set(tally.rows, total);
+            }
+            Ok(())
+        };
+        match in_order(tasks, make, take) {
+            Err(error) if error.kind == ErrorKind::Stopped(130) => Err(interrupted(tally.rows)),
+            result => result.map(|()| (tally, found)),
+        }
+    }
+}

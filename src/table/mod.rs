@@ -1,0 +1,46 @@
+//! Sweeps: many cases of one scene are written to one table. A sweep uses all cores, can be divided into shards, and
+//! can be resumed.
+//!
+//! A row depends on its case number alone ([`crate::scenario::plan`]), and the rows of part k of a table on k alone ([`parts`]). So
+//! threads, shards and interruptions do not change the table: a part is there as a whole or not at all, and a run computes
+//! the parts that are missing ([`job`]). Memory does not grow with the number of rows.
+
+#[cfg(any(feature = "parquet", feature = "python"))]
+pub(crate) mod arrow;
+pub mod caution;
+pub(crate) mod column;
+pub mod count;
+pub mod csv;
+pub mod evaluator;
+pub mod form;
+pub mod job;
+pub(crate) mod ordered;
+#[cfg(feature = "parquet")]
+mod parquet;
+pub mod parts;
+pub mod shard;
+pub mod statistics;
+
+pub use form::Format;
+pub use job::{Job, Written};
+pub use shard::Shard;
+
+use std::io;
+use std::path::Path;
+
+use crate::error::{Error, ErrorKind};
+
+/// Makes an error from that of the file system, for `map_err`. The parts written so far stay.
+pub(crate) fn file(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Error {
+    Error::of_file(ErrorKind::Failed, path, problem, "")
+}
+
+/// The error of a table that cannot be written.
+pub(crate) fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
+    Error::of_file(ErrorKind::Failed, path, "cannot be written", "free space, then give the same command")
+}
+
+/// A file that is in the way, and the way out.
+pub(crate) fn refused(path: &Path, problem: impl std::fmt::Display) -> Error {
+    Error::in_file(ErrorKind::Input, &path.display().to_string(), problem)
+}

@@ -1,0 +1,197 @@
+//! How a table is divided into parts, and the file that says which table the parts of a folder are of.
+
+use std::ffi::{OsStr, OsString};
+use std::fs;
+use std::io;
+use std::ops::Range;
+use std::path::Path;
+
+use serde::Serialize;
+use serde_json::Value;
+
+use super::form::Format;
+use super::shard::Shard;
+use super::{file, refused};
+use crate::error::Error;
+use crate::files::provenance::{FORMAT, NUMBERS, VERSION};
+use crate::files::{OutputDirectory, create, remove, remove_folder};
+use crate::scenario::plan::{Plan, Source};
+
+/// A table of up to so many parts is written as one file: about a second's work.
+pub const ONE_FILE: u64 = 16;
+/// CSV is joined to one file up to so many rows.
+pub const JOINED: u64 = 10_000_000;
+/// The folder of the parts, beside the summary.
+pub const PARTS: &str = "parts";
+/// The file that says which table it is.
+pub const IDENTITY: &str = "_table.json";
+
+/// The most rows of a part.
+const LONGEST: u64 = 1 << 18;
+/// More parts than this make a slow folder.
+const MOST_PARTS: u64 = 1 << 16;
+
+/// The parts of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    /// Rows of the table.
+    pub rows: u64,
+    /// Rows of a part; the last part may have fewer.
+    pub rows_per_part: u64,
+}
+
+impl Layout {
+    /// The parts of this plan have the rows of about 65 ms on one core. That follows from the number of rows and from the method
+    /// alone, so that the parts of all runs fit together.
+    pub fn of(plan: &Plan) -> Self {
+        let at_most = 65_536.0 / plan.microseconds();
+        // a power of two
+        let mut rows_per_part = LONGEST;
+        #[allow(clippy::cast_precision_loss)] // a small number
+        while rows_per_part > 16 && rows_per_part as f64 > at_most {
+            rows_per_part /= 2;
+        }
+        let rows = plan.count();
+        Self { rows, rows_per_part: rows_per_part.max(rows.div_ceil(MOST_PARTS).next_multiple_of(16)) }
+    }
+
+    /// Whether the table is written in parts, with which the same command goes on: a shard, a large table, or one that was
+    /// begun so.
+    pub fn is_in_parts(&self, shard: Option<Shard>, directory: &OutputDirectory) -> bool {
+        shard.is_some() || self.parts() > ONE_FILE || directory.path().join(IDENTITY).exists()
+    }
+
+    /// How many parts there are.
+    pub fn parts(&self) -> u64 {
+        self.rows.div_ceil(self.rows_per_part)
+    }
+
+    pub fn cases(&self, part: u64) -> Range<u64> {
+        let first = part * self.rows_per_part;
+        first..self.rows.min(first.saturating_add(self.rows_per_part))
+    }
+}
+
+/// The names in a folder; none if there is no such folder.
+fn names_in(folder: &Path) -> Result<Vec<OsString>, Error> {
+    let names = match fs::read_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.and_then(|entries| entries.map(|entry| entry.map(|entry| entry.file_name())).collect()),
+    };
+    names.map_err(file("cannot be read", folder))
+}
+
+fn is_part(name: impl AsRef<OsStr>) -> bool {
+    name.as_ref().as_encoded_bytes().starts_with(b"part-")
+}
+
+/// Makes way for other results where a table was begun in parts. Its parts are refused, or removed by force.
+///
+/// # Errors
+/// [`Error`] if there are parts, and for files that cannot be removed.
+pub fn make_way(directory: &OutputDirectory) -> Result<(), Error> {
+    let (folder, identity) = (directory.path().join(PARTS), directory.path().join(IDENTITY));
+    let names = names_in(&folder)?;
+    if !directory.is_forced() && names.iter().any(is_part) {
+        return Err(refused(&folder, "has the parts of a table; name another --out, or remove them with --force"));
+    }
+    // files of others stay
+    let is_own = |name: &OsString| is_part(name) || name.as_encoded_bytes().starts_with(b".part-");
+    if names.iter().all(is_own) && (identity.exists() || !names.is_empty()) {
+        remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
+    }
+    remove(&identity).map_err(file("cannot be removed", &identity))
+}
+
+/// Which table the parts of a folder are of. Two equal ones have the same bytes.
+#[derive(Debug, Serialize)]
+pub struct Identity {
+    format_version: u64,
+    version: String,
+    numbers: u64,
+    format: Format,
+    rows: u64,
+    rows_per_part: u64,
+    #[serde(flatten)]
+    scenario: Source,
+}
+
+impl Identity {
+    /// The table that was read from `scenario`.
+    pub fn new(scenario: &Source, format: Format, layout: Layout) -> Self {
+        Self {
+            format_version: FORMAT,
+            version: VERSION.to_owned(),
+            numbers: NUMBERS,
+            format,
+            rows: layout.rows,
+            rows_per_part: layout.rows_per_part,
+            scenario: scenario.clone(),
+        }
+    }
+
+    fn text(&self) -> String {
+        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
+
+    /// Whether the table was begun in parts here, perhaps by another process. Parts of another table are refused, or removed
+    /// by force.
+    ///
+    /// # Errors
+    /// [`Error`] that says in what the other table differs.
+    pub fn is_in(&self, directory: &OutputDirectory) -> Result<bool, Error> {
+        let (path, folder) = (directory.path().join(IDENTITY), directory.path().join(PARTS));
+        let there = fs::read_to_string(&path);
+        if there.as_ref().is_ok_and(|there| *there == self.text()) {
+            return Ok(true);
+        }
+        if directory.is_forced() || !names_in(&folder)?.iter().any(is_part) {
+            make_way(directory)?;
+            return Ok(false);
+        }
+        let difference = match there {
+            Ok(there) => self.difference(&there),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => format!("of a table that no {IDENTITY} tells"),
+            Err(error) => return Err(file("cannot be read", &path)(error)),
+        };
+        let way_out = "go on as they were begun, name another --out, or start over with --force";
+        Err(refused(&folder, format!("these parts are {difference}; {way_out}")))
+    }
+
+    /// Writes it into a folder that has none.
+    ///
+    /// # Errors
+    /// [`Error`] if another process has written that of another table in the meantime.
+    pub fn create(&self, directory: &OutputDirectory) -> Result<(), Error> {
+        let path = directory.path().join(IDENTITY);
+        match create(&path, self.text().as_bytes()) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::read_to_string(&path) {
+                Ok(there) if there != self.text() => {
+                    Err(refused(&path, format!("another process has begun a table {}", self.difference(&there))))
+                }
+                _ => Ok(()),
+            },
+            result => result.map_err(file("cannot be written", &path)),
+        }
+    }
+
+    /// In what another table differs: the first entry that is not the same.
+    fn difference(&self, there: &str) -> String {
+        let object = |text: &str| serde_json::from_str::<serde_json::Map<String, Value>>(text).ok();
+        let (Some(ours), Some(theirs)) = (object(&self.text()), object(there)) else {
+            return format!("of a table that {IDENTITY} does not tell");
+        };
+        let Some((name, own)) = ours.iter().find(|(name, own)| theirs.get(*name) != Some(own)) else {
+            return "of another version of the program".to_owned();
+        };
+        let other = theirs.get(name).unwrap_or(&Value::Null);
+        let lines = |text: &Value| text.as_str().unwrap_or_default().lines().map(str::to_owned).collect::<Vec<_>>();
+        let (own_lines, other_lines) = (lines(own), lines(other));
+        match (1..).zip(own_lines.iter().zip(&other_lines)).find(|(_, (own, other))| own != other) {
+            Some((line, (own, other))) if own_lines.len() > 1 => {
+                format!("of another table: line {line} of its {name} is `{other}` in place of `{own}`")
+            }
+            _ => format!("of another table: its {name} is {other} in place of {own}"),
+        }
+    }
+}
