@@ -9,7 +9,7 @@ from pathlib import Path
 import plm_impact as plm
 from conftest import ROOT
 
-EXAMPLES = ROOT / "src" / "python" / "examples"
+EXAMPLES = ROOT / "src" / "doors" / "python" / "examples"
 
 
 def run(*arguments: object, **options: object) -> str:
@@ -33,8 +33,8 @@ def test_the_python_of_the_front_page_runs_with_numpy_alone_and_warns_of_nothing
 
 
 def test_the_wheel_has_the_licences_of_what_is_linked_in() -> None:
-    licences = metadata.distribution("plm-impact").read_text("licenses/src/licenses.txt")
-    assert licences == (ROOT / "src" / "licenses.txt").read_text()
+    licences = metadata.distribution("plm-impact").read_text("licenses/src/doors/licenses.txt")
+    assert licences == (ROOT / "src" / "doors" / "licenses.txt").read_text()
 
 
 def test_a_table_divided_over_dask_is_the_undivided_one() -> None:

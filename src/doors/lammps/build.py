@@ -74,7 +74,7 @@ def main() -> None:
         made = Path(scratch) / plugin.name
         command = [os.environ.get("CXX", "g++"), "-O2", "-fPIC", "-shared", "-std=c++17", "-DLAMMPS_SMALLBIG"]
         command += [f"-DPLM_LAMMPS_VERSION={arguments.lammps_version or number}", f'-DPLM_LAMMPS_NAME="{name}"']
-        command += [f"-I{HERE}", f"-I{HERE.parent / 'capi'}", f"-I{lammps}", f"-I{mpi}"]
+        command += [f"-I{HERE}", f"-I{HERE.parent / 'c'}", f"-I{lammps}", f"-I{mpi}"]
         command += [str(HERE / "fix_plm_wall.cpp"), str(HERE / "plugin.cpp"), str(library), "-o", str(made)]
         subprocess.run(command, check=True)
         made.replace(plugin)

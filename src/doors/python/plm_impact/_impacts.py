@@ -40,6 +40,9 @@ def impacts(contact, /, **keys):
     return Table(shape, columns, dict(zip(columns, shapes)))
 
 
+# a name such as `radius` or `yield_strength` alone is that of the other body
+SELDOM = ["sphere.yield_strength", "sphere.hardness", "half_space.radius", "half_space.mass"]
+
 # by name and law
 found_before: "dict[tuple[str, str], tuple[int, str]]" = {}
 
@@ -50,9 +53,9 @@ def meant(name, law):
     found = [path for path in paths if name in (path, path.replace(".", "_"))]
     if not found:
         last = [path for path in paths if path.endswith(f".{name}")]
-        # neither keys of other laws nor the strength of the sphere, which changes no table
+        # neither keys of other laws nor what a scene seldom has: it is meant where it is named in full
         laws = [path for path in last if path.startswith("law.") and not path.startswith(f"law.{law}.")]
-        found = [path for path in last if path not in [*laws, "sphere.yield_strength"]] or last
+        found = [path for path in last if path not in [*laws, *SELDOM]] or last
     if len(found) > 1:
         names = " or ".join(path.replace(".", "_") for path in found)
         raise ValueError(f"{name}: may be {names}; write one of them")
