@@ -2,7 +2,7 @@
 
 use super::record::Point;
 use crate::contact::law::Unloading;
-use crate::numerics::integrate::Work;
+use crate::numerics::integrate::Effort;
 use crate::units::names::named;
 
 named! {
@@ -60,7 +60,7 @@ pub struct Outcome {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Computed {
     pub outcome: Outcome,
-    pub work: Work,
+    pub work: Effort,
     /// What a run in fixed steps sees; `None` of other methods.
     pub fixed_steps: Option<FixedSteps>,
     /// The trace, in order of time; empty if none was asked for.
@@ -69,7 +69,7 @@ pub struct Computed {
 
 impl Computed {
     /// An outcome without fixed steps and trace.
-    pub(crate) fn new(outcome: Outcome, work: Work) -> Self {
+    pub(crate) fn new(outcome: Outcome, work: Effort) -> Self {
         Self { outcome, work, fixed_steps: None, points: Vec::new() }
     }
 }

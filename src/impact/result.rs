@@ -11,7 +11,7 @@ use super::oblique::{Approach, Inclined, Oblique};
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::solve::Method;
 use super::warning::Warning;
-use crate::numerics::integrate::{IntegrationError, Work};
+use crate::numerics::integrate::{Effort, IntegrationError};
 use crate::numerics::power::max_or_nan;
 
 /// Where the kinetic energy went \[J\].
@@ -106,7 +106,7 @@ pub struct Impact {
     /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     pub energy: Energy,
-    pub work: Work,
+    pub work: Effort,
     /// Error against the closed form; not a number where damping or a plate leaves none.
     pub accuracy: Accuracy,
     /// Fate, losses and work under gravity or damping or on a plate, if the scene names them.

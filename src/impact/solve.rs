@@ -9,7 +9,7 @@ use super::verlet;
 use crate::contact::law::Ground;
 use crate::numerics::integrate::library::{Library, Scheme};
 use crate::numerics::integrate::rk8::Rk8;
-use crate::numerics::integrate::{IntegrationError, Integrator, Work};
+use crate::numerics::integrate::{Effort, IntegrationError, Integrator};
 use crate::units::names::named;
 
 named! {
@@ -117,8 +117,8 @@ pub fn run<'a>(
     let course = (ground, q, forces, samples, duration);
     let tolerance = solver.tolerance;
     match (solver.method, exact) {
-        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Work::default())),
-        (Method::ClosedForm, Some(_)) => Ok(Computed { work: Work::default(), ..along(course, Rk8::new(FINEST))? }),
+        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Effort::default())),
+        (Method::ClosedForm, Some(_)) => Ok(Computed { work: Effort::default(), ..along(course, Rk8::new(FINEST))? }),
         (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(course, Rk8::new(tolerance)),
         (Method::Dopri5, _) => along(course, Library::new(Scheme::Dopri5, given(tolerance, 100.0))),
         (Method::Dop853, _) => along(course, Library::new(Scheme::Dop853, given(tolerance, 25.0))),

@@ -12,7 +12,7 @@ use super::record::{Event, Point, even_times};
 use super::scales::ACCELERATION;
 use crate::contact::law::{Ground, Peak, Unloading};
 use crate::numerics::curve::piece::Piece;
-use crate::numerics::integrate::{Drag, IntegrationError, Segment, State, Work};
+use crate::numerics::integrate::{Drag, Effort, IntegrationError, Segment, State};
 use crate::numerics::power::max_or_nan;
 use crate::numerics::root::halved;
 
@@ -205,7 +205,7 @@ pub(crate) fn march(
             loss: state.loss / ACCELERATION,
         };
         // one evaluation a step, and one at first touch
-        let work = Work { steps: n, rejected: 0, force_evaluations: n + 1 };
+        let work = Effort { steps: n, rejected: 0, force_evaluations: n + 1 };
         let separation_time = separates.then_some(time);
         let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });
         let of_samples = |(samples, duration): (usize, Option<f64>)| {

@@ -12,7 +12,7 @@ use std::ops::Range;
 use plm_impact::contact::law::{ContactLaw, Ground, Law, Plm, PlmCoefficients, UnloadingExponent};
 use plm_impact::contact::material::{HalfSpace, Material, Sphere};
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot, closed_form};
-use plm_impact::numerics::integrate::{IntegrationError, Work};
+use plm_impact::numerics::integrate::{Effort, IntegrationError};
 use plm_impact::numerics::power::max_or_nan;
 use plm_impact::scenario::Scenario;
 use plm_impact::scenario::scene::Input;
@@ -122,7 +122,7 @@ pub fn run<'a>(
     speed: f64,
     method: Method,
     tolerance: f64,
-) -> Result<(Outcome, Work), IntegrationError> {
+) -> Result<(Outcome, Effort), IntegrationError> {
     let ground = ground.into();
     let exact = closed_form::solve(ground, speed);
     let run =

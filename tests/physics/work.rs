@@ -5,7 +5,7 @@
 //! you change the step control, these numbers change: check first with `plm-impact bench` that the change is better.
 
 use plm_impact::evidence::bench::problems::Problem;
-use plm_impact::numerics::integrate::Work;
+use plm_impact::numerics::integrate::Effort;
 
 use crate::common::prelude::*;
 
@@ -13,7 +13,7 @@ fn problem(name: &str) -> Problem {
     problems().unwrap().into_iter().find(|problem| problem.name == name).unwrap()
 }
 
-fn work(problem: &Problem, tolerance: f64) -> Work {
+fn work(problem: &Problem, tolerance: f64) -> Effort {
     let mut rk8 = Rk8::new(tolerance);
     course::integrate(&problem.law, problem.speed, &ScaledForces::NONE, &mut rk8, &mut Recorder::default()).unwrap();
     rk8.work()
@@ -23,12 +23,12 @@ fn work(problem: &Problem, tolerance: f64) -> Work {
 fn rk8_takes_the_steps_it_took_over_the_tolerances() {
     // one impact has so few steps that a small change may not show; a hundred tolerances have many steps
     let wants = [
-        ("P2", Work { steps: 1748, rejected: 14, force_evaluations: 14_396 }),
-        ("deep", Work { steps: 3899, rejected: 0, force_evaluations: 33_792 }),
+        ("P2", Effort { steps: 1748, rejected: 14, force_evaluations: 14_396 }),
+        ("deep", Effort { steps: 3899, rejected: 0, force_evaluations: 33_792 }),
     ];
     for (name, want) in wants {
         let problem = problem(name);
-        let mut total = Work::default();
+        let mut total = Effort::default();
         for tenths in 30..130 {
             let one = work(&problem, 10_f64.powf(-0.1 * f64::from(tenths)));
             total.steps += one.steps;
@@ -42,10 +42,10 @@ fn rk8_takes_the_steps_it_took_over_the_tolerances() {
 #[test]
 fn rk8_under_drag_takes_the_steps_it_took() {
     let wants = [
-        ("P2", Damping::Viscous(0.1), Work { steps: 17, rejected: 3, force_evaluations: 252 }),
-        ("P2", Damping::Viscous(0.5), Work { steps: 14, rejected: 3, force_evaluations: 216 }),
-        ("P2", Damping::HuntCrossley(0.1), Work { steps: 37, rejected: 4, force_evaluations: 522 }),
-        ("deep", Damping::Viscous(0.1), Work { steps: 38, rejected: 2, force_evaluations: 239 }),
+        ("P2", Damping::Viscous(0.1), Effort { steps: 17, rejected: 3, force_evaluations: 252 }),
+        ("P2", Damping::Viscous(0.5), Effort { steps: 14, rejected: 3, force_evaluations: 216 }),
+        ("P2", Damping::HuntCrossley(0.1), Effort { steps: 37, rejected: 4, force_evaluations: 522 }),
+        ("deep", Damping::Viscous(0.1), Effort { steps: 38, rejected: 2, force_evaluations: 239 }),
     ];
     for (name, damping, want) in wants {
         let (problem, mut damped) = (problem(name), Damped::new(1e-9));

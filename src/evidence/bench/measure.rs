@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use super::problems::Problem;
 use crate::impact::{Computed, Method, Solver, closed_form, run, verlet};
 use crate::numerics::functions::pow;
-use crate::numerics::integrate::{IntegrationError, Work};
+use crate::numerics::integrate::{Effort, IntegrationError};
 use crate::numerics::power::max_or_nan;
 
 /// What is measured, in the order of the report.
@@ -57,7 +57,7 @@ pub struct Measurement {
     pub separation_error: f64,
     pub peak_force_error: f64,
     /// Cost of one impact.
-    pub work: Work,
+    pub work: Effort,
     /// Best time of one impact \[ns\].
     pub ns_per_impact: f64,
 }
@@ -75,7 +75,7 @@ impl Rung {
     fn run(self, method: Method, phase: f64, problem: &Problem) -> Result<Computed, IntegrationError> {
         let (law, speed, forces) = (black_box(&problem.law), black_box(problem.speed), &problem.forces);
         match self {
-            Self::Exact => Ok(Computed::new(closed_form::solve(law, speed), Work::default())),
+            Self::Exact => Ok(Computed::new(closed_form::solve(law, speed), Effort::default())),
             Self::Tolerance(tolerance) => {
                 run(law, speed, forces, None, &Solver { method, tolerance, ..Solver::default() }, None)
             }

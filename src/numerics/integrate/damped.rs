@@ -13,7 +13,7 @@ use super::oscillation::Oscillation;
 use super::piece::power::DraggedHertz;
 use super::piece::straight::DraggedStraight;
 use super::piece::{AnyDragged, Dragged, Quad};
-use super::{Arrival, Drag, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State, Work};
+use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
 use crate::numerics::power::max_or_nan;
@@ -47,12 +47,12 @@ fn least_share(tolerance: f64) -> f64 {
 #[derive(Debug, Clone)]
 pub struct Damped {
     tolerance: f64,
-    work: Work,
+    work: Effort,
 }
 
 impl Damped {
     pub fn new(tolerance: f64) -> Self {
-        Self { tolerance, work: Work::default() }
+        Self { tolerance, work: Effort::default() }
     }
 
     /// Along a piece in its own variables.
@@ -198,7 +198,7 @@ impl Damped {
         match path.piece.shape {
             Shape::Straight { slope, .. } => match Oscillation::along(path, *state) {
                 Some(closed) => {
-                    self.work = self.work + Work { steps: 1, rejected: 0, force_evaluations: 1 };
+                    self.work = self.work + Effort { steps: 1, rejected: 0, force_evaluations: 1 };
                     Ok(closed.land(path, state, track))
                 }
                 None => self.run(DraggedStraight::along(c * path.piece.force, c * slope, path), path, state, track),
@@ -265,7 +265,7 @@ impl Integrator for Damped {
         if path.drag.eta == 0.0 { self.in_root::<2>(path, state, track) } else { self.in_root::<4>(path, state, track) }
     }
 
-    fn work(&self) -> Work {
+    fn work(&self) -> Effort {
         self.work
     }
 }

@@ -32,13 +32,13 @@ pub struct Arrival {
 
 /// The cost of an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Work {
+pub struct Effort {
     pub steps: u64,
     pub rejected: u64,
     pub force_evaluations: u64,
 }
 
-impl std::ops::Add for Work {
+impl std::ops::Add for Effort {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self {
@@ -103,7 +103,7 @@ impl std::fmt::Debug for Segment {
 /// Carries a state along smooth pieces.
 pub trait Integrator {
     /// From `state` to where the path ends; `state` is then that landing: distance equal to the end, or speed zero, exactly.
-    /// The continuous solution is appended to `track`; it changes neither the steps nor the [`Work`].
+    /// The continuous solution is appended to `track`; it changes neither the steps nor the [`Effort`].
     ///
     /// # Errors
     /// [`IntegrationError`] if the step underflows, the steps run out, or the state is not finite.
@@ -114,5 +114,5 @@ pub trait Integrator {
         track: Option<&mut Vec<Segment>>,
     ) -> Result<Arrival, IntegrationError>;
 
-    fn work(&self) -> Work;
+    fn work(&self) -> Effort;
 }

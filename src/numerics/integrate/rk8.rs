@@ -31,7 +31,7 @@ use super::piece::formula::{Polynomial, Root};
 use super::piece::power::Power;
 use super::piece::straight::Straight;
 use super::piece::{Field, Variables};
-use super::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Segment, State, Work};
+use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Segment, State};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
 
@@ -42,7 +42,7 @@ pub struct Rk8 {
     estimate_limit: f64,
     /// First step in units of 1/ω.
     first_step: f64,
-    work: Work,
+    work: Effort,
     damped: Damped,
 }
 
@@ -55,7 +55,7 @@ impl Rk8 {
             tolerance,
             estimate_limit: pow(tolerance, 0.875),
             first_step: FIRST_STEP * pow(tolerance, 0.125),
-            work: Work::default(),
+            work: Effort::default(),
             damped: Damped::new(tolerance),
         }
     }
@@ -242,7 +242,7 @@ impl Integrator for Rk8 {
         self.damped.traverse(path, state, track)
     }
 
-    fn work(&self) -> Work {
+    fn work(&self) -> Effort {
         self.work + self.damped.work()
     }
 }

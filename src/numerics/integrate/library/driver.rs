@@ -4,7 +4,7 @@ use nalgebra::{DefaultAllocator, Dim, OVector, allocator::Allocator};
 use ode_solvers::dop_shared::{IntegrationError as Failure, OutputType};
 use ode_solvers::{Dop853, Dopri5, System};
 
-use crate::numerics::integrate::{IntegrationError, MOST_STEPS, Work};
+use crate::numerics::integrate::{Effort, IntegrationError, MOST_STEPS};
 
 /// Which of the crate's two adaptive methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub enum Scheme {
 pub struct Library {
     scheme: Scheme,
     pub(super) tolerance: f64,
-    pub(super) work: Work,
+    pub(super) work: Effort,
     /// Steps of the legs before this one.
     pub(super) taken_before_leg: u64,
 }
@@ -31,7 +31,7 @@ pub(super) type Node = [f64; 4];
 impl Library {
     /// An integrator with this relative tolerance.
     pub fn new(scheme: Scheme, tolerance: f64) -> Self {
-        Self { scheme, tolerance, work: Work::default(), taken_before_leg: 0 }
+        Self { scheme, tolerance, work: Effort::default(), taken_before_leg: 0 }
     }
 
     /// Carries `start` from `from` to `to` at this tolerance.

@@ -20,7 +20,7 @@ use super::damped::Damped;
 use super::dop853::{self, Continuous};
 use super::event::Stretch;
 use super::piece::{AnyDragged, Motion};
-use super::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Segment, Sizes, State, Work};
+use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, Leg, Path, Segment, Sizes, State};
 use crate::numerics::power::max_or_nan;
 use driver::Node;
 pub use driver::{Library, Scheme};
@@ -148,7 +148,7 @@ impl Integrator for Library {
         Ok(Arrival { landing: landing.unwrap_or(Landing::End), largest_force })
     }
 
-    fn work(&self) -> Work {
+    fn work(&self) -> Effort {
         self.work
     }
 }
