@@ -8,7 +8,7 @@ use super::plate::{PlateError, Under};
 use super::rated::{Rated, Rates};
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::contact::law::{ContactLaw, Ground, Law, Peak};
+use crate::contact::law::{ContactLaw, ContactState, Ground, Law};
 use crate::contact::material::{HalfSpace, Hold, Pair, Sphere, normal};
 use crate::contact::materials::Entry;
 use crate::numerics::functions::pow;
@@ -220,7 +220,12 @@ impl Contact {
     ///
     /// # Errors
     /// [`ImpactError::TooDeep`] where it, or the indentation, is larger than the radius of the sphere, or of a smaller ball.
-    pub(super) fn contact_radius(&self, scales: &Scales, ground: Ground, peak: &Peak) -> Result<f64, ImpactError> {
+    pub(super) fn contact_radius(
+        &self,
+        scales: &Scales,
+        ground: Ground,
+        peak: &ContactState,
+    ) -> Result<f64, ImpactError> {
         let (indentation, radius) = (peak.indentation * scales.length, self.pair.smaller_radius);
         let contact_radius = scales.contact_radius * ground.contact_radius(peak);
         // a spring has no geometry, but its sphere has a radius

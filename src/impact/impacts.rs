@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use super::result::Impact;
 use super::solve::{FINEST, Method, Solver, run};
 use super::{closed_form, validity};
-use crate::contact::law::{Dent, Ground, Peak, Rule};
+use crate::contact::law::{ContactState, Dent, Ground, Rule};
 use crate::numerics::integrate::IntegrationError;
 
 impl Case<'_> {
@@ -99,7 +99,7 @@ impl Contact {
         approach: Approach,
         solver: &Solver,
         samples: Option<usize>,
-    ) -> Result<(Impact, Ground<'a>, Peak), ImpactError> {
+    ) -> Result<(Impact, Ground<'a>, ContactState), ImpactError> {
         let [speed, _] = approach.components();
         let case = self.case(dent, speed)?;
         let Case { ground, q, forces, .. } = case;

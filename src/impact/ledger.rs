@@ -6,7 +6,7 @@ use super::oblique::Rubbing;
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Point};
 use super::scales::ACCELERATION;
-use crate::contact::law::{Branch, Peak};
+use crate::contact::law::{Branch, ContactState};
 use crate::numerics::integrate::State;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,7 +88,7 @@ impl<'a> Ledger<'a> {
 
     pub(super) fn row(&self, point: &Point) -> TraceRow {
         let Point { at: State { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
-        let Peak { indentation: x, force, elastic_approach } = state;
+        let ContactState { indentation: x, force, elastic_approach } = state;
         let Case { ground, scales, .. } = self.case;
         let potential = if is_unloading {
             self.outcome.unloading.stored_of(elastic_approach) + self.spent

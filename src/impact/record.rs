@@ -2,7 +2,7 @@
 //! are made of them.
 
 use super::scales::ACCELERATION;
-use crate::contact::law::{Ground, Peak, Unloading};
+use crate::contact::law::{ContactState, Ground, Unloading};
 use crate::numerics::integrate::{Drag, Segment, State};
 use crate::numerics::power::max_or_nan;
 use crate::numerics::root::falls_through;
@@ -30,7 +30,7 @@ pub struct Point {
     /// τ, u and what drag has taken; the distance is that of its leg.
     pub at: State,
     /// Where the law is: x, its force, and ε, the part of x recovered if unloaded from here.
-    pub state: Peak,
+    pub state: ContactState,
     pub total_force: f64,
     /// Whether compression is over.
     pub is_unloading: bool,
@@ -40,7 +40,7 @@ pub struct Point {
 impl Point {
     /// A point of a motion on the loading curve, where the state of the law is `state`.
     pub(super) fn loading(
-        state: Peak,
+        state: ContactState,
         slope: impl FnOnce() -> f64,
         drag: Drag,
         at: &State,
@@ -55,7 +55,7 @@ impl Point {
     /// A point of a motion on the unloading branch; distances count from the residual indentation.
     pub(super) fn unloading(unloading: &Unloading, drag: Drag, at: &State, event: Option<Event>) -> Self {
         let recovered = at.distance.max(0.0);
-        let state = Peak {
+        let state = ContactState {
             indentation: unloading.peak.residual() + at.distance,
             force: unloading.force_of(recovered),
             elastic_approach: at.distance,

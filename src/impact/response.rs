@@ -1,7 +1,7 @@
 //! The law as a force of its own, for codes that move the sphere themselves (DEM): indentation and memory in, force out.
 
 use super::contact::Contact;
-use crate::contact::law::{Ground, Peak};
+use crate::contact::law::{ContactState, Ground};
 
 /// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros, and so has
 /// one with a half-space that stays elastic.
@@ -34,8 +34,8 @@ impl Memory {
             && elastic_approach <= largest * (1.0 + 1e-9)
     }
 
-    pub(super) fn peak(&self, length: f64, force: f64) -> Option<Peak> {
-        (self.indentation > 0.0).then(|| Peak {
+    pub(super) fn peak(&self, length: f64, force: f64) -> Option<ContactState> {
+        (self.indentation > 0.0).then(|| ContactState {
             indentation: self.indentation / length,
             force: self.force / force,
             elastic_approach: self.elastic_approach / length,

@@ -5,7 +5,7 @@ use super::error::ImpactError;
 use super::oblique::Approach;
 use super::result::Impact;
 use super::solve::Solver;
-use crate::contact::law::{Dent, Peak};
+use crate::contact::law::{ContactState, Dent};
 
 /// A place on the half-space. The indentations of all impacts on it count from the original surface, so that first touch is at
 /// the depth of the dent.
@@ -23,13 +23,13 @@ impl Spot {
 
     /// A place of a contact that was loaded to `memory`, in units of the yield point. The place is fresh if that state, or
     /// the half-space, is elastic.
-    pub fn loaded_to(contact: &Contact, memory: Peak) -> Self {
+    pub fn loaded_to(contact: &Contact, memory: ContactState) -> Self {
         let yields = memory.indentation > contact.law.recovers_until();
         Self { dent: yields.then(|| contact.law.dented(memory)) }
     }
 
     /// The largest state so far, in units of the yield point; `None` if the place never yielded.
-    pub fn memory(&self) -> Option<Peak> {
+    pub fn memory(&self) -> Option<ContactState> {
         Some(self.dent.as_ref()?.unloading.peak)
     }
 }

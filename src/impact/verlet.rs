@@ -10,7 +10,7 @@ use super::forces::ScaledForces;
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::record::{Event, Point, even_times};
 use super::scales::ACCELERATION;
-use crate::contact::law::{Ground, Peak, Unloading};
+use crate::contact::law::{ContactState, Ground, Unloading};
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::integrate::{Drag, Effort, IntegrationError, Segment, State};
 use crate::numerics::power::max_or_nan;
@@ -38,7 +38,7 @@ impl<'a> Remembering<'a> {
     }
 
     /// The state on the loading curve at a distance.
-    fn loaded_to(&self, distance: f64) -> Peak {
+    fn loaded_to(&self, distance: f64) -> ContactState {
         match self.ground.branch() {
             Some(branch) if distance <= branch.peak.elastic_approach => self.ground.state_at(0, distance),
             _ => self.ground.law.loaded_to(self.touch + distance),

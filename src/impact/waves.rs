@@ -13,7 +13,7 @@
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
 use super::scales::{ACCELERATION, Scales};
-use crate::contact::law::{Ground, Peak, Unloading};
+use crate::contact::law::{ContactState, Ground, Unloading};
 use crate::contact::material::{HalfSpace, OutOfFloatRange, normal};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::functions::{atan2, gamma, ln_1p};
@@ -84,7 +84,10 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
         integral += match &piece.shape {
             Shape::Power { exponent, lead: 0.0, .. } if next.is_none() => {
                 let run = end - piece.start;
-                power_integral(&Peak { indentation: run, force: piece.force_at(end), elastic_approach: run }, *exponent)
+                power_integral(
+                    &ContactState { indentation: run, force: piece.force_at(end), elastic_approach: run },
+                    *exponent,
+                )
             }
             Shape::Straight { slope, .. } => straight_integral(*slope, piece.force_at(end), piece.force, entry, exit),
             // no closed form here
@@ -99,8 +102,8 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
 
 /// From rest at a peak along f = f_m (d/ε)^n to d = 0, or the other way:
 /// n² (f_m²/ε) u_0 B((2n − 1)/(n + 1), 3/2)/(n + 1) with u_0² = 2c f_m ε/(n + 1).
-fn power_integral(peak: &Peak, exponent: f64) -> f64 {
-    let Peak { force, elastic_approach, .. } = *peak;
+fn power_integral(peak: &ContactState, exponent: f64) -> f64 {
+    let ContactState { force, elastic_approach, .. } = *peak;
     let n = exponent;
     let fastest = (2.0 * ACCELERATION * force * elastic_approach / (n + 1.0)).sqrt();
     let shape = if n == 1.5 { HERTZ } else { n * n / (n + 1.0) * beta((2.0 * n - 1.0) / (n + 1.0)) };

@@ -57,7 +57,7 @@ fn every_method_follows_its_tolerance_on_every_case_and_problem() {
                 assert!(error <= factor * tolerance + rounding, "{at}: off by {error:e}");
                 // not too many steps: a method of order 5 at 1e-13 takes about 400 steps for a piece
                 assert!(work.steps < 1000 * (law.loading.pieces().len() as u64 + 1), "{at}: {work:?}");
-                let peak: Peak = outcome.unloading.peak;
+                let peak: ContactState = outcome.unloading.peak;
                 // a dent of 2.5e-13 is only 1100 ulps of x, but it is never negative, and R_e ≥ R
                 assert!(tolerance > 1e-10 || peak.residual() >= 0.0, "{at}");
                 assert!(tolerance > 1e-10 || peak.unloading_radius_ratio() >= 1.0 - 1e-9, "{at}");

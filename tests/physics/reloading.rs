@@ -15,7 +15,7 @@ fn dented(exponent: UnloadingExponent) -> (Contact, Spot, Impact) {
     (contact, spot, first)
 }
 
-fn bits(peak: Option<Peak>) -> Option<[u64; 3]> {
+fn bits(peak: Option<ContactState>) -> Option<[u64; 3]> {
     peak.map(|peak| [peak.indentation, peak.force, peak.elastic_approach].map(f64::to_bits))
 }
 

@@ -20,7 +20,7 @@
 use std::borrow::Cow;
 
 use super::unloading::GRAZING;
-use super::{Law, OutsideLaw, Peak, Raised, Unloading};
+use super::{ContactState, Law, OutsideLaw, Raised, Unloading};
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::power::max_or_nan;
 
@@ -40,7 +40,7 @@ pub struct Dent {
 
 impl Law {
     /// The dent of a spot that was loaded to this peak.
-    pub fn dented(&self, peak: Peak) -> Dent {
+    pub fn dented(&self, peak: ContactState) -> Dent {
         self.dented_by(self.unloading(peak))
     }
 
@@ -108,7 +108,7 @@ impl<'a> Ground<'a> {
 
     /// The peak that shaped the dent of an impact that turned at `peak`: the old one, if it turned on the branch.
     #[inline(always)]
-    pub fn dent(&self, peak: &Peak) -> Peak {
+    pub fn dent(&self, peak: &ContactState) -> ContactState {
         self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
     }
 
@@ -198,20 +198,20 @@ impl<'a> Ground<'a> {
 
     /// The state at a distance from the start of a piece.
     #[inline(always)]
-    pub(crate) fn state_at(&self, index: usize, distance: f64) -> Peak {
+    pub(crate) fn state_at(&self, index: usize, distance: f64) -> ContactState {
         match self.branch() {
             Some(branch) if index == 0 => branch.state_at(distance),
             _ => {
                 let piece = self.piece(index);
                 let indentation = piece.start + distance;
                 let force = piece.force_at(indentation);
-                Peak { indentation, force, elastic_approach: self.law.elastic_approach(indentation, force) }
+                ContactState { indentation, force, elastic_approach: self.law.elastic_approach(indentation, force) }
             }
         }
     }
 
     /// The state at x on the way in, as a peak that unloading may leave from.
-    pub fn loaded_to(&self, x: f64) -> Peak {
+    pub fn loaded_to(&self, x: f64) -> ContactState {
         match self.branch_at(x) {
             Some(branch) => branch.state_at(x - branch.peak.residual()),
             None => self.law.loaded_to(x),
@@ -219,7 +219,7 @@ impl<'a> Ground<'a> {
     }
 
     /// The unloading branch from a peak. On the branch of a dent it is that branch.
-    pub fn unloading(&self, peak: Peak) -> Unloading {
+    pub fn unloading(&self, peak: ContactState) -> Unloading {
         self.branch_at(peak.indentation).map_or_else(|| self.law.unloading(peak), |branch| branch.below(peak))
     }
 
@@ -239,7 +239,7 @@ impl<'a> Ground<'a> {
 
     /// Contact radius a/a_L at a peak, see [`Law::contact_radius`]. On the branch of a dent, which keeps its shape, it goes
     /// with f/ε.
-    pub fn contact_radius(&self, peak: &Peak) -> f64 {
+    pub fn contact_radius(&self, peak: &ContactState) -> f64 {
         let Some(branch) = self.branch_at(peak.indentation) else { return self.law.contact_radius(peak) };
         let deepest = &branch.peak;
         // exactly 1 at the old peak
@@ -262,12 +262,12 @@ impl<'a> Ground<'a> {
     }
 
     /// Returns [`Law::outside_stated`] of the peak; `None` where the impact turned in a dent.
-    pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+    pub(crate) fn outside_stated(&self, peak: &ContactState) -> Option<(f64, f64)> {
         self.branch_at(peak.indentation).map_or_else(|| self.law.outside_stated(peak), |_| None)
     }
 
     /// Work from first touch to a state on the way in; on the branch it follows from ε, which has more digits than x.
-    pub(crate) fn work_to(&self, state: &Peak) -> f64 {
+    pub(crate) fn work_to(&self, state: &ContactState) -> f64 {
         match self.branch_at(state.indentation) {
             Some(branch) => branch.stored_of(state.elastic_approach),
             None => self.work(state.indentation),

@@ -2,7 +2,7 @@
 //!
 //! A law is data. It knows no time, no file and no solver, and evaluating it changes nothing. What a spot remembers that was
 //! loaded before is a [`Dent`]; law and dent are the [`Ground`] of an impact. Who follows a contact step by step hands its
-//! memory, a [`Peak`], in and out.
+//! memory, a [`ContactState`], in and out.
 //!
 //! # Sources
 //! * Hertz (1882), J. reine angew. Math. 92, 156-171.
@@ -31,7 +31,7 @@ pub use plm::rule::PlmRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 use published::{LARGEST_CUT, Limits, Published, WIDEST_PARABOLOID};
 pub use published::{Loading, OutsideLaw};
-pub use unloading::{Peak, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
+pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// How a contact unloads that was loaded beyond the elastic regime.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,7 +118,7 @@ impl Law {
         if let Some(unloading) = self.relaxed_at(x) {
             return unloading;
         }
-        let peak = |elastic_approach| Peak { indentation: x, force, elastic_approach };
+        let peak = |elastic_approach| ContactState { indentation: x, force, elastic_approach };
         match self.rule_at(x) {
             Rule::Elastic => Unloading::power(peak(x), 1.5),
             Rule::Polyline(rule) => rule.unloading(peak(rule.elastic_approach(x, force)), spent),
@@ -136,14 +136,14 @@ impl Law {
     }
 
     /// The state at x on the loading curve, as a peak that unloading may leave from.
-    pub fn loaded_to(&self, x: f64) -> Peak {
+    pub fn loaded_to(&self, x: f64) -> ContactState {
         let force = self.loading.force(x);
-        Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
+        ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
 
     /// The unloading branch from a peak. Where loading was elastic (ε = x), n = 3/2 whatever the rule. It never gives back
     /// more than was spent (`unloading::exponent_within`).
-    pub fn unloading(&self, peak: Peak) -> Unloading {
+    pub fn unloading(&self, peak: ContactState) -> Unloading {
         if let Some(unloading) = self.relaxed_at(peak.indentation) {
             return unloading;
         }
@@ -156,7 +156,7 @@ impl Law {
     }
 
     /// The range of x that the authors of the law state, where a plastic peak is outside of it.
-    pub(crate) fn outside_stated(&self, peak: &Peak) -> Option<(f64, f64)> {
+    pub(crate) fn outside_stated(&self, peak: &ContactState) -> Option<(f64, f64)> {
         let x = peak.indentation;
         self.limits.stated.filter(|(from, to)| x > self.recovers_until() && !(*from..=*to).contains(&x))
     }
@@ -192,7 +192,7 @@ impl Law {
         if let Some((law, own)) = self.at_turn(unloading) {
             return law.accept(&own);
         }
-        let Peak { indentation, .. } = unloading.peak;
+        let ContactState { indentation, .. } = unloading.peak;
         let ratio = self.in_yields(indentation);
         let refused = |problem| Err(OutsideLaw::Range { ratio, problem });
         if let Some(Raised { asked, gain, .. }) = self.raised(unloading).filter(|raised| raised.gain > LARGEST_CUT) {
@@ -218,7 +218,7 @@ impl Law {
     ///
     /// Compared with finite elements, the radius of the PLM is within 5 % up to a = 0.48 R. A mean pressure computed from it
     /// has twice the error, with the opposite sign.
-    pub fn contact_radius(&self, peak: &Peak) -> f64 {
+    pub fn contact_radius(&self, peak: &ContactState) -> f64 {
         if let Some(radius) = self.relaxed_radius(peak) {
             return radius;
         }
@@ -232,7 +232,7 @@ impl Law {
     /// Force at x for a contact whose largest state so far is `memory`, and the memory afterwards.
     ///
     /// Below the old peak the contact moves on the unloading branch, up or down; beyond it, on the loading curve.
-    pub fn respond(&self, x: f64, memory: Option<Peak>) -> (f64, Option<Peak>) {
+    pub fn respond(&self, x: f64, memory: Option<ContactState>) -> (f64, Option<ContactState>) {
         match memory {
             _ if x.is_nan() => (f64::NAN, memory),
             Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::{Peak, Unloading, UnloadingShape};
+use super::{ContactState, Unloading, UnloadingShape};
 use crate::contact::strength::flow::FlowError;
 use crate::numerics::curve::Curve;
 use crate::numerics::root::halved;
@@ -51,7 +51,8 @@ impl PeakState {
     /// break by more than [`LARGEST_CUT`].
     fn unloaded(&self, raw: Recovered) -> (Unloading, Option<&'static str>) {
         let &Self { indentation, force, spent, .. } = self;
-        let branch = |elastic_approach| Unloading::new(Peak { indentation, force, elastic_approach }, raw.shape);
+        let branch =
+            |elastic_approach| Unloading::new(ContactState { indentation, force, elastic_approach }, raw.shape);
         let approach = raw.elastic_approach;
         let within = if approach > 0.0 { approach.min(indentation) } else { indentation };
         let most = (branch(within).exponent + 1.0) * spent / force;
@@ -228,8 +229,8 @@ impl Published {
 
     /// Why the law has no answer for a peak that took the work `spent`, where it has none.
     #[cold]
-    pub(super) fn problem(&self, peak: &Peak, spent: f64) -> Option<&'static str> {
-        let &Peak { indentation, force, elastic_approach } = peak;
+    pub(super) fn problem(&self, peak: &ContactState, spent: f64) -> Option<&'static str> {
+        let &ContactState { indentation, force, elastic_approach } = peak;
         // an approach that is well below both limits (n is at least 1) is that of the formulas
         if elastic_approach < indentation && force * elastic_approach < 1.9 * spent {
             return None;

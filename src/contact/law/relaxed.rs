@@ -9,7 +9,7 @@
 //! At the turn the force falls from f_g to f_t, and the dent takes the energy. Fresh surface that turns at x_t ≤ 1 stays
 //! elastic.
 
-use super::unloading::{Peak, Unloading};
+use super::unloading::{ContactState, Unloading};
 use super::{Ground, Law, Relaxed, Rule};
 use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::root::halved;
@@ -35,7 +35,7 @@ impl Relaxed {
         let unloading = self.law.unloading(self.law.loaded_to(x / length));
         let scaled = unloading.scaled(length, force);
         // the depth is that of the impact, to the last bit
-        Unloading { peak: Peak { indentation: x, ..scaled.peak }, ..scaled }
+        Unloading { peak: ContactState { indentation: x, ..scaled.peak }, ..scaled }
     }
 
     /// A branch in units of this law.
@@ -78,7 +78,7 @@ impl Law {
 
     /// Contact radius of a turn, if the metal relaxes there.
     #[inline(always)]
-    pub(super) fn relaxed_radius(&self, peak: &Peak) -> Option<f64> {
+    pub(super) fn relaxed_radius(&self, peak: &ContactState) -> Option<f64> {
         let relaxed = self.relaxed.as_ref()?;
         let own = relaxed.own(&Unloading::power(*peak, 1.5)).peak;
         (peak.indentation > relaxed.until()).then(|| relaxed.law.contact_radius(&own) * relaxed.ratio)
@@ -86,7 +86,7 @@ impl Law {
 
     /// How far the force falls where a loading turns at this branch.
     pub(crate) fn step(&self, unloading: &Unloading) -> f64 {
-        let Peak { indentation, force, .. } = unloading.peak;
+        let ContactState { indentation, force, .. } = unloading.peak;
         match self.relaxed {
             Some(_) if indentation > self.recovers_until() => (self.loading.force(indentation) - force).max(0.0),
             _ => 0.0,
@@ -103,7 +103,7 @@ impl Law {
             end *= 2.0;
         }
         let (below, _) = halved(0.0, end, |recovered| over(recovered) < 0.0);
-        branch.lengthened(Peak {
+        branch.lengthened(ContactState {
             indentation: residual + below,
             force: piece.force_beyond(below),
             elastic_approach: below,
@@ -129,8 +129,8 @@ impl Unloading {
     /// The branch in other units: lengths times `length`, forces times `force`.
     #[must_use]
     pub(crate) fn scaled(&self, length: f64, force: f64) -> Self {
-        let Peak { indentation, force: of_peak, elastic_approach } = self.peak;
-        let peak = Peak {
+        let ContactState { indentation, force: of_peak, elastic_approach } = self.peak;
+        let peak = ContactState {
             indentation: indentation * length,
             force: of_peak * force,
             elastic_approach: elastic_approach * length,

@@ -9,7 +9,7 @@ use crate::numerics::power::{power, quarter_period, work_share};
 
 /// The largest state that a contact has seen: the whole memory of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Peak {
+pub struct ContactState {
     /// x_m.
     pub indentation: f64,
     /// f_m.
@@ -18,7 +18,7 @@ pub struct Peak {
     pub elastic_approach: f64,
 }
 
-impl Peak {
+impl ContactState {
     /// Residual indentation x_r = x_m − ε_m (Eq. 23).
     pub fn residual(&self) -> f64 {
         self.indentation - self.elastic_approach
@@ -75,7 +75,7 @@ pub const GRAZING: f64 = 32.0 * f64::EPSILON;
 /// a kink, and its force is zero at x_r.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unloading {
-    pub peak: Peak,
+    pub peak: ContactState,
     /// n. A scenario gives it in (1, 2]; the straight branch of Walton and Braun has 1. Other shapes have the n of the power
     /// law that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
@@ -96,7 +96,7 @@ pub struct Unloading {
 /// for gives back over 5 % more than was spent ([`Law::accept`](super::Law::accept)). A code that asks for the force alone always
 /// gets one.
 #[inline(always)]
-pub(crate) fn exponent_within(spent: f64, peak: &Peak, asked: f64) -> f64 {
+pub(crate) fn exponent_within(spent: f64, peak: &ContactState, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
     // rounding alone changes no exponent; one of −1 and less would give back energy without end
     if whole > spent * (1.0 + 0.5 * GRAZING) * (asked + 1.0) { whole / spent - 1.0 } else { asked }
@@ -111,7 +111,7 @@ pub fn pressure_shape_exponent(radius_ratio: f64) -> f64 {
 
 impl Unloading {
     /// A branch of that shape from a peak. If the shape is no power law, the exponent follows from the energy given back.
-    pub fn new(peak: Peak, shape: UnloadingShape) -> Self {
+    pub fn new(peak: ContactState, shape: UnloadingShape) -> Self {
         match shape {
             UnloadingShape::Power(exponent) => Self::power(peak, exponent),
             // not moved at all: Hertz itself
@@ -133,12 +133,12 @@ impl Unloading {
 
     /// The power law f_m (d/ε_m)^n.
     #[inline(always)]
-    pub const fn power(peak: Peak, exponent: f64) -> Self {
+    pub const fn power(peak: ContactState, exponent: f64) -> Self {
         Self { peak, exponent, curve: None }
     }
 
     /// A branch along this curve, with the exponent f_m ε_m over its energy, less 1.
-    fn along(peak: Peak, curve: Branch) -> Self {
+    fn along(peak: ContactState, curve: Branch) -> Self {
         let (_, energy) = curve.at(peak.elastic_approach);
         Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
     }
@@ -170,7 +170,7 @@ impl Unloading {
     /// Returns this branch from a lower point of it, where a reload turned.
     #[inline]
     #[must_use]
-    pub fn below(&self, peak: Peak) -> Self {
+    pub fn below(&self, peak: ContactState) -> Self {
         match self.curve {
             None => Self::power(peak, self.exponent),
             Some(_) if peak.indentation >= self.peak.indentation => *self,
@@ -180,7 +180,7 @@ impl Unloading {
 
     /// Returns this branch with another end, on it or beyond.
     #[must_use]
-    pub(super) fn lengthened(&self, peak: Peak) -> Self {
+    pub(super) fn lengthened(&self, peak: ContactState) -> Self {
         self.curve.map_or_else(|| Self::power(peak, self.exponent), |curve| Self::along(peak, curve))
     }
 
@@ -190,13 +190,13 @@ impl Unloading {
     }
 
     /// The state at a distance from x_r, at most the peak. The distance has digits that x has lost.
-    pub(crate) fn state_at(&self, distance: f64) -> Peak {
+    pub(crate) fn state_at(&self, distance: f64) -> ContactState {
         let peak = self.peak;
         if distance >= peak.elastic_approach {
             return peak;
         }
         let indentation = (peak.residual() + distance).min(peak.indentation);
-        Peak { indentation, force: self.force_of(distance), elastic_approach: distance }
+        ContactState { indentation, force: self.force_of(distance), elastic_approach: distance }
     }
 
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
@@ -244,7 +244,7 @@ impl Unloading {
     /// Radius of the contact as far as friction goes, in units of that at x = 1: f_m/ε_m where unloading begins, then in
     /// proportion to the stiffness.
     pub(crate) fn grip_of(&self, recovered: f64) -> f64 {
-        let Peak { force, elastic_approach, .. } = self.peak;
+        let ContactState { force, elastic_approach, .. } = self.peak;
         force / elastic_approach * self.slope_of(recovered.max(0.0)) / self.slope_of(elastic_approach)
     }
 

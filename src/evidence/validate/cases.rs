@@ -1,6 +1,6 @@
 //! The five pairs of materials of the quasi-static finite elements, each with its loading curve and its unloadings.
 
-use crate::contact::law::{Law, Peak, PlmCoefficients, UnloadingExponent};
+use crate::contact::law::{ContactState, Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::reference::loading::{self, LoadingCurve};
 use crate::impact::reference::unloading::{self, UnloadingRow};
@@ -19,7 +19,7 @@ pub struct Cycle {
     /// The results of the finite elements.
     pub row: UnloadingRow,
     /// Their peak: x_m, f_m and ε_m = x_s,m/κ.
-    pub peak: Peak,
+    pub peak: ContactState,
     /// x and f at points between peak and separation.
     pub points: Vec<(f64, f64)>,
 }
@@ -60,7 +60,7 @@ pub fn cases() -> Result<Vec<Case>, Error> {
     let cycle = |row: &UnloadingRow, kappa: f64| {
         let points = points.iter().filter(|point| point.run == row.run && point.cycle == row.cycle);
         Cycle {
-            peak: Peak { indentation: row.x, force: row.f, elastic_approach: row.x * row.sphere_share / kappa },
+            peak: ContactState { indentation: row.x, force: row.f, elastic_approach: row.x * row.sphere_share / kappa },
             points: points.map(|point| (point.x, point.f)).collect(),
             row: row.clone(),
         }

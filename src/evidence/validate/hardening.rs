@@ -1,7 +1,7 @@
 //! A half-space that hardens: the law, loaded with the same work as the finite elements.
 
 use super::comparison::{Comparison, Group};
-use crate::contact::law::{Law, Peak, Plm, PlmCoefficients, UnloadingExponent};
+use crate::contact::law::{ContactState, Law, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::reference::hardening::{self, Materials};
 use crate::impact::reference::unloading::Unloaded;
@@ -30,7 +30,7 @@ const fn group(name: &'static str) -> Group {
 
 /// A load cycle by the law.
 pub(super) struct AtEnergy {
-    peak: Peak,
+    peak: ContactState,
     /// Restitution √(recovered/spent work).
     pub(super) restitution: f64,
     /// Contact radius at the peak, a_m/R.

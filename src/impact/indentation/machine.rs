@@ -1,6 +1,6 @@
 //! A contact in a testing machine: dimensionless, stroke after stroke, all in closed form.
 
-use crate::contact::law::{Branch, Dent, Ground, Law, Peak, Unloading};
+use crate::contact::law::{Branch, ContactState, Dent, Ground, Law, Unloading};
 
 /// A step that moves by less than this share of the indentation counts as no move: it is rounding.
 const STILL: f64 = 1e-12;
@@ -68,7 +68,7 @@ impl Stroke<'_> {
     }
 
     /// The state at x between the two ends, and its branch.
-    fn point(&self, x: f64) -> (Peak, Branch) {
+    fn point(&self, x: f64) -> (ContactState, Branch) {
         if let Some(unloading) = self.ground().branch_at(x) {
             let recovered = x - unloading.peak.residual();
             let branch = match (recovered < 0.0, self.to > self.from) {
@@ -77,18 +77,18 @@ impl Stroke<'_> {
                 (false, false) => Branch::Unloading,
             };
             let elastic_approach = recovered.max(0.0);
-            return (Peak { indentation: x, force: unloading.force_of(recovered), elastic_approach }, branch);
+            return (ContactState { indentation: x, force: unloading.force_of(recovered), elastic_approach }, branch);
         }
         let state = self.law.loaded_to(x);
         (state, if state.elastic_approach < x { Branch::Plastic } else { Branch::Elastic })
     }
 
-    pub fn end(&self) -> (Peak, Branch) {
+    pub fn end(&self) -> (ContactState, Branch) {
         self.point(self.to)
     }
 
     /// `samples` ≥ 2 states, evenly spaced in x, both ends among them, and one at every change of branch.
-    pub fn points(&self, samples: usize) -> impl Iterator<Item = (Peak, Branch)> {
+    pub fn points(&self, samples: usize) -> impl Iterator<Item = (ContactState, Branch)> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
         let changes = self.ground().branch().map(|branch| [branch.peak.residual(), branch.peak.indentation]);
         #[allow(clippy::cast_precision_loss)] // at most 10^7 samples

@@ -13,7 +13,7 @@ mod specimen;
 
 use thiserror::Error;
 
-use crate::contact::law::{Branch, ContactLaw, Law, OutsideLaw, Peak};
+use crate::contact::law::{Branch, ContactLaw, ContactState, Law, OutsideLaw};
 use crate::contact::material::{HalfSpace, Hollow, Material, OutOfFloatRange, Pair, PairError, Sphere, normal};
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
 use crate::numerics::functions::pow;
@@ -248,7 +248,7 @@ impl StaticContact {
         Ok(Indentation { steps, trace, doubts })
     }
 
-    fn row(&self, step: usize, stroke: &Stroke, (state, branch): (Peak, Branch)) -> TraceRow {
+    fn row(&self, step: usize, stroke: &Stroke, (state, branch): (ContactState, Branch)) -> TraceRow {
         let Units { length, force, .. } = self.units;
         let approach = if branch == Branch::Separated { stroke.dent() } else { state.indentation };
         let sphere_indentation = self.pair.sphere_part(approach, state.elastic_approach) * length;

@@ -13,7 +13,7 @@ use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
-use crate::contact::law::{Ground, Law, Peak, Raised, Unloading};
+use crate::contact::law::{ContactState, Ground, Law, Raised, Unloading};
 use crate::contact::material::{Hold, Pair};
 use crate::contact::strength::rate::Form as RateForm;
 use crate::numerics::root::halved;
@@ -21,7 +21,7 @@ use crate::units::{Dimension, four_digits, human, percent};
 use of_run::{of_gain, of_rebound, of_run};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
-pub(crate) fn of_peak(ground: Ground, peak: &Peak) -> impl Iterator<Item = Warning> + use<> {
+pub(crate) fn of_peak(ground: Ground, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
     let x = peak.indentation;
     let law = ground.law;
     let stated = ground.outside_stated(peak).map(|(from, to)| {

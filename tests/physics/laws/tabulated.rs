@@ -76,8 +76,8 @@ fn loading_of_the_other_laws_and_contact_radii_are_the_tabulated_ones() {
 }
 
 /// The state of a peak as an unloading law gets it. The work of loading does not matter for the dent.
-fn loaded(peak: &Peak, radius: f64) -> PeakState {
-    let Peak { indentation, force, .. } = *peak;
+fn loaded(peak: &ContactState, radius: f64) -> PeakState {
+    let ContactState { indentation, force, .. } = *peak;
     PeakState { indentation, force, radius, elastic_approach: None, spent: f64::INFINITY }
 }
 
@@ -118,7 +118,7 @@ fn unloading_laws_from_one_state_leave_the_tabulated_dents() {
         let peak = loading.loaded_to(row.number("depth"));
         let Recovered { elastic_approach, shape } =
             (choice.get().rules(&bodies).recovery)(loaded(&peak, loading.contact_radius(&peak)));
-        let unloading = Unloading::new(Peak { elastic_approach, ..peak }, shape);
+        let unloading = Unloading::new(ContactState { elastic_approach, ..peak }, shape);
         let e = (unloading.stored(peak.indentation) / loading.loading.work(peak.indentation)).sqrt();
         assert_near(&row, [peak.force, 1.0 - elastic_approach / peak.indentation, e]);
     }

@@ -25,7 +25,7 @@ use std::sync::{Arc, LazyLock};
 
 use super::contact_law::{Bodies, ContactLaw};
 use super::published::{Loading, PeakState, Recovered, Rules};
-use super::{Law, OutsideLaw, Peak, UnloadingExponent, UnloadingShape};
+use super::{ContactState, Law, OutsideLaw, UnloadingExponent, UnloadingShape};
 use crate::contact::material::Pair;
 use crate::contact::strength::flow::FlowCurve;
 use crate::numerics::curve::{Curve, Once};
@@ -125,12 +125,13 @@ impl ContactLaw for Plm {
         let (limits, of_unloading) = (rule.limits(), rule.clone());
         let radius = move |indentation, force| {
             let elastic_approach = rule.elastic_approach(indentation, force);
-            rule.contact_radius(&Peak { indentation, force, elastic_approach })
+            rule.contact_radius(&ContactState { indentation, force, elastic_approach })
         };
         let recovery = move |at: PeakState| {
             let of_plm = || of_unloading.elastic_approach(at.indentation, at.force);
             let elastic_approach = at.elastic_approach.unwrap_or_else(of_plm);
-            let peak = |elastic_approach| Peak { indentation: at.indentation, force: at.force, elastic_approach };
+            let peak =
+                |elastic_approach| ContactState { indentation: at.indentation, force: at.force, elastic_approach };
             let exponent = match of_unloading.exponent {
                 UnloadingExponent::Paper => 1.5,
                 UnloadingExponent::Fixed(n) => n,

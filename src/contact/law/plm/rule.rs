@@ -5,7 +5,9 @@ use super::flattening::Flattening;
 use super::hardening::Hardening;
 use super::lines::ElasticLine;
 use crate::contact::law::published::Limits;
-use crate::contact::law::unloading::{Peak, Unloading, UnloadingExponent, exponent_within, pressure_shape_exponent};
+use crate::contact::law::unloading::{
+    ContactState, Unloading, UnloadingExponent, exponent_within, pressure_shape_exponent,
+};
 
 /// How the PLM unloads beyond first yield.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +55,7 @@ impl PlmRule {
 
     /// A = f/ε at a peak, without the flat of a sphere.
     #[inline(always)]
-    fn equivalent(&self, peak: &Peak) -> f64 {
+    fn equivalent(&self, peak: &ContactState) -> f64 {
         match &self.flattening {
             Some(flattening) if peak.indentation > 1.0 => {
                 let force = flattening.plain_force(peak.indentation);
@@ -65,7 +67,7 @@ impl PlmRule {
 
     /// At (x, f) of a law without a flat: A, in units of the strength that the body that flows has reached there, and a/a_Y.
     pub(super) fn radii(&self, x: f64, force: f64) -> [f64; 2] {
-        let peak = Peak { indentation: x, force, elastic_approach: self.elastic_approach(x, force) };
+        let peak = ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) };
         let equivalent = self.equivalent(&peak);
         let of = |hardening: &Hardening| hardening.shape(x, equivalent).equivalent;
         [self.hardening.as_ref().map_or(equivalent, of), self.contact_radius(&peak)]
@@ -73,13 +75,13 @@ impl PlmRule {
 
     /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
     #[inline(always)]
-    pub(crate) fn unloading(&self, peak: Peak, spent: f64) -> Unloading {
+    pub(crate) fn unloading(&self, peak: ContactState, spent: f64) -> Unloading {
         Unloading::power(peak, exponent_within(spent, &peak, self.asked(&peak)))
     }
 
     /// The exponent that is asked for; that of Hertz where there is no dent.
     #[inline(always)]
-    pub(crate) fn asked(&self, peak: &Peak) -> f64 {
+    pub(crate) fn asked(&self, peak: &ContactState) -> f64 {
         match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
             UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(peak),
@@ -89,7 +91,7 @@ impl PlmRule {
 
     /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
     #[inline(always)]
-    pub(super) fn pressure_shape(&self, peak: &Peak) -> f64 {
+    pub(super) fn pressure_shape(&self, peak: &ContactState) -> f64 {
         let equivalent = self.equivalent(peak);
         match &self.hardening {
             None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
@@ -101,7 +103,7 @@ impl PlmRule {
     }
 
     /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.
-    pub(crate) fn contact_radius(&self, peak: &Peak) -> f64 {
+    pub(crate) fn contact_radius(&self, peak: &ContactState) -> f64 {
         let equivalent = self.equivalent(peak);
         match &self.hardening {
             None => self.radius.true_radius(equivalent),
