@@ -9,7 +9,7 @@ use super::response::Memory;
 
 /// What happened at a contact since the last step. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rub {
+pub struct FrictionStep {
     /// δ at the last step \[m\]; 0 in the first one.
     pub before: f64,
     /// δ now \[m\].
@@ -23,19 +23,19 @@ pub struct Rub {
 impl Contact {
     /// Radius of the contact \[m\] as far as friction goes, after [`Contact::force`] gave this memory: that of Hertz with the
     /// law's force and elastic approach on the way in, and in proportion to the stiffness on the way out.
-    fn grip(&self, indentation: f64, memory: &Memory) -> f64 {
+    fn friction_radius(&self, indentation: f64, memory: &Memory) -> f64 {
         let Self { scales, law, .. } = self;
         let Some(peak) = memory.peak(scales.length, scales.force) else {
             // Hertz's, of an elastic contact
             return (self.pair().radius * indentation.max(0.0)).sqrt();
         };
         let recovered = indentation / scales.length - peak.residual();
-        let grip = if recovered >= peak.elastic_approach {
+        let friction_radius = if recovered >= peak.elastic_approach {
             peak.force / peak.elastic_approach
         } else {
-            law.unloading(peak).grip_of(recovered)
+            law.unloading(peak).radius_ratio(recovered)
         };
-        scales.contact_radius * grip
+        scales.contact_radius * friction_radius
     }
 
     /// Friction on the sphere \[N\], which is also the history of the contact; zero for a fresh one.
@@ -45,8 +45,8 @@ impl Contact {
     /// ```
     ///
     /// Its torque about the centre is that of T at the contact point, and a step should be short against the contact time.
-    pub fn friction(&self, coefficient: f64, rub: &Rub, memory: &Memory, history: &mut [f64; 3]) {
-        let [old, radius] = [rub.before, rub.indentation].map(|indentation| self.grip(indentation, memory));
+    pub fn friction(&self, coefficient: f64, rub: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) {
+        let [old, radius] = [rub.before, rub.indentation].map(|indentation| self.friction_radius(indentation, memory));
         let kept = if radius < old { radius / old } else { 1.0 };
         let stiffness = 8.0 * self.shear_ratio() * self.pair().effective_modulus * radius;
         let mut sum = 0.0;

@@ -6,7 +6,7 @@ use super::case::{Case, hertz};
 use super::contact::Contact;
 use super::error::ImpactError;
 use super::essentials::Essentials;
-use super::oblique::{Approach, Inclined};
+use super::oblique::{Approach, ObliqueImpact};
 use super::outcome::Outcome;
 use super::result::Impact;
 use super::solve::{FINEST, Method, Solver, run};
@@ -64,7 +64,7 @@ impl Contact {
         };
         case.ground.accept(&outcome.unloading)?;
         let mut essentials = Essentials::new(self, speed, &case, &outcome)?;
-        if let Some(inclined) = Inclined::new(self, &case, &outcome, approach)? {
+        if let Some(inclined) = ObliqueImpact::new(self, &case, &outcome, approach)? {
             essentials.rebound = Some(inclined.rebound(&inclined.slip(false)?)?);
         }
         Ok(essentials)
@@ -111,7 +111,7 @@ impl Contact {
         ground.accept(&unloading)?;
         let mut impact = Impact::new(self, speed, &case, method, &computed, exact.as_ref())?;
         impact.warnings = validity::warnings(self, &impact, ground, &unloading, &solver);
-        if let Some(inclined) = Inclined::new(self, &case, &computed.outcome, approach)? {
+        if let Some(inclined) = ObliqueImpact::new(self, &case, &computed.outcome, approach)? {
             impact.add_friction(&inclined, approach)?;
             impact.warnings.extend(validity::of_oblique(self, &impact, approach));
         }

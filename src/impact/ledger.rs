@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::contact::Contact;
-use super::oblique::Rubbing;
+use super::oblique::FrictionState;
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Point};
 use super::scales::ACCELERATION;
@@ -29,7 +29,7 @@ pub struct TraceRow {
     pub elastic_force: Option<f64>,
     pub branch: Branch,
     /// Friction, in an oblique impact.
-    pub rubbing: Option<Rubbing>,
+    pub rubbing: Option<FrictionState>,
     pub event: Option<Event>,
     /// (kinetic + stored + lost)/(½ m v²) − 1.
     pub energy_drift: f64,

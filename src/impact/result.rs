@@ -7,7 +7,7 @@ use super::contact::Contact;
 use super::error::ImpactError;
 use super::essentials::Essentials;
 use super::ledger::{Ledger, TraceRow};
-use super::oblique::{Approach, Inclined, Oblique};
+use super::oblique::{Approach, Oblique, ObliqueImpact};
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::solve::Method;
 use super::warning::Warning;
@@ -215,7 +215,7 @@ impl Impact {
     }
 
     /// Adds what friction makes of an oblique impact, of which all else is the normal motion.
-    pub(super) fn add_friction(&mut self, inclined: &Inclined, approach: Approach) -> Result<(), ImpactError> {
+    pub(super) fn add_friction(&mut self, inclined: &ObliqueImpact, approach: Approach) -> Result<(), ImpactError> {
         let slip = inclined.slip(true)?;
         self.speed = approach.speed;
         self.essentials.rebound = Some(inclined.rebound(&slip)?);

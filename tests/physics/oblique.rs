@@ -3,7 +3,7 @@
 
 use crate::common::prelude::*;
 use approx::assert_abs_diff_eq;
-use plm_impact::impact::oblique::motion::Motion;
+use plm_impact::impact::oblique::motion::TangentialMotion;
 
 use crate::common::reference::rows;
 
@@ -13,7 +13,7 @@ const OF_ROWS: f64 = 1e-7;
 
 /// s_1/s_0 of an elastic impact.
 fn elastic_ratio(psi: f64, chi: f64, tolerance: f64) -> f64 {
-    Motion::elastic().unwrap().ratio(psi, chi, tolerance).unwrap()
+    TangentialMotion::elastic().unwrap().ratio(psi, chi, tolerance).unwrap()
 }
 
 /// The alumina sphere on glass of Kharaz, Gorham and Salman (2001).
@@ -70,7 +70,7 @@ fn twelve_impacts_are_those_of_the_reference() {
         let (spring, want_of_spring) = (stepped(&contact, approach, 2e4), number("spring_contact_point_ratio"));
         assert!((spring - want_of_spring).abs() < 3e-4, "{name}: {spring} {want_of_spring}");
         if scene.half_space().yield_strength.is_none() {
-            let got = Motion::elastic().unwrap().run_on_one_spring(rebound.psi, contact.chi());
+            let got = TangentialMotion::elastic().unwrap().run_on_one_spring(rebound.psi, contact.chi());
             assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }
         let of_table = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
@@ -94,7 +94,7 @@ fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
         let before = indentation;
         indentation += dt * speed;
         force = contact.force(indentation, &mut memory);
-        let rub = Rub { before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
+        let rub = FrictionStep { before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
         contact.friction(friction, &rub, &memory, &mut history);
         speed -= 0.5 * dt * force / mass;
         moving += 0.5 * dt * j / mass * history[0];
@@ -143,7 +143,7 @@ fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
         let contact = steel(&LawChoice::Plm(Plm { exponent, ..Plm::default() }));
         let (chi, speed) = (contact.chi(), 1.0);
         let (_, law, q) = contact.scaled(speed).unwrap();
-        let motion = Motion::new(law, q, &ScaledForces::NONE).unwrap();
+        let motion = TangentialMotion::new(law, q, &ScaledForces::NONE).unwrap();
         let e = contact.row(speed, &Solver::AUTO).unwrap().restitution;
         let formula = |psi: f64| psi - 2.0 * chi * (1.0 + e);
         let run = |psi: f64| psi * motion.ratio(psi * q, chi, OF_RUNS).unwrap();

@@ -243,7 +243,7 @@ impl Unloading {
 
     /// Radius of the contact as far as friction goes, in units of that at x = 1: f_m/ε_m where unloading begins, then in
     /// proportion to the stiffness.
-    pub(crate) fn grip_of(&self, recovered: f64) -> f64 {
+    pub(crate) fn radius_ratio(&self, recovered: f64) -> f64 {
         let ContactState { force, elastic_approach, .. } = self.peak;
         force / elastic_approach * self.slope_of(recovered.max(0.0)) / self.slope_of(elastic_approach)
     }

@@ -21,7 +21,7 @@ use std::path::Path;
 use std::slice;
 
 use crate::error::Error;
-use crate::impact::{Contact, ContactEnergy, Memory, Rub};
+use crate::impact::{Contact, ContactEnergy, FrictionStep, Memory};
 use crate::report::run::contact_of_one_strength;
 use crate::scenario::Scenario;
 
@@ -153,7 +153,7 @@ pub unsafe extern "C" fn plm_contact_friction(
     else {
         return;
     };
-    let rub = Rub { before, indentation, force, slip: *slip };
+    let rub = FrictionStep { before, indentation, force, slip: *slip };
     // SAFETY: as the caller promises
     let friction = unsafe {
         read(contact, memory, *history, |contact, memory| {

@@ -17,7 +17,7 @@ use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::files::OutputFile;
 use crate::files::progress::Counter;
-use crate::impact::oblique::motion::Motion;
+use crate::impact::oblique::motion::TangentialMotion;
 use crate::impact::reference::hardening::unloadings;
 use crate::impact::reference::impacts::Sample;
 use crate::impact::reference::measured::{Steel, devices, steels};
@@ -239,7 +239,7 @@ fn oblique() -> Result<Picture, Error> {
     let measured = rebounds()?.into_iter().filter(|row| row.quantity == "tangential_restitution");
     let measured = Series::points("measured, alumina on glass", measured.map(|row| (row.angle, row.value)).collect());
     let contact = alumina_on_glass()?;
-    let motion = Motion::elastic().map_err(ImpactError::from)?;
+    let motion = TangentialMotion::elastic().map_err(ImpactError::from)?;
     let (chi, j) = (contact.chi(), contact.slip_factor());
     let mut curves = [Vec::new(), Vec::new(), Vec::new()];
     // up to 65 degrees

@@ -18,7 +18,7 @@
 //! sticks, M'' = (15/4) χ T is integrated by Nyström's method of order 4 in two stages, whose second stage is the first of the
 //! next step. A step is compared with two half ones. Where springs at a stop cease to slip, T has a kink: a step ends there.
 
-use super::motion::Motion;
+use super::motion::TangentialMotion;
 use super::profile::{Profile, Rim};
 use crate::impact::scales::ACCELERATION;
 use crate::numerics::integrate::IntegrationError;
@@ -136,7 +136,7 @@ fn ceases_to_slip(rims: [&Rim; 3], speeds: [f64; 3]) -> Option<f64> {
     first
 }
 
-impl Motion<'_> {
+impl TangentialMotion<'_> {
     /// The angle \[rad\] that a contact that sticks would swing through at its largest stiffness: ω² = (15/4) χ α.
     pub(super) fn swings(&self, chi: f64) -> f64 {
         let largest = self.rim(self.durations[0]).square.sqrt();

@@ -38,7 +38,7 @@ use crate::contact::law::Rule;
 use crate::contact::material::{Hold, Material, OutOfFloatRange};
 use crate::numerics::functions::{atan2, hypot, sin_cos};
 use mindlin::Run;
-use motion::Motion;
+use motion::TangentialMotion;
 
 /// How a sphere comes in, beside its speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -132,7 +132,7 @@ pub struct Oblique {
 
 /// Friction on one row of a trace. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rubbing {
+pub struct FrictionState {
     /// s \[m/s\].
     pub slip_speed: f64,
     /// T \[N\] on the sphere; negative against forward motion.
@@ -172,7 +172,7 @@ impl Contact {
     }
 
     /// Dundurs' β of the pair: how far pressure and shear act on each other. 0 for equal materials; friction neglects it.
-    pub fn mismatch(&self) -> f64 {
+    pub fn dundurs_beta(&self) -> f64 {
         let [sphere, half_space] = [self.sphere().material, self.half_space().material];
         let share = |body: &Material, part: f64| {
             (1.0 - part * body.poissons_ratio) * (1.0 + body.poissons_ratio) / body.youngs_modulus
@@ -183,7 +183,7 @@ impl Contact {
 }
 
 /// An oblique impact whose normal motion is known.
-pub(super) struct Inclined<'a> {
+pub(super) struct ObliqueImpact<'a> {
     contact: &'a Contact,
     case: &'a Case<'a>,
     outcome: &'a Outcome,
@@ -203,7 +203,7 @@ const LARGEST_SWINGS: f64 = 100.0;
 
 /// How the slip speed changes.
 #[derive(Debug)]
-pub(super) struct Slip {
+pub(super) struct SlipChange {
     /// s_1/s_0.
     ratio: f64,
     is_sliding: bool,
@@ -217,13 +217,13 @@ const OF_ROWS: f64 = 1e-7;
 /// Tolerance of a step in a run by itself: s_1/s_0 is then within 1e-7.
 const OF_RUNS: f64 = 1e-9;
 
-impl Slip {
+impl SlipChange {
     fn new(ratio: f64) -> Self {
         Self { ratio, is_sliding: false, error: 0.0, run: None }
     }
 }
 
-impl<'a> Inclined<'a> {
+impl<'a> ObliqueImpact<'a> {
     /// `None` for an impact without angle and spin, and for a sphere that stays.
     ///
     /// # Errors
@@ -285,20 +285,20 @@ impl<'a> Inclined<'a> {
     ///
     /// # Errors
     /// [`ImpactError::SmallInertia`] where the contact point swings too often for a run.
-    pub(super) fn slip(&self, is_followed: bool) -> Result<Slip, ImpactError> {
+    pub(super) fn slip(&self, is_followed: bool) -> Result<SlipChange, ImpactError> {
         if self.slip == 0.0 {
-            return Ok(Slip::new(0.0));
+            return Ok(SlipChange::new(0.0));
         }
         if self.slides() {
-            return Ok(Slip { is_sliding: true, ..Slip::new(self.sliding_ratio()) });
+            return Ok(SlipChange { is_sliding: true, ..SlipChange::new(self.sliding_ratio()) });
         }
         // the normal motion of all elastic impacts is the same
         let is_elastic = self.case.ground.law.rule == Rule::Elastic && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
-            Motion::elastic()?
+            TangentialMotion::elastic()?
         } else {
-            motion = Motion::new(self.case.ground, self.case.q, &self.case.forces)?;
+            motion = TangentialMotion::new(self.case.ground, self.case.q, &self.case.forces)?;
             &motion
         };
         self.resolves(motion)?;
@@ -308,11 +308,11 @@ impl<'a> Inclined<'a> {
         let (sliding, error) = (self.sliding_ratio(), run.error);
         let is_sliding = !self.case.forces.is_none() && (run.ratio - sliding).abs() <= error;
         let ratio = if is_sliding { sliding } else { run.ratio };
-        Ok(Slip { ratio, is_sliding, error, run: is_followed.then_some(run) })
+        Ok(SlipChange { ratio, is_sliding, error, run: is_followed.then_some(run) })
     }
 
     /// Checks that the contact point does not swing too often for a run.
-    fn resolves(&self, motion: &Motion) -> Result<(), ImpactError> {
+    fn resolves(&self, motion: &TangentialMotion) -> Result<(), ImpactError> {
         let (swings, mass, radius) = (motion.swings(self.chi), self.contact.mass(), self.contact.sphere().radius);
         if swings <= LARGEST_SWINGS {
             return Ok(());
@@ -324,7 +324,7 @@ impl<'a> Inclined<'a> {
         Err(ImpactError::SmallInertia { least: of_sphere / (j - 1.0), solid: 0.4 * of_sphere })
     }
 
-    pub(super) fn rebound(&self, slip: &Slip) -> Result<Rebound, OutOfFloatRange> {
+    pub(super) fn rebound(&self, slip: &SlipChange) -> Result<Rebound, OutOfFloatRange> {
         let [normal, tangential] = self.speeds;
         let (rebound, _) = self.contact.speeds_after(normal, self.outcome.restitution);
         let [_, tangential_speed, spin] = self.at(self.slip * slip.ratio);
@@ -353,12 +353,12 @@ impl<'a> Inclined<'a> {
     }
 
     /// (s_0² − s_1²)/j: what friction takes, over half of m*.
-    fn lost(&self, slip: &Slip) -> f64 {
+    fn lost(&self, slip: &SlipChange) -> f64 {
         self.slip * self.slip * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
     }
 
     /// The rest of the results of one impact.
-    pub(super) fn oblique(&self, slip: &Slip) -> Oblique {
+    pub(super) fn oblique(&self, slip: &SlipChange) -> Oblique {
         let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
         let moment = mass * radius / (self.contact.own_slip_factor() - 1.0) * radius;
         let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
@@ -395,7 +395,7 @@ impl<'a> Inclined<'a> {
     }
 
     /// Friction at a time \[s\], where the sphere has this speed towards the half-space, and the contact this force. SI units.
-    pub(super) fn rubbing(&self, slip: &Slip, time: f64, speed: f64, force: f64) -> Rubbing {
+    pub(super) fn rubbing(&self, slip: &SlipChange, time: f64, speed: f64, force: f64) -> FrictionState {
         let (mu, scales) = (self.incidence.friction, &self.case.scales);
         let direction = self.slip.signum();
         let (slip_speed, friction_force) = match &slip.run {
@@ -411,6 +411,6 @@ impl<'a> Inclined<'a> {
             }
         };
         let [slip_speed, tangential_speed, spin] = self.at(slip_speed);
-        Rubbing { slip_speed, friction_force, tangential_speed, spin }
+        FrictionState { slip_speed, friction_force, tangential_speed, spin }
     }
 }

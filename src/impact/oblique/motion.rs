@@ -13,7 +13,7 @@ use crate::numerics::integrate::rk8::Rk8;
 
 /// The normal motion of an impact.
 #[derive(Debug)]
-pub struct Motion<'a> {
+pub struct TangentialMotion<'a> {
     track: Track<'a>,
     /// The times of the joints of the law, of the peak and of the end; each stretch between two of them is smooth.
     pub(super) ends: Vec<f64>,
@@ -21,7 +21,7 @@ pub struct Motion<'a> {
     pub(super) durations: [f64; 2],
 }
 
-impl<'a> Motion<'a> {
+impl<'a> TangentialMotion<'a> {
     /// The motion at q = v/V.
     pub fn new(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
         let ground = ground.into();
@@ -33,9 +33,9 @@ impl<'a> Motion<'a> {
     }
 
     /// The motion of an elastic impact. It is one for all of them in units of its own peak and speed.
-    pub fn elastic() -> Result<&'static Motion<'static>, IntegrationError> {
-        static ELASTIC: LazyLock<Result<Motion, IntegrationError>> =
-            LazyLock::new(|| Motion::new(hertz(), 1.0, &ScaledForces::NONE));
+    pub fn elastic() -> Result<&'static TangentialMotion<'static>, IntegrationError> {
+        static ELASTIC: LazyLock<Result<TangentialMotion, IntegrationError>> =
+            LazyLock::new(|| TangentialMotion::new(hertz(), 1.0, &ScaledForces::NONE));
         ELASTIC.as_ref().map_err(Clone::clone)
     }
 
@@ -52,7 +52,7 @@ impl<'a> Motion<'a> {
         let point = self.track.at(time);
         let (force, approach) = (point.state.force, point.state.elastic_approach);
         let radius =
-            if point.is_unloading { self.track.unloading().grip_of(approach.max(0.0)) } else { force / approach };
+            if point.is_unloading { self.track.unloading().radius_ratio(approach.max(0.0)) } else { force / approach };
         if radius > 0.0 {
             Rim { square: radius * radius, stop: 1.5 * point.total_force / radius, ..none }
         } else {

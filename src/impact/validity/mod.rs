@@ -269,7 +269,7 @@ pub(super) fn of_oblique(
             100.0 * 4.0 / (3.0 * PI) * ratio
         )
     });
-    let mismatch = contact.mismatch();
+    let mismatch = contact.dundurs_beta();
     let slips_little = impact.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
     let is_coupled = mismatch.abs() > LARGEST_MISMATCH && slips_little;
     let coupled = Warning::when(is_coupled, WarningKind::Mismatch, mismatch.abs(), || {

@@ -6,14 +6,15 @@ use super::force_indentation::title;
 use super::series::Series;
 use super::style::{GREY, INK, Style};
 use crate::impact::Impact;
-use crate::impact::oblique::Rubbing;
+use crate::impact::oblique::FrictionState;
 use crate::units::{Dimension, quantity};
 
 /// The picture of friction; `None` for an impact without an angle, a spin, or a trace.
 pub fn friction(impact: &Impact) -> Option<Chart> {
-    let rows: Vec<(f64, Rubbing)> = impact.trace.iter().filter_map(|row| Some((row.time, row.rubbing?))).collect();
+    let rows: Vec<(f64, FrictionState)> =
+        impact.trace.iter().filter_map(|row| Some((row.time, row.rubbing?))).collect();
     let (_, last) = rows.last()?;
-    let panel = |name: &str, unit: &str, number: usize, value: fn(&Rubbing) -> f64, note: Option<String>| {
+    let panel = |name: &str, unit: &str, number: usize, value: fn(&FrictionState) -> f64, note: Option<String>| {
         let points: Vec<(f64, f64)> = rows.iter().map(|(time, row)| (*time, value(row))).collect();
         let (low, high) = extremes(points.iter().map(|at| at.1).chain([0.0]));
         let margin = 0.08 * (high - low);

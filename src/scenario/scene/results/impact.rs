@@ -6,7 +6,7 @@ use super::entry::{Needs, Reported, file, results};
 use crate::contact::material::Flow;
 use crate::impact::air::Flying;
 use crate::impact::{
-    Contact, Essentials, Event, FixedSteps, Impact, Oblique, OnPlate, Rebound, Rubbing, TraceRow, UnderForces,
+    Contact, Essentials, Event, FixedSteps, FrictionState, Impact, Oblique, OnPlate, Rebound, TraceRow, UnderForces,
 };
 
 /// One impact.
@@ -350,7 +350,7 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
 }
 
 /// A value of friction, if the sphere came in at an angle, or spinning.
-fn rubbing(row: &TraceRow, value: fn(&Rubbing) -> f64) -> Option<f64> {
+fn rubbing(row: &TraceRow, value: fn(&FrictionState) -> f64) -> Option<f64> {
     row.rubbing.as_ref().map(value)
 }
 
