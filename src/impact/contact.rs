@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::error::ImpactError;
 use super::forces::Forces;
-use super::plate::{PlateError, Under};
+use super::plate::{LoadedPlate, PlateError};
 use super::rated::{Rated, Rates};
 use super::scales::Scales;
 use super::waves::Waves;
@@ -50,7 +50,7 @@ pub struct Contact {
     /// The strain rate that the strength of this contact belongs to; `None` without a rate, and before a speed is known.
     pub(super) rated: Option<Rated>,
     forces: Forces,
-    under: Option<Result<Under, PlateError>>,
+    under: Option<Result<LoadedPlate, PlateError>>,
     /// How the half-space radiates, if its density is known.
     waves: Option<Waves>,
     /// Moment of inertia of all that moves about the sphere's centre \[kg m²\]; `None` for a solid sphere.
@@ -159,7 +159,7 @@ impl Contact {
         self.under = forces.plate.map(|plate| match forces.damping {
             _ if self.half_space.radius.is_some() || self.target_mass.is_some() => Err(PlateError::Curved),
             Some(_) => Err(PlateError::Damped),
-            None => Under::new(plate, &self.half_space, self.mass, &self.scales, &self.law),
+            None => LoadedPlate::new(plate, &self.half_space, self.mass, &self.scales, &self.law),
         });
         self.forces = forces;
         self
@@ -201,7 +201,7 @@ impl Contact {
         &self.forces
     }
 
-    pub(super) fn on_plate(&self) -> Result<Option<Under>, PlateError> {
+    pub(super) fn on_plate(&self) -> Result<Option<LoadedPlate>, PlateError> {
         self.under.transpose()
     }
 

@@ -54,7 +54,7 @@ pub use plate::{Plate, PlateError, PlateTheory};
 pub use rated::Rated;
 pub use record::{Event, Point, Recorder};
 pub use response::{ContactEnergy, Memory};
-pub use result::{Accuracy, Energy, Impact, UnderForces};
+pub use result::{Accuracy, Energy, ForcesResult, Impact};
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;

@@ -94,7 +94,7 @@ pub enum PlateError {
 
 /// A plate under a sphere: all that does not depend on the speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Under {
+pub(super) struct LoadedPlate {
     plate: Plate,
     /// Of the sphere \[kg\].
     mass: f64,
@@ -107,7 +107,7 @@ pub(super) struct Under {
 /// A plate in the units of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ScaledPlate {
-    pub(super) under: Under,
+    pub(super) under: LoadedPlate,
     /// y = Y Φ/V.
     pub(super) mobility: f64,
     /// λ.
@@ -116,7 +116,7 @@ pub(super) struct ScaledPlate {
     pub(super) thinness: f64,
 }
 
-impl Under {
+impl LoadedPlate {
     /// `law` is that of the contact, in these scales.
     pub(super) fn new(
         plate: Plate,

@@ -57,7 +57,7 @@ impl Accuracy {
 
 /// Results that only an impact under gravity or damping or on a plate has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UnderForces {
+pub struct ForcesResult {
     pub fate: Fate,
     /// Time of separation, or where the run of a captured sphere ends \[s\].
     pub end_time: f64,
@@ -110,7 +110,7 @@ pub struct Impact {
     /// Error against the closed form; not a number where damping or a plate leaves none.
     pub accuracy: Accuracy,
     /// Fate, losses and work under gravity or damping or on a plate, if the scene names them.
-    pub under_forces: Option<UnderForces>,
+    pub under_forces: Option<ForcesResult>,
     /// What a code with fixed steps sees, by [`Method::Verlet`].
     pub in_fixed_steps: Option<FixedSteps>,
     /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
@@ -167,7 +167,7 @@ impl Impact {
             let lifts_off = !is_captured && forces.drag.lifts_off();
             let moved = essentials.on_plate.map_or(0.0, |plate| plate.displacement / scales.length);
             let sunk = outcome.end_indentation - ground.touch() + moved;
-            UnderForces {
+            ForcesResult {
                 fate: outcome.fate,
                 end_time: outcome.contact_time * scales.time(),
                 end_indentation: outcome.end_indentation * scales.length,
@@ -227,7 +227,7 @@ impl Impact {
     }
 
     /// The results of a captured sphere; `None` for one that left.
-    pub fn captured(&self) -> Option<&UnderForces> {
+    pub fn captured(&self) -> Option<&ForcesResult> {
         self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
     }
 

@@ -102,7 +102,7 @@ fn resisted(drag: Drag, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> 
 }
 
 /// A motion in steps of one length.
-struct Motion<'a> {
+struct VerletMotion<'a> {
     contact: Remembering<'a>,
     weight: f64,
     step: f64,
@@ -112,7 +112,7 @@ struct Motion<'a> {
     acceleration: f64,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> VerletMotion<'a> {
     /// At first touch.
     fn new(ground: Ground<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
         let state = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
@@ -150,7 +150,7 @@ pub(crate) fn march(
     most_steps: u64,
     trace: Option<(usize, Option<f64>)>,
 ) -> Result<Computed, IntegrationError> {
-    let mut motion = Motion::new(ground, q, forces, step);
+    let mut motion = VerletMotion::new(ground, q, forces, step);
     let (mut peak, mut track) = (motion.state, Vec::new());
     // time of zero speed near the deepest step
     let mut turns_at = 0.0;
@@ -219,7 +219,7 @@ pub(crate) fn march(
 }
 
 /// Whether an overdamped sphere has come near its static indentation.
-fn creeps(motion: &Motion, forces: &ScaledForces, unloading: &Unloading) -> bool {
+fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
     let point = forces.static_point(motion.contact.ground, unloading);
     let distance = (motion.contact.touch + motion.state.distance - point.indentation).abs();
     let speed = motion.state.speed.abs();

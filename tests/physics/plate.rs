@@ -306,7 +306,7 @@ fn shots_find_the_plate_at_rest_and_on_one_spot_their_dent() {
 }
 
 /// The lines of the energy balance of an impact, without its kinetic energy at first touch: what is put in, and where it is.
-fn lines(energy: &Energy, under: &UnderForces, plate: Option<f64>) -> [f64; 2] {
+fn lines(energy: &Energy, under: &ForcesResult, plate: Option<f64>) -> [f64; 2] {
     let taken = [energy.plastic, plate, under.damping_loss, under.stored_at_separation, under.left];
     [under.gravity_work.unwrap_or(0.0), energy.recovered + taken.iter().flatten().sum::<f64>()]
 }

@@ -3,7 +3,7 @@
 use std::ops::Deref;
 
 use super::flight::Flight;
-use crate::impact::{Approach, Energy, Essentials, Fate, Impact, Method, Oblique, UnderForces, Warning};
+use crate::impact::{Approach, Energy, Essentials, Fate, ForcesResult, Impact, Method, Oblique, Warning};
 use crate::numerics::power::max_or_nan;
 use crate::units::names::named;
 
@@ -43,7 +43,7 @@ pub struct Hit {
     /// Where the kinetic energy went; what is recovered is that of the rebound speed.
     pub energy: Energy,
     /// Fate, losses and work under gravity or damping.
-    pub under_forces: Option<UnderForces>,
+    pub under_forces: Option<ForcesResult>,
     /// How much deeper this impact made the dent \[m\].
     pub dent_growth: f64,
     pub flight: Option<Flight>,
@@ -126,7 +126,7 @@ impl Hit {
     }
 
     /// A result that only an impact under gravity or damping has.
-    pub fn forced(&self, value: fn(&UnderForces) -> Option<f64>) -> Option<f64> {
+    pub fn forced(&self, value: fn(&ForcesResult) -> Option<f64>) -> Option<f64> {
         self.under_forces.as_ref().and_then(value)
     }
 

@@ -6,7 +6,7 @@ use super::entry::{Needs, Reported, file, results};
 use crate::contact::material::Flow;
 use crate::impact::air::Flying;
 use crate::impact::{
-    Contact, Essentials, Event, FixedSteps, FrictionState, Impact, Oblique, OnPlate, Rebound, TraceRow, UnderForces,
+    Contact, Essentials, Event, FixedSteps, ForcesResult, FrictionState, Impact, Oblique, OnPlate, Rebound, TraceRow,
 };
 
 /// One impact.
@@ -65,7 +65,7 @@ impl Single<'_> {
     }
 
     /// The value, if there is gravity or damping.
-    fn forced<V>(&self, value: fn(&UnderForces) -> V) -> Option<V> {
+    fn forced<V>(&self, value: fn(&ForcesResult) -> V) -> Option<V> {
         self.impact.under_forces.as_ref().map(value)
     }
 
