@@ -166,5 +166,5 @@ fn way_out(ground: Ground, index: usize) -> Leg {
 
 /// The distance of the integrator at the start of a piece.
 fn entry_of(ground: Ground, index: usize) -> f64 {
-    ground.piece(index).shape.lead()
+    ground.piece(index).shape.offset()
 }

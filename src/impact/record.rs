@@ -153,7 +153,7 @@ fn point_of(
     let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
     let piece = ground.piece(index);
     // distances count from the zero of a power law, else from the start of the piece
-    let distance = at.distance - piece.shape.lead();
+    let distance = at.distance - piece.shape.offset();
     Point::loading(ground.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
 }
 
@@ -206,7 +206,7 @@ fn mark(legs: &mut [Recorded], event: Event, at: &State) {
 /// a trace must not change the steps.
 fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
     let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
-    let distance = yields_at - piece.start + piece.shape.lead();
+    let distance = yields_at - piece.start + piece.shape.offset();
     let of = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
     let begun = of.checked_sub(1).map_or(begun, |before| track[before].end);
     let ahead = |time: f64| distance - track[of].at(time).distance;

@@ -82,7 +82,7 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
         let next = pieces.get(i + 1);
         let (end, exit) = next.map_or((turn, 0.0), |next| (next.start, speed_at(next.work)));
         integral += match &piece.shape {
-            Shape::Power { exponent, lead: 0.0, .. } if next.is_none() => {
+            Shape::Power { exponent, offset: 0.0, .. } if next.is_none() => {
                 let run = end - piece.start;
                 power_integral(
                     &ContactState { indentation: run, force: piece.force_at(end), elastic_approach: run },

@@ -33,7 +33,7 @@ pub(crate) fn power_time(exponent: f64, distance: f64, entry: f64, exit: f64) ->
     if distance == 0.0 {
         0.0
     } else if exit == 0.0 {
-        quarter_period(exponent) * distance / entry
+        turning_time(exponent) * distance / entry
     } else {
         power_time_to_speed(exponent, distance, entry, exit)
     }
@@ -52,7 +52,7 @@ fn power_time_to_speed(exponent: f64, distance: f64, entry: f64, exit: f64) -> f
     // distance over the turning point, z^a
     let turning = distance * pow(spent, -a);
     let rest = if exponent == 1.5 { sum(remaining, &FROM_TURNING) } else { series(a, 0.5, remaining) };
-    turning / entry * (quarter_period(exponent) - 2.0 * a * slowness * rest)
+    turning / entry * (turning_time(exponent) - 2.0 * a * slowness * rest)
 }
 
 /// Terms of the series for an argument of at most ½: 2⁻⁵⁰ of the last coefficient, which is below 0.02.
@@ -117,12 +117,12 @@ pub(crate) fn arctangent(t: f64) -> f64 {
 /// ∫₀¹ dy/√(1 − y^(n+1)) = (1/(n+1)) B(1/(n+1), ½): time from the zero of a power law to the turning point, times
 /// speed over distance. 1.4716375921623523 for n = 3/2: half a Hertz impact.
 #[inline]
-pub fn quarter_period(exponent: f64) -> f64 {
+pub fn turning_time(exponent: f64) -> f64 {
     #[allow(clippy::float_cmp)] // the default, exactly
-    if exponent == 1.5 { 1.471_637_592_162_352_3 } else { other_quarter_period(exponent) }
+    if exponent == 1.5 { 1.471_637_592_162_352_3 } else { other_turning_time(exponent) }
 }
 
-fn other_quarter_period(exponent: f64) -> f64 {
+fn other_turning_time(exponent: f64) -> f64 {
     /// The same for a = 1/(n + 1) from 1/3 to 1/2, by the powers of 12 (a − 5/12); off by less than rounding.
     const USUAL: [f64; 12] = [
         1.488_564_008_466_679_4,
@@ -183,7 +183,7 @@ mod tests {
         for step in 0..=20 {
             let (n, a) = (1.0 + 0.05 * f64::from(step), 1.0 / (2.0 + 0.05 * f64::from(step)));
             let want = std::f64::consts::PI.sqrt() * gamma(1.0 + a) / gamma(0.5 + a);
-            approx::assert_relative_eq!(quarter_period(n), want, max_relative = 2e-15);
+            approx::assert_relative_eq!(turning_time(n), want, max_relative = 2e-15);
         }
     }
 

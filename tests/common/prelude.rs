@@ -22,7 +22,7 @@ pub use plm_impact::evidence::validate::comparison::largest;
 pub use plm_impact::files::progress::Counter;
 pub use plm_impact::impact::indentation::{Indentation, IndentationError, Indenter, StaticContact};
 pub use plm_impact::impact::repeat::{Drive, Place, Repeat};
-pub use plm_impact::numerics::integrate::damped::Damped;
+pub use plm_impact::numerics::integrate::damped::DragStepper;
 pub use plm_impact::numerics::integrate::rk8::Rk8;
 pub use plm_impact::numerics::integrate::{IntegrationError, Integrator};
 pub use plm_impact::numerics::power::max_or_nan;

@@ -35,7 +35,7 @@ fn a_damped_spring_under_a_body_that_gives_way_follows_its_closed_form() {
         };
         let left = (-both * time).exp();
         let all: [Box<dyn Integrator>; 4] = [
-            Box::new(Damped::new(1e-12)),
+            Box::new(DragStepper::new(1e-12)),
             Box::new(Rk8::new(1e-12)),
             Box::new(Library::new(Scheme::Dopri5, 1e-12)),
             Box::new(Library::new(Scheme::Dop853, 1e-12)),
@@ -69,7 +69,8 @@ fn a_weakly_damped_hertz_contact_lets_go_where_its_force_vanishes() {
         let want = 2.943_275_184_324_704_7 - distance;
         for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {
             let outcome =
-                course::integrate(&law, 1.0, &forces, &mut Damped::new(tolerance), &mut Recorder::default()).unwrap();
+                course::integrate(&law, 1.0, &forces, &mut DragStepper::new(tolerance), &mut Recorder::default())
+                    .unwrap();
             let miss = (outcome.contact_time / want - 1.0).abs();
             // the loss by damping is of order ζ
             assert!(miss < 10.0 * tolerance + 10.0 * zeta + 1e-10, "{zeta:e} at {tolerance:e}: {miss:e}");

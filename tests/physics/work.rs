@@ -48,7 +48,7 @@ fn rk8_under_drag_takes_the_steps_it_took() {
         ("deep", Damping::Viscous(0.1), Effort { steps: 38, rejected: 2, force_evaluations: 239 }),
     ];
     for (name, damping, want) in wants {
-        let (problem, mut damped) = (problem(name), Damped::new(1e-9));
+        let (problem, mut damped) = (problem(name), DragStepper::new(1e-9));
         let forces = ScaledForces { drag: damping.drag(1.0), ..ScaledForces::NONE };
         course::integrate(&problem.law, problem.speed, &forces, &mut damped, &mut Recorder::default()).unwrap();
         assert_eq!(damped.work(), want, "{name} {damping:?}");

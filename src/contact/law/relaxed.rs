@@ -138,9 +138,9 @@ impl Unloading {
         let curve = self.curve.map(|Branch { form, length: whole }| {
             let form = match form {
                 Form::UniformPressure { force: largest } => Form::UniformPressure { force: largest * force },
-                Form::ShiftedHertz { stiffness, lead } => Form::ShiftedHertz {
+                Form::ShiftedHertz { stiffness, offset } => Form::ShiftedHertz {
                     stiffness: stiffness * (force / (length * length.sqrt())),
-                    lead: lead * length,
+                    offset: offset * length,
                 },
             };
             Branch { form, length: whole * length }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::curve::piece::{Piece, Shape};
-use crate::numerics::power::{power, quarter_period, work_share};
+use crate::numerics::power::{power, turning_time, work_share};
 
 /// The largest state that a contact has seen: the whole memory of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,7 +125,7 @@ impl Unloading {
             UnloadingShape::ShiftedHertz => {
                 let residual = peak.residual().max(0.0);
                 let stiffness = peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5));
-                let form = Form::ShiftedHertz { stiffness, lead: residual };
+                let form = Form::ShiftedHertz { stiffness, offset: residual };
                 Self::along(peak, Branch { form, length: peak.elastic_approach })
             }
         }
@@ -151,8 +151,8 @@ impl Unloading {
 
     /// The time from the peak to x_r, times the speed there over ε_m.
     #[inline]
-    pub(crate) fn quarter_period(&self) -> f64 {
-        self.curve.as_ref().map_or_else(|| quarter_period(self.exponent), |curve| self.quarter_period_of(curve))
+    pub(crate) fn turning_time(&self) -> f64 {
+        self.curve.as_ref().map_or_else(|| turning_time(self.exponent), |curve| self.quarter_period_of(curve))
     }
 
     #[cold]

@@ -17,7 +17,7 @@ use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::pow;
 use crate::numerics::integrate::Drag;
-use crate::numerics::power::quarter_period;
+use crate::numerics::power::turning_time;
 
 /// An impact in dimensionless form, with its exact outcome.
 #[derive(Debug, Clone)]
@@ -41,8 +41,7 @@ impl Problem {
     /// `contact_time` in units of L/V.
     fn new(name: &'static str, about: &'static str, law: Law, speed: f64, restitution: f64, contact_time: f64) -> Self {
         let (unloading, _) = energy_balance(&law, speed);
-        let unloading_time =
-            quarter_period(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
+        let unloading_time = turning_time(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
         let loading_time = contact_time - unloading_time;
         let by_formula = closed_form::solve(&law, speed);
         let exact = Outcome { unloading, restitution, loading_time, contact_time, ..by_formula };

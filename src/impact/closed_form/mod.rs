@@ -86,7 +86,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
     }
     loading_time += time_on(&pieces[last], distance, [entry, 0.0]);
     let peak = &unloading.peak;
-    let unloading_time = unloading.quarter_period() * peak.elastic_approach / (restitution * speed);
+    let unloading_time = unloading.turning_time() * peak.elastic_approach / (restitution * speed);
     Outcome {
         unloading,
         restitution,
@@ -119,10 +119,10 @@ fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
             // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
             2.0 * arctangent(omega * distance / (entry + exit)) * by_root
         }
-        Shape::Power { exponent, lead: 0.0, .. } => power_time(*exponent, distance, entry, exit),
-        Shape::Power { exponent, lead, .. } => {
-            let begun = 2.0 * ACCELERATION * piece.force * lead / (exponent + 1.0);
-            late_time(*exponent, [*lead, distance], (entry * entry + begun).sqrt(), [entry, exit])
+        Shape::Power { exponent, offset: 0.0, .. } => power_time(*exponent, distance, entry, exit),
+        Shape::Power { exponent, offset, .. } => {
+            let begun = 2.0 * ACCELERATION * piece.force * offset / (exponent + 1.0);
+            late_time(*exponent, [*offset, distance], (entry * entry + begun).sqrt(), [entry, exit])
         }
         Shape::Polynomial(poly) => time_on_polynomial(poly, distance, exit),
         Shape::Branch(branch) => branch.time(distance, distance, exit, ACCELERATION),
@@ -131,8 +131,8 @@ fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
 
 /// The time from the zero of a power law, where the speed is `whole`, less the time from there to the start of the piece.
 #[cold]
-fn late_time(exponent: f64, [lead, distance]: [f64; 2], whole: f64, [entry, exit]: [f64; 2]) -> f64 {
-    power_time(exponent, lead + distance, whole, exit) - power_time(exponent, lead, whole, entry)
+fn late_time(exponent: f64, [offset, distance]: [f64; 2], whole: f64, [entry, exit]: [f64; 2]) -> f64 {
+    power_time(exponent, offset + distance, whole, exit) - power_time(exponent, offset, whole, entry)
 }
 
 #[cold] // the times on the other pieces are faster without this code among them

@@ -21,7 +21,7 @@ pub enum Form {
         /// k.
         stiffness: f64,
         /// l = x_r.
-        lead: f64,
+        offset: f64,
     },
 }
 
@@ -61,9 +61,9 @@ impl Branch {
                 let per = unit / self.length;
                 ([unit * f, per * sine, per / self.length * cosine / sine], unit * self.length * work)
             }
-            Form::ShiftedHertz { stiffness: k, lead } => {
+            Form::ShiftedHertz { stiffness: k, offset } => {
                 // a³ − b³ with a = √x and b = √l; only a − b = d/(a + b) cancels, which is not formed
-                let (a, b) = ((d + lead).sqrt(), lead.sqrt());
+                let (a, b) = ((d + offset).sqrt(), offset.sqrt());
                 let above = d / (a + b);
                 let work = above * above * (a * a * (0.4 * a + 0.8 * b) + b * b * (1.2 * a + 0.6 * b));
                 ([k * above * (a * a + a * b + b * b), 1.5 * k * a, 0.75 * k / a], k * work)
@@ -96,7 +96,7 @@ impl Branch {
         if way == 0.0 {
             return 0.0;
         }
-        let b = if let Form::ShiftedHertz { lead, .. } = self.form { lead.sqrt() } else { 0.0 };
+        let b = if let Form::ShiftedHertz { offset, .. } = self.form { offset.sqrt() } else { 0.0 };
         let y_at = |d: f64| d / (b + (d + b * b).sqrt());
         let ([f, slope, curvature], whole) = self.at(to);
         let (end, more) = (y_at(to), 0.5 * exit * exit / c);

@@ -101,7 +101,7 @@ pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
         let (piece, next) = (&pair[0], &pair[1]);
         let length = next.start - piece.start;
         match &piece.shape {
-            Shape::Power { exponent, lead: 0.0, .. } => {
+            Shape::Power { exponent, offset: 0.0, .. } => {
                 let mut term = length;
                 for (k, moment) in moments.iter_mut().enumerate() {
                     *moment = term / (k as f64 * (exponent + 1.0) + 1.0);

@@ -21,7 +21,7 @@ pub enum Shape {
         exponent: f64,
         /// l ≥ 0: how far the zero of the force lies before the start of the piece. It is 0 where the piece begins without
         /// force, and more where it goes on from other pieces or from a dent.
-        lead: f64,
+        offset: f64,
     },
     /// f = f_i + s d from the start (x_i, f_i) of the piece.
     Straight {
@@ -39,7 +39,7 @@ pub enum Shape {
 impl Shape {
     /// f = k d^n.
     pub const fn power(stiffness: f64, exponent: f64) -> Self {
-        Self::Power { stiffness, exponent, lead: 0.0 }
+        Self::Power { stiffness, exponent, offset: 0.0 }
     }
 
     /// f = f_i + s d.
@@ -52,8 +52,8 @@ impl Shape {
     #[must_use]
     pub(crate) fn later(&self, by: f64) -> Self {
         match self {
-            Self::Power { stiffness, exponent, lead } => {
-                Self::Power { stiffness: *stiffness, exponent: *exponent, lead: lead + by }
+            Self::Power { stiffness, exponent, offset } => {
+                Self::Power { stiffness: *stiffness, exponent: *exponent, offset: offset + by }
             }
             Self::Polynomial(poly) => Self::Polynomial(Arc::new(poly.later(by))),
             same @ (Self::Straight { .. } | Self::Branch(_)) => same.clone(),
@@ -62,8 +62,8 @@ impl Shape {
 
     /// l: how far the zero of a power law lies before the start of its piece.
     #[inline]
-    pub fn lead(&self) -> f64 {
-        if let Self::Power { lead, .. } = self { *lead } else { 0.0 }
+    pub fn offset(&self) -> f64 {
+        if let Self::Power { offset, .. } = self { *offset } else { 0.0 }
     }
 }
 
@@ -97,7 +97,7 @@ impl Piece {
     #[inline(always)]
     pub fn force_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
-            Shape::Power { stiffness, exponent, lead } => stiffness * power(distance + lead, *exponent),
+            Shape::Power { stiffness, exponent, offset } => stiffness * power(distance + offset, *exponent),
             Shape::Straight { slope, .. } => along(*slope, [self.force, self.work], distance)[0],
             Shape::Polynomial(poly) => poly.force(distance),
             Shape::Branch(branch) => branch.at(distance).0[0],
@@ -108,8 +108,8 @@ impl Piece {
     #[inline]
     pub fn jet(&self, distance: f64) -> [f64; 3] {
         match &self.shape {
-            Shape::Power { exponent: n, lead, .. } => {
-                let (force, from_zero) = (self.force_beyond(distance), distance + lead);
+            Shape::Power { exponent: n, offset, .. } => {
+                let (force, from_zero) = (self.force_beyond(distance), distance + offset);
                 [force, n * force / from_zero, n * (n - 1.0) * force / from_zero / from_zero]
             }
             Shape::Straight { slope, .. } => [self.force_beyond(distance), *slope, 0.0],
@@ -127,7 +127,9 @@ impl Piece {
     #[inline]
     pub fn slope_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
-            Shape::Power { stiffness, exponent, lead } => stiffness * exponent * power(distance + lead, exponent - 1.0),
+            Shape::Power { stiffness, exponent, offset } => {
+                stiffness * exponent * power(distance + offset, exponent - 1.0)
+            }
             Shape::Straight { slope, .. } => *slope,
             Shape::Polynomial(_) | Shape::Branch(_) => self.jet(distance)[1],
         }
@@ -143,10 +145,10 @@ impl Piece {
     #[inline]
     pub fn work_beyond(&self, distance: f64) -> f64 {
         match &self.shape {
-            Shape::Power { stiffness, exponent, lead } => {
+            Shape::Power { stiffness, exponent, offset } => {
                 let from_zero = |d: f64| stiffness * power(d, *exponent) * d * work_share(*exponent);
-                let before = if *lead == 0.0 { 0.0 } else { from_zero(*lead) };
-                self.work + (from_zero(distance + lead) - before)
+                let before = if *offset == 0.0 { 0.0 } else { from_zero(*offset) };
+                self.work + (from_zero(distance + offset) - before)
             }
             Shape::Straight { slope, .. } => along(*slope, [self.force, self.work], distance)[1],
             Shape::Polynomial(poly) => self.work + poly.work(distance),
@@ -162,7 +164,7 @@ impl Piece {
     /// The distance from the start of the piece at which the force is `force` (≥ the force at the start).
     pub fn distance_at_force(&self, force: f64) -> f64 {
         match &self.shape {
-            Shape::Power { stiffness, exponent, lead } => pow(force / stiffness, 1.0 / exponent) - lead,
+            Shape::Power { stiffness, exponent, offset } => pow(force / stiffness, 1.0 / exponent) - offset,
             Shape::Straight { slope, .. } => (force - self.force) / slope,
             Shape::Polynomial(poly) => poly.distance_at_force(force),
             Shape::Branch(branch) => branch.distance_at_force(force),
@@ -180,7 +182,7 @@ impl Piece {
     #[inline(always)]
     pub(crate) fn way_to_turn(&self, rest: f64, pull: f64) -> f64 {
         match &self.shape {
-            Shape::Power { stiffness, exponent, lead: 0.0 } => power_turn(*stiffness, *exponent, rest, pull),
+            Shape::Power { stiffness, exponent, offset: 0.0 } => power_turn(*stiffness, *exponent, rest, pull),
             // the root of ½ s d² + (f_i − w) d = rest, in the form that does not cancel
             Shape::Straight { slope, .. } => {
                 let net = self.force - pull;
@@ -189,26 +191,26 @@ impl Piece {
             }
             Shape::Polynomial(poly) => poly.turn(rest, pull),
             Shape::Branch(branch) => branch.turn(rest, pull),
-            Shape::Power { stiffness, exponent, lead } => late_turn(*stiffness, *exponent, *lead, rest, pull),
+            Shape::Power { stiffness, exponent, offset } => late_turn(*stiffness, *exponent, *offset, rest, pull),
         }
     }
 }
 
-/// [`Piece::way_to_turn`] of a power law whose zero lies `lead` before the start.
+/// [`Piece::way_to_turn`] of a power law whose zero lies `offset` before the start.
 #[cold]
-fn late_turn(stiffness: f64, exponent: f64, lead: f64, rest: f64, pull: f64) -> f64 {
+fn late_turn(stiffness: f64, exponent: f64, offset: f64, rest: f64, pull: f64) -> f64 {
     let p = exponent + 1.0;
-    let before = stiffness * power(lead, exponent) * lead / p;
+    let before = stiffness * power(offset, exponent) * offset / p;
     if pull == 0.0 {
         // (d/l + 1)^(n+1) = 1 + rest over the work from the zero to the start, in the form that does not cancel
-        return lead * exp_m1(ln_1p(rest / before) / p);
+        return offset * exp_m1(ln_1p(rest / before) / p);
     }
-    let from_zero = rest + before - pull * lead;
+    let from_zero = rest + before - pull * offset;
     // where the pull far exceeds the force at the start of the piece, this has lost digits, which Newton's method mends
     let above = power_turn(stiffness, exponent, from_zero.max(0.0), pull);
     let d = fallen_from(above, |d| {
         let force = stiffness * power(d, exponent);
         (force * d / p - from_zero - pull * d) / (force - pull)
     });
-    (d - lead).max(0.0)
+    (d - offset).max(0.0)
 }

@@ -239,7 +239,7 @@ impl Poly {
 mod tests {
     use super::*;
     use crate::numerics::functions::pow;
-    use crate::numerics::power::{power_time, quarter_period};
+    use crate::numerics::power::{power_time, turning_time};
     use approx::assert_relative_eq;
 
     /// x^1.5 from 2 to 4, against its closed forms.
@@ -266,7 +266,7 @@ mod tests {
         // a motion that turns at 3, from 2.2 on, and to places before the turn
         let (turn, from) = (3.0, 2.2);
         let speed = |x: f64| (2.0 * (work(turn) - work(x))).sqrt();
-        let whole = turn / speed(0.0) * quarter_period(1.5);
+        let whole = turn / speed(0.0) * turning_time(1.5);
         let until = |x: f64| if x == turn { whole } else { power_time(1.5, x, speed(0.0), speed(x)) };
         for to in [2.3, 2.7, 2.95, 2.999_999, turn] {
             let got = poly.time(to - from, to - start, speed(to), 1.0);

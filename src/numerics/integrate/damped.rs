@@ -8,11 +8,11 @@
 //! a little behind it is taken in place of this one.
 
 use super::dop853::{self, CONTINUOUS_EVALUATIONS, Continuous, EVALUATIONS};
-use super::event::{Stretch, has_crested};
+use super::event::{DenseStep, has_crested};
 use super::oscillation::Oscillation;
 use super::piece::power::DraggedHertz;
 use super::piece::straight::DraggedStraight;
-use super::piece::{AnyDragged, Dragged, Quad};
+use super::piece::{AnyDragged, Dragged, DraggedState};
 use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
@@ -45,12 +45,12 @@ fn least_share(tolerance: f64) -> f64 {
 }
 
 #[derive(Debug, Clone)]
-pub struct Damped {
+pub struct DragStepper {
     tolerance: f64,
     work: Effort,
 }
 
-impl Damped {
+impl DragStepper {
     pub fn new(tolerance: f64) -> Self {
         Self { tolerance, work: Effort::default() }
     }
@@ -111,7 +111,7 @@ impl Damped {
             let mut landed = None;
             if may_end::<P>(path, end, &node, &next.node) {
                 let solution = *solved.get_or_insert_with(solve);
-                let stretch = Stretch { path, end, solution };
+                let stretch = DenseStep { path, end, solution };
                 landed = stretch.first_event::<P>().map(|(landing, theta)| {
                     let mut to = solution.at(theta);
                     match landing {
@@ -150,7 +150,7 @@ impl Damped {
                 is_falling = true;
                 let limit = landed.map_or(1.0, |(_, theta, _)| theta);
                 let solution = *solved.get_or_insert_with(solve);
-                largest = Stretch { path, end, solution }.crest::<P>(limit);
+                largest = DenseStep { path, end, solution }.crest::<P>(limit);
             }
             self.work.force_evaluations += if solved.is_some() { CONTINUOUS_EVALUATIONS } else { 0 };
             if let Some(track) = track.as_deref_mut() {
@@ -168,7 +168,7 @@ impl Damped {
     }
 
     /// Notes a rejected step; `h` is the length of the next one, which has to move something.
-    fn rejected(&mut self, h: f64, node: &Quad, rates: &Quad) -> Result<f64, IntegrationError> {
+    fn rejected(&mut self, h: f64, node: &DraggedState, rates: &DraggedState) -> Result<f64, IntegrationError> {
         self.work.rejected += 1;
         let time = node[2];
         match () {
@@ -230,13 +230,13 @@ fn step_to(way: f64, speed: f64, rate: f64) -> f64 {
 
 /// Whether a step to this node may have passed an event.
 #[inline]
-fn may_end<P: Dragged>(path: &Path, end: f64, from: &Quad, to: &Quad) -> bool {
+fn may_end<P: Dragged>(path: &Path, end: f64, from: &DraggedState, to: &DraggedState) -> bool {
     let sign = path.leg.direction();
     if sign * to[1] <= 0.0 || sign * (end - to[0]) <= 0.0 {
         return true;
     }
     // under a pull the force may vanish and come again within the step
-    let growth = |node: &Quad| path.growth_of_force(P::distance_at(node[0]), node[1]);
+    let growth = |node: &DraggedState| path.growth_of_force(P::distance_at(node[0]), node[1]);
     let may_dip = || path.pull > 0.0 && growth(from) < 0.0 && growth(to) > 0.0;
     path.can_lift_off() && (path.contact_force(P::distance_at(to[0]), to[1]) <= 0.0 || may_dip())
 }
@@ -255,7 +255,7 @@ fn segment(solution: Continuous, end: f64, distance_at: fn(f64) -> f64) -> Segme
     })
 }
 
-impl Integrator for Damped {
+impl Integrator for DragStepper {
     fn traverse(
         &mut self,
         path: &Path,

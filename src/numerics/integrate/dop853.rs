@@ -3,7 +3,7 @@
 //! Hairer, Nørsett, Wanner (1993), Solving Ordinary Differential Equations I, section II.10: order 8 is propagated, orders
 //! 5 and 3 estimate the error, twelve stages. Only position and speed feed back; time and loss are quadratures beside them.
 
-use super::piece::{Motion, Quad};
+use super::piece::{DraggedState, Motion};
 
 use crate::numerics::functions::hypot;
 
@@ -180,20 +180,20 @@ pub(super) const CONTINUOUS_EVALUATIONS: u64 = 3;
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step {
-    pub(super) node: Quad,
+    pub(super) node: DraggedState,
     /// Rates at the end: the first stage of the next step.
-    pub(super) rates: Quad,
+    pub(super) rates: DraggedState,
     /// Largest relative error of order 5, per length of the step.
     pub(super) fifth: f64,
     /// Largest relative error of order 3, per length of the step.
     pub(super) third: f64,
     /// Stages 1, 6 … 12.
-    stages: [Quad; 8],
+    stages: [DraggedState; 8],
 }
 
 /// The continuous solution of a step, of order 7: a polynomial on 0 ≤ θ ≤ 1 with the right values and rates at both ends.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Continuous([Quad; 8]);
+pub(super) struct Continuous([DraggedState; 8]);
 
 impl Continuous {
     /// A part of the node at θ, and its derivative.
@@ -218,17 +218,17 @@ impl Continuous {
         value
     }
 
-    pub(super) fn at(&self, theta: f64) -> Quad {
+    pub(super) fn at(&self, theta: f64) -> DraggedState {
         [self.value(0, theta), self.value(1, theta), self.value(2, theta), self.value(3, theta)]
     }
 }
 
 impl Step {
     /// The continuous solution of this step of length h from `node`.
-    pub(super) fn continuous<M: Motion>(&self, motion: M, node: &Quad, h: f64) -> Continuous {
+    pub(super) fn continuous<M: Motion>(&self, motion: M, node: &DraggedState, h: f64) -> Continuous {
         let [k1, k6, k7, k8, k9, k10, k11, k12] = &self.stages;
         let k13 = &self.rates;
-        let rates = |weights: [f64; 8], stages: [&Quad; 8]| {
+        let rates = |weights: [f64; 8], stages: [&DraggedState; 8]| {
             motion.rates(node[0] + h * sum(weights, stages, 0), node[1] + h * sum(weights, stages, 1))
         };
         let k14 = &rates(A14, [k1, k7, k8, k9, k10, k11, k12, k13]);
@@ -265,7 +265,7 @@ impl Step {
 }
 
 #[inline(always)]
-fn sum<const N: usize>(weights: [f64; N], stages: [&Quad; N], part: usize) -> f64 {
+fn sum<const N: usize>(weights: [f64; N], stages: [&DraggedState; N], part: usize) -> f64 {
     let mut total = stages[0][part] * weights[0];
     for i in 1..N {
         total += stages[i][part] * weights[i];
@@ -275,7 +275,13 @@ fn sum<const N: usize>(weights: [f64; N], stages: [&Quad; N], part: usize) -> f6
 
 /// One step of length h from `node` with its `rates`; errors are measured against 1/`inverse_sizes` of y, u and loss.
 #[inline(always)]
-pub(super) fn step<M: Motion>(motion: M, node: &Quad, rates: &Quad, h: f64, inverse_sizes: &[f64; 3]) -> Step {
+pub(super) fn step<M: Motion>(
+    motion: M,
+    node: &DraggedState,
+    rates: &DraggedState,
+    h: f64,
+    inverse_sizes: &[f64; 3],
+) -> Step {
     macro_rules! stage {
         ($weights:ident, $($stage:ident),*) => {
             motion.rates(
@@ -326,7 +332,7 @@ mod tests {
         #[derive(Clone, Copy)]
         struct Damped;
         impl Motion for Damped {
-            fn rates(&self, y: f64, u: f64) -> Quad {
+            fn rates(&self, y: f64, u: f64) -> DraggedState {
                 [u, -y * y * y - 0.2 * u, 1.0, 0.2 * u * u]
             }
         }

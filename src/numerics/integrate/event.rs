@@ -1,19 +1,19 @@
 //! Events of a leg, located on the continuous solution of a step: what ends the leg, and the largest contact force on it.
 
 use super::dop853::Continuous;
-use super::piece::{Dragged, Quad};
+use super::piece::{Dragged, DraggedState};
 use super::{Landing, Path};
 use crate::numerics::root::{bracketed, falls_through};
 
 /// A step with its continuous solution, on a leg with its piece.
-pub(super) struct Stretch<'a> {
+pub(super) struct DenseStep<'a> {
     pub path: &'a Path<'a>,
     /// y where the leg ends.
     pub end: f64,
     pub solution: Continuous,
 }
 
-impl Stretch<'_> {
+impl DenseStep<'_> {
     /// Where in the step (0 ≤ θ ≤ 1) the leg ends, and how; `None` if it does not.
     pub fn first_event<P: Dragged>(&self) -> Option<(Landing, f64)> {
         let sign = self.path.leg.direction();
@@ -85,6 +85,6 @@ impl Stretch<'_> {
 }
 
 /// Whether the contact force no longer rises at a node.
-pub(super) fn has_crested<P: Dragged>(path: &Path, node: &Quad) -> bool {
+pub(super) fn has_crested<P: Dragged>(path: &Path, node: &DraggedState) -> bool {
     path.growth_of_force(P::distance_at(node[0]), node[1]) <= 0.0
 }

@@ -107,7 +107,7 @@ impl Oscillation {
 mod tests {
     use super::*;
     use crate::numerics::curve::Curve;
-    use crate::numerics::integrate::damped::Damped;
+    use crate::numerics::integrate::damped::DragStepper;
     use crate::numerics::integrate::path::Sizes;
     use crate::numerics::integrate::piece::straight::DraggedStraight;
     use approx::assert_abs_diff_eq;
@@ -131,7 +131,7 @@ mod tests {
             let mut track = Vec::new();
             let closed = Oscillation::along(&path, start).unwrap().land(&path, &mut exact, Some(&mut track));
             let piece = DraggedStraight::along(0.5, 2.0, &path);
-            let steps = Damped::new(1e-13).run(piece, &path, &mut stepped, None).unwrap();
+            let steps = DragStepper::new(1e-13).run(piece, &path, &mut stepped, None).unwrap();
             assert_eq!(closed.landing, steps.landing);
             assert_abs_diff_eq!(closed.largest_force, steps.largest_force, epsilon = 2e-12);
             let parts = |state: State| [state.time, state.distance, state.speed, state.loss];

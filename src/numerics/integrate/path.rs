@@ -130,13 +130,13 @@ impl Path<'_> {
     /// g(d), continued smoothly a little beyond both ends of the piece.
     #[inline]
     pub(super) fn restoring(&self, distance: f64) -> f64 {
-        self.factor * self.piece.force_beyond(distance - self.piece.shape.lead())
+        self.factor * self.piece.force_beyond(distance - self.piece.shape.offset())
     }
 
     /// g, g' and g'' at d.
     #[inline]
     pub(super) fn jet(&self, distance: f64) -> [f64; 3] {
-        self.piece.jet(distance - self.piece.shape.lead()).map(|part| self.factor * part)
+        self.piece.jet(distance - self.piece.shape.offset()).map(|part| self.factor * part)
     }
 
     /// √g'(d).

@@ -23,7 +23,7 @@
 //! pieces: a first step from the piece's own frequency is rejected less often. Many impacts side by side in SIMD lanes: tables
 //! of undamped impacts have closed forms, and damped ones gained less than a factor of two.
 
-use super::damped::Damped;
+use super::damped::DragStepper;
 use super::dense::segment;
 use super::landing::{Node, Target};
 use super::nystrom::{self, EVALUATIONS};
@@ -43,7 +43,7 @@ pub struct Rk8 {
     /// First step in units of 1/ω.
     first_step: f64,
     work: Effort,
-    damped: Damped,
+    damped: DragStepper,
 }
 
 /// FIRST_STEP × tolerance^(1/8) / ω is about the step that the error control settles on for an oscillator of frequency ω.
@@ -56,7 +56,7 @@ impl Rk8 {
             estimate_limit: pow(tolerance, 0.875),
             first_step: FIRST_STEP * pow(tolerance, 0.125),
             work: Effort::default(),
-            damped: Damped::new(tolerance),
+            damped: DragStepper::new(tolerance),
         }
     }
 

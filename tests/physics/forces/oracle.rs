@@ -189,8 +189,8 @@ fn time_between(
 fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
     match &piece.shape {
         Shape::Straight { slope, .. } => by * (piece.force + slope * (distance + 0.5 * by)),
-        Shape::Power { stiffness, exponent, lead } => {
-            let (p, end) = (exponent + 1.0, lead + distance + by);
+        Shape::Power { stiffness, exponent, offset } => {
+            let (p, end) = (exponent + 1.0, offset + distance + by);
             stiffness * end.powf(p) / p * -(p * (-by / end).ln_1p()).exp_m1()
         }
         Shape::Polynomial(_) | Shape::Branch(_) => panic!("no formulas here"),

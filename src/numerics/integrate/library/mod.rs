@@ -16,9 +16,9 @@ mod henon;
 use nalgebra::Vector3;
 use ode_solvers::System;
 
-use super::damped::Damped;
+use super::damped::DragStepper;
 use super::dop853::{self, Continuous};
-use super::event::Stretch;
+use super::event::DenseStep;
 use super::piece::{AnyDragged, Motion};
 use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, Leg, Path, Segment, Sizes, State};
 use crate::numerics::power::max_or_nan;
@@ -129,15 +129,15 @@ impl Integrator for Library {
             let falls = |state: &State| path.growth_of_force(state.distance, state.speed) <= 0.0;
             if path.drag.is_in_contact() && !falls(&from) && falls(&to) {
                 let solution = between(path, &from, &to);
-                largest = Stretch { path, end: path.leg.end(), solution }.crest::<AnyDragged<1>>(1.0);
+                largest = DenseStep { path, end: path.leg.end(), solution }.crest::<AnyDragged<1>>(1.0);
             }
         }
         if let Some(track) = track {
-            Damped::new(tolerance).traverse(path, &mut begun.clone(), Some(track))?;
+            DragStepper::new(tolerance).traverse(path, &mut begun.clone(), Some(track))?;
         }
         *state = states.last().copied().unwrap_or(begun);
         if landing.is_none() {
-            let mut stepper = Damped::new(tolerance);
+            let mut stepper = DragStepper::new(tolerance);
             let arrival = stepper.run(AnyDragged::<1>(*path), path, state, None);
             self.work = self.work + stepper.work();
             let Arrival { landing: landed, largest_force } = arrival?;

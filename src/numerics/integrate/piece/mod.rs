@@ -70,11 +70,11 @@ pub(super) trait Variables: Field + Send + Sync + 'static {
 }
 
 /// A point of a motion with drag: \[y, u, t, loss\]; and its rate along the independent variable.
-pub(super) type Quad = [f64; 4];
+pub(super) type DraggedState = [f64; 4];
 
 /// A motion with drag in its own variables.
 pub(super) trait Motion: Copy {
-    fn rates(&self, y: f64, u: f64) -> Quad;
+    fn rates(&self, y: f64, u: f64) -> DraggedState;
 }
 
 /// What landing and sampling need of a piece with drag.
@@ -102,7 +102,7 @@ pub(super) trait Dragged: Motion {
 pub(super) struct AnyDragged<'a, const M: u8>(pub Path<'a>);
 
 impl<const M: u8> Motion for AnyDragged<'_, M> {
-    fn rates(&self, y: f64, u: f64) -> Quad {
+    fn rates(&self, y: f64, u: f64) -> DraggedState {
         // dd/dr, which is also dt/dσ
         let clock = f64::from(M) * powi(y, i32::from(M) - 1);
         let (force, in_contact, on_motion) = self.0.forces(Self::distance_at(y), u);

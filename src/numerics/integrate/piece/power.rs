@@ -1,7 +1,7 @@
 //! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`; with drag it
 //! alone has its own rates.
 
-use super::{Dragged, Field, Motion, Quad, Variables};
+use super::{Dragged, DraggedState, Field, Motion, Variables};
 use crate::numerics::functions::pow;
 use crate::numerics::integrate::{Drag, Path};
 use crate::numerics::power::power_turn;
@@ -105,7 +105,7 @@ impl<const M: u8> DraggedHertz<M> {
 
 impl<const M: u8> Motion for DraggedHertz<M> {
     #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
+    fn rates(&self, y: f64, u: f64) -> DraggedState {
         let square = y * y;
         if M == 2 {
             // per 2 s: k s³, and θ k n s; η would need the root of s

@@ -1,6 +1,6 @@
 //! A straight piece: g = a + b d.
 
-use super::{Dragged, Field, Motion, Quad, Variables};
+use super::{Dragged, DraggedState, Field, Motion, Variables};
 use crate::numerics::integrate::{Drag, Path};
 
 /// Without drag: g = −(a + b y), y = d. A pull is part of a, which may then be negative.
@@ -67,7 +67,7 @@ impl DraggedStraight {
 
 impl Motion for DraggedStraight {
     #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> Quad {
+    fn rates(&self, y: f64, u: f64) -> DraggedState {
         let force = self.a + self.b * y;
         let drag = (force * self.chi + self.c) * u;
         [u, self.pull - force - drag, 1.0, drag * u]
