@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use super::result::Impact;
 use super::solve::{FINEST, Method, Solver, run};
 use super::{closed_form, validity};
-use crate::contact::law::{ContactState, Dent, Ground, Rule};
+use crate::contact::law::{ContactState, Dent, Ground, LoadingRule};
 use crate::numerics::integrate::IntegrationError;
 
 impl Case<'_> {
@@ -21,7 +21,7 @@ impl Case<'_> {
         // in its own scales every elastic impact is the same
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(hertz(), 1.0));
         match self.ground.law.rule {
-            Rule::Elastic if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
+            LoadingRule::Elastic if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
             _ => closed_form::solve_with(self.ground, self.q, &self.forces, tolerance),
         }
     }

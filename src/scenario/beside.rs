@@ -11,7 +11,7 @@ use crate::scenario::scene::{EITHER, Input, KEYS};
 use crate::units::four_digits;
 
 /// Keys that are refused beside others.
-struct Rule {
+struct KeyRule {
     /// The keys that are refused.
     keys: &'static [&'static str],
     /// Beside any of these; none: always.
@@ -22,19 +22,19 @@ struct Rule {
     why: &'static str,
 }
 
-const fn without(keys: &'static [&'static str], needed: &'static [&'static str], why: &'static str) -> Rule {
-    Rule { keys, beside: &[], unless: needed, why }
+const fn without(keys: &'static [&'static str], needed: &'static [&'static str], why: &'static str) -> KeyRule {
+    KeyRule { keys, beside: &[], unless: needed, why }
 }
 
-const fn beside(keys: &'static [&'static str], beside: &'static [&'static str], why: &'static str) -> Rule {
-    Rule { keys, beside, unless: &[], why }
+const fn beside(keys: &'static [&'static str], beside: &'static [&'static str], why: &'static str) -> KeyRule {
+    KeyRule { keys, beside, unless: &[], why }
 }
 
 const OBLIQUE: &[&str] = &["impact.angle", "sphere.spin"];
 const ONE_OF_TWO: &str = "[{}] is given too; write only one of the two";
 
-const RULES: &[Rule] = &[
-    Rule {
+const RULES: &[KeyRule] = &[
+    KeyRule {
         keys: &["impact.drop_height"],
         beside: &["repeat"],
         unless: &["gravity.acceleration"],
@@ -45,7 +45,7 @@ const RULES: &[Rule] = &[
         &["friction.coefficient"],
         "needs friction: add [friction] with coefficient = 0.1, or coefficient = 0 for none",
     ),
-    Rule {
+    KeyRule {
         keys: OBLIQUE,
         beside: &["sphere.mass"],
         unless: &["sphere.moment_of_inertia"],
@@ -61,7 +61,7 @@ const RULES: &[Rule] = &[
         &["air"],
         "[{}] would slow the ball along its path too, which is not computed: leave one of them out",
     ),
-    Rule {
+    KeyRule {
         keys: OBLIQUE,
         beside: &["repeat"],
         unless: &["gravity.acceleration"],
@@ -73,7 +73,7 @@ const RULES: &[Rule] = &[
         "the impacts of [{}] are straight: leave this key out, and give the speed normal to the surface",
     ),
     // a plate radiates no such waves: its density is for the plate
-    Rule {
+    KeyRule {
         keys: &["half_space.density"],
         beside: &["damping"],
         unless: &["half_space.thickness", "half_space.mass"],
@@ -153,7 +153,7 @@ impl Scenario {
             refused.push(self.refuse_varied(path, problem));
         }
         let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.gives(path));
-        for Rule { keys, beside, unless, why } in RULES {
+        for KeyRule { keys, beside, unless, why } in RULES {
             let (Some(key), None) = (given(keys), given(unless)) else { continue };
             if let Some(other) = if beside.is_empty() { Some("") } else { given(beside) } {
                 // beside another key there are other ways out

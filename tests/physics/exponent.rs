@@ -64,7 +64,7 @@ proptest! {
         let exponent = if shape { UnloadingExponent::PressureShape } else { UnloadingExponent::Paper };
         let law = Scene { exponent, ..scene }.law();
         let peak = law.loaded_to(x);
-        let Rule::Polyline(rule) = &law.rule else { unreachable!("{law:?}") };
+        let LoadingRule::Polyline(rule) = &law.rule else { unreachable!("{law:?}") };
         let equivalent = rule.radius.ratio_at(peak.force / peak.elastic_approach);
         let want = if shape { plm_impact::contact::law::pressure_shape_exponent(equivalent) } else { 1.5 };
         prop_assert_eq!(law.unloading(peak).exponent.to_bits(), want.to_bits());

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use serde::Serialize;
 
 use super::Law;
-use super::published::{OutsideLaw, Rules};
+use super::published::{LawParts, OutsideLaw};
 use crate::contact::material::{Pair, YieldPoint};
 
 /// Where a law comes from and what it is good for, in words.
@@ -94,14 +94,14 @@ impl Bodies {
 /// A contact law: its own parameters, and the law of two bodies that follows from them.
 pub trait ContactLaw: Debug {
     /// Its loading and unloading for these bodies, in units of δ_Y and F_Y by C_ν.
-    fn rules(&self, bodies: &Bodies) -> Rules;
+    fn rules(&self, bodies: &Bodies) -> LawParts;
 
     /// The whole law.
     ///
     /// # Errors
     /// [`OutsideLaw::Incomplete`] for a law that lacks its loading.
     fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
-        let Rules { loading, recovery } = self.rules(bodies);
+        let LawParts { loading, recovery } = self.rules(bodies);
         Ok(Law::published(loading?, recovery))
     }
 

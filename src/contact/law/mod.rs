@@ -35,7 +35,7 @@ pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, 
 
 /// How a contact unloads that was loaded beyond the elastic regime.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Rule {
+pub enum LoadingRule {
     /// Back along Hertz's curve, at any load.
     Elastic,
     Polyline(Box<PlmRule>),
@@ -61,7 +61,7 @@ pub struct Law {
     pub loading: Arc<Curve>,
     /// Where the loading holds.
     pub limits: Limits,
-    pub rule: Rule,
+    pub rule: LoadingRule,
     /// The law at the turn, if it is another one.
     pub relaxed: Option<Box<Relaxed>>,
 }
@@ -87,29 +87,29 @@ pub(crate) struct Raised {
 }
 
 impl Law {
-    pub fn new(loading: impl Into<Arc<Curve>>, limits: Limits, rule: Rule) -> Self {
+    pub fn new(loading: impl Into<Arc<Curve>>, limits: Limits, rule: LoadingRule) -> Self {
         Self { loading: loading.into(), limits, rule, relaxed: None }
     }
 
     /// Hertz without end: loading and unloading on f = x^1.5.
     pub fn hertz() -> Self {
-        Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), Rule::Elastic)
+        Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), LoadingRule::Elastic)
     }
 
     pub fn plm(loading: impl Into<Arc<Curve>>, rule: PlmRule) -> Self {
-        Self::new(loading, rule.limits(), Rule::Polyline(Box::new(rule)))
+        Self::new(loading, rule.limits(), LoadingRule::Polyline(Box::new(rule)))
     }
 
     /// The law of a published loading with a published unloading.
     pub fn published(loading: Loading, recovery: published::RecoveryRule) -> Self {
         let Loading { curve, limits, radius } = loading;
-        Self::new(curve, limits, Rule::Published(Box::new(Published { radius, recovery })))
+        Self::new(curve, limits, LoadingRule::Published(Box::new(Published { radius, recovery })))
     }
 
     /// How fresh surface unloads from x; the last digit of x does not count.
     #[inline(always)]
-    fn rule_at(&self, x: f64) -> &Rule {
-        if x <= self.limits.elastic_until * (1.0 + f64::EPSILON) { &Rule::Elastic } else { &self.rule }
+    fn rule_at(&self, x: f64) -> &LoadingRule {
+        if x <= self.limits.elastic_until * (1.0 + f64::EPSILON) { &LoadingRule::Elastic } else { &self.rule }
     }
 
     /// How fresh surface unloads from a point (x, f) of the loading curve that took the work `spent`.
@@ -120,18 +120,18 @@ impl Law {
         }
         let peak = |elastic_approach| ContactState { indentation: x, force, elastic_approach };
         match self.rule_at(x) {
-            Rule::Elastic => Unloading::power(peak(x), 1.5),
-            Rule::Polyline(rule) => rule.unloading(peak(rule.elastic_approach(x, force)), spent),
-            Rule::Published(rule) => rule.unloading(x, force, spent),
+            LoadingRule::Elastic => Unloading::power(peak(x), 1.5),
+            LoadingRule::Polyline(rule) => rule.unloading(peak(rule.elastic_approach(x, force)), spent),
+            LoadingRule::Published(rule) => rule.unloading(x, force, spent),
         }
     }
 
     /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match self.rule_at(x) {
-            Rule::Elastic => x,
-            Rule::Polyline(rule) => rule.elastic_approach(x, force),
-            Rule::Published(rule) => rule.unloading(x, force, self.loading.work(x)).peak.elastic_approach,
+            LoadingRule::Elastic => x,
+            LoadingRule::Polyline(rule) => rule.elastic_approach(x, force),
+            LoadingRule::Published(rule) => rule.unloading(x, force, self.loading.work(x)).peak.elastic_approach,
         }
     }
 
@@ -142,16 +142,16 @@ impl Law {
     }
 
     /// The unloading branch from a peak. Where loading was elastic (ε = x), n = 3/2 whatever the rule. It never gives back
-    /// more than was spent (`unloading::exponent_within`).
+    /// more than was spent (`unloading::allowed_exponent`).
     pub fn unloading(&self, peak: ContactState) -> Unloading {
         if let Some(unloading) = self.relaxed_at(peak.indentation) {
             return unloading;
         }
         let spent = || self.loading.work(peak.indentation);
         match self.rule_at(peak.indentation) {
-            Rule::Elastic => Unloading::power(peak, 1.5),
-            Rule::Polyline(rule) => rule.unloading(peak, spent()),
-            Rule::Published(rule) => rule.unloading(peak.indentation, peak.force, spent()),
+            LoadingRule::Elastic => Unloading::power(peak, 1.5),
+            LoadingRule::Polyline(rule) => rule.unloading(peak, spent()),
+            LoadingRule::Published(rule) => rule.unloading(peak.indentation, peak.force, spent()),
         }
     }
 
@@ -163,7 +163,7 @@ impl Law {
 
     /// How a body that hardens changes the law.
     pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
-        if let Rule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
+        if let LoadingRule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
     }
 
     /// What is known of the exponent of this branch, where it is not the one that was asked for.
@@ -173,7 +173,7 @@ impl Law {
         }
         let (peak, used) = (&unloading.peak, unloading.exponent);
         match self.rule_at(peak.indentation) {
-            Rule::Polyline(rule) => {
+            LoadingRule::Polyline(rule) => {
                 let asked = rule.asked(peak);
                 // the energy of a branch goes with 1/(n + 1)
                 (used > asked).then(|| Raised { asked, used, gain: (used - asked) / (asked + 1.0) })
@@ -199,7 +199,7 @@ impl Law {
             return Err(OutsideLaw::Exponent { asked, ratio, gain });
         }
         match self.rule_at(indentation) {
-            Rule::Published(rule) => {
+            LoadingRule::Published(rule) => {
                 if indentation > self.limits.holds_until {
                     return refused("outside the range of its loading formulas");
                 }
@@ -223,8 +223,8 @@ impl Law {
             return radius;
         }
         match (&self.rule, self.rule_at(peak.indentation)) {
-            (Rule::Polyline(rule), _) => rule.contact_radius(peak),
-            (_, Rule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
+            (LoadingRule::Polyline(rule), _) => rule.contact_radius(peak),
+            (_, LoadingRule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
             _ => peak.force / peak.elastic_approach,
         }
     }

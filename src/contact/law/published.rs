@@ -136,13 +136,13 @@ impl Loading {
 
 /// The two halves of a law.
 #[derive(Clone)]
-pub struct Rules {
+pub struct LawParts {
     /// How it loads; [`OutsideLaw::Incomplete`] of a law of unloading only.
     pub loading: Result<Loading, OutsideLaw>,
     pub recovery: RecoveryRule,
 }
 
-impl Rules {
+impl LawParts {
     pub fn of(loading: Loading, recovery: RecoveryRule) -> Self {
         Self { loading: Ok(loading), recovery }
     }

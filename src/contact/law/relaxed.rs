@@ -10,7 +10,7 @@
 //! elastic.
 
 use super::unloading::{ContactState, Unloading};
-use super::{Ground, Law, Relaxed, Rule};
+use super::{Ground, Law, LoadingRule, Relaxed};
 use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::root::halved;
 
@@ -54,7 +54,7 @@ impl Law {
 
     /// Whether the loading is the same in units of any strength: the PLM of bodies whose strength is constant, with a dent alone.
     pub(crate) fn has_one_curve(&self) -> bool {
-        matches!(&self.rule, Rule::Polyline(rule) if rule.hardening.is_none() && rule.flattening.is_none())
+        matches!(&self.rule, LoadingRule::Polyline(rule) if rule.hardening.is_none() && rule.flattening.is_none())
     }
 
     /// x up to which fresh surface gives back all.

@@ -96,7 +96,7 @@ pub struct Unloading {
 /// for gives back over 5 % more than was spent ([`Law::accept`](super::Law::accept)). A code that asks for the force alone always
 /// gets one.
 #[inline(always)]
-pub(crate) fn exponent_within(spent: f64, peak: &ContactState, asked: f64) -> f64 {
+pub(crate) fn allowed_exponent(spent: f64, peak: &ContactState, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
     // rounding alone changes no exponent; one of −1 and less would give back energy without end
     if whole > spent * (1.0 + 0.5 * GRAZING) * (asked + 1.0) { whole / spent - 1.0 } else { asked }

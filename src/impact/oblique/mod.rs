@@ -34,7 +34,7 @@ use super::contact::Contact;
 use super::error::ImpactError;
 use super::outcome::{Fate, Outcome};
 use super::scales::ACCELERATION;
-use crate::contact::law::Rule;
+use crate::contact::law::LoadingRule;
 use crate::contact::material::{Hold, Material, OutOfFloatRange};
 use crate::numerics::functions::{atan2, hypot, sin_cos};
 use mindlin::Run;
@@ -272,9 +272,9 @@ impl<'a> ObliqueImpact<'a> {
         let rate = match self.case.ground.law.rule {
             _ if self.psi.is_infinite() => 0.0,
             _ if !self.case.forces.is_none() => return false,
-            Rule::Elastic => 1.0,
-            Rule::Polyline(_) => 2.0,
-            Rule::Published(_) => return false,
+            LoadingRule::Elastic => 1.0,
+            LoadingRule::Polyline(_) => 2.0,
+            LoadingRule::Published(_) => return false,
         };
         let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
@@ -293,7 +293,7 @@ impl<'a> ObliqueImpact<'a> {
             return Ok(SlipChange { is_sliding: true, ..SlipChange::new(self.sliding_ratio()) });
         }
         // the normal motion of all elastic impacts is the same
-        let is_elastic = self.case.ground.law.rule == Rule::Elastic && self.case.forces.is_none();
+        let is_elastic = self.case.ground.law.rule == LoadingRule::Elastic && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
             TangentialMotion::elastic()?

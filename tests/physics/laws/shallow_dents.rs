@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use plm_impact::contact::law::published::{Loading, PeakState, Rules};
+use plm_impact::contact::law::published::{LawParts, Loading, PeakState};
 use plm_impact::numerics::curve::Curve;
 
 use crate::common::prelude::*;
@@ -13,13 +13,13 @@ use crate::common::prelude::*;
 struct Dented(f64);
 
 impl ContactLaw for Dented {
-    fn rules(&self, _: &Bodies) -> Rules {
+    fn rules(&self, _: &Bodies) -> LawParts {
         let recovered = 1.0 - self.0;
         let recovery = move |peak: PeakState| Recovered {
             elastic_approach: recovered * peak.indentation,
             shape: UnloadingShape::ShiftedHertz,
         };
-        Rules::of(Loading::new(Curve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
+        LawParts::of(Loading::new(Curve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
     }
 }
 

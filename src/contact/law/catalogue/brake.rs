@@ -1,7 +1,7 @@
 //! Brake (2015): unloading only.
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{OutsideLaw, Rules, hertzian};
+use crate::contact::law::published::{LawParts, OutsideLaw, hertzian};
 
 /// The unloading of Brake.
 ///
@@ -20,8 +20,8 @@ use crate::contact::law::published::{OutsideLaw, Rules, hertzian};
 pub struct Brake;
 
 impl ContactLaw for Brake {
-    fn rules(&self, _: &Bodies) -> Rules {
+    fn rules(&self, _: &Bodies) -> LawParts {
         let loading = Err(OutsideLaw::Incomplete { name: "brake" });
-        Rules { loading, recovery: hertzian(|peak| peak.force / peak.indentation.sqrt()) }
+        LawParts { loading, recovery: hertzian(|peak| peak.force / peak.indentation.sqrt()) }
     }
 }

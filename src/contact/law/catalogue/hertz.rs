@@ -2,7 +2,7 @@
 
 use crate::contact::law::Law;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, OutsideLaw, Rules, hertzian};
+use crate::contact::law::published::{LawParts, Loading, OutsideLaw, hertzian};
 use crate::numerics::curve::Curve;
 
 use crate::numerics::functions::pow;
@@ -25,9 +25,9 @@ use crate::numerics::functions::pow;
 pub struct Hertz;
 
 impl ContactLaw for Hertz {
-    fn rules(&self, _: &Bodies) -> Rules {
+    fn rules(&self, _: &Bodies) -> LawParts {
         let loading = Loading::new(Curve::hertz(), f64::INFINITY, |x, _| x.sqrt());
-        Rules::of(loading, hertzian(|peak| pow(peak.force, 2.0 / 3.0)))
+        LawParts::of(loading, hertzian(|peak| pow(peak.force, 2.0 / 3.0)))
     }
 
     fn law(&self, _: &Bodies) -> Result<Law, OutsideLaw> {

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, Rules, crossing, hertzian};
+use crate::contact::law::published::{LawParts, Loading, crossing, hertzian};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{cos, exp, pow};
 use crate::units::names::named;
@@ -65,7 +65,7 @@ fn residual(x: f64) -> f64 {
 }
 
 impl ContactLaw for JacksonGreen {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let factor = self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.poissons_ratio));
         let (s, strain) = (bodies.yield_at(factor), bodies.yield_strain());
         // a/R = π C σ_Y/(2E*) x^½ (x/1.9)^(B/2), in units of the law
@@ -102,6 +102,6 @@ impl ContactLaw for JacksonGreen {
         loading.limits.holds_until = if starts.is_some() { end * s } else { s };
         loading.limits.widest = STATED_RADIUS;
         let recovered = move |x: f64| x * (1.0 - residual((x / s).max(1.0)));
-        Rules::of(loading, hertzian(move |peak| recovered(peak.indentation)))
+        LawParts::of(loading, hertzian(move |peak| recovered(peak.indentation)))
     }
 }

@@ -1,7 +1,7 @@
 //! Johnson (1985): rigid-plastic loading, Hertz rebound.
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, Rules, hertzian};
+use crate::contact::law::published::{LawParts, Loading, hertzian};
 use crate::numerics::curve::Curve;
 
 /// The impact of Johnson, with its closed-form restitution.
@@ -28,10 +28,10 @@ pub struct Johnson {
 }
 
 impl ContactLaw for Johnson {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let pressure = self.dynamic_pressure.map_or(3.0, |pressure| pressure / bodies.yield_strength);
         let slope = bodies.slope_of_pressure(2.0, pressure);
         let loading = Loading::new(Curve::straight(slope), 0.0, |x, _| (2.0 * x).sqrt());
-        Rules::of(loading, hertzian(|peak| peak.force / peak.radius))
+        LawParts::of(loading, hertzian(|peak| peak.force / peak.radius))
     }
 }

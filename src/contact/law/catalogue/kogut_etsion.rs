@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, PeakState, Recovered, Rules};
+use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::pow;
 
@@ -45,7 +45,7 @@ const PIECES: [(f64, f64); 2] = [(1.03, 1.425), (1.40, 1.263)];
 const LIMITS: [f64; 3] = [1.0, 6.0, 110.0];
 
 impl ContactLaw for KogutEtsion {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let factor = self.yield_factor.unwrap_or(HARDNESS * (0.454 + 0.41 * bodies.poissons_ratio));
         let s = bodies.yield_at(factor);
         // f = 2π R H δ in units of ω_c and its force
@@ -88,6 +88,6 @@ impl ContactLaw for KogutEtsion {
             let shape = UnloadingShape::Power(1.5 * pow(m, -0.0331));
             Recovered { elastic_approach: peak.indentation * (1.0 - residual), shape }
         };
-        Rules::of(loading, Arc::new(recovery))
+        LawParts::of(loading, Arc::new(recovery))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::plm::Plm;
-use crate::contact::law::published::{Loading, Rules, crossing};
+use crate::contact::law::published::{LawParts, Loading, crossing};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{ln, pow};
 
@@ -37,7 +37,7 @@ const ELASTIC: f64 = 1.78;
 const PLASTIC: f64 = 21.0;
 
 impl ContactLaw for KogutKomvopoulos {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let (ratio, stiffness) = (bodies.yield_radius_ratio(), 1.0 / bodies.yield_strain());
         let depth = ratio * ratio;
         // σ_Y π R δ_Y/F_Y, as F_Y = (2/3) π C σ_Y R δ_Y
@@ -74,6 +74,6 @@ impl ContactLaw for KogutKomvopoulos {
             (square / ratio).sqrt()
         });
         loading.limits.holds_until = if starts.is_some() { end } else { yields };
-        Rules::of(loading, Plm::default().rules(bodies).recovery)
+        LawParts::of(loading, Plm::default().rules(bodies).recovery)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::thornton;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, Rules, hertzian};
+use crate::contact::law::published::{LawParts, Loading, hertzian};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{cbrt, ln, powi};
 
@@ -40,7 +40,7 @@ impl Default for MaLiu {
 }
 
 impl ContactLaw for MaLiu {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let slope = bodies.slope_of_pressure(2.0, self.hardness_ratio);
         let end = self.transition_ratio;
         let c2 = (slope - 1.5) / ln(end);
@@ -55,6 +55,6 @@ impl ContactLaw for MaLiu {
         let curve = Curve::hertz().then_formula(1.0, end, 0.0, mixed).then_straight(end, slope);
         // the radius of the Hertz contact at the start of unloading
         let loading = Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force));
-        Rules::of(loading, hertzian(move |peak| elastic_approach(peak.force)))
+        LawParts::of(loading, hertzian(move |peak| elastic_approach(peak.force)))
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, PeakState, Recovered, Rules};
+use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
 use crate::numerics::curve::Curve;
 
 /// The law of Storåkers, Mesarovic and Johnson.
@@ -43,7 +43,7 @@ impl Default for MesarovicJohnson {
 }
 
 impl ContactLaw for MesarovicJohnson {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let factor = self.area_factor;
         let curve = Curve::straight(bodies.slope_of_pressure(factor, 6.0));
         let mut loading = Loading::new(curve, 0.0, move |x, _| (2.0 * factor * x).sqrt());
@@ -55,6 +55,6 @@ impl ContactLaw for MesarovicJohnson {
             elastic_approach: 8.0 / (3.0 * PI) * peak.force / peak.radius,
             shape: UnloadingShape::UniformPressure,
         };
-        Rules::of(loading, Arc::new(recovery))
+        LawParts::of(loading, Arc::new(recovery))
     }
 }

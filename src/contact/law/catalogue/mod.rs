@@ -21,7 +21,7 @@ pub mod yigit_christoforou;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 pub use super::plm;
-use super::published::Rules;
+use super::published::LawParts;
 use crate::contact::strength::flow::FlowCurve;
 
 macro_rules! laws {
@@ -141,9 +141,9 @@ pub struct Combined {
 }
 
 impl ContactLaw for Combined {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let [loading, unloading] = [&self.loading, &self.unloading].map(|half| half.get().rules(bodies));
-        Rules { recovery: unloading.recovery, ..loading }
+        LawParts { recovery: unloading.recovery, ..loading }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Stronge (2000), Impact Mechanics: yield at a mean pressure, logarithmic growth of the pressure to full plasticity.
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, Rules, hertzian};
+use crate::contact::law::published::{LawParts, Loading, hertzian};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{ln, pow};
 
@@ -44,7 +44,7 @@ impl Default for Stronge {
 const FULLY_PLASTIC: f64 = 84.0;
 
 impl ContactLaw for Stronge {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let theta = self.yield_pressure_ratio;
         let s = bodies.yield_at(1.5 * theta);
         let (unit, end) = (s * s.sqrt(), FULLY_PLASTIC * s);
@@ -58,6 +58,6 @@ impl ContactLaw for Stronge {
             .then_straight(end, 2.0 * s.sqrt() * pressure(2.0 * FULLY_PLASTIC - 1.0));
         let factor = s * pow(self.unloading_factor, 0.25);
         let recovery = hertzian(move |peak| factor * (peak.force / unit).sqrt());
-        Rules::of(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()), recovery)
+        LawParts::of(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()), recovery)
     }
 }

@@ -1,7 +1,7 @@
 //! Thornton (1997), Thornton and Ning (1998): contact pressure capped at a limiting value.
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, Rules, hertzian};
+use crate::contact::law::published::{LawParts, Loading, hertzian};
 use crate::numerics::curve::Curve;
 
 /// The law of Thornton.
@@ -34,11 +34,11 @@ pub(super) fn elastic_approach(force: f64) -> f64 {
 }
 
 impl ContactLaw for Thornton {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         // δ_y/δ_Y
         let yields = self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_strength));
         let unit = yields * yields.sqrt();
         let loading = Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt());
-        Rules::of(loading, hertzian(move |peak| yields * elastic_approach(peak.force / unit)))
+        LawParts::of(loading, hertzian(move |peak| yields * elastic_approach(peak.force / unit)))
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, Recovered, Rules};
+use crate::contact::law::published::{LawParts, Loading, Recovered};
 use crate::numerics::curve::Curve;
 
 /// The hysteretic spring.
@@ -35,12 +35,12 @@ impl Default for WaltonBraun {
 }
 
 impl ContactLaw for WaltonBraun {
-    fn rules(&self, _: &Bodies) -> Rules {
+    fn rules(&self, _: &Bodies) -> LawParts {
         let mut loading = Loading::new(Curve::straight(self.loading_stiffness), 0.0, |x, _| x.sqrt());
         // a spring has no geometry
         loading.limits.widest = f64::INFINITY;
         let k2 = self.loading_stiffness / self.stiffness_ratio;
         let shape = UnloadingShape::Power(1.0);
-        Rules::of(loading, Arc::new(move |peak| Recovered { elastic_approach: peak.force / k2, shape }))
+        LawParts::of(loading, Arc::new(move |peak| Recovered { elastic_approach: peak.force / k2, shape }))
     }
 }

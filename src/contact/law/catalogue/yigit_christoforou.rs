@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{Loading, PeakState, Recovered, Rules};
+use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::cbrt;
 
@@ -34,7 +34,7 @@ pub struct YigitChristoforou {
 }
 
 impl ContactLaw for YigitChristoforou {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let yields = bodies.yield_at(self.yield_factor.unwrap_or(2.0 * 0.68_f64.sqrt()));
         let recovery = Arc::new(|peak: PeakState| {
             let x = peak.indentation;
@@ -51,6 +51,6 @@ impl ContactLaw for YigitChristoforou {
             };
             Recovered { elastic_approach, shape: UnloadingShape::ShiftedHertz }
         });
-        Rules::of(Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
+        LawParts::of(Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
     }
 }

@@ -16,7 +16,7 @@ use crate::numerics::curve::Curve;
 /// Where a set of coefficients comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Provenance {
+pub struct CoefficientSource {
     /// Short name, reported with every result.
     pub name: String,
     pub source: String,
@@ -68,7 +68,7 @@ pub struct ApproachTable {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PlmCoefficients {
-    pub provenance: Provenance,
+    pub provenance: CoefficientSource,
     pub force: ForceTable,
     pub elastic_approach: ApproachTable,
     pub contact_radius: RadiusTable,

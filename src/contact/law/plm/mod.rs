@@ -24,12 +24,12 @@ pub mod rule;
 use std::sync::{Arc, LazyLock};
 
 use super::contact_law::{Bodies, ContactLaw};
-use super::published::{Loading, PeakState, Recovered, Rules};
+use super::published::{LawParts, Loading, PeakState, Recovered};
 use super::{ContactState, Law, OutsideLaw, UnloadingExponent, UnloadingShape};
 use crate::contact::material::Pair;
 use crate::contact::strength::flow::FlowCurve;
 use crate::numerics::curve::{Curve, Once};
-pub use coefficients::{CoefficientsError, PlmCoefficients, Provenance};
+pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients};
 pub use flattening::Flattening;
 pub use hardening::Hardening;
 pub use lines::ElasticLine;
@@ -120,7 +120,7 @@ impl Plm {
 }
 
 impl ContactLaw for Plm {
-    fn rules(&self, bodies: &Bodies) -> Rules {
+    fn rules(&self, bodies: &Bodies) -> LawParts {
         let (curve, rule) = self.halves(bodies);
         let (limits, of_unloading) = (rule.limits(), rule.clone());
         let radius = move |indentation, force| {
@@ -139,7 +139,7 @@ impl ContactLaw for Plm {
             };
             Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
         };
-        Rules::of(Loading { curve, limits, radius: Arc::new(radius) }, Arc::new(recovery))
+        LawParts::of(Loading { curve, limits, radius: Arc::new(radius) }, Arc::new(recovery))
     }
 
     fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {

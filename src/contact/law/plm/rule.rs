@@ -6,7 +6,7 @@ use super::hardening::Hardening;
 use super::lines::ElasticLine;
 use crate::contact::law::published::Limits;
 use crate::contact::law::unloading::{
-    ContactState, Unloading, UnloadingExponent, exponent_within, pressure_shape_exponent,
+    ContactState, Unloading, UnloadingExponent, allowed_exponent, pressure_shape_exponent,
 };
 
 /// How the PLM unloads beyond first yield.
@@ -76,7 +76,7 @@ impl PlmRule {
     /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
     #[inline(always)]
     pub(crate) fn unloading(&self, peak: ContactState, spent: f64) -> Unloading {
-        Unloading::power(peak, exponent_within(spent, &peak, self.asked(&peak)))
+        Unloading::power(peak, allowed_exponent(spent, &peak, self.asked(&peak)))
     }
 
     /// The exponent that is asked for; that of Hertz where there is no dent.
