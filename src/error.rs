@@ -26,7 +26,7 @@ const MOST_TOLD: usize = 19;
 
 /// Why a command failed.
 #[derive(Debug, Error)]
-#[error("{}", self.told())]
+#[error("{}", self.with_the_others())]
 pub struct Error {
     pub kind: ErrorKind,
     text: String,
@@ -119,7 +119,7 @@ impl Error {
     }
 
     /// Its text, and those of the other mistakes; of very many it says how many there are.
-    fn told(&self) -> String {
+    fn with_the_others(&self) -> String {
         let others = self.also.iter().take(MOST_TOLD).map(|text| format!("\n{text}"));
         let told = others.fold(self.text.clone(), |all, other| all + &other);
         match self.also.len().saturating_sub(MOST_TOLD) {

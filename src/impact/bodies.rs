@@ -6,7 +6,7 @@ use super::result::Impact;
 use super::warning::{FULLY, Warning, WarningKind};
 use crate::contact::law::Law;
 use crate::contact::material::{HalfSpace, Material, Pair, YieldPoint};
-use crate::contact::materials::{Class, Entry};
+use crate::contact::materials::{Class, MaterialEntry};
 use crate::units::{Dimension, four_digits, human, quantity};
 
 /// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.
@@ -26,18 +26,18 @@ pub(super) fn of_materials(contact: &Contact, impact: &Impact, law: &Law) -> imp
     let is_damped = contact.forces().damping.is_some();
     let limit =
         if (impact.restitution - 1.0).abs() < 1e-6 { "e = 1 is the elastic limit" } else { "e is an upper limit" };
-    let brittle = |body: &str, entry: &Entry| {
+    let brittle = |body: &str, entry: &MaterialEntry| {
         let fate = if entry.class == Class::Polymer { "creeps" } else { "cracks" };
         let text = format!("{body}.material = {} {fate}: {limit}, not a prediction", entry.name);
         Warning::new(WarningKind::NoMetal, 0.0, text)
     };
     let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
     // a ball of ceramic is harder than what it hits
-    let is_weak = |entry: &&Entry| matches!(entry.class, Class::Glass | Class::Polymer);
+    let is_weak = |entry: &&MaterialEntry| matches!(entry.class, Class::Glass | Class::Polymer);
     let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
-    let hardens = |entry: &&Entry| entry.lacks_exponent || entry.hardens();
+    let hardens = |entry: &&MaterialEntry| entry.lacks_exponent || entry.hardens();
     let share = contact.pair().yield_point.map_or(0.0, |point| point.flow.sphere_share);
-    let metal = |place: usize, body: &str, entry: Option<&'static Entry>, share: f64| {
+    let metal = |place: usize, body: &str, entry: Option<&'static MaterialEntry>, share: f64| {
         let is_too_high = named.is_by_hardness[place] && law.hardening().is_none() && impact.has_dent() && share > 0.0;
         let entry = entry.filter(|entry| is_too_high && hardens(entry))?;
         let text = format!(

@@ -10,16 +10,16 @@ use super::scales::Scales;
 use super::waves::Waves;
 use crate::contact::law::{ContactLaw, ContactState, Ground, Law};
 use crate::contact::material::{HalfSpace, Hold, Pair, Sphere, normal};
-use crate::contact::materials::Entry;
+use crate::contact::materials::MaterialEntry;
 use crate::numerics::functions::pow;
 
 /// The materials of the bodies, as far as they have names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Named {
     /// The material of the sphere, if it has a name.
-    pub sphere: Option<&'static Entry>,
+    pub sphere: Option<&'static MaterialEntry>,
     /// The material of the half-space, if it has a name.
-    pub half_space: Option<&'static Entry>,
+    pub half_space: Option<&'static MaterialEntry>,
     /// Whether the strengths of sphere and half-space are their hardness, without an exponent of hardening.
     pub is_by_hardness: [bool; 2],
 }

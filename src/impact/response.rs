@@ -26,7 +26,7 @@ impl Memory {
 
     /// Whether this memory, and an indentation beside it, are numbers that a contact can have. What is recovered may be
     /// larger than δ_m by rounding.
-    fn is_possible_beside(&self, indentation: f64) -> bool {
+    fn is_possible_at(&self, indentation: f64) -> bool {
         let Self { indentation: largest, force, elastic_approach } = *self;
         [indentation, largest, force, elastic_approach].into_iter().all(f64::is_finite)
             && force >= 0.0
@@ -59,7 +59,7 @@ impl Contact {
     /// It is 0 for δ ≤ 0. If δ is NaN or infinite, or the force would be, or no contact can have this memory (a number that is
     /// negative, NaN or infinite, or more recovered than δ_m), the force is NaN and the memory stays as it was.
     pub fn force(&self, indentation: f64, memory: &mut Memory) -> f64 {
-        if !memory.is_possible_beside(indentation) {
+        if !memory.is_possible_at(indentation) {
             return f64::NAN;
         }
         let Self { scales, law, .. } = self;
@@ -75,7 +75,7 @@ impl Contact {
                 force: peak.force * scales.force,
                 elastic_approach: peak.elastic_approach * scales.length,
             };
-            if !reached.is_possible_beside(indentation) {
+            if !reached.is_possible_at(indentation) {
                 return f64::NAN;
             }
             // what stays elastic comes back the way it went
@@ -88,7 +88,7 @@ impl Contact {
 
     /// How the work is divided after [`Contact::force`] gave this `force` at this indentation and memory.
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
-        if !memory.is_possible_beside(indentation) {
+        if !memory.is_possible_at(indentation) {
             return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
         }
         let Self { scales, law, .. } = self;
@@ -107,7 +107,7 @@ impl Contact {
     /// dF/dδ \[N/m\] there, the tangent stiffness: of the unloading branch below the largest indentation so far and at it, of
     /// the loading curve beyond.
     pub fn stiffness(&self, indentation: f64, memory: &Memory) -> f64 {
-        if !memory.is_possible_beside(indentation) {
+        if !memory.is_possible_at(indentation) {
             return f64::NAN;
         }
         let Self { scales, law, .. } = self;

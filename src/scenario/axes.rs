@@ -11,9 +11,9 @@ use crate::impact::Method;
 use crate::scenario::plan::axis::{Axis, Values, Word};
 use crate::scenario::plan::free::Free;
 use crate::scenario::plan::random::{Distribution, Variable};
+use crate::scenario::scene::body_material::{Body, BodyMaterial};
 use crate::scenario::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
 use crate::scenario::scene::read::{Fault, Reader, count, items, list, named, number, word};
-use crate::scenario::scene::taken::{Body, Taken};
 use crate::scenario::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
 use crate::scenario::scene::written::{Name, Node, described};
 use crate::scenario::scene::{KEYS, Key};
@@ -50,7 +50,7 @@ pub(super) fn axes(node: &Node, reader: &mut Reader) -> Result<Vec<Axis>, Fault>
 fn each<T>(keys: &DeTable, reader: &mut Reader, read: fn(&Name, &Node) -> Result<T, Fault>) -> Vec<T> {
     let mut all = Vec::new();
     for (name, node) in keys {
-        reader.within(name.get_ref(), |_| read(name, node).map(|one| all.push(one)));
+        reader.in_table(name.get_ref(), |_| read(name, node).map(|one| all.push(one)));
     }
     all
 }
@@ -72,7 +72,7 @@ fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
     }
     if let Some(body) = Body::of_key(path) {
         // what is left to the materials depends on the other keys
-        let taken = |material| Word::Material(Taken { body, material, left: Vec::new() });
+        let taken = |material| Word::Material(BodyMaterial { body, material, left: Vec::new() });
         let material = |item: &Node| named(&MATERIALS, item, materials::find).map(taken);
         return words(body.material(), node, "[\"steel-s235\", \"aluminium-6061-t6\"]", material);
     }
@@ -109,7 +109,7 @@ impl RandomKeys {
     pub(super) fn read(&mut self, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
         let refused = reader.refused.len();
         for (name, value) in items(node)? {
-            reader.within(name.get_ref(), |_| self.take(name, value));
+            reader.in_table(name.get_ref(), |_| self.take(name, value));
         }
         let problem = if !items(node)?.contains_key("samples") {
             "samples, the number of cases, is missing"

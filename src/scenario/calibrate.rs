@@ -11,8 +11,8 @@ use crate::scenario::plan::axis::{Axis, Values};
 use crate::scenario::plan::free::Free;
 use crate::scenario::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::body_material::{Body, BodyMaterial};
 use crate::scenario::scene::keys::{BODIES, NEEDED};
-use crate::scenario::scene::taken::{Body, Taken};
 use crate::scenario::scene::words::STUDENT_T;
 use crate::scenario::scene::{Input, Key};
 
@@ -134,7 +134,7 @@ impl Scenario {
     fn scale_of(&self, key: &Key) -> Option<Scale> {
         let end = format!("calibrate.free.{}.from", key.path);
         let given = [key.path, &end].into_iter().find_map(|path| self.document.value(path));
-        let taken = self.input.taken().iter().flat_map(Taken::values).find(|(taken, _)| *taken == key.path);
+        let taken = self.input.materials().iter().flat_map(BodyMaterial::values).find(|(taken, _)| *taken == key.path);
         let text = given.or(taken.map(|(_, known)| known.taken.text.as_str()))?;
         key.quantity.is_hardness.then(|| hardness::written(text)).flatten().map(|(_, scale)| scale)
     }

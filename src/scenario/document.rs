@@ -69,8 +69,8 @@ impl Override {
         let refuse = |problem: String| {
             let (key, value) = text.split_once('=').unwrap_or((text, ""));
             let [key, value] = [key, value].map(|part| Some(part.to_owned()).filter(|part| !part.is_empty()));
-            let told = Error::input(format!("--set {text}: {problem}"));
-            told.with(Details { message: Some(problem), key, value, ..Details::default() })
+            let error_at = Error::input(format!("--set {text}: {problem}"));
+            error_at.with(Details { message: Some(problem), key, value, ..Details::default() })
         };
         let (key, value) = text
             .split_once('=')
@@ -119,7 +119,7 @@ impl Document {
         let mut document =
             Self { name, edited: text.clone(), text, overrides, places: Places::new(), in_file: Places::new() };
         let refuse = |span: Option<Range<usize>>, message: &str| {
-            document.told(span.map(Place::File), "", &message.trim_end().replace('\n', "; "))
+            document.error_at(span.map(Location::File), "", &message.trim_end().replace('\n', "; "))
         };
         let in_file = places(&document.text).map_err(|error| refuse(error.span(), error.message()))?;
         if changes.is_empty() {
@@ -135,7 +135,7 @@ impl Document {
 
     /// The tables that are read.
     pub(super) fn tables(&self) -> Result<Node<'_>, Error> {
-        let root = DeTable::parse(&self.edited).map_err(|error| self.told(None, "", error.message()))?;
+        let root = DeTable::parse(&self.edited).map_err(|error| self.error_at(None, "", error.message()))?;
         Ok(Spanned::new(0..0, DeValue::Table(root.into_inner())))
     }
 
@@ -165,31 +165,31 @@ impl Document {
         let mut placed: Vec<_> =
             refused.into_iter().map(|(key, fault)| (self.place(&key, fault.span), key, fault.message)).collect();
         placed.sort_by_key(|(place, ..)| match place {
-            Some(Place::File(span)) => (0, span.start),
-            Some(Place::Set(number)) => (1, *number),
+            Some(Location::File(span)) => (0, span.start),
+            Some(Location::Set(number)) => (1, *number),
             None => (2, 0),
         });
-        placed.into_iter().map(|(place, key, message)| self.told(place, &key, &message)).collect()
+        placed.into_iter().map(|(place, key, message)| self.error_at(place, &key, &message)).collect()
     }
 
     /// A refusal of the value at `key`, pointing at it.
     pub fn refuse(&self, key: &str, message: impl AsRef<str>) -> Error {
         let place = self.places.get(key).and_then(|span| self.place(key, span.clone()));
-        self.told(place, key, message.as_ref())
+        self.error_at(place, key, message.as_ref())
     }
 
     /// The place of a span of the text that is read, which belongs to a key: where the command line gives the key, or a table
     /// that it stands in; else in the file; else where the command line gives the first key of a table.
-    fn place(&self, key: &str, span: Range<usize>) -> Option<Place> {
+    fn place(&self, key: &str, span: Range<usize>) -> Option<Location> {
         let by = |is_this: &dyn Fn(&str) -> bool| self.overrides.iter().rposition(|given| is_this(&given.key));
         if let Some(number) = by(&|given| is_at_or_below(key, given)) {
-            return Some(Place::Set(number));
+            return Some(Location::Set(number));
         }
         if let (Some(own), Some(read)) = (self.in_file.get(key), self.places.get(key)) {
             let at = |byte: usize| (own.start + byte).saturating_sub(read.start);
-            return Some(Place::File(at(span.start)..at(span.end)));
+            return Some(Location::File(at(span.start)..at(span.end)));
         }
-        by(&|given| is_at_or_below(given, key)).map(Place::Set)
+        by(&|given| is_at_or_below(given, key)).map(Location::Set)
     }
 
     /// The scenario, or the command line, gives the key itself.
@@ -231,7 +231,7 @@ impl Document {
         self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
     }
 
-    fn told(&self, place: Option<Place>, key: &str, message: &str) -> Error {
+    fn error_at(&self, place: Option<Location>, key: &str, message: &str) -> Error {
         let (mut begin, mut excerpt) = (self.name.clone(), String::new());
         let mut details = Details {
             file: Some(self.name.clone()),
@@ -241,13 +241,13 @@ impl Document {
             ..Details::default()
         };
         match place {
-            Some(Place::Set(number)) => {
+            Some(Location::Set(number)) => {
                 let text = &self.overrides[number].text;
                 begin = format!("--set {text}");
                 details.file = None;
                 details.value = text.split_once('=').map(|(_, value)| value.to_owned());
             }
-            Some(Place::File(span)) => {
+            Some(Location::File(span)) => {
                 let Mark { line, column, value, excerpt: marked } = Mark::of(&self.text, &span);
                 begin = format!("{begin}:{line}:{column}");
                 excerpt = marked;
@@ -265,7 +265,7 @@ impl Document {
 }
 
 /// A place that a message points at.
-enum Place {
+enum Location {
     /// A part of the text of the file, in bytes.
     File(Range<usize>),
     /// The override of the command line with this number.

@@ -5,8 +5,8 @@ use crate::contact::law::LawChoice;
 use crate::contact::strength::flow::FlowCurve;
 use crate::error::Error;
 use crate::scenario::scene::at::At;
+use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::tables::names;
-use crate::scenario::scene::taken::Body;
 use crate::scenario::scene::{EVERY_KEY, Input, Key};
 use crate::units::{Dimension, quantity};
 

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::impact::Warning;
 use crate::impact::indentation::{Indenter, Specimen, Target};
 use crate::scenario::scene::at::at;
-use crate::scenario::scene::{Input, Use, key};
+use crate::scenario::scene::{Input, Purpose, key};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;
@@ -54,7 +54,7 @@ impl Scenario {
         self.check_strength(&self.input)?;
         let sphere = self.input.sphere();
         let inputs: Vec<Input> = specimens.iter().map(|specimen| self.input_on(&specimen.half_space)).collect();
-        let warnings = self.without_effect(&inputs, Use::Indentation);
+        let warnings = self.without_effect(&inputs, Purpose::Indentation);
         Ok(IndentationScene {
             indenter: Indenter {
                 radius: sphere.radius,

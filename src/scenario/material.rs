@@ -4,21 +4,21 @@ use super::Scenario;
 use super::document::Document;
 use super::varied::Varied;
 use crate::contact::law::LawChoice;
-use crate::contact::materials::{self, Entry, Known};
+use crate::contact::materials::{self, Known, MaterialEntry};
 use crate::error::Error;
 use crate::scenario::plan::axis::{Axis, Word};
 use crate::scenario::plan::random::{Distribution, Variable};
 use crate::scenario::plan::{HARDNESS, YIELD_STRENGTH};
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::body_material::{Body, BodyMaterial};
 use crate::scenario::scene::key::Part;
 use crate::scenario::scene::keys::partner;
-use crate::scenario::scene::taken::{Body, Taken};
 use crate::scenario::scene::{Input, Key};
 
 impl Varied {
     /// Finds what the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
     /// is drawn becomes random keys.
-    pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<Taken>, Error> {
+    pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<BodyMaterial>, Error> {
         let mut all = Vec::new();
         for body in Body::ALL {
             let mut random = self.monte_carlo.iter().flat_map(|random| &random.materials);
@@ -35,7 +35,7 @@ impl Varied {
             };
             let is_left = |path| Key::find(path).is_some_and(|key| self.is_left(input, document, body, key));
             let left = body.defaults().iter().copied().filter(|(path, _)| is_left(path)).collect();
-            let taken = Taken { body, material, left };
+            let taken = BodyMaterial { body, material, left };
             for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
                 if let Word::Material(other) = word
                     && other.body == body
@@ -69,7 +69,7 @@ impl Varied {
     }
 
     /// The material of a body: of the first case, where it varies.
-    fn material(&self, input: &Input, body: Body) -> Option<&'static Entry> {
+    fn material(&self, input: &Input, body: Body) -> Option<&'static MaterialEntry> {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
             Some([Word::Material(first), ..]) => Some(first.material),
@@ -114,7 +114,7 @@ pub(super) fn asks_material(input: &Input, body: Body) -> bool {
 }
 
 /// The values of a material as random keys: even between the ends of their ranges.
-fn drawn(input: &Input, taken: &Taken) -> Vec<Variable> {
+fn drawn(input: &Input, taken: &BodyMaterial) -> Vec<Variable> {
     let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
     // a rigid sphere needs no Poisson's ratio
     let is_used = |path: &str| path != "sphere.poissons_ratio" || !is_rigid;
@@ -133,7 +133,8 @@ impl Scenario {
             Word::Material(taken) => taken.left.iter().any(|(path, _)| *path == HARDNESS).then_some(taken.material),
             _ => None,
         });
-        let (metals, others): (Vec<&Entry>, Vec<&Entry>) = materials.partition(|material| material.is_metal());
+        let (metals, others): (Vec<&MaterialEntry>, Vec<&MaterialEntry>) =
+            materials.partition(|material| material.is_metal());
         let ([metal, ..], [other, ..]) = (&metals[..], &others[..]) else { return Ok(()) };
         let message = format!(
             "{} yields and {} has no strength, and their tables have different columns: make a table of each kind, or give yield_strength to [half_space]",

@@ -50,10 +50,10 @@ use crate::error::Error;
 use crate::impact::Warning;
 use crate::scenario::plan::axis::Setting;
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::body_material::{Body, BodyMaterial};
 use crate::scenario::scene::keys::{BODIES, NEEDED, SPHERE, partner, varied as varied_key};
 use crate::scenario::scene::read::{Reader, items};
-use crate::scenario::scene::taken::{Body, Taken};
-use crate::scenario::scene::{EITHER, EVERY_KEY, Input, Use, without_effect};
+use crate::scenario::scene::{EITHER, EVERY_KEY, Input, Purpose, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 pub use kind::{Kind, TEMPLATES};
 use varied::Varied;
@@ -143,7 +143,7 @@ impl Scenario {
         for taken in &taken {
             input.take(taken);
         }
-        input.set_taken(taken);
+        input.set_materials(taken);
         if let Some(name) = input.text(at!("calibrate.data")) {
             let path = directory.join(name);
             // one that cannot be read is refused where it is needed
@@ -169,7 +169,7 @@ impl Scenario {
 
     /// Whether the scenario, or a material that it names, gives a key, or the scenario has a table.
     fn has(&self, path: &str) -> bool {
-        let is_taken = || self.input.taken().iter().flat_map(Taken::values).any(|(taken, _)| taken == path);
+        let is_taken = || self.input.materials().iter().flat_map(BodyMaterial::values).any(|(taken, _)| taken == path);
         self.document.has(path) || is_taken()
     }
 
@@ -266,8 +266,8 @@ impl Scenario {
 
     /// Warnings about keys that the scenario gives, and that have no effect on what is computed of these inputs. They are
     /// allowed, as the file may also be run in another way. Keys that are needed are no mistake.
-    pub fn without_effect(&self, inputs: &[Input], of: Use) -> Vec<Warning> {
-        let needed = if of == Use::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
+    pub fn without_effect(&self, inputs: &[Input], of: Purpose) -> Vec<Warning> {
+        let needed = if of == Purpose::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
         let is_needed = |path: &str| [Some(path), partner(path)].into_iter().flatten().any(|key| needed.contains(&key));
         let keys =
             EVERY_KEY.iter().map(|key| key.path).filter(|path| !path.starts_with("law.") && self.document.has(path));

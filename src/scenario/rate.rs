@@ -6,7 +6,7 @@ use crate::contact::law::LawChoice;
 use crate::contact::materials::{Property, all};
 use crate::error::Error;
 use crate::scenario::scene::Input;
-use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::body_material::Body;
 use crate::units::number;
 
 /// How a rise may be written.

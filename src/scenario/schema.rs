@@ -6,10 +6,10 @@ use serde_json::{Value, json};
 
 use super::Kind;
 use crate::contact::law::LawChoice;
+use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::key::{Form, Words};
 use crate::scenario::scene::quantity::Quantity;
 use crate::scenario::scene::tables::POINT;
-use crate::scenario::scene::taken::Body;
 use crate::scenario::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
 use crate::scenario::scene::{EITHER, EVERY_KEY, KEYS};
 

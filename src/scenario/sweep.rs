@@ -5,7 +5,7 @@ use super::axes::{METHOD, RandomKeys};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
 use crate::scenario::plan::{Cases, MOST_CASES, Plan};
-use crate::scenario::scene::Use;
+use crate::scenario::scene::Purpose;
 use crate::scenario::scene::at::{At, OTHER, at};
 use crate::scenario::scene::results::{Column, columns};
 
@@ -30,7 +30,7 @@ impl Scenario {
             Cases::Grid(axes)
         };
         let mut plan = Plan::new(&input, cases);
-        plan.warnings = self.without_effect(&plan.worded(), Use::Impact);
+        plan.warnings = self.without_effect(&plan.with_words(), Purpose::Impact);
         self.choose_columns(&mut plan)?;
         plan.pictures = self.chosen("output.picture", at!("output.picture"), &plan)?;
         if plan.pictures.is_some() && plan.is_monte_carlo() {

@@ -20,16 +20,18 @@ impl Varied {
     pub(super) fn read(tables: &DeTable, reader: &mut Reader) -> Self {
         let mut varied = Self::default();
         if let Some(node) = tables.get("sweep") {
-            reader.within("sweep", |reader| axes::axes(node, reader).map(|axes| varied.sweep = Some(axes)));
+            reader.in_table("sweep", |reader| axes::axes(node, reader).map(|axes| varied.sweep = Some(axes)));
         }
         if let Some(node) = tables.get("monte_carlo") {
-            reader.within("monte_carlo", |reader| varied.monte_carlo.insert(RandomKeys::default()).read(node, reader));
+            reader
+                .in_table("monte_carlo", |reader| varied.monte_carlo.insert(RandomKeys::default()).read(node, reader));
         }
         if let Some(DeValue::Table(calibrate)) = tables.get("calibrate").map(toml::Spanned::get_ref)
             && let Some(node) = calibrate.get("free")
         {
-            reader
-                .within("calibrate.free", |reader| axes::free_keys(node, reader).map(|free| varied.free = Some(free)));
+            reader.in_table("calibrate.free", |reader| {
+                axes::free_keys(node, reader).map(|free| varied.free = Some(free))
+            });
         }
         varied
     }

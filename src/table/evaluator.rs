@@ -9,7 +9,7 @@ use crate::scenario::plan::axis::Axis;
 use crate::scenario::plan::random::{Draws, Variable};
 use crate::scenario::plan::{Cases, Plan, places};
 use crate::scenario::scene::at::at;
-use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::{Input, Key};
 use crate::units::names::named;
 

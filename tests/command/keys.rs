@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use plm_impact::impact::indentation::Target;
 use plm_impact::scenario::plan::Source;
 use plm_impact::scenario::scene::key::{Form, Part};
-use plm_impact::scenario::scene::{KEYS, Use, without_effect};
+use plm_impact::scenario::scene::{KEYS, Purpose, without_effect};
 
 use crate::common::prelude::*;
 
@@ -74,15 +74,15 @@ fn every_file_that_a_key_names_is_in_the_hash() {
 }
 
 /// What is computed of an input for a use, as text with all digits.
-fn computed(input: &Input, of: Use) -> String {
-    if of == Use::Indentation {
+fn computed(input: &Input, of: Purpose) -> String {
+    if of == Purpose::Indentation {
         let law = input.law();
         let (Sphere { radius, material, yield_strength, .. }, half_space) = input.bodies(&law);
         let contact = StaticContact::try_new(Indenter { radius, material, yield_strength }, &half_space, law.get());
         return format!("{:?}", contact.unwrap().indent(&[Target::Load(1e4), Target::Load(0.0)], None));
     }
     let contact = input.contact().unwrap();
-    if of == Use::Rows {
+    if of == Purpose::Rows {
         format!("{:?}", contact.row(input.approach(), &input.solver()))
     } else {
         // a run writes a trace
@@ -116,9 +116,9 @@ fn a_key_has_an_effect_on_every_use_or_a_reason_why_not() {
     let (mut met, mut idle) = (BTreeSet::new(), BTreeSet::new());
     for scenario in scenes.iter().map(|set| read(STEEL, set)).chain([elastic]) {
         let input = scenario.resolve().unwrap();
-        for of in [Use::Rows, Use::Impact, Use::Indentation] {
+        for of in [Purpose::Rows, Purpose::Impact, Purpose::Indentation] {
             let is_refused = |part| {
-                of == Use::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
+                of == Purpose::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
             };
             for key in KEYS.iter().filter(|key| !is_refused(key.part)) {
                 let Some(number) = key.get(&input).filter(|number| number.is_finite()) else { continue };

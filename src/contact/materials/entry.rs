@@ -77,7 +77,7 @@ pub struct Known {
 
 /// A material.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
+pub struct MaterialEntry {
     /// The name in scenarios.
     pub name: String,
     /// The material and its condition, in words.
@@ -91,7 +91,7 @@ pub struct Entry {
     pub known: Vec<Known>,
 }
 
-impl Entry {
+impl MaterialEntry {
     /// The property, if it is known.
     pub fn of(&self, property: Property) -> Option<&Known> {
         self.known.iter().find(|known| known.property == property)

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Class, Entry, Known, Property, Written};
+use super::{Class, Known, MaterialEntry, Property, Written};
 use crate::contact::strength::hardness;
 use crate::error::Error;
 use crate::units;
@@ -42,11 +42,11 @@ struct RawKnown {
 ///
 /// # Errors
 /// [`Error`] for a text of another form, a value that is not allowed, and a source without an entry.
-pub fn read(text: &str) -> Result<Vec<Entry>, Error> {
+pub fn read(text: &str) -> Result<Vec<MaterialEntry>, Error> {
     let File { basis, sources, material } = toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
     let entry = |Raw { name, title, class, lacks_exponent, note, known }: Raw| {
         let known = known.into_iter().map(|(property, raw)| raw.known(&name, property, &basis, &sources));
-        Ok(Entry { known: known.collect::<Result<_, Error>>()?, name, title, class, lacks_exponent, note })
+        Ok(MaterialEntry { known: known.collect::<Result<_, Error>>()?, name, title, class, lacks_exponent, note })
     };
     material.into_iter().map(entry).collect()
 }

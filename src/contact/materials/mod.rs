@@ -6,16 +6,17 @@ mod file;
 
 use std::sync::LazyLock;
 
-pub use entry::{Class, Entry, Known, Property, Written};
+pub use entry::{Class, Known, MaterialEntry, Property, Written};
 pub use file::read;
 
 /// All materials, in the order of the file.
-pub fn all() -> &'static [Entry] {
-    static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| read(include_str!("materials.toml")).unwrap_or_default());
+pub fn all() -> &'static [MaterialEntry] {
+    static ALL: LazyLock<Vec<MaterialEntry>> =
+        LazyLock::new(|| read(include_str!("materials.toml")).unwrap_or_default());
     &ALL
 }
 
 /// The material of this name.
-pub fn find(name: &str) -> Option<&'static Entry> {
+pub fn find(name: &str) -> Option<&'static MaterialEntry> {
     all().iter().find(|entry| entry.name == name)
 }

@@ -7,7 +7,7 @@ use clap::{ArgGroup, Args};
 use plm_impact::error::Error;
 use plm_impact::files::progress::Counter;
 use plm_impact::report::plot::Pictures;
-use plm_impact::report::run::{Order, heed};
+use plm_impact::report::run::{Order, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 
@@ -73,7 +73,7 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     };
     let outcome = super::output::outcome(&scenario, &order)?;
     super::output::warn(&outcome.warnings);
-    heed(&scenario, outcome.warnings.len(), arguments.strict)?;
+    refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
     if arguments.json {
         super::output::print_summary(&outcome.files)?;
     } else {

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Command};
-use plm_impact::contact::materials::{Entry, all, find};
+use plm_impact::contact::materials::{MaterialEntry, all, find};
 use plm_impact::error::Error;
 use plm_impact::report::text::materials::{data, has, list, one};
 use plm_impact::units::nearest::did_you_mean;
@@ -42,7 +42,7 @@ impl TypedValueParser for Names {
 pub fn materials(Arguments { name, json }: &Arguments) -> Result<(), Error> {
     let name = name.as_deref().unwrap_or_default();
     let exact = find(name);
-    let found: Vec<&Entry> =
+    let found: Vec<&MaterialEntry> =
         exact.map_or_else(|| all().iter().filter(|entry| has(entry, name)).collect(), |one| vec![one]);
     if found.is_empty() {
         let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();

@@ -82,7 +82,7 @@ enum Command {
 pub fn run() -> Result<(), Error> {
     let Cli { command, licenses, error_format } = parse()?;
     error_format.begin();
-    signalled::as_told();
+    signalled::when_signalled();
     if licenses {
         return terminal::print(concat!(include_str!("../../../LICENSE"), "\n", include_str!("../licenses.txt")));
     }

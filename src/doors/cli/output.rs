@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::files::{Origin, OutputDirectory, OutputFile, SUMMARY};
 use plm_impact::report::plot::Pictures;
-use plm_impact::report::run::{Order, Outcome, at_once, heed};
+use plm_impact::report::run::{Order, Outcome, at_once, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 use plm_impact::table::parts::make_way;
@@ -69,7 +69,7 @@ impl Output {
         })?;
         let Outcome { warnings, text, files, contradiction, .. } = outcome;
         warn(&warnings);
-        heed(&scenario, warnings.len(), self.strict)?;
+        refuse_warnings(&scenario, warnings.len(), self.strict)?;
         let out = directory.path().to_owned();
         directory.write(&files)?;
         let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();

@@ -9,7 +9,7 @@ use signal_hook::low_level::raise;
 const SIGNAL: &str = "PLM_IMPACT_SIGNAL";
 
 /// The process sends itself the signal that the environment names.
-pub fn as_told() {
+pub fn when_signalled() {
     let Some((signal, change)) = std::env::var(SIGNAL).ok().and_then(|told| parse(&told)) else { return };
     let changes = AtomicU64::new(0);
     after_changes(move || {

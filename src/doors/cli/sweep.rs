@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::report::run::heed;
+use plm_impact::report::run::refuse_warnings;
 use plm_impact::report::run::table;
 use plm_impact::report::text;
 use plm_impact::scenario::Scenario;
@@ -79,7 +79,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let plan = scenario.plan()?;
     let warnings = table::warnings(&plan);
     warn(&warnings);
-    heed(scenario, warnings.len(), output.strict)?;
+    refuse_warnings(scenario, warnings.len(), output.strict)?;
     let shard = options.shard()?;
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {

@@ -91,11 +91,11 @@ fn left_out(input: &Input) -> Vec<String> {
 
 /// Which of its cases stands for a table.
 fn first_case(input: &Input, kind: Kind, paths: &[&str]) -> String {
-    let held = input.held();
+    let key_values = input.key_values();
     let is_of_bodies = |path: &&&str| !path.starts_with("impact.") && !path.starts_with("solver.");
     let value = |path: &&str| {
-        let held = held.iter().find(|held| held.path == *path)?;
-        Some(format!("{path} = {}", held.text()))
+        let key_values = key_values.iter().find(|key_values| key_values.path == *path)?;
+        Some(format!("{path} = {}", key_values.text()))
     };
     let values: Vec<String> = paths.iter().filter(is_of_bodies).filter_map(value).collect();
     let name = kind.name();

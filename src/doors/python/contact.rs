@@ -20,7 +20,7 @@ use crate::report::run::{at_speed_of, no_result, texts};
 use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
 use crate::scenario::plan::Source;
-use crate::scenario::scene::Use;
+use crate::scenario::scene::Purpose;
 use crate::scenario::scene::at::at;
 use crate::scenario::scene::quantity::SAMPLES;
 use crate::scenario::scene::results::fields;
@@ -49,7 +49,7 @@ impl Contact {
         };
         let input = input.map_err(exception)?;
         let contact = input.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
-        warn(py, 1, &texts(&scenario.without_effect(std::slice::from_ref(&input), Use::Impact)))?;
+        warn(py, 1, &texts(&scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact)))?;
         Ok(Self { scenario, input, inner: contact, plans: Mutex::default() })
     }
 

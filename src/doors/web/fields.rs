@@ -2,11 +2,11 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::contact::materials::{Entry, Property, all};
+use crate::contact::materials::{MaterialEntry, Property, all};
 use crate::report::plot::of_key::title_of;
 use crate::report::text::materials::one;
+use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::key::{Form, Words};
-use crate::scenario::scene::taken::Body;
 use crate::scenario::scene::words::LAWS;
 use crate::scenario::scene::{EITHER, EVERY_KEY};
 
@@ -39,7 +39,7 @@ pub fn fields() -> Value {
 
 /// The materials: name, what each is, the keys that take a value from it, with that value as it is written, and its page.
 pub fn materials() -> Value {
-    let entry = |entry: &Entry| {
+    let entry = |entry: &MaterialEntry| {
         let defaults = Body::ALL.into_iter().flat_map(Body::defaults);
         let written =
             |(key, property): &(&str, Property)| Some(((*key).to_owned(), json!(entry.of(*property)?.taken.text)));

@@ -6,7 +6,7 @@ use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::material::Material;
 use crate::scenario::indentation::IndentationScene;
 use crate::scenario::scene::Input;
-use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::body_material::Body;
 use crate::units::{Dimension, quantity};
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
@@ -14,7 +14,7 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     let varies = |beginning: &str| varied.iter().any(|path| path.starts_with(beginning));
     let said = |path: &str, text: String| Some(text).filter(|_| !varies(path));
     let body = |body: Body, modulus: &str, material: &Material| {
-        let named = input.taken().iter().find(|taken| taken.body == body);
+        let named = input.materials().iter().find(|taken| taken.body == body);
         match named {
             Some(taken) => said(body.material(), taken.material.name.clone()),
             None => said(modulus, elastic(material)),

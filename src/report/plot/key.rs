@@ -26,12 +26,12 @@ const SMALLEST_FOR_WORDS: f64 = 0.7;
 const PLACES: u32 = 12;
 
 /// A sample of a line or marker, and lines of text with their colours.
-struct Entry {
+struct LegendEntry {
     sample: [Option<Style>; 2],
     lines: Vec<(String, RGBColor)>,
 }
 
-impl Entry {
+impl LegendEntry {
     /// The entry of a series in this style. The first text is black and the others are grey. Texts that are longer than
     /// `room` are wrapped.
     fn of(series: &Series, style: Style, scale: f64, room: f64) -> Self {
@@ -57,7 +57,7 @@ impl Entry {
 pub struct Key {
     /// Text size over the usual size.
     scale: f64,
-    entries: Vec<Entry>,
+    entries: Vec<LegendEntry>,
 }
 
 impl Key {
@@ -75,7 +75,7 @@ impl Key {
                 return key;
             }
             if scale <= SMALLEST {
-                let mut more = Entry { sample: [None; 2], lines: vec![(String::new(), GREY)] };
+                let mut more = LegendEntry { sample: [None; 2], lines: vec![(String::new(), GREY)] };
                 while key.height() + scale * more.height() > height {
                     key.entries.pop();
                 }
@@ -88,7 +88,7 @@ impl Key {
     }
 
     fn scaled(series: &[(&Series, Style)], scale: f64, room: f64) -> Self {
-        Self { scale, entries: series.iter().map(|(one, style)| Entry::of(one, *style, scale, room)).collect() }
+        Self { scale, entries: series.iter().map(|(one, style)| LegendEntry::of(one, *style, scale, room)).collect() }
     }
 
     /// The key and a place in the box at which it covers neither curves nor guides; none if there is none.
@@ -129,7 +129,7 @@ impl Key {
 
     /// The height that the key takes \[px\].
     pub fn height(&self) -> f64 {
-        self.scale * self.entries.iter().map(Entry::height).sum::<f64>()
+        self.scale * self.entries.iter().map(LegendEntry::height).sum::<f64>()
     }
 
     /// The width that the key takes \[px\]; 0 if it is empty.

@@ -31,7 +31,8 @@ pub fn band(input: &Input, impact: &Impact) -> Option<Band> {
         return None;
     }
     let (mut squares, mut because) = ([powi(error * restitution, 2); 2], Vec::new());
-    let hardness = input.taken().iter().flat_map(|taken| taken.values().map(move |(key, known)| (taken, key, known)));
+    let hardness =
+        input.materials().iter().flat_map(|taken| taken.values().map(move |(key, known)| (taken, key, known)));
     for (taken, key, known) in hardness {
         let at = taken.body.strength_keys().hardness;
         if at.path() != key {

@@ -13,7 +13,7 @@ use crate::report::text::overview::overview;
 use crate::report::text::{summary, table, trace};
 use crate::scenario::Scenario;
 use crate::scenario::scene::results::impact::Single;
-use crate::scenario::scene::{Input, Use};
+use crate::scenario::scene::{Input, Purpose};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
 /// to be one.
@@ -25,7 +25,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let [speed, _] = input.approach().components();
     let contact = contact.at_speed(speed).map_err(refuse)?;
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
-    impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Use::Impact));
+    impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
     impact.warnings.extend(input.doubts_of_air());
     Ok((input, contact, impact))
 }

@@ -98,7 +98,7 @@ pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Res
 }
 
 /// Refuses a scenario with warnings, if `is_strict`.
-pub fn heed(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
+pub fn refuse_warnings(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
     if is_strict && warnings > 0 {
         let text = format!("{warnings} warning(s), which --strict makes errors; nothing was written");
         return Err(Error::in_file(ErrorKind::Failed, scenario.document.name(), text));

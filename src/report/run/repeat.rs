@@ -14,7 +14,7 @@ use crate::report::text::overview::overview;
 use crate::report::text::repeat as report;
 use crate::report::text::series::Series;
 use crate::scenario::Scenario;
-use crate::scenario::scene::{Input, Use};
+use crate::scenario::scene::{Input, Purpose};
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), Error> {
@@ -35,7 +35,7 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outc
     if progress.is_stopped() {
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
-    let mut idle = scenario.without_effect(std::slice::from_ref(&input), Use::Impact);
+    let mut idle = scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact);
     idle.extend(input.doubts_of_air());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();

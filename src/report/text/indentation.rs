@@ -12,10 +12,10 @@ use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scenario::scene::EVERY_KEY;
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::key::Part;
 use crate::scenario::scene::results::entry::{file, results};
 use crate::scenario::scene::results::{Reported, fields, lists};
-use crate::scenario::scene::taken::Body;
 use crate::units::aligned::aligned;
 use crate::units::{self, Dimension, describe};
 

@@ -9,19 +9,19 @@ use crate::scenario::plan::Plan;
 use crate::scenario::plan::axis::{Axis, Word};
 use crate::scenario::scene::Input;
 use crate::scenario::scene::at::at;
-use crate::scenario::scene::input::Held;
+use crate::scenario::scene::body_material::Body;
+use crate::scenario::scene::input::KeyValue;
 use crate::scenario::scene::key::Part;
 use crate::scenario::scene::keys::partner;
 use crate::scenario::scene::quantity::FACTOR;
-use crate::scenario::scene::taken::Body;
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Inputs(pub Vec<Held>);
+pub struct Inputs(pub Vec<KeyValue>);
 
 impl Serialize for Inputs {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|held| (held.column(), &held.value)))
+        serializer.collect_map(self.0.iter().map(|key_values| (key_values.column(), &key_values.value)))
     }
 }
 
@@ -29,26 +29,26 @@ impl Inputs {
     /// Keys and values of an input, with its defaults and with what follows from other keys.
     pub fn of(input: &Input) -> Self {
         let (can_yield, is_verlet) = (input.can_yield(), input.solver().method == Method::Verlet);
-        let is_used = |held: &Held| match held.part {
+        let is_used = |key_values: &KeyValue| match key_values.part {
             // an elastic half-space does not use the keys of the law
-            Part::Law => can_yield && !held.value.is_null(),
-            Part::Solver if held.path == "solver.steps_per_contact" => is_verlet,
-            _ => !held.value.is_null(),
+            Part::Law => can_yield && !key_values.value.is_null(),
+            Part::Solver if key_values.path == "solver.steps_per_contact" => is_verlet,
+            _ => !key_values.value.is_null(),
         };
-        let mut entries: Vec<Held> = input.filled().held().into_iter().filter(is_used).collect();
+        let mut entries: Vec<KeyValue> = input.filled().key_values().into_iter().filter(is_used).collect();
         for body in Body::ALL {
             let keys = body.strength_keys();
             let Some(mean_pressure) = input.number(keys.hardness) else { continue };
             let rule = if input.flow_curve(body).is_some() { "hardness and flow_stress" } else { "hardness" };
-            entries.push(Held::word(&strength_from(body), Part::Flow, rule));
+            entries.push(KeyValue::word(&strength_from(body), Part::Flow, rule));
             let ratio = mean_pressure / flow_stress(mean_pressure, &input.material(body));
             let (path, quantity) = (constraint(body), Some(&FACTOR));
-            entries.push(Held { path, part: Part::Flow, quantity, value: ratio.into() });
+            entries.push(KeyValue { path, part: Part::Flow, quantity, value: ratio.into() });
         }
-        for taken in input.taken() {
+        for taken in input.materials() {
             let part = if taken.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
-            entries.push(Held::word(taken.body.material(), part, taken.material.name.as_str()));
-            entries.extend(taken.notes().map(|(path, note)| Held::word(&path, part, note)));
+            entries.push(KeyValue::word(taken.body.material(), part, taken.material.name.as_str()));
+            entries.extend(taken.notes().map(|(path, note)| KeyValue::word(&path, part, note)));
         }
         Self(entries)
     }
@@ -56,7 +56,7 @@ impl Inputs {
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
         let Self(mut entries) = Self::of(&plan.input);
-        for input in plan.worded() {
+        for input in plan.with_words() {
             let Self(mut new) = Self::of(&input);
             new.retain(|entry| entries.iter().all(|old| old.path != entry.path));
             entries.extend(new);
@@ -82,14 +82,16 @@ impl Inputs {
                 changing.push(strength_from(body));
             }
         }
-        let is_shared = |held: &Held| match held.path.as_str() {
-            _ if changing.contains(&held.path) => false,
+        let is_shared = |key_values: &KeyValue| match key_values.path.as_str() {
+            _ if changing.contains(&key_values.path) => false,
             "impact.speed" => plan.input.number(at!("impact.drop_height")).is_none() || !varies("gravity.acceleration"),
             path => !of_material(path),
         };
         // a table has no trace
-        let is_kept = |held: &Held| held.part != Part::Output && !varies(&held.path) && is_shared(held);
-        entries.retain(|held| is_kept(held) && !partner(&held.path).is_some_and(varies));
+        let is_kept = |key_values: &KeyValue| {
+            key_values.part != Part::Output && !varies(&key_values.path) && is_shared(key_values)
+        };
+        entries.retain(|key_values| is_kept(key_values) && !partner(&key_values.path).is_some_and(varies));
         Self(entries)
     }
 }

@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use crate::contact::materials::{Entry, Known, Property, all};
+use crate::contact::materials::{Known, MaterialEntry, Property, all};
 use crate::units::aligned::aligned;
 use crate::units::{Dimension, four_digits, quantity};
 
 /// Whether the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
-pub fn has(entry: &Entry, text: &str) -> bool {
+pub fn has(entry: &MaterialEntry, text: &str) -> bool {
     let text = text.to_lowercase();
     [&entry.name, &entry.title].into_iter().any(|words| words.to_lowercase().contains(&text))
 }
@@ -36,7 +36,7 @@ pub fn list(text: &str) -> String {
 }
 
 /// These materials as JSON, with all values in SI.
-pub fn data(entries: &[&Entry]) -> Value {
+pub fn data(entries: &[&MaterialEntry]) -> Value {
     let property = |known: &Known| {
         let Known { property, taken, range: [low, high], basis, sources } = known;
         let sources = sources.iter().map(|[source, says]| json!({ "source": source, "says": says }));
@@ -46,7 +46,7 @@ pub fn data(entries: &[&Entry]) -> Value {
         });
         (property.name().to_owned() + property.dimension().suffix(), about)
     };
-    let entry = |entry: &&Entry| {
+    let entry = |entry: &&MaterialEntry| {
         json!({
             "name": entry.name, "title": entry.title, "class": entry.class.name(), "note": entry.note,
             "properties": entry.known.iter().map(property).collect::<Map<_, _>>(),
@@ -56,7 +56,7 @@ pub fn data(entries: &[&Entry]) -> Value {
 }
 
 /// The page about one material: values, ranges, the kind of each number, and its sources.
-pub fn one(entry: &Entry) -> String {
+pub fn one(entry: &MaterialEntry) -> String {
     let mut text = format!("{}\n  {} ({})\n", entry.name, entry.title, entry.class.name());
     if let Some(note) = &entry.note {
         let _ = writeln!(text, "  {note}");
@@ -81,7 +81,7 @@ pub fn one(entry: &Entry) -> String {
 }
 
 /// The flow stress and the yield strength that follow from a hardness.
-fn strength(entry: &Entry, mean_pressure: f64) -> String {
+fn strength(entry: &MaterialEntry, mean_pressure: f64) -> String {
     let stress = entry.flow_stress(mean_pressure);
     let flow = format!(
         "flow stress {}, the mean pressure of the hardness over {}",

@@ -8,7 +8,7 @@ use crate::contact::materials::Property;
 use crate::contact::strength::hardness;
 use crate::impact::Contact;
 use crate::scenario::scene::Input;
-use crate::scenario::scene::taken::Body;
+use crate::scenario::scene::body_material::Body;
 use crate::units::aligned::aligned;
 use crate::units::{Dimension, describe, four_digits, number, percent};
 
@@ -71,7 +71,7 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
 /// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.
 fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
     let body = softer?;
-    let taken = input.taken().iter().find(|taken| taken.body == body)?;
+    let taken = input.materials().iter().find(|taken| taken.body == body)?;
     let c = taken.material.of(Property::RateSensitivity)?.taken.value;
     if input.has_rate() || !matches!(input.law(), LawChoice::Plm(_)) {
         return None;

@@ -4,8 +4,8 @@ use crate::contact::law::LawChoice;
 use crate::impact::Method;
 use crate::numerics::functions::{log10, pow};
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::body_material::BodyMaterial;
 use crate::scenario::scene::key::Part;
-use crate::scenario::scene::taken::Taken;
 use crate::scenario::scene::{EVERY_KEY, Input, Key};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
@@ -78,7 +78,7 @@ pub enum Setting {
 pub enum Word {
     Method(Method),
     Law(LawChoice),
-    Material(Taken),
+    Material(BodyMaterial),
 }
 
 impl Word {

@@ -7,9 +7,9 @@ mod source;
 
 use crate::impact::{Method, Warning};
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::results::{Column, Needs, columns};
-use crate::scenario::scene::taken::Body;
-use crate::scenario::scene::{Input, Key, Use, without_effect};
+use crate::scenario::scene::{Input, Key, Purpose, without_effect};
 use axis::{Axis, Word};
 use random::Variable;
 pub use source::Source;
@@ -146,20 +146,20 @@ impl Plan {
 
     /// A key that varies without any effect on the table, and why.
     pub fn unused(&self) -> Option<(&'static str, String)> {
-        let (paths, cases) = (self.paths(), self.worded());
+        let (paths, cases) = (self.paths(), self.with_words());
         let has_laws = paths.contains(&"law");
         paths.into_iter().find_map(|path| {
             let problem = if has_laws && path.starts_with("law.") && !path.starts_with("law.plm.") {
                 "cannot vary together with \"law\": give it in the table of its law".to_owned()
             } else {
-                format!("is not used: {}", without_effect(path, &cases, Use::Rows)?)
+                format!("is not used: {}", without_effect(path, &cases, Purpose::Rows)?)
             };
             Some((path, problem))
         })
     }
 
     /// The inputs under all laws and methods of the axes, with the first values of the other axes.
-    pub fn worded(&self) -> Vec<Input> {
+    pub fn with_words(&self) -> Vec<Input> {
         let mut all = vec![self.input_at(&vec![0; self.axes().len()])];
         for axis in self.axes().iter().filter(|axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..])) {
             let with = |input: &Input, place| {
@@ -174,7 +174,7 @@ impl Plan {
 
     /// The methods of the cases.
     fn methods(&self) -> Vec<Method> {
-        self.worded().iter().map(|input| input.solver().method).collect()
+        self.with_words().iter().map(|input| input.solver().method).collect()
     }
 
     /// Whether a case has the method `closed_form`, but no closed form.
@@ -205,7 +205,7 @@ impl Plan {
                     _ => 0.25,
                 }
         };
-        self.worded().iter().map(of).fold(0.25, f64::max)
+        self.with_words().iter().map(of).fold(0.25, f64::max)
     }
 
     pub fn is_monte_carlo(&self) -> bool {

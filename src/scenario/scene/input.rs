@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::at::{At, COUNT, NUMBER, OTHER, WORD};
+use super::body_material::BodyMaterial;
 use super::key::{AnyKey, Form, Part};
 use super::list::EVERY_KEY;
 use super::quantity::Quantity;
-use super::taken::Taken;
 use crate::contact::law::{LawChoice, PlmCoefficients};
 use crate::contact::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
@@ -32,7 +32,7 @@ struct Others {
     values: BTreeMap<usize, Value>,
     /// The items of lists of tables, by the paths of the lists.
     items: BTreeMap<&'static str, Vec<Input>>,
-    taken: Vec<Taken>,
+    materials: Vec<BodyMaterial>,
 }
 
 /// All values of a scenario.
@@ -148,12 +148,12 @@ impl Input {
     }
 
     /// The values that the bodies take from the materials that they name.
-    pub fn taken(&self) -> &[Taken] {
-        &self.others.taken
+    pub fn materials(&self) -> &[BodyMaterial] {
+        &self.others.materials
     }
 
-    pub fn set_taken(&mut self, taken: Vec<Taken>) {
-        Arc::make_mut(&mut self.others).taken = taken;
+    pub fn set_materials(&mut self, taken: Vec<BodyMaterial>) {
+        Arc::make_mut(&mut self.others).materials = taken;
     }
 
     /// Gives the keys that `is_used` names their default values, where they have some, and are not given.
@@ -186,11 +186,11 @@ impl Input {
     /// The keys of one impact that have a value, for reports: in the order of the list, with the name of the law before its
     /// keys.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // counts and places are whole
-    pub fn held(&self) -> Vec<Held> {
-        let mut held = Vec::new();
+    pub fn key_values(&self) -> Vec<KeyValue> {
+        let mut key_values = Vec::new();
         for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| key.part != Part::Kind) {
-            if key.part == Part::Law && !held.iter().any(|held: &Held| held.path == "law") {
-                held.push(Held::word("law", Part::Law, self.named_law.name()));
+            if key.part == Part::Law && !key_values.iter().any(|key_values: &KeyValue| key_values.path == "law") {
+                key_values.push(KeyValue::word("law", Part::Law, self.named_law.name()));
             }
             if key.part == Part::Law && !self.is_of_law(key.path) {
                 continue;
@@ -204,9 +204,9 @@ impl Input {
                 _ => continue,
             };
             let quantity = key.number().map(|(quantity, _)| quantity);
-            held.push(Held { path: key.path.to_owned(), part: key.part, quantity, value });
+            key_values.push(KeyValue { path: key.path.to_owned(), part: key.part, quantity, value });
         }
-        held
+        key_values
     }
 }
 
@@ -228,7 +228,7 @@ impl Value {
 
 /// A key and its value, for reports.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Held {
+pub struct KeyValue {
     /// With dots.
     pub path: String,
     pub part: Part,
@@ -238,7 +238,7 @@ pub struct Held {
     pub value: serde_json::Value,
 }
 
-impl Held {
+impl KeyValue {
     pub fn word(path: &str, part: Part, word: impl Into<serde_json::Value>) -> Self {
         Self { path: path.to_owned(), part, quantity: None, value: word.into() }
     }

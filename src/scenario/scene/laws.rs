@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::at::{At, NUMBER, at};
+use super::body_material::Body;
 use super::input::{Input, Value};
-use super::taken::Body;
 use crate::contact::law::catalogue::jackson_green::Hardness;
 use crate::contact::law::{LawChoice, UnloadingExponent};
 

@@ -1,6 +1,7 @@
 //! The keys of a scenario, their values as they are written, and the numbers that follow from these.
 
 pub(crate) mod at;
+pub(crate) mod body_material;
 mod effect;
 mod gone;
 pub mod input;
@@ -15,11 +16,10 @@ mod resolve;
 pub(crate) mod results;
 mod strength;
 pub(crate) mod tables;
-pub(crate) mod taken;
 pub mod words;
 pub(crate) mod written;
 
-pub use effect::{Use, without_effect};
+pub use effect::{Purpose, without_effect};
 pub use input::Input;
 pub use keys::{EITHER, KEYS, Key};
 pub use list::EVERY_KEY;

@@ -50,7 +50,7 @@ impl<'f> Reader<'f> {
     }
 
     /// Reads what stands below this name; a refusal is kept.
-    pub fn within(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), Fault>) {
+    pub fn in_table(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), Fault>) {
         let inner = below(&self.path, name);
         let outer = std::mem::replace(&mut self.path, inner);
         if let Err(fault) = read(self) {
@@ -81,7 +81,7 @@ impl<'f> Reader<'f> {
             let all = format!("{things} are {}", known.join(", "));
             format!("unknown {thing} `{written}`{}", did_you_mean(written, known.iter().copied(), '`', &all))
         };
-        self.within(written, |_| Err(Fault { span: name.span(), message }));
+        self.in_table(written, |_| Err(Fault { span: name.span(), message }));
     }
 }
 

@@ -4,10 +4,10 @@
 use std::sync::Arc;
 
 use super::at::at;
+use super::body_material::{Body, BodyMaterial};
 use super::input::{Input, Value};
 use super::key::Part;
 use super::keys::Key;
-use super::taken::{Body, Taken};
 use crate::contact::law::LawChoice;
 use crate::contact::material::{HalfSpace, Hold, Sphere, sphere_volume};
 use crate::contact::materials::all;
@@ -236,7 +236,7 @@ impl Input {
     }
 
     /// Puts what a body takes from its material in the place of what it took from another.
-    pub fn take(&mut self, taken: &Taken) {
+    pub fn take(&mut self, taken: &BodyMaterial) {
         self.choose(taken.body.material_key(), all().iter().position(|known| known.name == taken.material.name));
         for &(path, property) in &taken.left {
             let number = taken.material.of(property).map(|known| known.taken.value);

@@ -21,7 +21,7 @@ impl Input {
         for (name, node) in table {
             let path = below(pattern, name.get_ref());
             if is_known(&path) {
-                reader.within(name.get_ref(), |reader| self.take_key(&path, node, reader));
+                reader.in_table(name.get_ref(), |reader| self.take_key(&path, node, reader));
             } else {
                 reader.unknown(name, &names(pattern));
             }
@@ -64,7 +64,7 @@ impl Input {
             let mut all = Vec::new();
             for (i, table) in tables.iter().enumerate() {
                 let mut one = Self::default();
-                reader.within(&format!("[{i}]"), |reader| match table.get_ref() {
+                reader.in_table(&format!("[{i}]"), |reader| match table.get_ref() {
                     DeValue::Table(keys) => {
                         one.read(keys, path, reader);
                         Ok(())
@@ -94,7 +94,7 @@ impl Input {
             return Err(Fault::at(node, format!("a scenario has exactly one law, found {found}; {ONE_LAW}")));
         };
         if name == COMBINED {
-            reader.within(COMBINED, |reader| {
+            reader.in_table(COMBINED, |reader| {
                 self.named_law = combined(table, reader)?;
                 Ok(())
             });
@@ -110,9 +110,9 @@ impl Input {
             let message = format!(
                 "{name} is a law of unloading only; write [law.combined] with loading = \"jackson_green\" (or another) and unloading = \"{name}\""
             );
-            reader.within(name, |_| Err(Fault::at(table, message)));
+            reader.in_table(name, |_| Err(Fault::at(table, message)));
         }
-        reader.within(name, |reader| {
+        reader.in_table(name, |reader| {
             self.read(items(table)?, &below("law", name), reader);
             Ok(())
         });

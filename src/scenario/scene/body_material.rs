@@ -1,7 +1,7 @@
 //! The values that the bodies of a scene take from named materials, where the scenario does not give them itself.
 
 use super::at::{At, WORD, at};
-use crate::contact::materials::{Entry, Known, Property};
+use crate::contact::materials::{Known, MaterialEntry, Property};
 
 /// A body that may name its material.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,14 +65,14 @@ impl Body {
 
 /// A body and the material that it takes numbers from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Taken {
+pub struct BodyMaterial {
     pub body: Body,
-    pub material: &'static Entry,
+    pub material: &'static MaterialEntry,
     /// The keys that the scenario leaves to the material.
     pub left: Vec<(&'static str, Property)>,
 }
 
-impl Taken {
+impl BodyMaterial {
     /// The keys that take a value, each with what is known of the property.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
         let material = self.material;
