@@ -71,7 +71,7 @@ enum Role {
     Indentation,
 }
 
-struct Column {
+struct DataColumn {
     name: String,
     role: Role,
     quantity: Quantity,
@@ -129,11 +129,11 @@ impl Data {
     }
 
     /// The columns; `None` for a note.
-    fn columns(&mut self, header: &csv::StringRecord) -> Result<Vec<Option<Column>>, String> {
-        let mut columns: Vec<Option<Column>> = Vec::new();
+    fn columns(&mut self, header: &csv::StringRecord) -> Result<Vec<Option<DataColumn>>, String> {
+        let mut columns: Vec<Option<DataColumn>> = Vec::new();
         for name in header {
             let column = if name == "note" { None } else { Some(self.column(name)?) };
-            let is_same = |other: &Column| column.as_ref().is_some_and(|column| column.role == other.role);
+            let is_same = |other: &DataColumn| column.as_ref().is_some_and(|column| column.role == other.role);
             if columns.iter().flatten().any(is_same) {
                 return Err(format!("the column `{name}` is there twice, or says the same as another; leave one out"));
             }
@@ -157,7 +157,7 @@ impl Data {
         }
     }
 
-    fn column(&mut self, name: &str) -> Result<Column, String> {
+    fn column(&mut self, name: &str) -> Result<DataColumn, String> {
         let (base, is_deviation) = name.strip_suffix("_sd").map_or((name, false), |base| (base, true));
         let measured =
             Measured::ALL.into_iter().map(|one| (one.name().to_owned(), Role::Measured(one), one.quantity()));
@@ -204,10 +204,10 @@ impl Data {
             role => role,
         };
         let unit = if unit == dimension.si_unit() { String::new() } else { unit };
-        Ok(Column { name: name.to_owned(), role, quantity, unit })
+        Ok(DataColumn { name: name.to_owned(), role, quantity, unit })
     }
 
-    fn row(&mut self, line: u64, record: &csv::StringRecord, columns: &[Option<Column>]) -> Result<(), String> {
+    fn row(&mut self, line: u64, record: &csv::StringRecord, columns: &[Option<DataColumn>]) -> Result<(), String> {
         let row = self.rows.len();
         let mut read = Row { line, keys: Vec::with_capacity(self.keys.len()), ..Row::default() };
         let first = self.values.len();
@@ -253,7 +253,7 @@ impl Data {
     }
 }
 
-impl Column {
+impl DataColumn {
     fn read(&self, field: &str) -> Result<f64, String> {
         let number: f64 = field.parse().map_err(|_| {
             let hint = if field.contains(',') { "; write a decimal point, not a comma" } else { "" };

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::minimum::{Place, Profile, Range, is_same};
+use super::minimum::{ParameterPoint, Profile, Range, is_same};
 use super::problem::{NoAnswer, Problem, TAILS};
 use crate::numerics::functions::hypot;
 
@@ -51,7 +51,7 @@ pub struct Fit<'a> {
     /// Keys, law and measurements. Its standard deviations include the estimated noise.
     pub problem: Problem<'a>,
     /// The minima of all basins, the lowest first.
-    pub minima: Vec<Place>,
+    pub minima: Vec<ParameterPoint>,
     /// Covariance of the keys, as shares of their ranges; `None` if the measurements do not determine a key.
     pub covariance: Option<DMatrix<f64>>,
     pub noise: Noise,
@@ -110,10 +110,11 @@ impl<'a> Fit<'a> {
                 Profile::of(&problem).minima(&anywhere)
             } else if round < rounds {
                 let profile = Profile::of(&problem);
-                let near = |place: &Place| place.shares.iter().map(|share| Range::about(*share)).collect::<Vec<_>>();
+                let near =
+                    |place: &ParameterPoint| place.shares.iter().map(|share| Range::about(*share)).collect::<Vec<_>>();
                 found.iter().filter_map(|place| profile.minima(&near(place)).into_iter().next()).collect()
             } else {
-                let again = |Place { shares, .. }| Place { sum: problem.sum(&shares), shares };
+                let again = |ParameterPoint { shares, .. }| ParameterPoint { sum: problem.sum(&shares), shares };
                 found.into_iter().map(again).collect()
             };
             found.sort_by(|a, b| a.sum.total_cmp(&b.sum));
@@ -139,7 +140,7 @@ impl<'a> Fit<'a> {
     }
 
     /// The lowest minimum.
-    pub fn best(&self) -> &Place {
+    pub fn best(&self) -> &ParameterPoint {
         &self.minima[0]
     }
 

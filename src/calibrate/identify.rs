@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::data::{Data, Value};
-use super::minimum::Place;
+use super::minimum::ParameterPoint;
 use super::problem::Problem;
 use crate::numerics::functions::{exp, ln};
 use crate::scenario::scene::measured::Measured;
@@ -36,7 +36,7 @@ pub struct Identifiability {
 
 /// Derivatives of the predictions by the logarithms of the keys, over the standard deviations: one column for every
 /// key.
-fn by_logarithms(problem: &Problem, place: &Place) -> Option<DMatrix<f64>> {
+fn by_logarithms(problem: &Problem, place: &ParameterPoint) -> Option<DMatrix<f64>> {
     let mut matrix = problem.jacobian(&place.shares).ok()?;
     for ((mut column, free), share) in matrix.column_iter_mut().zip(problem.free).zip(&place.shares) {
         let value = free.at(*share);
@@ -62,7 +62,7 @@ fn doubling(direction: &DVector<f64>) -> f64 {
 }
 
 /// How well the measurements determine the keys, at the best place; `None` without a key.
-pub fn identify(problem: &Problem, place: &Place) -> Option<Identifiability> {
+pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiability> {
     if problem.free.is_empty() {
         return None;
     }
@@ -95,7 +95,7 @@ fn size(problem: &Problem, quantity: Measured) -> f64 {
     f64::sqrt(sum / count)
 }
 
-fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f64) -> String {
+fn refusal(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, change: f64) -> String {
     let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
     let off = percent(LAW);
     let statement = if let [name] = names[..] {
@@ -142,7 +142,7 @@ fn refusal(problem: &Problem, place: &Place, direction: &DVector<f64>, change: f
 }
 
 /// Quantities that were not measured but change along a direction, each with its relative change.
-fn helpful(problem: &Problem, place: &Place, direction: &DVector<f64>) -> Vec<(&'static str, f64)> {
+fn helpful(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>) -> Vec<(&'static str, f64)> {
     if problem.data.is_curve() {
         return Vec::new();
     }

@@ -23,7 +23,7 @@ const INSIDE: f64 = 1e-7;
 
 /// A place in the ranges of the keys, and the sum there.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Place {
+pub struct ParameterPoint {
     /// Shares of the ranges.
     pub shares: Vec<f64>,
     /// −2 ln of the likelihood.
@@ -41,7 +41,7 @@ pub struct Range {
 impl Range {
     pub const WHOLE: Self = Self { low: 0.0, high: 1.0, cells: CELLS };
 
-    pub fn held(share: f64) -> Self {
+    pub fn with_share(share: f64) -> Self {
         Self { low: share, high: share, cells: 0 }
     }
 
@@ -77,32 +77,32 @@ impl<'p, 'a> Profile<'p, 'a> {
     }
 
     /// The minima of all basins in these ranges, the lowest first; empty if the law gives no result anywhere.
-    pub fn minima(&self, ranges: &[Range]) -> Vec<Place> {
+    pub fn minima(&self, ranges: &[Range]) -> Vec<ParameterPoint> {
         minima(self.whole, &self.thinned, ranges, EXACT)
     }
 
     /// The place with the lowest sum; the sum is infinite if the law gives no result anywhere.
-    pub fn lowest(&self, ranges: &[Range]) -> Place {
+    pub fn lowest(&self, ranges: &[Range]) -> ParameterPoint {
         lowest(self.whole, &self.thinned, ranges)
     }
 }
 
-fn lowest(whole: &Problem, thinned: &Problem, ranges: &[Range]) -> Place {
+fn lowest(whole: &Problem, thinned: &Problem, ranges: &[Range]) -> ParameterPoint {
     let ranges: Vec<Range> =
         ranges.iter().map(|range| Range { cells: range.cells.min(CELLS_INSIDE), ..*range }).collect();
-    let nowhere = || Place { shares: ranges.iter().map(|range| range.low).collect(), sum: f64::INFINITY };
+    let nowhere = || ParameterPoint { shares: ranges.iter().map(|range| range.low).collect(), sum: f64::INFINITY };
     minima(whole, thinned, &ranges, INSIDE).into_iter().next().unwrap_or_else(nowhere)
 }
 
-fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> Vec<Place> {
+fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> Vec<ParameterPoint> {
     let Some(key) = ranges.iter().position(|range| range.cells > 0) else {
         let shares: Vec<f64> = ranges.iter().map(|range| range.low).collect();
-        let place = Place { sum: whole.sum(&shares), shares };
+        let place = ParameterPoint { sum: whole.sum(&shares), shares };
         return Some(place).filter(|place| place.sum.is_finite()).into_iter().collect();
     };
     let with = |share: f64| {
         let mut ranges = ranges.to_vec();
-        ranges[key] = Range::held(share);
+        ranges[key] = Range::with_share(share);
         ranges
     };
     let nodes = ranges[key].nodes();
@@ -117,17 +117,17 @@ fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> V
         let sides = [(before, nodes[first], nodes[first]), (nodes[last], after, nodes[last])];
         let sides = sides.into_iter().filter(|(low, high, _)| low < high);
         let found = sides.map(|(low, high, start)| brent([low, high], start, exact, place));
-        let lower = |a: Place, b: Place| if b.sum < a.sum && !is_same(a.sum, b.sum) { b } else { a };
+        let lower = |a: ParameterPoint, b: ParameterPoint| if b.sum < a.sum && !is_same(a.sum, b.sum) { b } else { a };
         (first, found.reduce(lower).unwrap_or_else(|| place(nodes[first])))
     };
     let bottoms = basins(&sums).into_iter().take(MOST_BASINS).map(bottom);
-    let mut found: Vec<(usize, Place)> = bottoms.filter(|(_, place)| place.sum.is_finite()).collect();
+    let mut found: Vec<(usize, ParameterPoint)> = bottoms.filter(|(_, place)| place.sum.is_finite()).collect();
     found.sort_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
-    let mut apart: Vec<(usize, Place)> = Vec::new();
+    let mut apart: Vec<(usize, ParameterPoint)> = Vec::new();
     for (at, place) in found {
         #[allow(clippy::cast_precision_loss)] // counts of measurements
         let least = place.sum + RISE * place.sum / whole.counted.len() as f64 + f64::MIN_POSITIVE.sqrt();
-        let is_apart = |(other, _): &(usize, Place)| {
+        let is_apart = |(other, _): &(usize, ParameterPoint)| {
             sums[(*other).min(at)..=(*other).max(at)].iter().copied().fold(0.0, f64::max) > least
         };
         if apart.iter().all(is_apart) {
@@ -155,7 +155,12 @@ fn basins(sums: &[f64]) -> Vec<[usize; 2]> {
 /// The minimum between two shares by the method of Brent (1973): parabolas, and the golden section where they do not help.
 /// If two sums are equal, the share that is farther from the start is taken. So a search that starts on a plateau ends where the
 /// plateau ends.
-fn brent([mut low, mut high]: [f64; 2], start: f64, exact: f64, place: impl Fn(f64) -> Place) -> Place {
+fn brent(
+    [mut low, mut high]: [f64; 2],
+    start: f64,
+    exact: f64,
+    place: impl Fn(f64) -> ParameterPoint,
+) -> ParameterPoint {
     const GOLDEN: f64 = 0.381_966_011_250_105_1;
     let mut best = (start, place(start));
     let (mut second, mut third) = (best.clone(), best.clone());

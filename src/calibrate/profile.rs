@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Cholesky, DMatrix};
 
 use super::fit::Fit;
-use super::minimum::{Place, Profile, Range};
+use super::minimum::{ParameterPoint, Profile, Range};
 use super::statistics::{LEVELS, half_width};
 use crate::numerics::functions::{exp_m1, ln_1p, sin_cos};
 use crate::numerics::root::bracketed;
@@ -21,7 +21,7 @@ impl Fit<'_> {
     /// How far the sum, minimised over the other keys, is above the least where this key has this share.
     fn excess(&self, key: usize, share: f64) -> f64 {
         let mut ranges = vec![Range::WHOLE; self.problem.free.len()];
-        ranges[key] = Range::held(share);
+        ranges[key] = Range::with_share(share);
         (Profile::of(&self.problem).lowest(&ranges).sum - self.best().sum).max(0.0)
     }
 
@@ -88,7 +88,7 @@ impl Fit<'_> {
 
     /// The places on rays from a minimum at which the sum has risen this far above the least, or at which the range of a key
     /// ends. The rays are even on the scale of the standard deviations.
-    fn outline(&self, from: &Place, axes: &DMatrix<f64>, rise: f64) -> Vec<[f64; 2]> {
+    fn outline(&self, from: &ParameterPoint, axes: &DMatrix<f64>, rise: f64) -> Vec<[f64; 2]> {
         let [x, y] = [from.shares[0], from.shares[1]];
         let place = |ray: u32| {
             let (sin, cos) = sin_cos(2.0 * PI * f64::from(ray % RAYS) / f64::from(RAYS));

@@ -8,7 +8,7 @@ use std::process::Output;
 use assert_cmd::Command;
 use plm_impact::files::progress::Counter;
 use plm_impact::report::plot::Pictures;
-use plm_impact::report::run::{Order, Outcome, at_once};
+use plm_impact::report::run::{Outcome, RunOptions, at_once};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 use serde_json::Value;
@@ -87,7 +87,7 @@ pub fn skip(what: &str, why: &str) {
 
 /// Runs the one impact of a scenario in memory, without pictures.
 pub fn outcome(scenario: &Scenario) -> Outcome {
-    let order = Order {
+    let order = RunOptions {
         command: "plm-impact run",
         detail: Detail::Whole,
         pictures: Pictures::None,

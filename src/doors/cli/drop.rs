@@ -7,7 +7,7 @@ use clap::{ArgGroup, Args};
 use plm_impact::error::Error;
 use plm_impact::files::progress::Counter;
 use plm_impact::report::plot::Pictures;
-use plm_impact::report::run::{Order, refuse_warnings};
+use plm_impact::report::run::{RunOptions, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 
@@ -65,7 +65,7 @@ pub struct Arguments {
 pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     let text = arguments.scenario();
     let scenario = Scenario::from_text("the options of drop", &text, &[])?;
-    let order = Order {
+    let order = RunOptions {
         command: &super::output::command_line(),
         detail: Detail::Brief,
         pictures: Pictures::None,

@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::files::{Origin, OutputDirectory, OutputFile, SUMMARY};
 use plm_impact::report::plot::Pictures;
-use plm_impact::report::run::{Order, Outcome, at_once, refuse_warnings};
+use plm_impact::report::run::{Outcome, RunOptions, at_once, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 use plm_impact::table::parts::make_way;
@@ -64,7 +64,7 @@ impl Output {
         let pictures = self.pictures.format;
         let detail = if self.verbose { Detail::Whole } else { Detail::Usual };
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(&signals, move |progress| {
-            let outcome = outcome(&scenario, &Order { command: &command_line(), detail, pictures, progress })?;
+            let outcome = outcome(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
         let Outcome { warnings, text, files, contradiction, .. } = outcome;
@@ -115,7 +115,7 @@ impl Output {
 }
 
 /// The outcome of a scenario that is not a table.
-pub fn outcome(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
+pub fn outcome(scenario: &Scenario, order: &RunOptions) -> Result<Outcome, Error> {
     at_once(scenario, Some(order))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
 }
 

@@ -14,7 +14,7 @@ use super::work::{append, interruptible, reserved};
 use crate::files::OutputFile;
 use crate::files::progress::Counter;
 use crate::report::plot::Pictures;
-use crate::report::run::{Order, Outcome, at_once, table};
+use crate::report::run::{Outcome, RunOptions, at_once, table};
 use crate::report::text::Detail;
 use crate::scenario::Scenario;
 
@@ -108,8 +108,8 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
     outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
 }
 
-fn order<'a>(command: &'a str, progress: &'a Counter) -> Order<'a> {
-    Order { command, detail: Detail::Usual, pictures: Pictures::Png, progress }
+fn order<'a>(command: &'a str, progress: &'a Counter) -> RunOptions<'a> {
+    RunOptions { command, detail: Detail::Usual, pictures: Pictures::Png, progress }
 }
 
 /// A `plm_impact.Outcome`.

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::files::OutputFile;
 use crate::files::progress::Counter;
 use crate::report::plot::Pictures;
-use crate::report::run::{Order, Outcome, at_once, table};
+use crate::report::run::{Outcome, RunOptions, at_once, table};
 use crate::report::text::Detail;
 use crate::scenario::{Kind, Scenario};
 
@@ -19,7 +19,7 @@ const MOST_ROWS: u64 = 100_000;
 pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
-    let order = Order { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
+    let order = RunOptions { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
     let Outcome { warnings, text, files, contradiction, .. } = match at_once(scenario, Some(&order))? {
         Some(outcome) => outcome,
         None => of_table(scenario, &order)?,
@@ -35,7 +35,7 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     }))
 }
 
-fn of_table(scenario: &Scenario, order: &Order) -> Result<Outcome, Error> {
+fn of_table(scenario: &Scenario, order: &RunOptions) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let rows = plan.count();
     if rows > MOST_ROWS {

@@ -86,7 +86,7 @@ pub struct Doubt {
 
 /// The largest state of a contact so far. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Memory {
+pub struct IndentationMemory {
     /// F_m \[N\].
     pub force: f64,
     /// δ_m \[m\].
@@ -121,11 +121,11 @@ pub struct Step {
     /// Elastic energy stored at its end \[J\].
     pub stored_energy: f64,
     /// The largest state up to its end.
-    pub memory: Memory,
+    pub memory: IndentationMemory,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TraceRow {
+pub struct IndentationRow {
     pub step: usize,
     /// δ \[m\].
     pub indentation: f64,
@@ -142,7 +142,7 @@ pub struct TraceRow {
 pub struct Indentation {
     pub steps: Vec<Step>,
     /// The trace; empty if none was asked for.
-    pub trace: Vec<TraceRow>,
+    pub trace: Vec<IndentationRow>,
     pub doubts: Vec<Doubt>,
 }
 
@@ -234,7 +234,7 @@ impl StaticContact {
                 trace.extend(stroke.points(samples).map(|point| self.row(number, &stroke, point)));
             }
             let step = self.step(*target, &stroke)?;
-            let Memory { contact_radius, .. } = step.memory;
+            let IndentationMemory { contact_radius, .. } = step.memory;
             if contact_radius > radius {
                 return Err(IndentationError::TooWide { step: number, contact_radius, radius });
             }
@@ -248,11 +248,11 @@ impl StaticContact {
         Ok(Indentation { steps, trace, doubts })
     }
 
-    fn row(&self, step: usize, stroke: &Stroke, (state, branch): (ContactState, Branch)) -> TraceRow {
+    fn row(&self, step: usize, stroke: &Stroke, (state, branch): (ContactState, Branch)) -> IndentationRow {
         let Units { length, force, .. } = self.units;
         let approach = if branch == Branch::Separated { stroke.dent() } else { state.indentation };
         let sphere_indentation = self.pair.sphere_part(approach, state.elastic_approach) * length;
-        TraceRow {
+        IndentationRow {
             step,
             indentation: state.indentation * length,
             sphere_indentation,
@@ -280,7 +280,7 @@ impl StaticContact {
             work: stroke.work() * energy,
             plastic_work: stroke.plastic_work() * energy,
             stored_energy: unloading.stored(end.0.indentation) * energy,
-            memory: Memory {
+            memory: IndentationMemory {
                 force: peak_force,
                 indentation: peak.indentation * length,
                 residual_indentation: peak.residual() * length,
@@ -300,7 +300,7 @@ impl StaticContact {
         let radius = self.pair.smaller_radius;
         let left_out = left_out(&self.pair, &self.law, [self.indenter.yield_strength, self.strength]);
         let of_step = |step: &Step| {
-            let Memory { contact_radius, mean_pressure, .. } = step.memory;
+            let IndentationMemory { contact_radius, mean_pressure, .. } = step.memory;
             let yields = of_yielding(mean_pressure, left_out, "less comes back than computed");
             of_dent(&self.law, contact_radius / radius).into_iter().chain(yields).chain(of_flow(&self.pair))
         };

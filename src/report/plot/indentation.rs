@@ -7,10 +7,10 @@ use super::loops;
 use super::series::Series;
 use super::style::Style;
 use crate::contact::law::Branch;
-use crate::impact::indentation::{Tested, TraceRow};
+use crate::impact::indentation::{IndentationRow, Tested};
 use crate::units::{Dimension, quantity};
 
-type Quantity = fn(&TraceRow) -> f64;
+type Quantity = fn(&IndentationRow) -> f64;
 
 pub fn indentation(tested: &[Tested]) -> Chart {
     let mut of_sphere = Vec::new();
@@ -60,7 +60,7 @@ pub fn indentation(tested: &[Tested]) -> Chart {
 }
 
 /// The loop of the trace of one half-space, against one kind of indentation.
-fn one_loop(name: &str, rows: &[TraceRow], of: Quantity, style: Style) -> Vec<Series> {
+fn one_loop(name: &str, rows: &[IndentationRow], of: Quantity, style: Style) -> Vec<Series> {
     let branches = rows.chunk_by(|a, b| is_loading(a) == is_loading(b)).map(|branch| {
         let mut points: Vec<_> = branch.iter().map(|row| (of(row), row.force)).collect();
         let is_loading = branch.first().is_some_and(is_loading);
@@ -74,7 +74,7 @@ fn one_loop(name: &str, rows: &[TraceRow], of: Quantity, style: Style) -> Vec<Se
     loops::series(Series::line(name, Vec::new()), style, branches)
 }
 
-fn is_loading(row: &TraceRow) -> bool {
+fn is_loading(row: &IndentationRow) -> bool {
     matches!(row.branch, Branch::Elastic | Branch::Plastic)
 }
 

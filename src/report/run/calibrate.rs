@@ -5,7 +5,7 @@ use std::path::absolute;
 use serde_json::Map;
 use toml_edit::Value;
 
-use super::outcome::{Order, Outcome, file, provenance, with_summary};
+use super::outcome::{Outcome, RunOptions, file, provenance, with_summary};
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::error::Error;
 use crate::files::OutputFile;
@@ -17,7 +17,7 @@ use crate::scenario::Scenario;
 use crate::scenario::edit::{parsed, set, written};
 use crate::units::{Dimension, exact};
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
     let measured = Measurements::of(scenario)?;
     let unwatched = Counter::default();
     let found = measured.calibrate(order.map_or(&unwatched, |order| order.progress))?;
@@ -32,7 +32,7 @@ fn files(
     scenario: &Scenario,
     measured: &Measurements,
     found: &Calibration,
-    order: &Order,
+    order: &RunOptions,
 ) -> Result<Vec<OutputFile>, Error> {
     let provenance = provenance(scenario, &measured.wanted.input.law(), true, order.command);
     let mut files = vec![file("residuals.csv", report::residuals(found)?)];

@@ -1,7 +1,7 @@
 //! One impact.
 
 use super::band::band;
-use super::outcome::{self, Order, Outcome, file, no_result, texts, with_summary};
+use super::outcome::{self, Outcome, RunOptions, file, no_result, texts, with_summary};
 use crate::error::Error;
 use crate::files::provenance::{MethodOf, Provenance};
 use crate::impact::{Contact, Impact, ImpactError, Method};
@@ -49,7 +49,7 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
     Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
 }
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, impact) = compute(scenario, order.map(|_| scenario.input().samples()))?;
     let Some(order) = order else {
         let checked = of_contact(&input, &contact)?;

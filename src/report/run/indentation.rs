@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use super::outcome::{self, Order, Outcome, file, texts, with_summary};
+use super::outcome::{self, Outcome, RunOptions, file, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::impact::indentation::{IndentationError, Indenter, StaticContact, Tested};
 use crate::impact::{of_half_space, of_sphere};
@@ -39,7 +39,7 @@ pub fn compute(
     Ok((scene, tested, warnings))
 }
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, order.map(|_| scenario.input().samples()))?;
     let inputs = report::inputs(scenario, &scene);
     let Some(order) = order else {

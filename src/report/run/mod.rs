@@ -13,11 +13,11 @@ use crate::impact::{Contact, Forces};
 use crate::scenario::scene::Input;
 use crate::scenario::scene::at::at;
 use crate::scenario::{Kind, Scenario};
-pub use outcome::{Order, Outcome, no_result, texts};
+pub use outcome::{Outcome, RunOptions, no_result, texts};
 
 /// The outcome of a scenario: with an order it has all files, and without one it has the text of a check. `None` for a table, which
 /// is made row after row by [`crate::table::Job`].
-pub fn at_once(scenario: &Scenario, order: Option<&Order>) -> Result<Option<Outcome>, Error> {
+pub fn at_once(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
     let outcome = match scenario.kind()? {
         Kind::Sweep | Kind::MonteCarlo => return Ok(None),
         Kind::Impact => impact::outcome,

@@ -15,7 +15,7 @@ use crate::scenario::Scenario;
 
 /// The options of a run, besides its scenario.
 #[derive(Debug, Clone, Copy)]
-pub struct Order<'a> {
+pub struct RunOptions<'a> {
     /// The command line, for the provenance.
     pub command: &'a str,
     /// How much the text says of an impact.

@@ -1,7 +1,7 @@
 //! Impacts one after the other.
 
 use super::impact::{can_be_traced, prepare, provenance};
-use super::outcome::{Order, Outcome, file, no_result, texts, with_summary};
+use super::outcome::{Outcome, RunOptions, file, no_result, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::progress::Counter;
 use crate::impact::repeat::Repeat;
@@ -25,7 +25,7 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), E
     Ok((input, contact, repeat))
 }
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&Order>) -> Result<Outcome, Error> {
+pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &input)?;
     let unwatched = Counter::default();

@@ -1,6 +1,6 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Order, Outcome, no_result, texts, with_summary};
+use super::outcome::{Outcome, RunOptions, no_result, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::OutputFile;
 use crate::files::progress::Counter;
@@ -66,7 +66,7 @@ pub fn outcome(
     scenario: &Scenario,
     plan: &Plan,
     tally: &Tally,
-    order: &Order,
+    order: &RunOptions,
     table: Option<OutputFile>,
 ) -> Result<Outcome, Error> {
     let warnings = warnings(plan);

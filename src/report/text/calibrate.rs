@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::inputs::Inputs;
 use super::rows::written;
-use crate::calibrate::minimum::Place;
+use crate::calibrate::minimum::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
@@ -172,7 +172,7 @@ fn per_degree(calibration: &Calibration) -> Option<f64> {
     (calibration.freedom > 0).then_some(calibration.chi_square / calibration.freedom as f64)
 }
 
-fn basin(calibration: &Calibration, place: &Place) -> Value {
+fn basin(calibration: &Calibration, place: &ParameterPoint) -> Value {
     json!({ "values": calibration.fit.problem.values(&place.shares), "excess": place.sum - calibration.fit.best().sum })
 }
 

@@ -7,7 +7,7 @@ use super::rows::csv;
 use super::{overview, terminal};
 use crate::error::Error;
 use crate::files::provenance::Provenance;
-use crate::impact::indentation::{Step, Target, Tested, TraceRow};
+use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scenario::scene::EVERY_KEY;
@@ -107,7 +107,7 @@ pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
 }
 
 /// A row of the trace, with the name of the half-space.
-pub(super) type Traced<'a> = (Option<&'a str>, &'a TraceRow);
+pub(super) type Traced<'a> = (Option<&'a str>, &'a IndentationRow);
 
 /// The columns of `trace.csv`.
 pub(super) fn columns<'a>() -> Vec<Reported<Traced<'a>>> {

@@ -1,6 +1,6 @@
 //! Slow indentation with every law: the same law as in an impact, without motion.
 
-use plm_impact::impact::indentation::Memory as Largest;
+use plm_impact::impact::indentation::IndentationMemory as Largest;
 use plm_impact::impact::indentation::Target::{Indentation as To, Load};
 
 use super::{bodies, law_of, whole_laws};
