@@ -177,7 +177,7 @@ fn a_c_program_prints_the_bits_of_the_library() {
         "no-such-file.toml: cannot be read",
         "\nno scenario: the pointer is NULL\n",
         "\nno scenar\nnan nan nan\nno memory is spoilt\n",
-        &format!("\n{}\n{}\n1 1 1\nthreads agree", bits[0], bits[1]),
+        &format!("\n{}\n{}\n1 1 1\nradii 1 0.005 0.00375\nthreads agree", bits[0], bits[1]),
     ] {
         assert!(errors.contains(words), "{words} is not in:\n{errors}");
     }

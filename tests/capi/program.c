@@ -98,6 +98,14 @@ int main(int count, char **arguments) {
            isnan(plm_contact_restitution_with_waves(NULL, 3.0)), isnan(plm_contact_deepest(NULL)));
     plm_contact_free((plm_contact *)waves);
 
+    /* the effective radius is that of the sphere on a flat half-space, and less on a convex one: 5 mm on 15 mm has 3.75 mm */
+    plm_contact *convex = plm_contact_new(
+        "sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n"
+        "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, radius = \"15 mm\" }\n", error, sizeof error);
+    printf("radii %d %.12g %.12g\n", plm_contact_effective_radius(contact) == plm_contact_radius(contact),
+           plm_contact_radius(convex), plm_contact_effective_radius(convex));
+    plm_contact_free(convex);
+
     /* several threads use one contact, then one call for many contacts */
     double alone[STEPS], beside[4][STEPS];
     along(alone);

@@ -221,6 +221,7 @@ def test_what_is_doubtful_is_said_once(
         (("${scenario}", f"{ROOT}/scenarios/restitution-vs-speed.toml"), "sweep: is not a part of a contact of two bodies"),
         (("${scenario}", f"{ROOT}/scenarios/monte-carlo-yield-strength.toml"), "monte_carlo: is not a part of a contact"),
         (("${scenario}", f"{ROOT}/scenarios/peening-rising-speeds.toml"), "repeat: is not a part of a contact"),
+        (("${scenario}", "CURVED"), "half_space.radius curves the wall"),
         (("${scenario}", "${scenario} type 7 ${scenario}"), "type 7 is not one of the 1 atom types"),
         (("scenario ${scenario}", "type 1"), "expected: fix ID group plm/wall"),
         (("boundary p p f", "boundary p p p"), "not periodic in z"),
@@ -232,8 +233,10 @@ def test_what_cannot_be_is_refused(plugin: Path, tmp_path: Path, change: tuple, 
     script = script.replace(*change)
     if "atomic" in change[1]:
         script = re.sub(r"^set .*$", "mass 1 1.0", script, flags=re.M)
+    curved = tmp_path / "curved.toml"
+    curved.write_text(STEEL.read_text().replace("[half_space]", '[half_space]\nradius = "15 mm"'))
     made = tmp_path / "bad.in"
-    made.write_text(script)
+    made.write_text(script.replace("CURVED", str(curved)))
     assert words in lammps(plugin, str(made), fails=True, dt="1e-7", n=1, scenario=STEEL)
 
 

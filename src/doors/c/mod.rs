@@ -205,7 +205,8 @@ pub unsafe extern "C" fn plm_contact_energy(
 }
 
 /// Radius of the sphere [m]. The law of a sphere of another radius r follows by scaling: with s = radius/r its force is
-/// plm_contact_force at s times its indentation, divided by s squared.
+/// plm_contact_force at s times its indentation, divided by s squared. This holds on a flat half-space alone: of a curved one
+/// it would scale the curvature too, so compare with plm_contact_effective_radius.
 ///
 /// # Safety
 /// `contact` is NULL or not yet freed.
@@ -213,6 +214,16 @@ pub unsafe extern "C" fn plm_contact_energy(
 pub unsafe extern "C" fn plm_contact_radius(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
     unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.sphere().radius)
+}
+
+/// Effective radius [m], with 1/R* = 1/R + 1/half_space.radius. It is the radius of the sphere where the half-space is flat.
+///
+/// # Safety
+/// `contact` is NULL or not yet freed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn plm_contact_effective_radius(contact: *const plm_contact) -> f64 {
+    // SAFETY: as the caller promises
+    unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.pair().radius)
 }
 
 /// Mass of the sphere [kg].

@@ -130,12 +130,21 @@ double plm_contact_energy(const struct plm_contact *contact,
 
 /**
  * Radius of the sphere [m]. The law of a sphere of another radius r follows by scaling: with s = radius/r its force is
- * plm_contact_force at s times its indentation, divided by s squared.
+ * plm_contact_force at s times its indentation, divided by s squared. This holds on a flat half-space alone: of a curved one
+ * it would scale the curvature too, so compare with plm_contact_effective_radius.
  *
  * # Safety
  * `contact` is NULL or not yet freed.
  */
 double plm_contact_radius(const struct plm_contact *contact);
+
+/**
+ * Effective radius [m], with 1/R* = 1/R + 1/half_space.radius. It is the radius of the sphere where the half-space is flat.
+ *
+ * # Safety
+ * `contact` is NULL or not yet freed.
+ */
+double plm_contact_effective_radius(const struct plm_contact *contact);
 
 /**
  * Mass of the sphere [kg].

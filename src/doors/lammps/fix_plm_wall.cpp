@@ -97,6 +97,9 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
     char message[2048];
     plm_contact *contact = plm_contact_open(file, message, sizeof(message));
     if (!contact) error->all(FLERR, "Fix plm/wall: {}", message);
+    if (plm_contact_effective_radius(contact) != plm_contact_radius(contact))
+      error->all(FLERR, "Fix plm/wall: {}: half_space.radius curves the wall, and the law of a curved wall does not scale to spheres of "
+                 "other radii; leave it out", file);
     contacts[type] = contact;
   }
 
