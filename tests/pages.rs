@@ -149,6 +149,44 @@ fn every_link_within_the_repository_leads_somewhere() {
     assert!(count > 60, "{count}");
 }
 
+/// Registries show this page, and know neither the files of the repository nor its address: a link on it is a whole address or a
+/// place on the page. What it says to type runs in an empty folder. `tests/python` runs its lines of Python.
+#[test]
+fn the_page_for_registries_stands_alone() {
+    const NAME: &str = "src/registry.md";
+    let page = read(NAME);
+    let links = |page: &str| -> Vec<String> {
+        let inline = page.split("](").skip(1).map(|rest| rest.split(')').next().unwrap().to_owned());
+        let defined =
+            page.lines().filter_map(|line| Some(line.strip_prefix('[')?.split_once("]:")?.1.trim().to_owned()));
+        let html = ["href=\"", "src=\""].iter().flat_map(|begin| page.split(begin).skip(1));
+        inline.chain(defined).chain(html.map(|rest| rest.split('"').next().unwrap().to_owned())).collect()
+    };
+    let is_relative = |link: &String| !link.starts_with("https://") && !link.starts_with('#');
+    assert_eq!(links(&page).into_iter().filter(is_relative).collect::<Vec<_>>(), <[String; 0]>::default());
+    // the front page has such links, so this finds them
+    assert!(links(&read("README.md")).iter().filter(|link| is_relative(link)).count() > 10);
+
+    let (cargo, python): (toml::Table, toml::Table) =
+        (read("Cargo.toml").parse().unwrap(), read("pyproject.toml").parse().unwrap());
+    for readme in [&cargo["package"]["readme"], &python["project"]["readme"]] {
+        assert_eq!(readme.as_str(), Some(NAME));
+    }
+    let listed = Command::new(env!("CARGO"))
+        .current_dir(ROOT)
+        .args(["package", "--list", "--allow-dirty", "--offline"])
+        .output()
+        .unwrap();
+    assert!(text(&listed.stdout).lines().any(|line| line == NAME), "{}", text(&listed.stderr));
+
+    let clone = Clone::new();
+    let blocks = commands(&page);
+    assert_eq!(blocks.len(), 2);
+    for (block, _) in blocks {
+        clone.shell(&format!("mkdir -p empty && cd empty && {}", block.trim().replace('\n', " && ")), 0);
+    }
+}
+
 /// Paths in the gallery: the pictures of one scenario, or the folders of all scenarios.
 fn gallery(scenario: &str) -> Vec<PathBuf> {
     let folder = Path::new(ROOT).join("plots/gallery").join(scenario);

@@ -7,6 +7,7 @@ from importlib import metadata
 from pathlib import Path
 
 import plm_impact as plm
+import pytest
 from conftest import ROOT
 
 EXAMPLES = ROOT / "src" / "doors" / "python" / "examples"
@@ -24,8 +25,9 @@ def test_the_example_draws_e_against_v(tmp_path: Path) -> None:
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
-def test_the_python_of_the_front_page_runs_with_numpy_alone_and_warns_of_nothing() -> None:
-    _, block = (ROOT / "README.md").read_text().split("```python\n")
+@pytest.mark.parametrize("page", ["README.md", "src/registry.md"])
+def test_the_python_of_the_first_pages_runs_with_numpy_alone_and_warns_of_nothing(page: str) -> None:
+    _, block = (ROOT / page).read_text().split("```python\n")
     # `pip install .` brings NumPy and no other package
     others = ["pandas", "polars", "pyarrow", "xarray", "duckdb", "matplotlib"]
     alone = f"import sys; sys.modules.update(dict.fromkeys({others}))\n"
@@ -35,6 +37,10 @@ def test_the_python_of_the_front_page_runs_with_numpy_alone_and_warns_of_nothing
 def test_the_wheel_has_the_licences_of_what_is_linked_in() -> None:
     licences = metadata.distribution("plm-impact").read_text("licenses/src/doors/licenses.txt")
     assert licences == (ROOT / "src" / "doors" / "licenses.txt").read_text()
+
+
+def test_the_wheel_shows_the_page_for_registries() -> None:
+    assert metadata.metadata("plm-impact").get_payload().strip() == (ROOT / "src" / "registry.md").read_text().strip()
 
 
 def test_a_table_divided_over_dask_is_the_undivided_one() -> None:
