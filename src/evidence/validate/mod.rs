@@ -3,6 +3,7 @@
 //!
 //! Comparisons of the program with exact arithmetic and closed forms are no part of this, but tests of the program.
 
+mod bounces;
 pub mod cases;
 pub mod comparison;
 pub mod dynamic;
@@ -37,6 +38,7 @@ const SOURCES: &[Source] = &[
     measured::rebounds,
     measured::hardnesses,
     yielding::equal_balls,
+    bounces::heights,
     oblique::rebounds,
 ];
 

@@ -1,4 +1,4 @@
-//! Public measurements of restitution: rebound hardness after Leeb.
+//! Public measurements of restitution: rebound hardness after Leeb, and the bounces of a table-tennis ball.
 
 use crate::contact::material::Material;
 
@@ -48,5 +48,15 @@ impl Steel {
     /// Tensile strength \[MPa\] and HLD at both ends.
     pub fn ends(&self) -> [(f64, f64); 2] {
         [(self.low_strength, self.low_hardness), (self.high_strength, self.high_hardness)]
+    }
+}
+
+rows! {
+    /// The time between two bounces of a table-tennis ball; the height stands in the first line of a drop.
+    pub struct Click read by clicks from "../../../scenarios/clicks.csv" {
+        /// \[cm\].
+        pub height as "drop_height_cm": Option<f64>,
+        /// \[s\].
+        pub interval as "bounce_interval_s": f64,
     }
 }

@@ -1,0 +1,45 @@
+//! A ball that bounces has one restitution at these low speeds, from whatever height it is dropped. The times between its bounces
+//! give that restitution only if the flight is right: this compares the formulas of the flight, and no contact law.
+
+use super::comparison::{Comparison, Group, mean};
+use crate::contact::law::PlmCoefficients;
+use crate::error::Error;
+use crate::impact::air::{Flying, Medium};
+use crate::impact::reference::measured::{Click, clicks};
+
+const SOURCE: &str = "intervals between bounces of a table-tennis ball by students (Ali, Broggi, Cantarini), without a second witness, scenarios/clicks.csv";
+const IN_AIR: Group = Group::of("measured: restitution at a drop height over that at 8 cm, with air", SOURCE, "");
+const IN_VACUUM: Group = Group::of("measured: restitution at a drop height over that at 8 cm, without air", SOURCE, "");
+
+/// The ball and the air of `scenarios/bouncing-clicks.toml`.
+const RADIUS: f64 = 0.02;
+const MASS: f64 = 2.7e-3;
+const GRAVITY: f64 = 9.806_65;
+const AIR: Medium = Medium { density: 1.2, drag: Some(0.5), viscosity: f64::NAN };
+
+/// The restitution of the bounces between these intervals: the speed of each take-off over that of the landing before it. A contact
+/// lasts about a millisecond, which changes a restitution by 0.02 %, and is left in the intervals.
+fn restitution(drop: &[Click], flying: &Flying) -> f64 {
+    let take_offs: Vec<f64> = drop.iter().map(|click| flying.take_off_speed(click.interval)).collect();
+    let ratio = |pair: &[f64]| pair[1] / flying.landing_speed(flying.rise(pair[0]));
+    mean(&take_offs.windows(2).map(ratio).collect::<Vec<_>>())
+}
+
+/// The higher drops against the lowest, on which air has the least effect. The contact law has no part in it, so its coefficients
+/// change nothing.
+pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let clicks = clicks()?;
+    let drops: Vec<&[Click]> = clicks.chunk_by(|_, next| next.height.is_none()).collect();
+    let Some((lowest, higher)) = drops.split_first() else { return Ok(Vec::new()) };
+    let mut compared = Vec::new();
+    for (group, flying) in
+        [(IN_AIR, Flying::in_air(GRAVITY, &AIR, RADIUS, MASS)), (IN_VACUUM, Flying::in_vacuum(GRAVITY))]
+    {
+        let reference = restitution(lowest, &flying);
+        for drop in higher {
+            let height = drop.first().and_then(|click| click.height).unwrap_or(f64::NAN);
+            compared.push(group.compared(format!("{height} cm"), [reference, restitution(drop, &flying)]));
+        }
+    }
+    Ok(compared)
+}
