@@ -132,6 +132,8 @@ proptest! {
     fn energy_is_kept_on_any_flow_curve(
         speed in 0.01..20.0_f64, first in 1.0..1.5_f64, second in 1.0..2.0_f64, strain in 1e-3..0.05_f64, zeta in 0.0..0.2_f64,
     ) {
+        // steeper than the elastic line is refused
+        prop_assume!(345e6 * (second - 1.0) * first < 0.99 * 210e9 * 2.0 * strain);
         let points = format!("points = [[{strain}, {}], [{}, {}]]", 345e6 * first, 3.0 * strain, 345e6 * first * second);
         let text = STEEL.replace("[impact]", &format!("[half_space.flow_stress]\n{points}\n[damping]\nviscous = {zeta}\n[impact]"));
         let contact = contact(&text.replace("3 m/s", &format!("{speed} m/s")), NONE);

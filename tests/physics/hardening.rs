@@ -67,14 +67,19 @@ fn gravity_has_its_closed_form() {
     }
 }
 
-/// A law on a half-space of E = 200 GPa. E_s/E_h is 10^`ratio`.
-fn hardening_law(ratio: f64, yield_strength: f64, flow: FlowCurve, exponent: UnloadingExponent) -> (Law, Bodies) {
+/// A law on a half-space of E = 200 GPa; none on one that is steeper than its elastic line. E_s/E_h is 10^`ratio`.
+fn hardening_law(
+    ratio: f64,
+    yield_strength: f64,
+    flow: FlowCurve,
+    exponent: UnloadingExponent,
+) -> Option<(Law, Bodies)> {
     let half_space = Material { youngs_modulus: MODULUS, poissons_ratio: 0.3 };
     let sphere = Material { youngs_modulus: MODULUS * 10_f64.powf(ratio), poissons_ratio: 0.3 };
     let half_space = HalfSpace::flat(half_space, Some(yield_strength));
     let pair = Pair::try_new(&Sphere::elastic(1.0, sphere, 1.0), &half_space).unwrap();
-    let law = Plm { exponent, flow: [None, Some(flow)], ..Plm::default() }.of_pair(&pair).unwrap().unwrap();
-    (law, Bodies::new(&pair).unwrap())
+    let law = Plm { exponent, flow: [None, Some(flow)], ..Plm::default() }.of_pair(&pair).ok()?.unwrap();
+    Some((law, Bodies::new(&pair).unwrap()))
 }
 
 const MODULUS: f64 = 2e11;
@@ -87,10 +92,13 @@ fn any_hardening_law() -> impl Strategy<Value = (Law, Bodies, UnloadingExponent)
         1 => (0.1..3.0_f64).prop_map(|giga| FlowCurve::Linear { slope: 1e9 * giga }),
     ];
     let exponent = prop_oneof![Just(UnloadingExponent::Paper), Just(UnloadingExponent::PressureShape)];
-    (-1.0..3.0_f64, 50.0..6000.0_f64, curve, exponent).prop_map(|(ratio, modulus_over_strength, flow, exponent)| {
-        let (law, bodies) = hardening_law(ratio, MODULUS / modulus_over_strength, flow, exponent);
-        (law, bodies, exponent)
-    })
+    (-1.0..3.0_f64, 50.0..6000.0_f64, curve, exponent).prop_filter_map(
+        "too steep",
+        |(ratio, modulus_over_strength, flow, exponent)| {
+            let (law, bodies) = hardening_law(ratio, MODULUS / modulus_over_strength, flow, exponent)?;
+            Some((law, bodies, exponent))
+        },
+    )
 }
 
 /// Random measured curves of the kind that metals have: concave, with a first part that may be as steep as the elastic line, and
@@ -115,7 +123,7 @@ fn any_measured_law() -> impl Strategy<Value = (Law, Bodies, UnloadingExponent)>
             Some(FlowPoint { strain: *strain, stress: *stress })
         });
         let flow = FlowCurve::through(points.collect::<Vec<_>>()).unwrap();
-        let (law, bodies) = hardening_law(ratio, yield_strength, flow, exponent);
+        let (law, bodies) = hardening_law(ratio, yield_strength, flow, exponent).unwrap();
         (law, bodies, exponent)
     })
 }
@@ -263,6 +271,7 @@ fn e_is_as_far_off_as_the_table_of_strengths_says() {
 /// this.
 #[test]
 fn the_force_rises_along_any_curve() {
+    let mut compared = 0;
     for (strain, stress) in [(1e-6, 345.2e6), (1e-3, 550e6), (1e-2, 2.4e9), (1e-9, 345.0002e6)] {
         let points = [FlowPoint { strain, stress }, FlowPoint { strain: 2.0 * strain, stress }];
         let contact = steel(Some(FlowCurve::through(points.to_vec()).unwrap()), UnloadingExponent::PressureShape);
@@ -272,11 +281,14 @@ fn the_force_rises_along_any_curve() {
         );
         for speed in [0.02, 0.1, 1.0, 10.0] {
             let Ok(exact) = contact.closed_form(speed) else { continue };
+            compared += 1;
             assert!(exact.restitution > 0.0 && exact.restitution <= 1.0);
             let stepped = contact.impact(speed, &Solver::default(), None).unwrap();
             assert!(off(stepped.restitution, exact.restitution) < 1e-8, "{stress:e} {speed}");
         }
     }
+    // the others, just beyond first yield, would give back more than was spent
+    assert!(compared >= 13, "{compared} of 16");
 }
 
 /// Reloading below the old peak is elastic, and reloading beyond it continues along the loading curve.

@@ -254,12 +254,16 @@ fn any_oblique() -> impl Strategy<Value = (Contact, Approach)> {
     let flow = prop_oneof![Just(None), (0.05..0.3_f64).prop_map(|exponent| Some(FlowCurve::Power { exponent }))];
     let of_contact = (scenes(9.0..12.0, 0.0..0.49, -2.7..-2.6, -4.0..-2.0), prop::option::of(-4.0..-2.0_f64), flow);
     let of_approach = (-2.0..1.5_f64, 0.0..89.0_f64, -3.0..0.5_f64, -1.0..1.0_f64);
-    (of_contact, of_approach).prop_map(|((scene, log_strength, flow), (log_v, degrees, log_mu, roll))| {
+    let any = (of_contact, of_approach);
+    any.prop_filter_map("too deep", |((scene, log_strength, flow), (log_v, degrees, log_mu, roll))| {
         let law = Plm { exponent: scene.exponent, flow: [None, flow], ..Plm::default() };
         let yield_strength = log_strength.map(|log| 10_f64.powf(log) * scene.half_space.youngs_modulus);
         let contact = Scene { yield_strength, ..scene }.contact_by(&law);
         let speed = 10_f64.powf(log_v);
-        (contact, approach(speed, degrees, 10_f64.powf(log_mu), roll * speed / scene.radius))
+        let approach = approach(speed, degrees, 10_f64.powf(log_mu), roll * speed / scene.radius);
+        let [normal, _] = approach.components();
+        contact.row(normal, &Solver::AUTO).ok()?;
+        Some((contact, approach))
     })
 }
 

@@ -27,6 +27,10 @@ const AT_AN_ANGLE: Incidence = Incidence { angle: 0.349_065_850_398_865_9, spin:
 /// Rows from 5 cm/s to 10 m/s.
 const ROWS: u32 = 1000;
 
+/// Contacts that are timed together, because the clock is too coarse for one, behind one that is not timed: code and data of this
+/// law are then in the caches, as they are for the rows.
+const CONTACTS: u32 = 20;
+
 /// Times every law that loads, a steel ball of 5 mm on steel of 345 MPa; the PLM also with the other exponent of unloading and
 /// on a half-space that hardens, and at an angle. The laws take turns.
 ///
@@ -50,9 +54,13 @@ pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
     let speeds: Vec<f64> = (0..ROWS).map(|row| 0.05 * pow(200.0, f64::from(row) / f64::from(ROWS))).collect();
     for _ in 0..rounds {
         for (rate, (_, law, incidence)) in rates.iter_mut().zip(&laws) {
-            let (contact, ns) = timed(|| steel_on_steel(law.get()));
-            let contact = contact?;
-            rate.ns_per_contact = rate.ns_per_contact.min(ns);
+            let contact = steel_on_steel(law.get())?;
+            let ((), ns) = timed(|| {
+                for _ in 0..CONTACTS {
+                    black_box(steel_on_steel(black_box(law.get())).ok());
+                }
+            });
+            rate.ns_per_contact = rate.ns_per_contact.min(ns / f64::from(CONTACTS));
             // a law may refuse some of the speeds
             let ((), ns) = timed(|| {
                 for &speed in &speeds {

@@ -2,6 +2,8 @@
 //! error of the speed at a loose tolerance, so a step may end with a speed of the wrong sign. This is not a turning
 //! point.
 
+use std::cell::Cell;
+
 use super::{GRAVITY, fate, gravity, under};
 use crate::common::prelude::*;
 
@@ -71,16 +73,24 @@ fn a_heavily_damped_sphere_let_go_on_soft_ground_sinks_to_where_the_ground_carri
     }
 }
 
-proptest! {
-    #![proptest_config(cases(200))]
-
-    #[test]
-    fn a_creep_has_no_false_turning_point((scene, speed, forces) in any_creep()) {
+#[test]
+fn a_creep_has_no_false_turning_point() {
+    let refused = Cell::new(0);
+    let judged = checked(200, &any_creep(), |(scene, speed, forces)| {
         let contact = under(&scene, forces);
         let fine = contact.impact(speed, &solver(Method::Rk8, 1e-11), None).unwrap();
         for tolerance in LOOSE {
             for (method, _) in STEPPING {
-                let got = contact.impact(speed, &solver(method, tolerance), None).unwrap();
+                let got = match contact.impact(speed, &solver(method, tolerance), None) {
+                    // of fifth order, it does not come to rest in one of a thousand cases, and says so
+                    Err(ImpactError::Integration(IntegrationError::TooManySteps { .. }))
+                        if method == Method::Dopri5 =>
+                    {
+                        refused.set(refused.get() + 1);
+                        continue;
+                    }
+                    got => got.unwrap(),
+                };
                 let says_so = got.warnings.iter().any(|warning| warning.kind == WarningKind::OpenLedger);
                 let (peak, dent) = (got.peak_indentation, got.residual_indentation);
                 let is_right = is_right(peak, dent, &fine, tolerance);
@@ -88,7 +98,9 @@ proptest! {
                 prop_assert_eq!(fate(&got), fate(&fine));
             }
         }
-    }
+        Ok(true)
+    });
+    assert!(refused.get() <= judged / 100, "{} of {judged}", refused.get());
 }
 
 /// The library accepts any damping, so it must not return a trace with rows of NaN: once 396 rows were NaN, and the
