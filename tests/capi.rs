@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
 
-use plm_impact::impact::{Contact, Memory};
+use plm_impact::impact::{Contact, FrictionStep, Memory};
 use plm_impact::scenario::Scenario;
 
 fn root() -> &'static Path {
@@ -76,24 +76,46 @@ fn library() -> PathBuf {
     library
 }
 
-/// Stiffness, force, stored and plastic energy along the path of the C program.
-fn along_the_path(contact: &Contact) -> Vec<String> {
+/// The bits of numbers as the C program prints them.
+fn words(numbers: &[f64]) -> String {
+    numbers.iter().map(|number| format!("{:016x}", number.to_bits())).collect::<Vec<_>>().join(" ")
+}
+
+/// The indentations of the C program.
+fn path() -> impl Iterator<Item = f64> {
     const TURNS: [f64; 5] = [0.0, 30e-6, 26e-6, 35e-6, -1e-6];
-    let mut memory = Memory::default();
-    let steps = (0..400_u32).map(|step| {
+    (0..400_u32).map(|step| {
         let (leg, share) = ((step / 100) as usize, f64::from(step % 100) / 100.0);
         TURNS[leg] + share * (TURNS[leg + 1] - TURNS[leg])
-    });
-    steps
+    })
+}
+
+/// Stiffness, force, stored and plastic energy along that path.
+fn along_the_path(contact: &Contact) -> Vec<String> {
+    let mut memory = Memory::default();
+    path()
         .map(|indentation| {
             let stiffness = contact.stiffness(indentation, &memory);
             let force = contact.force(indentation, &mut memory);
             let energy = contact.energy(indentation, force, &memory);
-            let words =
-                [stiffness, force, energy.stored, energy.plastic].map(|number| format!("{:016x}", number.to_bits()));
-            words.join(" ")
+            words(&[stiffness, force, energy.stored, energy.plastic])
         })
         .collect()
+}
+
+/// Friction along that path, after every 50th step.
+fn friction_along_the_path(contact: &Contact) -> String {
+    let (mut memory, mut history, mut before, mut told) = (Memory::default(), [0.0; 3], 0.0, String::new());
+    for (step, indentation) in path().enumerate() {
+        let slip = [2e-8, if step < 200 { 1e-8 } else { -3e-8 }, 0.0];
+        let force = contact.force(indentation, &mut memory);
+        contact.friction(0.2, &FrictionStep { before, indentation, force, slip }, &memory, &mut history);
+        before = indentation;
+        if step % 50 == 49 {
+            told += &format!("friction {}\n", words(&history));
+        }
+    }
+    told
 }
 
 /// A program is compiled as plots/lammps/README.md says.
@@ -168,6 +190,15 @@ fn a_c_program_prints_the_bits_of_the_library() {
     let waves = waves.closed_form(3.0).unwrap().restitution_with_waves().unwrap();
     let bits = [("deepest", contact.deepest()), ("waves", waves)]
         .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));
+    // a strength that rises with the rate, at the speed of the scenario
+    let rated = ["half_space.rate.johnson_cook.c=0.03".to_owned()];
+    let rated = Scenario::load(&scenario, &rated).unwrap().resolve().unwrap().contact().unwrap();
+    let impact = rated.closed_form(3.0).unwrap();
+    assert!(impact.rated.unwrap().factor > 1.1);
+    let (rated, mut memory) = (rated.at_speed(3.0).unwrap(), Memory::default());
+    let forces = [30e-6, 29e-6].map(|indentation| rated.force(indentation, &mut memory));
+    let of_rate = words(&[impact.contact_time, impact.restitution, forces[0], forces[1]]);
+    let of_sphere = words(&[contact.sphere().radius, contact.mass(), contact.yield_speed().unwrap()]);
     // the messages of the bad scenarios that the program tried, in its order
     let errors = printed[expected.len()..].join("\n");
     for words in [
@@ -177,7 +208,11 @@ fn a_c_program_prints_the_bits_of_the_library() {
         "no-such-file.toml: cannot be read",
         "\nno scenario: the pointer is NULL\n",
         "\nno scenar\nnan nan nan\nno memory is spoilt\n",
-        &format!("\n{}\n{}\n1 1 1\nradii 1 0.005 0.00375\nthreads agree", bits[0], bits[1]),
+        &format!("\n{}\n{}\n1 1 1\nradii 1 0.005 0.00375\n", bits[0], bits[1]),
+        &format!("\nrated {of_rate}\nscenario:2:"),
+        "the strength depends on the speed: give impact.speed",
+        &format!("\n{}no friction without a contact\n", friction_along_the_path(&contact)),
+        &format!("\nsphere {of_sphere}\n1 1 1 of no contact\nthreads agree"),
     ] {
         assert!(errors.contains(words), "{words} is not in:\n{errors}");
     }

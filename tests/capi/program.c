@@ -42,6 +42,48 @@ static void refused(const char *text, size_t room) {
     puts(error);
 }
 
+#define BODIES \
+    "sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n" \
+    "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, yield_strength = \"345 MPa\", " \
+    "rate = { johnson_cook = { c = 0.03 } } }\n"
+
+/* A strength that rises with the strain rate is that of one speed. */
+static void rated(void) {
+    char error[512] = "";
+    plm_contact *own = plm_contact_new(BODIES "impact = { speed = \"3 m/s\" }\n", error, sizeof error);
+    double memory[3] = {0.0, 0.0, 0.0}, restitution;
+    double time = plm_contact_time(own, 3.0, &restitution);
+    double down = plm_contact_force(own, 30e-6, memory), up = plm_contact_force(own, 29e-6, memory);
+    printf("rated %016" PRIx64 " %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(time), bits(restitution), bits(down),
+           bits(up));
+    plm_contact_free(own);
+    refused(BODIES, 512);
+}
+
+/* Friction along the path, with slip in two directions of which one changes its sign, and what the sphere is. */
+static void rubbed(void) {
+    double memory[3] = {0.0, 0.0, 0.0}, history[3] = {0.0, 0.0, 0.0}, before = 0.0;
+    for (int step = 0; step < STEPS; step++) {
+        double indentation = path(step), slip[3] = {2e-8, step < STEPS / 2 ? 1e-8 : -3e-8, 0.0};
+        double force = plm_contact_force(contact, indentation, memory);
+        plm_contact_friction(contact, 0.2, before, indentation, force, memory, slip, history);
+        before = indentation;
+        if (step % 50 == 49) {
+            printf("friction %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(history[0]), bits(history[1]),
+                   bits(history[2]));
+        }
+    }
+    double kept[3] = {history[0], history[1], history[2]};
+    plm_contact_friction(NULL, 0.2, 0.0, 1e-6, 1.0, memory, kept, history);
+    plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, memory, NULL, history);
+    plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, NULL, kept, history);
+    puts(memcmp(kept, history, sizeof kept) ? "friction without a contact" : "no friction without a contact");
+    printf("sphere %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(plm_contact_radius(contact)),
+           bits(plm_contact_mass(contact)), bits(plm_contact_yield_speed(contact)));
+    printf("%d %d %d of no contact\n", isnan(plm_contact_radius(NULL)), isnan(plm_contact_mass(NULL)),
+           isnan(plm_contact_yield_speed(NULL)));
+}
+
 int main(int count, char **arguments) {
     char error[512] = "no scenario named";
     contact = count > 1 ? plm_contact_open(arguments[1], error, sizeof error) : NULL;
@@ -105,6 +147,9 @@ int main(int count, char **arguments) {
     printf("radii %d %.12g %.12g\n", plm_contact_effective_radius(contact) == plm_contact_radius(contact),
            plm_contact_radius(convex), plm_contact_effective_radius(convex));
     plm_contact_free(convex);
+
+    rated();
+    rubbed();
 
     /* several threads use one contact, then one call for many contacts */
     double alone[STEPS], beside[4][STEPS];
