@@ -20,7 +20,7 @@ use crate::scenario::scene::measured::Measured;
 use crate::scenario::scene::quantity::{INDENTATION, LOAD, Quantity};
 use crate::scenario::scene::{KEYS, Key};
 use crate::units::csv_text::{CsvText, refused};
-use crate::units::nearest::did_you_mean;
+use crate::units::names::did_you_mean;
 use crate::units::{Dimension, parse};
 
 /// A measured value.

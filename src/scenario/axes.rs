@@ -17,7 +17,7 @@ use crate::scenario::scene::read::{Fault, Reader, count, items, list, named, num
 use crate::scenario::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
 use crate::scenario::scene::written::{Name, Node, described};
 use crate::scenario::scene::{KEYS, Key};
-use crate::units::nearest::did_you_mean;
+use crate::units::names::did_you_mean;
 
 /// The keys that are axes of words.
 pub(super) const METHOD: &str = "solver.method";

@@ -56,6 +56,7 @@ use crate::scenario::scene::read::{Reader, items};
 use crate::scenario::scene::{EITHER, EVERY_KEY, Input, Purpose, without_effect};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 pub use kind::{Kind, TEMPLATES};
+pub use source::Source;
 use varied::Varied;
 
 /// A scenario file, read and checked.

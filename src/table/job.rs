@@ -19,7 +19,8 @@ use super::{file, unwritable};
 use crate::error::{Error, ErrorKind};
 use crate::files::progress::Counter;
 use crate::files::{NewFile, OutputDirectory, remove, remove_folder, remove_stale};
-use crate::scenario::plan::{Plan, Source};
+use crate::scenario::Source;
+use crate::scenario::plan::Plan;
 
 /// A sweep to be run.
 pub struct Job<'a> {

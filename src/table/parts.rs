@@ -15,7 +15,8 @@ use super::{file, refused};
 use crate::error::Error;
 use crate::files::provenance::{FORMAT, NUMBERS, VERSION};
 use crate::files::{OutputDirectory, create, remove, remove_folder};
-use crate::scenario::plan::{Plan, Source};
+use crate::scenario::Source;
+use crate::scenario::plan::Plan;
 
 /// A table of up to so many parts is written as one file: about a second's work.
 pub const ONE_FILE: u64 = 16;

@@ -8,9 +8,8 @@ pub(crate) mod aligned;
 pub(crate) mod csv_text;
 mod dimension;
 mod format;
-pub(crate) mod names;
 #[doc(hidden)]
-pub mod nearest;
+pub mod names;
 mod parse;
 pub(crate) mod rounded;
 mod table;

@@ -1,4 +1,6 @@
-//! Values that users write and read as words.
+//! Words that users write: enums whose values have names, and "did you mean", the known word most like an unknown one.
+
+use super::capital;
 
 /// An enum whose values have names.
 macro_rules! named {
@@ -23,3 +25,27 @@ macro_rules! named {
     };
 }
 pub(crate) use named;
+
+/// The only candidate that begins with `word`, or else the one that takes the fewest typing errors to become `word`. The
+/// case of letters does not count. `None` if more than a third of the candidate would have to change.
+fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    let candidates: Vec<&str> = candidates.into_iter().collect();
+    let mut longer = candidates.iter().filter(|candidate| candidate.to_lowercase().starts_with(&lower));
+    if let (false, Some(only), None) = (word.is_empty(), longer.next(), longer.next()) {
+        return Some(only);
+    }
+    candidates
+        .into_iter()
+        .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), candidate))
+        .filter(|(distance, candidate)| 3 * distance <= candidate.chars().count().max(3))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, candidate)| candidate)
+}
+
+/// The end of a message about an unknown word: the known word most like it, if there is one, and then `rest`, which says
+/// what there is: ", did you mean `plm`? Laws are plm, hertz", or "; laws are plm, hertz".
+pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char, rest: &str) -> String {
+    let Some(near) = nearest(word, candidates) else { return format!("; {rest}") };
+    format!(", did you mean {mark}{near}{mark}? {}", capital(rest))
+}

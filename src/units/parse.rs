@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::Dimension;
-use super::nearest::did_you_mean;
+use super::names::did_you_mean;
 use super::table::{Scale, UNITS, Unit};
 use crate::error::Error;
 

@@ -6,7 +6,7 @@ use plm_impact::scenario::schema::schema;
 use std::collections::{BTreeMap, BTreeSet};
 
 use plm_impact::impact::indentation::Target;
-use plm_impact::scenario::plan::Source;
+use plm_impact::scenario::Source;
 use plm_impact::scenario::scene::key::{Form, Part};
 use plm_impact::scenario::scene::{KEYS, Purpose, without_effect};
 

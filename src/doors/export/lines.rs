@@ -1,16 +1,49 @@
-//! The input lines, in the form of each code.
+//! The request, for which code and at which speeds, and the input lines in the form of each code.
 
 use std::fmt::Write as _;
 
 use super::bare::Bare;
-use super::request::{Request, Target};
 use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
 use crate::files::provenance::PROGRAM;
 use crate::impact::{Essentials, Impact, Rated};
 use crate::numerics::functions::{atan, pow};
 use crate::scenario::Scenario;
+use crate::units::names::named;
 use crate::units::{Dimension, four_digits, human};
+
+named! {
+    /// Which code the lines are for.
+    pub enum Target {
+        /// LAMMPS, `fix wall/gran`; for two spheres `pair_style granular`.
+        Lammps = "lammps",
+        /// LIGGGHTS, `fix wall/gran model hooke`; for two spheres `pair_style gran`.
+        Liggghts = "liggghts",
+        /// Yade, `ViscElMat`.
+        Yade = "yade",
+        /// MercuryDPM, a species with e and contact time.
+        Mercury = "mercury",
+        /// A table e(v) as CSV.
+        Csv = "csv",
+    }
+}
+
+impl Target {
+    /// Whether the code reads a table e(v).
+    pub(super) fn takes_table(self) -> bool {
+        self == Self::Csv
+    }
+}
+
+/// The request of a user.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    pub target: Target,
+    /// Impact speed \[m/s\]; `None` for the speed of the scenario.
+    pub speed: Option<f64>,
+    /// First and last speed of a table \[m/s\]; `None` for a tenth to ten times the impact speed.
+    pub speeds: Option<(f64, f64)>,
+}
 
 /// Stiffness of a tangential spring over that of the normal one: both swing alike for a solid sphere.
 const TANGENTIAL: f64 = 2.0 / 7.0;

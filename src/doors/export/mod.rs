@@ -11,7 +11,6 @@
 
 mod bare;
 mod lines;
-mod request;
 mod springs;
 
 use crate::error::{Error, ErrorKind};
@@ -19,7 +18,7 @@ use crate::impact::Solver;
 use crate::numerics::functions::pow;
 use crate::scenario::Scenario;
 use bare::Bare;
-pub use request::{Request, Target};
+pub use lines::{Request, Target};
 pub use springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 
 /// Rows of a table e(v).

@@ -19,14 +19,14 @@ use crate::report::run::band::band;
 use crate::report::run::{at_speed_of, no_result, texts};
 use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
-use crate::scenario::plan::Source;
+use crate::scenario::Source;
 use crate::scenario::scene::Purpose;
 use crate::scenario::scene::at::at;
 use crate::scenario::scene::quantity::SAMPLES;
 use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::impact::{Band, Single, results};
 use crate::scenario::{Kind, Scenario};
-use crate::units::nearest::did_you_mean;
+use crate::units::names::did_you_mean;
 
 /// The name of the contact in messages.
 const NAME: &str = "Contact";

@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use crate::error::{Details, Error};
 use crate::scenario::Scenario;
-use crate::scenario::plan::Source;
+use crate::scenario::Source;
 
 /// What `__reduce__` returns: a function, and the arguments with which it makes the object anew.
 pub type Reduced<'py, Arguments> = PyResult<(Bound<'py, PyAny>, Arguments)>;

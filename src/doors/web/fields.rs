@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::contact::materials::{MaterialEntry, Property, all};
-use crate::report::plot::of_key::title_of;
+use crate::report::plot::caption::title_of;
 use crate::report::text::materials::one;
 use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::key::{Form, Words};

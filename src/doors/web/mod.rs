@@ -4,9 +4,7 @@
 //! `{"error", "exit_code", "details"}` with the words of the command and what `--error-format json` says.
 
 mod answer;
-mod curve;
 mod fields;
-mod rows;
 
 use serde_json::{Map, Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;

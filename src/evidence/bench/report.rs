@@ -11,7 +11,7 @@ use crate::numerics::power::max_or_nan;
 use crate::report::plot::PlotError;
 use crate::report::plot::axis::Axis;
 use crate::report::plot::{Chart, Series};
-use crate::report::text::rows::written;
+use crate::report::text::files::written;
 use crate::units::aligned::markdown;
 
 /// A problem with all that was measured on it.

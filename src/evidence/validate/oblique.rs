@@ -5,7 +5,7 @@ use super::comparison::{Comparison, Group};
 use crate::contact::law::{Plm, PlmCoefficients};
 use crate::contact::material::{HalfSpace, Material, Sphere};
 use crate::error::Error;
-use crate::impact::reference::oblique;
+use crate::impact::reference::measured;
 use crate::impact::{Approach, Contact, Incidence, Rebound, Solver};
 use crate::numerics::functions::atan;
 
@@ -41,7 +41,7 @@ pub(super) fn rebound(contact: &Contact, angle: f64, friction: f64) -> Result<Op
 pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let alumina = alumina_on_glass()?;
     let mut compared = Vec::new();
-    for row in oblique::rebounds()? {
+    for row in measured::rebounds()? {
         let Some(after) = rebound(&alumina, row.angle.to_radians(), FRICTION)? else { continue };
         let (group, numbers) = match row.quantity.as_str() {
             "tangential_restitution" => (TANGENTIAL, [row.value, after.tangential_restitution]),
@@ -54,7 +54,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
     let half_space = HalfSpace::flat(body, None);
     let equal = Contact::try_new(Sphere::elastic(RADIUS, body, 2700.0), half_space, &Plm::default())?;
-    for row in oblique::slips()? {
+    for row in measured::slips()? {
         let angle = atan(FRICTION_OF_ELEMENTS * row.before);
         let Some(after) = rebound(&equal, angle, FRICTION_OF_ELEMENTS)? else { continue };
         let slip = -after.contact_point_restitution * row.before;

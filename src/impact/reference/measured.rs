@@ -1,4 +1,5 @@
-//! Public measurements of restitution: rebound hardness after Leeb, and the bounces of a table-tennis ball.
+//! Published rebounds: rebound hardness after Leeb, the bounces of a table-tennis ball, and oblique rebounds, measured and
+//! computed.
 
 use crate::contact::material::Material;
 
@@ -58,5 +59,24 @@ rows! {
         pub height as "drop_height_cm": Option<f64>,
         /// \[s\].
         pub interval as "bounce_interval_s": f64,
+    }
+}
+
+rows! {
+    /// A measured rebound of Kharaz, Gorham and Salman (2001).
+    pub struct Rebound read by rebounds from "kharaz.csv" {
+        /// `tangential_restitution`, `spin_rad_per_s` or `rebound_angle_deg`.
+        pub quantity: String,
+        /// Angle of impact from the normal.
+        pub angle as "angle_deg": f64,
+        pub value: f64,
+    }
+}
+
+rows! {
+    /// Slip speed before and after an impact, in units of friction times normal speed.
+    pub struct Slip read by slips from "fe_oblique.csv" {
+        pub before as "slip_before": f64,
+        pub after as "slip_after": f64,
     }
 }

@@ -26,7 +26,6 @@ pub mod hardening;
 pub mod impacts;
 pub mod loading;
 pub mod measured;
-pub mod oblique;
 pub mod quasi_static;
 pub mod unloading;
 pub mod yielding;

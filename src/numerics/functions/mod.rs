@@ -1,18 +1,18 @@
-//! Powers, exponentials, logarithms and the functions of angles, with the same bits on every processor and system.
+//! Powers, exponentials, logarithms, the functions of angles and the normal distribution, with the same bits on every processor and system.
 //!
 //! The methods of `f64` ask the C library of the machine, which picks other variants on processors without fused
 //! multiply-add: the last digit differs. These come from the crate libm and from the modules here; all of them are made of
 //! additions, multiplications, divisions and square roots, which IEEE 754 fixes to the last bit. `clippy.toml` refuses the
 //! methods of `f64` everywhere in the library.
 
-mod normal;
 mod pow;
+
+use std::f64::consts::FRAC_1_SQRT_2;
 
 pub use libm::{
     acos, asin, atan, atan2, cbrt, cos, cosh, expm1 as exp_m1, hypot, log as ln, log1p as ln_1p, log2, log10, sin,
     sincos as sin_cos, sinh, tanh, tgamma as gamma,
 };
-pub use normal::{normal_below, normal_quantile};
 pub use pow::{exp, pow};
 
 /// x^n by repeated squaring, always in the same order.
@@ -29,6 +29,34 @@ pub fn powi(x: f64, n: i32) -> f64 {
         }
         square *= square;
     }
+}
+
+/// The share of the normal distribution, with mean 0 and standard deviation 1, that lies below z.
+pub fn normal_below(z: f64) -> f64 {
+    0.5 * libm::erfc(-z * FRAC_1_SQRT_2)
+}
+
+/// The value below which the share p, 0 to 1, of this distribution lies.
+pub fn normal_quantile(p: f64) -> f64 {
+    /// 1/√(2π).
+    const DENSITY: f64 = 0.398_942_280_401_432_7;
+    let share = p.min(1.0 - p);
+    if share <= 0.0 {
+        return f64::INFINITY.copysign(p - 0.5);
+    }
+    // ln Φ rises and is concave, and Φ(z) ≤ ½ exp(−z²/2) for z ≤ 0: Newton's method comes up to the root from there
+    let wanted = ln(share);
+    let mut z = -(-2.0 * ln(2.0 * share)).max(0.0).sqrt();
+    for _ in 0..20 {
+        let below = normal_below(z);
+        let step = (wanted - ln(below)) * below / (DENSITY * exp(-0.5 * z * z));
+        z += step;
+        // the next step would be its square
+        if step.abs() <= 1e-9 {
+            break;
+        }
+    }
+    if p < 0.5 { z } else { -z }
 }
 
 #[cfg(test)]

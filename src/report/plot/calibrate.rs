@@ -2,8 +2,8 @@
 //! laws.
 
 use super::axis::extremes;
+use super::caption::{axis_of, title_of};
 use super::caption::{caption, captioned};
-use super::of_key::{axis_of, title_of};
 use super::style::Style;
 use super::{Axis, Chart, Scale, Series, posterior};
 use crate::calibrate::data::{Data, Row, Value};

@@ -1,13 +1,13 @@
-//! The line below the title of a picture: who hits whom, and the law that was used. A picture that has left its folder
-//! still says what it shows.
+//! The words of a scenario in a picture: the names of its keys, and the line below the title, which says who hits whom under
+//! which law. A picture that has left its folder still says what it shows.
 
-use super::Chart;
+use super::{Axis, Chart};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::material::Material;
 use crate::scenario::indentation::IndentationScene;
-use crate::scenario::scene::Input;
 use crate::scenario::scene::body_material::Body;
-use crate::units::{Dimension, quantity};
+use crate::scenario::scene::{Input, Key};
+use crate::units::{Dimension, capital, quantity};
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
 pub fn caption(input: &Input, varied: &[&str]) -> String {
@@ -74,4 +74,21 @@ fn line(parts: &[(&str, &[Option<String>])]) -> String {
         (!values.is_empty()).then(|| format!("{name} {}", values.join(", ")))
     });
     words.collect::<Vec<_>>().join("; ")
+}
+
+/// The path of a key in words, such as "half-space Young's modulus".
+pub(super) fn words_of(path: &str) -> String {
+    let words = path.replace(['.', '_'], " ").replace("half space", "half-space");
+    words.replace("youngs", "Young's").replace("poissons", "Poisson's")
+}
+
+/// The path of a key as a title, such as "Half-space Young's modulus".
+pub fn title_of(path: &str) -> String {
+    capital(&words_of(path.trim_start_matches("impact.")))
+}
+
+pub(super) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
+    let (title, unit) = (title_of(key.path), key.quantity.dimension.si_unit());
+    let axis = Axis::engineering(&title, unit);
+    if is_logarithmic { axis.logarithmic() } else { axis }
 }

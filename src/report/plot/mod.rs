@@ -20,7 +20,6 @@ mod history;
 mod indentation;
 mod key;
 mod loops;
-pub mod of_key;
 mod pen;
 mod pictures;
 mod posterior;

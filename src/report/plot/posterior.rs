@@ -1,8 +1,8 @@
 //! The regions of two keys together in which their true values lie with 68 % and 95 %.
 
 use super::axis::{Axis, extremes};
+use super::caption::axis_of;
 use super::chart::Chart;
-use super::of_key::axis_of;
 use super::series::Series;
 use super::style::{DASHED, Mark, PALETTE, SOLID, Style};
 use crate::calibrate::statistics::LEVELS;

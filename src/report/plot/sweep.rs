@@ -3,7 +3,7 @@
 
 use super::axis::extremes;
 use super::caption::{caption, captioned};
-use super::of_key;
+use super::caption::{title_of, words_of};
 use super::style::Style;
 use crate::contact::law::Bodies;
 use crate::contact::strength::hardness::vickers;
@@ -105,7 +105,7 @@ fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
 
 /// The name of an axis in words, such as "half-space yield strength".
 fn words(axis: &Axis) -> String {
-    of_key::words(axis.path())
+    words_of(axis.path())
 }
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
@@ -184,7 +184,7 @@ impl Over<'_> {
             return ("Restitution".to_owned(), plot::Axis::linear("Restitution e", ""));
         }
         let (name, dimension) = (self.result.name, self.dimension());
-        let title = of_key::title_of(name.trim_end_matches(dimension.suffix()));
+        let title = title_of(name.trim_end_matches(dimension.suffix()));
         let axis = plot::Axis::engineering(&title, dimension.si_unit());
         (title, axis)
     }

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
+use super::files::{summary_of, written};
 use super::inputs::Inputs;
-use super::rows::written;
 use crate::calibrate::minimum::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
@@ -187,11 +187,7 @@ fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
 
 /// `summary.json`.
 pub fn summary(measured: &Measurements, calibration: &Calibration, provenance: &Provenance) -> Result<String, Error> {
-    super::summary::of(
-        fields(&results(), &Calibrated { measured, calibration }),
-        &inputs(measured, calibration),
-        provenance,
-    )
+    summary_of(fields(&results(), &Calibrated { measured, calibration }), &inputs(measured, calibration), provenance)
 }
 
 /// The results and inputs alone, for a check.

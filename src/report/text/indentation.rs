@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value};
 
+use super::files::{csv, summary_of};
 use super::inputs::Inputs;
-use super::rows::csv;
 use super::{overview, terminal};
 use crate::error::Error;
 use crate::files::provenance::Provenance;
@@ -150,7 +150,7 @@ pub fn summary(
     };
     let half_spaces = tested.iter().map(of_half_space).collect();
     let all = [("half_spaces".to_owned(), half_spaces), ("warnings".to_owned(), warnings.into())];
-    super::summary::of(Map::from_iter(all), inputs, provenance)
+    summary_of(Map::from_iter(all), inputs, provenance)
 }
 
 /// `trace.csv`.

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::files::{csv, summary_of};
 use super::inputs::Inputs;
-use super::rows::csv;
 use super::series::{self as results, Series, TraceRow};
 use super::terminal;
 use crate::error::Error;
@@ -26,7 +26,7 @@ pub fn summary(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<
     {
         results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
     }
-    super::summary::of(results, inputs, provenance)
+    summary_of(results, inputs, provenance)
 }
 
 /// `impacts.csv`: one row per impact.

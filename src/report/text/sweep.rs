@@ -70,7 +70,7 @@ pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: &Pro
         results.insert("seed".to_owned(), (*seed).into());
     }
     results.insert("warnings".to_owned(), warnings.into());
-    super::summary::of(results, &Inputs::of_plan(plan), provenance)
+    super::files::summary_of(results, &Inputs::of_plan(plan), provenance)
 }
 
 /// The lines about a finished table, for the terminal.

@@ -3,7 +3,6 @@
 pub(crate) mod axis;
 pub mod free;
 pub(crate) mod random;
-mod source;
 
 use crate::impact::{Method, Warning};
 use crate::scenario::scene::at::at;
@@ -12,7 +11,6 @@ use crate::scenario::scene::results::{Column, Needs, columns};
 use crate::scenario::scene::{Input, Key, Purpose, without_effect};
 use axis::{Axis, Word};
 use random::Variable;
-pub use source::Source;
 
 /// Where the cases come from.
 #[derive(Debug, Clone)]

@@ -3,7 +3,6 @@
 pub(crate) mod at;
 pub(crate) mod body_material;
 mod effect;
-mod gone;
 pub mod input;
 pub mod key;
 pub mod keys;

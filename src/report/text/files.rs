@@ -1,9 +1,26 @@
-//! Tables of results as CSV: the trace of an impact, the impacts of a series. A number has the fewest digits that read
-//! back to the same number.
+//! The form in which results are written: `summary.json`, and tables as CSV, such as the trace of an impact and the impacts of a
+//! series. A number has the fewest digits that read back to the same number.
 
+use serde_json::{Map, Value};
+
+use super::inputs::Inputs;
 use crate::error::Error;
+use crate::files::provenance::Provenance;
 use crate::impact::Impact;
-use crate::scenario::scene::results::{Reported, impact};
+use crate::scenario::scene::results::impact::Single;
+use crate::scenario::scene::results::{Reported, fields, impact};
+
+/// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
+pub fn summary_of(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+    results.insert("inputs".to_owned(), serde_json::to_value(inputs)?);
+    results.insert("provenance".to_owned(), serde_json::to_value(provenance)?);
+    Ok(serde_json::to_string_pretty(&results)? + "\n")
+}
+
+/// `summary.json` of one impact.
+pub fn summary(single: &Single, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+    summary_of(fields(&impact::results(), single), inputs, provenance)
+}
 
 /// The rows as CSV with a header line. A column with a condition is written if any row has a
 /// value for it.
