@@ -1,0 +1,115 @@
+//! A table beside other processes and on a real disk: two writers, a full disk, no locks, signals.
+
+use std::process::Output;
+
+use super::*;
+use crate::signalled;
+
+#[test]
+fn of_two_writers_none_is_refused_and_nothing_is_lost() {
+    let desk = Desk::with(random());
+    let kinds: Vec<(Option<u32>, Vec<&str>)> =
+        FORMATS.iter().flat_map(|format| [None, Some(600)].map(|rows| (rows, vec!["--format", *format]))).collect();
+    for (rows, more) in &kinds {
+        ends(run(&desk, "alone", *rows, more), 0);
+        for _ in 0..20 / kinds.len() {
+            let pair = [(); 2].map(|()| run(&desk, "out", *rows, more).spawn().unwrap());
+            for child in pair {
+                let output: Output = child.wait_with_output().unwrap();
+                assert_eq!(output.status.code(), Some(0), "{rows:?} {more:?}: {}", text(&output.stderr));
+            }
+            assert!(bytes(&desk, "out") == bytes(&desk, "alone"), "{rows:?} {more:?}");
+            assert_eq!(summary(&desk, "out"), summary(&desk, "alone"));
+            assert_eq!(desk.files("out"), desk.files("alone"));
+            fs::remove_dir_all(desk.path("out")).unwrap();
+        }
+        fs::remove_dir_all(desk.path("alone")).unwrap();
+    }
+}
+
+/// A limit on the size of files acts as a full disk for a table of one file. Its signal is ignored, so that writing fails
+/// with an error.
+#[test]
+fn a_file_that_cannot_grow_ends_with_1_and_leaves_nothing() {
+    let desk = Desk::with(random());
+    let script = "trap '' XFSZ; ulimit -f 400; exec \"$0\" run s.toml --out out --quiet";
+    let mut command = Command::new("bash");
+    let output = command.args(["-c", script, PROGRAM]).current_dir(desk.path("")).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("free space"), "{}", text(&output.stderr));
+    assert!(!desk.path("out").exists());
+}
+
+#[test]
+fn a_full_disk_ends_with_1_and_with_more_space_the_same_command_goes_on() {
+    for format in FORMATS {
+        let desk = Desk::with(random().replace("12000", "90000"));
+        fs::create_dir(desk.path("disk")).unwrap();
+        let mount = |options: &str| {
+            Command::new("mount").args(["-t", "tmpfs", "-o", options, "tmpfs"]).arg(desk.path("disk")).output()
+        };
+        if !mount("size=4m").is_ok_and(|done| done.status.success()) {
+            skip("a full disk", "No disk of 4 MB can be mounted here: that takes root.");
+            return;
+        }
+        let more = ["--format", format];
+        let message = ends(run(&desk, "disk/out", Some(1000), &more), 1);
+        assert!(message.contains("No space left") && message.contains("free space"), "{message}");
+        let parts = desk.files("disk/out/parts").len();
+        assert!(mount("remount,size=64m").unwrap().status.success());
+        ends(run(&desk, "disk/out", Some(1000), &more), 0);
+        ends(run(&desk, "alone", Some(1000), &more), 0);
+        let is_same = bytes(&desk, "disk/out") == bytes(&desk, "alone");
+        assert!(Command::new("umount").arg(desk.path("disk")).status().unwrap().success());
+        assert!(is_same && parts > 10, "{parts}");
+    }
+}
+
+/// On many clusters the file system knows no locks, and a summary says that the files beside it are of the same run.
+#[test]
+fn nothing_is_locked_and_the_summary_comes_last() {
+    let desk = Desk::with(STEEL);
+    let trace = |arguments: &[&str]| {
+        let mut command = Command::new("strace");
+        command
+            .args(["-f", "-e", "trace=flock,fcntl,rename,renameat,renameat2", "-o", "calls", PROGRAM])
+            .args(arguments);
+        command.current_dir(desk.path("")).output()
+    };
+    if !trace(&["run", "s.toml", "--out", "out"]).is_ok_and(|done| done.status.success()) {
+        skip("no file is locked", "The program strace is not here, or may not be used.");
+        return;
+    }
+    let calls = desk.read("calls");
+    assert!(!calls.contains("flock(") && !calls.contains("F_SETLK"), "{calls}");
+    let renamed: Vec<&str> = calls.lines().filter(|line| line.contains("rename")).collect();
+    assert!(renamed.len() > 3 && renamed.last().unwrap().contains("summary.json\""), "{calls}");
+    fs::write(desk.path("s.toml"), grid()).unwrap();
+    assert!(trace(&["run", "s.toml", "--out", "table", "--shard", "0/1"]).unwrap().status.success());
+    assert!(!desk.read("calls").contains("flock("));
+}
+
+/// Rows that take milliseconds each: velocity Verlet with very many steps. All of them would take minutes in one file, and days
+/// in parts.
+#[test]
+fn signals_are_heard_between_slow_rows_and_what_is_said_is_so() {
+    let signals = [("-INT", 130), ("-TERM", 143)];
+    for (format, (signal, want)) in FORMATS.into_iter().flat_map(|format| signals.map(|signal| (format, signal))) {
+        for (points, rows, folder, says) in [
+            (20_000, Some(1250), "out", "the same command starts anew"),
+            (100_000_000, None, "out/parts", "goes on from the parts that are whole"),
+        ] {
+            let desk = Desk::with(format!(
+                "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 100000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = {points} }}\n"
+            ));
+            let child = run(&desk, "out", rows, &["--format", format, "--threads", "1"]).spawn().unwrap();
+            // the first hidden file is begun when the first rows are done
+            let is_begun = |name: &String| name.starts_with('.') && !name.contains("trial");
+            let is_at_work = || desk.path(folder).exists() && desk.files(folder).iter().any(is_begun);
+            let output = signalled(child, is_at_work, signal);
+            let message = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(want), "{format}: {message}");
+            assert!(message.contains("interrupted") && message.contains(says), "{message}");
+        }
+    }
+}
