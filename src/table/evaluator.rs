@@ -9,7 +9,9 @@ use crate::scenario::plan::axis::Axis;
 use crate::scenario::plan::random::{Draws, Variable};
 use crate::scenario::plan::{Cases, Plan, places};
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::band::Doubt;
 use crate::scenario::scene::body_material::Body;
+use crate::scenario::scene::results::Needs;
 use crate::scenario::scene::{Input, Key};
 use crate::units::names::named;
 
@@ -94,17 +96,20 @@ struct Known {
     /// The yield strengths of sphere and half-space.
     strengths: [Option<f64>; 2],
     contact: Result<Contact, Failure>,
+    /// What leaves e open, where the table shows it.
+    doubt: Option<Doubt>,
 }
 
 /// The law of rows that may change it. Rows that do not share it, and the curve that it has made for their first pair.
 struct Laws {
     changes: bool,
     law: LawChoice,
+    has_band: bool,
 }
 
 impl Laws {
-    fn of(input: &Input, changes: bool) -> Self {
-        Self { changes, law: input.law() }
+    fn of(input: &Input, changes: bool, has_band: bool) -> Self {
+        Self { changes, law: input.law(), has_band }
     }
 
     /// The bodies of a row and their law.
@@ -114,8 +119,13 @@ impl Laws {
         }
         let (sphere, half_space) = input.bodies(&self.law);
         let contact = input.pair(sphere, half_space, &self.law).map_err(Failure::from);
-        Known { strengths: [sphere.yield_strength, half_space.yield_strength], contact }
+        let doubt = if self.has_band { Doubt::of(input) } else { None };
+        Known { strengths: [sphere.yield_strength, half_space.yield_strength], contact, doubt }
     }
+}
+
+fn shows_band(plan: &Plan) -> bool {
+    plan.results().iter().any(|column| column.needs == Needs::Band)
 }
 
 /// A plan, and what its rows have in common, computed once.
@@ -124,6 +134,8 @@ pub struct Evaluator<'a> {
     plan: &'a Plan,
     /// Whether the yield strengths of sphere and half-space follow from the swept values ([`Plan::derives_strength`]).
     derives: [bool; 2],
+    /// Whether the table shows the band of e.
+    has_band: bool,
     /// Input and contact of every combination of the axes that change the contact. Empty if there are too many
     /// combinations.
     contacts: Vec<(Input, Known)>,
@@ -150,7 +162,8 @@ impl<'a> Evaluator<'a> {
                 }
             }
         }
-        let mut laws = Laws::of(&plan.input, plan.axes().iter().any(Axis::changes_law));
+        let has_band = shows_band(plan);
+        let mut laws = Laws::of(&plan.input, plan.axes().iter().any(Axis::changes_law), has_band);
         let combination = |index: u64| {
             // at the first places of the other axes
             let axes = plan.axes().iter().zip(&strides);
@@ -162,7 +175,7 @@ impl<'a> Evaluator<'a> {
         };
         let contacts =
             if combinations <= MOST_CONTACTS { (0..combinations).map(combination).collect() } else { Vec::new() };
-        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), contacts, strides }
+        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), has_band, contacts, strides }
     }
 
     /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
@@ -170,9 +183,19 @@ impl<'a> Evaluator<'a> {
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let (sphere, half_space) = plan.input.bodies(&plan.input.law());
         let strengths = [sphere.yield_strength, half_space.yield_strength];
-        let known = |contact: &Contact| (plan.input.clone(), Known { strengths, contact: Ok(contact.clone()) });
+        let has_band = shows_band(plan);
+        let known = |contact: &Contact| {
+            let doubt = if has_band { Doubt::of(&plan.input) } else { None };
+            (plan.input.clone(), Known { strengths, contact: Ok(contact.clone()), doubt })
+        };
         let contacts = contact.map(known).into_iter().collect();
-        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), contacts, strides: Vec::new() }
+        Self {
+            plan,
+            derives: Body::ALL.map(|body| plan.derives_strength(body)),
+            has_band,
+            contacts,
+            strides: Vec::new(),
+        }
     }
 
     /// The number of swept values of a row.
@@ -212,13 +235,16 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Appends the row of an input with this contact.
-    fn row(&self, input: &Input, Known { strengths, contact }: &Known, rows: &mut Rows) {
+    fn row(&self, input: &Input, Known { strengths, contact, doubt }: &Known, rows: &mut Rows) {
         for (strength, is_derived) in strengths.iter().zip(self.derives) {
             // a body that stays elastic has none
             rows.swept.extend(is_derived.then(|| strength.unwrap_or(f64::NAN)));
         }
         let row = contact.as_ref().map_err(|error| *error);
-        let row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
+        let mut row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
+        if let (Ok(row), Some(doubt)) = (&mut row, doubt) {
+            row.band = doubt.range(input.approach(), row);
+        }
         rows.results.push(row);
     }
 
@@ -228,7 +254,7 @@ impl<'a> Evaluator<'a> {
         let mut places = places(axes, cases.start);
         let mut input = self.plan.input_at(&places);
         let mut own: Option<Known> = None;
-        let mut laws = Laws::of(&input, axes.iter().any(Axis::changes_law));
+        let mut laws = Laws::of(&input, axes.iter().any(Axis::changes_law), self.has_band);
         for _ in cases {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             let known = match self.known(&places) {
@@ -261,7 +287,8 @@ impl<'a> Evaluator<'a> {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut input = self.plan.input.clone();
-        let mut laws = Laws::of(&input, variables.iter().any(|variable| variable.key.part.changes_law()));
+        let mut laws =
+            Laws::of(&input, variables.iter().any(|variable| variable.key.part.changes_law()), self.has_band);
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
@@ -283,7 +310,7 @@ impl<'a> Evaluator<'a> {
         let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
         let mut input = self.plan.input.clone();
         let mut own: Option<Known> = None;
-        let mut laws = Laws::of(&input, keys.iter().any(|(key, _)| key.part.changes_law()));
+        let mut laws = Laws::of(&input, keys.iter().any(|(key, _)| key.part.changes_law()), self.has_band);
         for case in cases {
             for (key, values) in keys {
                 key.set(&mut input, Some(values[case]));

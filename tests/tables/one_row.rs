@@ -2,6 +2,7 @@
 //! axes; but for friction with partial slip, which a row computes to 1e-5.
 
 use plm_impact::scenario::plan::places;
+use plm_impact::scenario::scene::band::band;
 
 use crate::common::prelude::*;
 
@@ -112,8 +113,32 @@ fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
     let sweep = format!("sweep={{ \"half_space.material\" = [{}] }}", metals.join(", "));
     for (row, metal) in rows_of(text, &[&sweep, "impact.speed=3"]).results.iter().zip(metals) {
         let single = scene(text, &[format!("half_space.material={metal}"), "impact.speed=3".to_owned()]);
-        assert_eq!(row.unwrap(), single.contact().unwrap().row(3.0, &Solver::AUTO).unwrap(), "{metal}");
+        let want = single.contact().unwrap().row(3.0, &Solver::AUTO).unwrap();
+        // the band is that of `plm-impact run`
+        let band = band(&single, 3.0, &want).unwrap();
+        assert_eq!(row.unwrap(), Essentials { band: Some([band.low, band.high]), ..want }, "{metal}");
     }
+}
+
+/// A row has the band of e where a material by name leaves its hardness open, and no key of the table gives it.
+#[test]
+fn the_band_of_e_has_two_columns_where_a_material_leaves_the_hardness_open() {
+    let bodies = STEEL.split("youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nyield").next().unwrap();
+    let metal = "half_space.material=\"aluminium-6061-t6\"";
+    let sizes = "sweep={\"sphere.radius\"=[\"1 mm\",\"2 mm\"]}";
+    let has_band = |text: &str, set: &[&str]| {
+        let names = read(text, &[set, &["impact.speed=2"]].concat()).plan().unwrap().column_names();
+        let has = |name: &str| names.iter().any(|column| column == name);
+        assert_eq!(has("restitution_low"), has("restitution_high"));
+        has("restitution_low")
+    };
+    assert!(has_band(bodies, &[metal, sizes]));
+    assert!(!has_band(STEEL, &[sizes]), "a strength without a material has no range");
+    assert!(!has_band(bodies, &[metal, "half_space.hardness=\"100 HV\"", sizes]), "the file gives the hardness");
+    assert!(!has_band(bodies, &[metal, "sweep={\"half_space.hardness\"=[\"90 HV\",\"100 HV\"]}"]));
+    assert!(!has_band(bodies, &[metal, "law=\"thornton\"", sizes]), "the error of this law is not stated");
+    let exponents = "sweep={\"law.plm.unloading_exponent\"=[1.5,1.6]}";
+    assert!(!has_band(bodies, &[metal, exponents]), "the error of such an exponent is not stated");
 }
 
 /// Cases as Python gives them, with a list of values for each key.

@@ -15,13 +15,13 @@ use super::table::table_of_csv;
 use crate::error::Error;
 use crate::impact;
 use crate::report::plot;
-use crate::report::run::band::band;
 use crate::report::run::{at_speed_of, no_result, texts};
 use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
 use crate::scenario::Source;
 use crate::scenario::scene::Purpose;
 use crate::scenario::scene::at::at;
+use crate::scenario::scene::band::band;
 use crate::scenario::scene::quantity::SAMPLES;
 use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::impact::{Band, Single, results};
@@ -245,7 +245,7 @@ impl Impact {
 
     fn single(&self) -> Single<'_> {
         let contact = self.contact.get();
-        let band = self.band.get_or_init(|| band(&contact.input, &self.result));
+        let band = self.band.get_or_init(|| band(&contact.input, self.result.speed, &self.result.essentials));
         Single { contact: self.own.as_ref().unwrap_or(&contact.inner), impact: &self.result, band: band.as_ref() }
     }
 

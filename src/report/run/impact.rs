@@ -1,6 +1,5 @@
 //! One impact.
 
-use super::band::band;
 use super::outcome::{self, Outcome, RunOptions, file, no_result, texts, with_summary};
 use crate::error::Error;
 use crate::files::provenance::{MethodOf, Provenance};
@@ -12,6 +11,7 @@ use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
 use crate::report::text::{summary, table, trace};
 use crate::scenario::Scenario;
+use crate::scenario::scene::band::band;
 use crate::scenario::scene::results::impact::Single;
 use crate::scenario::scene::{Input, Purpose};
 
@@ -63,7 +63,7 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result
         drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
         Ok(captioned(drawn, &caption(&input, &[])))
     })?);
-    let band = band(&input, &impact);
+    let band = band(&input, impact.speed, &impact.essentials);
     let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };
     let files = with_summary(files, provenance, |of| summary(&single, &Inputs::of(&input), of))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&single, order.detail), files))

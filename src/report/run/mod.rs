@@ -1,6 +1,5 @@
 //! From a scenario to its files and its text on the terminal: one way for every kind of scene.
 
-pub mod band;
 mod calibrate;
 pub mod impact;
 pub mod indentation;

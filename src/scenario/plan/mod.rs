@@ -5,7 +5,8 @@ pub mod free;
 pub(crate) mod random;
 
 use crate::impact::{Method, Warning};
-use crate::scenario::scene::at::at;
+use crate::scenario::scene::at::{At, NUMBER, at};
+use crate::scenario::scene::band::{ranges, stated_error};
 use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::results::{Column, Needs, columns};
 use crate::scenario::scene::{Input, Key, Purpose, without_effect};
@@ -108,6 +109,7 @@ impl Plan {
         let is_free = input.number(at!("half_space.mass")).is_some();
         match needs {
             Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
+            Needs::Band if !self.has_band() => Some("without the hardness of a material by name e has no range"),
             Needs::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
             Needs::Flat if !input.has_strength(Body::Sphere) => Some("without sphere.yield_strength there is no flat"),
             Needs::Incidence if input.incidence().is_none() => {
@@ -126,6 +128,17 @@ impl Plan {
             Needs::Thickness if !is_on_plate => Some("without half_space.thickness there is no plate"),
             _ => None,
         }
+    }
+
+    /// Whether some rows have a hardness with a range, under a law whose error is known. One that varies by itself has none.
+    fn has_band(&self) -> bool {
+        let paths = self.paths();
+        let varies = |at: At<NUMBER>| paths.contains(&at.path());
+        if self.input.materials().is_empty() || varies(at!("law.plm.unloading_exponent")) {
+            return false;
+        }
+        let has_range = |input: &Input| ranges(input).any(|(_, at, _)| !varies(at));
+        self.with_words().iter().any(|input| stated_error(&input.law()).is_some() && has_range(input))
     }
 
     /// The names of all columns of the table.

@@ -41,7 +41,7 @@ pub struct Input {
     /// By the place of the key: numbers in SI, whole numbers, and words by their place in the list of such words. Not a number
     /// where nothing is given, infinite for the word in place of a number.
     numbers: [f64; EVERY_KEY.len()],
-    // rows of a table copy the input, and leave these alone
+    // rows of a table copy the input, and leave these alone but for an axis of materials
     others: Arc<Others>,
     /// The law that the scenario names, without the numbers that it gives to it: see [`Input::law`].
     pub named_law: LawChoice,

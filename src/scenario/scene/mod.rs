@@ -1,6 +1,7 @@
 //! The keys of a scenario, their values as they are written, and the numbers that follow from these.
 
 pub(crate) mod at;
+pub mod band;
 pub(crate) mod body_material;
 mod effect;
 pub mod input;

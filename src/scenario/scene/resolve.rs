@@ -238,6 +238,10 @@ impl Input {
     /// Puts what a body takes from its material in the place of what it took from another.
     pub fn take(&mut self, taken: &BodyMaterial) {
         self.choose(taken.body.material_key(), all().iter().position(|known| known.name == taken.material.name));
+        if !self.materials().contains(taken) {
+            let others = self.materials().iter().filter(|other| other.body != taken.body);
+            self.set_materials(others.chain([taken]).cloned().collect());
+        }
         for &(path, property) in &taken.left {
             let number = taken.material.of(property).map(|known| known.taken.value);
             if let Some(key) = Key::find(path) {

@@ -110,9 +110,9 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// the law against finite elements, added as squares.
         "restitution_band" as "({})" if BAND: of.band.map(Band::words);
         /// The lower end of that band.
-        "restitution_low" if BAND: of.band.map(|band| band.low);
+        "restitution_low" if BAND [Band: |row| row.band.map(|[low, _]| low)]: of.band.map(|band| band.low);
         /// The upper end of that band.
-        "restitution_high" if BAND: of.band.map(|band| band.high);
+        "restitution_high" if BAND [Band: |row| row.band.map(|[_, high]| high)]: of.band.map(|band| band.high);
         /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
         /// gravity it may exceed 1, as the weight does work too.
         "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
