@@ -84,7 +84,7 @@ impl Error {
     }
 
     /// An error of a part of the program, with its causes.
-    pub fn of(kind: ErrorKind, error: &dyn Cause) -> Self {
+    pub fn caused_by(kind: ErrorKind, error: &dyn Cause) -> Self {
         let causes = std::iter::successors(error.source(), |&cause| cause.source());
         Self::new(kind, causes.fold(error.to_string(), |text, cause| format!("{text}: {cause}")))
     }
@@ -99,8 +99,8 @@ impl Error {
         let begin = format!("{}: {problem}", path.display());
         move |reason| {
             let separator = if way_out.is_empty() { "" } else { "; " };
-            let told = Self::new(kind, format!("{begin}: {reason}{separator}{way_out}")).about(path.display());
-            Self { reason: Some(reason), ..told }
+            let error = Self::new(kind, format!("{begin}: {reason}{separator}{way_out}")).about(path.display());
+            Self { reason: Some(reason), ..error }
         }
     }
 
@@ -121,11 +121,11 @@ impl Error {
     /// Its text, and those of the other mistakes; of very many it says how many there are.
     fn with_the_others(&self) -> String {
         let others = self.also.iter().take(MOST_TOLD).map(|text| format!("\n{text}"));
-        let told = others.fold(self.text.clone(), |all, other| all + &other);
+        let text = others.fold(self.text.clone(), |all, other| all + &other);
         match self.also.len().saturating_sub(MOST_TOLD) {
-            0 => told,
-            1 => told + "\nand 1 more mistake",
-            more => format!("{told}\nand {more} more mistakes"),
+            0 => text,
+            1 => text + "\nand 1 more mistake",
+            more => format!("{text}\nand {more} more mistakes"),
         }
     }
 

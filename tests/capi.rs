@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -105,17 +106,17 @@ fn along_the_path(contact: &Contact) -> Vec<String> {
 
 /// Friction along that path, after every 50th step.
 fn friction_along_the_path(contact: &Contact) -> String {
-    let (mut memory, mut history, mut before, mut told) = (Memory::default(), [0.0; 3], 0.0, String::new());
+    let (mut memory, mut history, mut before, mut text) = (Memory::default(), [0.0; 3], 0.0, String::new());
     for (step, indentation) in path().enumerate() {
         let slip = [2e-8, if step < 200 { 1e-8 } else { -3e-8 }, 0.0];
         let force = contact.force(indentation, &mut memory);
         contact.friction(0.2, &FrictionStep { before, indentation, force, slip }, &memory, &mut history);
         before = indentation;
         if step % 50 == 49 {
-            told += &format!("friction {}\n", words(&history));
+            writeln!(text, "friction {}", words(&history)).unwrap();
         }
     }
-    told
+    text
 }
 
 /// A program is compiled as plots/lammps/README.md says.

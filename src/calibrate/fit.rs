@@ -64,12 +64,12 @@ impl<'a> Fit<'a> {
     ///
     /// # Errors
     /// [`NoAnswer`] if the law gives no result anywhere in the ranges.
-    pub fn of(mut problem: Problem<'a>, noise_model: &NoiseModel) -> Result<Self, NoAnswer> {
+    pub fn new(mut problem: Problem<'a>, noise_model: &NoiseModel) -> Result<Self, NoAnswer> {
         let (values, keys, is_estimated) = (problem.counted.len(), problem.free.len(), noise_model.is_estimated);
         let is_robust = problem.is_robust && !(is_estimated && values <= keys);
         problem.is_robust = is_robust && !is_estimated;
         let anywhere = vec![Range::WHOLE; keys];
-        let mut found = Profile::of(&problem).minima(&anywhere);
+        let mut found = Profile::new(&problem).minima(&anywhere);
         let mut noise = match is_estimated {
             true if values <= keys => Noise::TooFew,
             true => Noise::estimated(&problem, 1.0),
@@ -107,9 +107,9 @@ impl<'a> Fit<'a> {
                 problem.is_robust = is_robust;
             }
             found = if is_robust {
-                Profile::of(&problem).minima(&anywhere)
+                Profile::new(&problem).minima(&anywhere)
             } else if round < rounds {
-                let profile = Profile::of(&problem);
+                let profile = Profile::new(&problem);
                 let near =
                     |place: &ParameterPoint| place.shares.iter().map(|share| Range::about(*share)).collect::<Vec<_>>();
                 found.iter().filter_map(|place| profile.minima(&near(place)).into_iter().next()).collect()
@@ -210,11 +210,11 @@ pub(super) fn shifts(
 /// The residuals, quantity after quantity, in the order of rising speed. Points of a curve stay in their order.
 pub(super) fn in_order(problem: &Problem, residuals: &[f64]) -> Vec<f64> {
     let speeds = problem.speeds();
-    let mut order: Vec<usize> = (0..residuals.len()).collect();
+    let mut sorted: Vec<usize> = (0..residuals.len()).collect();
     let value = |i: &usize| &problem.data.values[problem.counted[*i]];
-    order.sort_by(|a, b| {
+    sorted.sort_by(|a, b| {
         let (a, b) = (value(a), value(b));
         a.quantity.cmp(&b.quantity).then(speeds[a.row].total_cmp(&speeds[b.row]))
     });
-    order.into_iter().map(|i| residuals[i]).collect()
+    sorted.into_iter().map(|i| residuals[i]).collect()
 }

@@ -72,7 +72,7 @@ pub struct Profile<'p, 'a> {
 }
 
 impl<'p, 'a> Profile<'p, 'a> {
-    pub fn of(problem: &'p Problem<'a>) -> Self {
+    pub fn new(problem: &'p Problem<'a>) -> Self {
         Self { whole: problem, thinned: problem.thinned(ENOUGH) }
     }
 
@@ -142,8 +142,8 @@ fn basins(sums: &[f64]) -> Vec<[usize; 2]> {
     let (mut basins, mut first) = (Vec::new(), 0);
     for level in sums.chunk_by(|a, b| is_same(*a, *b)) {
         let last = first + level.len() - 1;
-        let mut beside = [first.checked_sub(1), Some(last + 1)].into_iter().flatten().filter_map(|at| sums.get(at));
-        if level[0].is_finite() && beside.all(|sum| *sum > level[0]) {
+        let mut neighbours = [first.checked_sub(1), Some(last + 1)].into_iter().flatten().filter_map(|at| sums.get(at));
+        if level[0].is_finite() && neighbours.all(|sum| *sum > level[0]) {
             basins.push([first, last]);
         }
         first = last + 1;

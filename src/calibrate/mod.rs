@@ -62,7 +62,7 @@ pub struct Measurements {
 
 impl Measurements {
     /// Reads the request of a scenario and its measurements.
-    pub fn of(scenario: &Scenario) -> Result<Self, Error> {
+    pub fn new(scenario: &Scenario) -> Result<Self, Error> {
         let wanted = scenario.wanted()?;
         let of_text = |name: &str, text: String| {
             let data = Data::parse(name, &text)?;
@@ -172,7 +172,7 @@ impl Measurements {
         let mut input = self.wanted.input.clone();
         input.named_law.clone_from(law);
         let problem = Problem::new(&input, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
-        Ok(Fit::of(problem.watched(progress), &noise))
+        Ok(Fit::new(problem.watched(progress), &noise))
     }
 
     /// The fits of all laws that were asked for, the best first.
@@ -273,12 +273,12 @@ fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<Strin
 
 /// See [`Calibration::misfit`].
 fn misfit(data: &Data, predicted: &[f64]) -> f64 {
-    let of = |quantity: Measured| {
+    let share_off = |quantity: Measured| {
         let values = data.values.iter().zip(predicted).filter(|(value, _)| value.quantity == quantity);
         let (off, size) = values.fold((0.0, 0.0), |(off, size), (value, predicted)| {
             (off + (value.value - predicted) * (value.value - predicted), size + value.value * value.value)
         });
         f64::sqrt(off / size)
     };
-    data.measured().into_iter().map(of).fold(0.0, f64::max)
+    data.measured().into_iter().map(share_off).fold(0.0, f64::max)
 }

@@ -133,15 +133,15 @@ impl<'a> Problem<'a> {
         for (free, share) in self.free.iter().zip(shares) {
             free.key.set(&mut input, Some(free.at(*share)));
         }
-        let of = |piece: &Vec<usize>| {
+        let predicted = |piece: &Vec<usize>| {
             let mut input = input.clone();
             self.with_row(&mut input, piece[0], 0.0);
             if self.data.is_curve() { self.curve(&input, piece) } else { self.impacts(input, piece) }
         };
         let found: Result<Vec<Vec<f64>>, NoAnswer> = if self.pieces.len() > 1 {
-            self.pieces.par_iter().with_min_len(CHUNK.div_ceil(self.pieces[0].len())).map(of).collect()
+            self.pieces.par_iter().with_min_len(CHUNK.div_ceil(self.pieces[0].len())).map(predicted).collect()
         } else {
-            self.pieces.iter().map(of).collect()
+            self.pieces.iter().map(predicted).collect()
         };
         let mut all = vec![f64::NAN; self.data.values.len()];
         for (piece, values) in self.pieces.iter().zip(found?) {

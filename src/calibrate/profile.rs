@@ -22,7 +22,7 @@ impl Fit<'_> {
     fn excess(&self, key: usize, share: f64) -> f64 {
         let mut ranges = vec![Range::WHOLE; self.problem.free.len()];
         ranges[key] = Range::with_share(share);
-        (Profile::of(&self.problem).lowest(&ranges).sum - self.best().sum).max(0.0)
+        (Profile::new(&self.problem).lowest(&ranges).sum - self.best().sum).max(0.0)
     }
 
     /// The intervals of the share of a key at both levels.
@@ -33,8 +33,8 @@ impl Fit<'_> {
     /// The shares on both sides at which the sum has risen by the square of `reach`.
     fn ends(&self, key: usize, reach: f64) -> Ends {
         let level = reach * reach;
-        [-1.0, 1.0].map(|way| {
-            let beyond = |share: &f64, than: f64| way * (share - than) > 0.0;
+        [-1.0, 1.0].map(|direction| {
+            let beyond = |share: &f64, than: f64| direction * (share - than) > 0.0;
             // the outermost place known to be inside of the interval: a minimum, or a cell of the grid
             let basins = self.minima.iter().filter(|place| place.sum - self.best().sum < level);
             let mut inside = basins.map(|place| place.shares[key]).fold(self.best().shares[key], |outermost, share| {
@@ -42,20 +42,20 @@ impl Fit<'_> {
             });
             let cells = (0..CELLS).map(|i| (f64::from(i) + 0.5) / f64::from(CELLS));
             let mut cells: Vec<f64> = cells.filter(|cell| beyond(cell, inside)).collect();
-            cells.sort_by(|a, b| (way * b).total_cmp(&(way * a)));
+            cells.sort_by(|a, b| (direction * b).total_cmp(&(direction * a)));
             // if there is only one basin, the steps in `end` find the end
             if self.minima.len() > 1 {
                 inside = cells.into_iter().find(|cell| self.excess(key, *cell) < level).unwrap_or(inside);
             }
-            self.end(key, way, inside, reach)
+            self.end(key, direction, inside, reach)
         })
     }
 
-    fn end(&self, key: usize, way: f64, mut inside: f64, reach: f64) -> Option<f64> {
-        let bound = if way < 0.0 { 0.0 } else { 1.0 };
+    fn end(&self, key: usize, direction: f64, mut inside: f64, reach: f64) -> Option<f64> {
+        let bound = if direction < 0.0 { 0.0 } else { 1.0 };
         let mut step = (1.1 * reach * self.sd(key)).max(1e-9);
         let outside = loop {
-            let next = if way < 0.0 { (inside - step).max(bound) } else { (inside + step).min(bound) };
+            let next = if direction < 0.0 { (inside - step).max(bound) } else { (inside + step).min(bound) };
             if self.excess(key, next) >= reach * reach {
                 break next;
             }

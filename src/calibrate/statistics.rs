@@ -58,8 +58,12 @@ pub fn runs_test(residuals: &[f64]) -> Option<Runs> {
     let all = ways(above + below, above);
     let p_of_chi_square = |runs: u64| {
         let half = runs / 2;
-        let of = |a: u64, b: u64| exp(ways(above - 1, a) + ways(below - 1, b) - all);
-        if runs.is_multiple_of(2) { 2.0 * of(half - 1, half - 1) } else { of(half, half - 1) + of(half - 1, half) }
+        let probability = |a: u64, b: u64| exp(ways(above - 1, a) + ways(below - 1, b) - all);
+        if runs.is_multiple_of(2) {
+            2.0 * probability(half - 1, half - 1)
+        } else {
+            probability(half, half - 1) + probability(half - 1, half)
+        }
     };
     let p = to_twelve_digits((2..=runs).map(p_of_chi_square).sum::<f64>().min(1.0));
     Some(Runs { p, least: to_twelve_digits(p_of_chi_square(2)) })
@@ -81,12 +85,13 @@ mod tests {
     #[test]
     fn runs_are_counted_as_all_orders_say() {
         // of the 20 orders of three + and three -, 2 have two runs, 4 have three runs and 8 have four runs
-        let order = |signs: &str| signs.chars().map(|sign| if sign == '+' { 1.0 } else { -1.0 }).collect::<Vec<_>>();
-        approx::assert_relative_eq!(runs_test(&order("+++---")).unwrap().p, 0.1, max_relative = 1e-11);
-        approx::assert_relative_eq!(runs_test(&order("++---+")).unwrap().p, 0.3, max_relative = 1e-11);
-        approx::assert_relative_eq!(runs_test(&order("+-++--")).unwrap().p, 0.7, max_relative = 1e-11);
-        approx::assert_relative_eq!(runs_test(&order("+-++--")).unwrap().least, 0.1, max_relative = 1e-11);
-        assert_eq!(runs_test(&order("+++")), Some(Runs { p: 0.25, least: 0.25 }));
-        assert_eq!(runs_test(&order("+")), None);
+        let residuals_of =
+            |signs: &str| signs.chars().map(|sign| if sign == '+' { 1.0 } else { -1.0 }).collect::<Vec<_>>();
+        approx::assert_relative_eq!(runs_test(&residuals_of("+++---")).unwrap().p, 0.1, max_relative = 1e-11);
+        approx::assert_relative_eq!(runs_test(&residuals_of("++---+")).unwrap().p, 0.3, max_relative = 1e-11);
+        approx::assert_relative_eq!(runs_test(&residuals_of("+-++--")).unwrap().p, 0.7, max_relative = 1e-11);
+        approx::assert_relative_eq!(runs_test(&residuals_of("+-++--")).unwrap().least, 0.1, max_relative = 1e-11);
+        assert_eq!(runs_test(&residuals_of("+++")), Some(Runs { p: 0.25, least: 0.25 }));
+        assert_eq!(runs_test(&residuals_of("+")), None);
     }
 }

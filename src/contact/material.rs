@@ -166,13 +166,13 @@ pub enum PairError {
 
 impl From<PairError> for crate::error::Error {
     fn from(error: PairError) -> Self {
-        Self::of(ErrorKind::Failed, &error)
+        Self::caused_by(ErrorKind::Failed, &error)
     }
 }
 
 impl From<OutOfFloatRange> for crate::error::Error {
     fn from(error: OutOfFloatRange) -> Self {
-        Self::of(ErrorKind::Failed, &error)
+        Self::caused_by(ErrorKind::Failed, &error)
     }
 }
 

@@ -121,14 +121,14 @@ impl OutputDirectory {
             text => text.map_err(unwritable(&path))?,
         };
         let summary: Value = serde_json::from_slice(&text).unwrap_or_default();
-        let of = |key: &str| summary["provenance"][key].as_str();
-        let (Some(hash), Some(other)) = (of("scenario_sha256"), of("scenario_file")) else {
+        let noted = |key: &str| summary["provenance"][key].as_str();
+        let (Some(hash), Some(other)) = (noted("scenario_sha256"), noted("scenario_file")) else {
             return if self.is_forced { Ok(None) } else { Err(foreign(&path)) };
         };
         let before = |is| Ok(Some(Before { name: other.to_owned(), files: listed(&summary), is }));
         let own = match origin {
             Origin::File(_, own) if own == hash => return before(Whose::Same),
-            Origin::File(file, _) if self.seen(file).is_some_and(|seen| Some(&*seen) == of(SEEN)) => {
+            Origin::File(file, _) if self.seen(file).is_some_and(|seen| Some(&*seen) == noted(SEEN)) => {
                 return before(Whose::Edited);
             }
             Origin::File(file, _) => file.display().to_string(),
@@ -221,18 +221,18 @@ impl OutputDirectory {
 
     /// Removes the results of another text or other overrides: first their summary, so that it never stands beside newer files,
     /// then all but those of these names. Does nothing when it is called again.
-    pub fn remove_older(&self, kept: &[&str]) -> Result<(), Error> {
+    pub fn remove_older(&self, keep: &[&str]) -> Result<(), Error> {
         if self.replaces().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
             return Ok(());
         }
         self.remove_file(SUMMARY)?;
-        self.remove_listed(kept)
+        self.remove_listed(keep)
     }
 
     /// Removes the files that the summary before this run lists, apart from those of these names.
-    fn remove_listed(&self, kept: &[&str]) -> Result<(), Error> {
+    fn remove_listed(&self, keep: &[&str]) -> Result<(), Error> {
         let listed = self.before.iter().flat_map(|before| &before.files);
-        listed.filter(|name| !kept.contains(&name.as_str())).try_for_each(|name| self.remove_file(name))
+        listed.filter(|name| !keep.contains(&name.as_str())).try_for_each(|name| self.remove_file(name))
     }
 
     /// Removes a file of this name; what is no ordinary file stays.

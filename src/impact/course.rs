@@ -60,7 +60,7 @@ pub fn integrate<'a, I: Integrator>(
         let creep = static_point.filter(on_piece);
         let creep = creep.and_then(|point| near_rest(forces, &point, place(&point), &at, &mut path));
         let landing = go(&path, &mut at, Some(piece), recorder)?;
-        if landing != Landing::End || creep.is_some_and(|creep| at.speed <= creep.below) {
+        if landing != Landing::End || creep.is_some_and(|creep| at.speed <= creep.largest_speed) {
             break landing == Landing::Rest || landing == Landing::End;
         }
         if creep.is_some() {
@@ -100,7 +100,7 @@ pub fn integrate<'a, I: Integrator>(
         }
         let mut creeps = false;
         if let Some(creep) = creep.filter(|_| landing == Landing::End) {
-            creeps = -at.speed <= creep.below;
+            creeps = -at.speed <= creep.largest_speed;
             if !creeps {
                 path.leg = Leg::Back(end);
                 landing = go(&path, &mut at, None, recorder)?;
@@ -145,7 +145,7 @@ fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
 fn near_rest(forces: &ScaledForces, point: &StaticPoint, distance: f64, at: &State, path: &mut Path) -> Option<Rest> {
     let rest = forces.rest(point)?;
     path.rest = Some(nearer(rest, distance));
-    let (outward, back) = (distance - rest.within, distance + rest.within);
+    let (outward, back) = (distance - rest.tolerance, distance + rest.tolerance);
     let (leg, is_ahead) = match path.leg {
         Leg::Outward(end) => (Leg::Outward(outward), at.distance < outward && outward < end),
         Leg::Back(_) => (Leg::Back(back), back < at.distance),

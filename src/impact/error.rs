@@ -77,6 +77,6 @@ impl From<PairError> for ImpactError {
 
 impl From<ImpactError> for Failure {
     fn from(error: ImpactError) -> Self {
-        Self::of(ErrorKind::Failed, &error)
+        Self::caused_by(ErrorKind::Failed, &error)
     }
 }

@@ -152,18 +152,18 @@ impl ScaledForces {
         let Drag { chi, eta, theta } = self.drag;
         // the fraction of critical damping of small swings
         let zeta = 0.5 * (ACCELERATION * self.weight * chi / omega + eta + theta * omega);
-        let within = NEAR * point.distance;
+        let tolerance = NEAR * point.distance;
         // from ζ = 0.9 on every swing is less than e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
         let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
-        is_overdamped.then_some(Rest { distance: point.distance, within, below: fast * omega * within })
+        is_overdamped.then_some(Rest { distance: point.distance, tolerance, largest_speed: fast * omega * tolerance })
     }
 }
 
 /// The rule for a sphere that the first one did not stop, where the place of rest is at this distance of the leg. The
 /// integrator itself ends the leg there.
 pub(super) fn nearer(rest: Rest, distance: f64) -> Rest {
-    Rest { distance, within: NEARER / NEAR * rest.within, below: NEARER / NEAR * rest.below }
+    Rest { distance, tolerance: NEARER / NEAR * rest.tolerance, largest_speed: NEARER / NEAR * rest.largest_speed }
 }
 
 /// Where a contact carries the weight of its sphere.

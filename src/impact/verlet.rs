@@ -223,7 +223,7 @@ fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -
     let point = forces.static_point(motion.contact.ground, unloading);
     let distance = (motion.contact.touch + motion.state.distance - point.indentation).abs();
     let speed = motion.state.speed.abs();
-    forces.rest(&point).is_some_and(|rest| distance <= rest.within && speed <= rest.below)
+    forces.rest(&point).is_some_and(|rest| distance <= rest.tolerance && speed <= rest.largest_speed)
 }
 
 /// The motion in a step that began in this state and ended at this time.

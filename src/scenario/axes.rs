@@ -72,8 +72,8 @@ fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
     }
     if let Some(body) = Body::of_key(path) {
         // what is left to the materials depends on the other keys
-        let taken = |material| Word::Material(BodyMaterial { body, material, left: Vec::new() });
-        let material = |item: &Node| named(&MATERIALS, item, materials::find).map(taken);
+        let choice = |material| Word::Material(BodyMaterial { body, material, defaults: Vec::new() });
+        let material = |item: &Node| named(&MATERIALS, item, materials::find).map(choice);
         return words(body.material(), node, "[\"steel-s235\", \"aluminium-6061-t6\"]", material);
     }
     let key = known(name, true)?;
@@ -131,7 +131,7 @@ impl RandomKeys {
                     self.materials.push((body, self.variables.len()));
                 } else {
                     let key = known(name, false)?;
-                    self.variables.push(Variable::of(key, distribution(key.quantity, node)?));
+                    self.variables.push(Variable::new(key, distribution(key.quantity, node)?));
                 }
             }
         }

@@ -134,8 +134,9 @@ impl Scenario {
     fn scale_of(&self, key: &Key) -> Option<Scale> {
         let end = format!("calibrate.free.{}.from", key.path);
         let given = [key.path, &end].into_iter().find_map(|path| self.document.value(path));
-        let taken = self.input.materials().iter().flat_map(BodyMaterial::values).find(|(taken, _)| *taken == key.path);
-        let text = given.or(taken.map(|(_, known)| known.taken.text.as_str()))?;
+        let of_material =
+            self.input.materials().iter().flat_map(BodyMaterial::values).find(|(path, _)| *path == key.path);
+        let text = given.or(of_material.map(|(_, known)| known.used.text.as_str()))?;
         key.quantity.is_hardness.then(|| hardness::written(text)).flatten().map(|(_, scale)| scale)
     }
 

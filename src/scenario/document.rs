@@ -248,7 +248,7 @@ impl Document {
                 details.value = text.split_once('=').map(|(_, value)| value.to_owned());
             }
             Some(Location::File(span)) => {
-                let Mark { line, column, value, excerpt: marked } = Mark::of(&self.text, &span);
+                let Mark { line, column, value, excerpt: marked } = Mark::new(&self.text, &span);
                 begin = format!("{begin}:{line}:{column}");
                 excerpt = marked;
                 (details.line, details.column) = (Some(line as u64), Some(column as u64));

@@ -57,7 +57,7 @@ impl Scenario {
         let keys = body.strength_keys();
         let [yield_strength, hardness] = [keys.yield_strength, keys.hardness].map(At::path);
         let (sphere, half_space) = input.bodies(&input.law());
-        let strength = body.of([sphere.yield_strength, half_space.yield_strength]);
+        let strength = body.pick([sphere.yield_strength, half_space.yield_strength]);
         if strength.is_some_and(f64::is_nan) && !varies(hardness) {
             let modulus = quantity(input.material(body).youngs_modulus, Dimension::Pressure);
             let message = format!(
@@ -89,7 +89,7 @@ impl Scenario {
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
             );
         }
-        let modulus = body.of([sphere.material, half_space.material]).youngs_modulus;
+        let modulus = body.pick([sphere.material, half_space.material]).youngs_modulus;
         let sound = flow.starts_from(strength).and_then(|()| flow.is_flatter_than(modulus, strength));
         sound.or_else(|error| refuse(&error.to_string()))
     }

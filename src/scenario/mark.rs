@@ -20,7 +20,7 @@ pub(super) struct Mark {
 
 impl Mark {
     /// The part of `span` (bytes).
-    pub fn of(text: &str, span: &Range<usize>) -> Self {
+    pub fn new(text: &str, span: &Range<usize>) -> Self {
         let start = (0..=span.start.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
         let before = &text[..start];
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);

@@ -34,17 +34,17 @@ impl Varied {
                 )));
             };
             let is_left = |path| Key::find(path).is_some_and(|key| self.is_left(input, document, body, key));
-            let left = body.defaults().iter().copied().filter(|(path, _)| is_left(path)).collect();
-            let taken = BodyMaterial { body, material, left };
+            let defaults = body.defaults().iter().copied().filter(|(path, _)| is_left(path)).collect();
+            let choice = BodyMaterial { body, material, defaults };
             for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
                 if let Word::Material(other) = word
                     && other.body == body
                 {
-                    other.left.clone_from(&taken.left);
+                    other.defaults.clone_from(&choice.defaults);
                 }
             }
             if is_drawn {
-                let variables = drawn(input, &taken);
+                let variables = drawn(input, &choice);
                 if variables.is_empty() {
                     let name = &material.name;
                     return Err(refuse(format!(
@@ -53,7 +53,7 @@ impl Varied {
                 }
                 self.draw(body, variables);
             }
-            all.push(taken);
+            all.push(choice);
         }
         Ok(all)
     }
@@ -114,23 +114,25 @@ pub(super) fn asks_material(input: &Input, body: Body) -> bool {
 }
 
 /// The values of a material as random keys: even between the ends of their ranges.
-fn drawn(input: &Input, taken: &BodyMaterial) -> Vec<Variable> {
+fn drawn(input: &Input, choice: &BodyMaterial) -> Vec<Variable> {
     let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
     // a rigid sphere needs no Poisson's ratio
     let is_used = |path: &str| path != "sphere.poissons_ratio" || !is_rigid;
     let drawn = |(path, known): (&'static str, &Known)| {
         let [from, to] = [0, 1].map(|end| known.range[end].value);
         let key = Key::find(path).filter(|_| from < to && is_used(path))?;
-        Some(Variable::of(key, Distribution::Uniform { from, to }))
+        Some(Variable::new(key, Distribution::Uniform { from, to }))
     };
-    taken.values().filter_map(drawn).collect()
+    choice.values().filter_map(drawn).collect()
 }
 
 impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
     pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
-            Word::Material(taken) => taken.left.iter().any(|(path, _)| *path == HARDNESS).then_some(taken.material),
+            Word::Material(choice) => {
+                choice.defaults.iter().any(|(path, _)| *path == HARDNESS).then_some(choice.material)
+            }
             _ => None,
         });
         let (metals, others): (Vec<&MaterialEntry>, Vec<&MaterialEntry>) =

@@ -22,8 +22,8 @@
 //! ```
 
 mod axes;
-mod beside;
 pub mod calibrate;
+mod combinations;
 mod document;
 pub mod edit;
 mod flow;
@@ -137,14 +137,14 @@ impl Scenario {
         let lacks_material = |(path, _): &(String, _)| Body::of_key(varied_key(path)).is_some();
         let has_unknown = reader.has_unknown || reader.refused.iter().any(lacks_material);
         let mut mistakes = document.refused(reader.refused);
-        let taken = varied.take_materials(&input, &document).unwrap_or_else(|mistake| {
+        let choices = varied.take_materials(&input, &document).unwrap_or_else(|mistake| {
             mistakes.push(mistake);
             Vec::new()
         });
-        for taken in &taken {
-            input.take(taken);
+        for choice in &choices {
+            input.take(choice);
         }
-        input.set_materials(taken);
+        input.set_materials(choices);
         if let Some(name) = input.text(at!("calibrate.data")) {
             let path = directory.join(name);
             // one that cannot be read is refused where it is needed
@@ -152,7 +152,7 @@ impl Scenario {
             files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
         }
         let scenario = Self { document, input, varied, files, directory, from_results: None };
-        mistakes.extend(scenario.beside());
+        mistakes.extend(scenario.check_combinations());
         // a misspelt key, or what a misspelt material gives, is not told as missing too
         if !has_unknown {
             let needed = match scenario.kind() {
@@ -170,7 +170,7 @@ impl Scenario {
 
     /// Whether the scenario, or a material that it names, gives a key, or the scenario has a table.
     fn has(&self, path: &str) -> bool {
-        let is_taken = || self.input.materials().iter().flat_map(BodyMaterial::values).any(|(taken, _)| taken == path);
+        let is_taken = || self.input.materials().iter().flat_map(BodyMaterial::values).any(|(given, _)| given == path);
         self.document.has(path) || is_taken()
     }
 
@@ -267,12 +267,12 @@ impl Scenario {
 
     /// Warnings about keys that the scenario gives, and that have no effect on what is computed of these inputs. They are
     /// allowed, as the file may also be run in another way. Keys that are needed are no mistake.
-    pub fn without_effect(&self, inputs: &[Input], of: Purpose) -> Vec<Warning> {
-        let needed = if of == Purpose::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
+    pub fn without_effect(&self, inputs: &[Input], purpose: Purpose) -> Vec<Warning> {
+        let needed = if purpose == Purpose::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
         let is_needed = |path: &str| [Some(path), partner(path)].into_iter().flatten().any(|key| needed.contains(&key));
         let keys =
             EVERY_KEY.iter().map(|key| key.path).filter(|path| !path.starts_with("law.") && self.document.has(path));
         let given = keys.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
-        given.filter_map(|path| Some(Warning::unused(path, without_effect(path, inputs, of)?))).collect()
+        given.filter_map(|path| Some(Warning::unused(path, without_effect(path, inputs, purpose)?))).collect()
     }
 }

@@ -26,7 +26,7 @@ impl Scenario {
         if asks_material(input, body) && input.rate(body).is_none() {
             let known: Vec<&str> = all()
                 .iter()
-                .filter(|entry| entry.of(Property::RateSensitivity).is_some())
+                .filter(|entry| entry.get(Property::RateSensitivity).is_some())
                 .map(|entry| &*entry.name)
                 .collect();
             return refuse(format!(

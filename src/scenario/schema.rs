@@ -149,10 +149,10 @@ fn ranged(kind: &str, quantity: &Quantity) -> Value {
 }
 
 /// A table of numeric keys, each with what `of` makes of its value.
-fn varied(of: impl Fn(&Value) -> Value) -> Value {
+fn varied(form: impl Fn(&Value) -> Value) -> Value {
     let mut schema = table();
     for key in KEYS.iter() {
-        schema["properties"][key.path] = of(&reference(key.quantity));
+        schema["properties"][key.path] = form(&reference(key.quantity));
     }
     schema
 }

@@ -43,7 +43,7 @@ impl Scenario {
             return refuse(METHOD, ImpactError::NoClosedForm.to_string());
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases
-            && let Some(variable) = variables.iter().find(|variable| variable.kept() < LEAST_KEPT)
+            && let Some(variable) = variables.iter().find(|variable| variable.share_in_range() < LEAST_KEPT)
         {
             let allowed = variable.key.quantity.allowed();
             let message = format!("almost nothing of its distribution is in the allowed range, {allowed}");

@@ -46,7 +46,7 @@ pub struct Tally {
 
 impl Tally {
     /// No rows of this plan yet.
-    pub fn of(plan: &Plan) -> Self {
+    pub fn new(plan: &Plan) -> Self {
         Self { is_random: plan.is_monte_carlo(), ..Self::default() }
     }
 

@@ -108,7 +108,7 @@ struct Laws {
 }
 
 impl Laws {
-    fn of(input: &Input, changes: bool, has_band: bool) -> Self {
+    fn new(input: &Input, changes: bool, has_band: bool) -> Self {
         Self { changes, law: input.law(), has_band }
     }
 
@@ -119,7 +119,7 @@ impl Laws {
         }
         let (sphere, half_space) = input.bodies(&self.law);
         let contact = input.pair(sphere, half_space, &self.law).map_err(Failure::from);
-        let doubt = if self.has_band { Doubt::of(input) } else { None };
+        let doubt = if self.has_band { Doubt::new(input) } else { None };
         Known { strengths: [sphere.yield_strength, half_space.yield_strength], contact, doubt }
     }
 }
@@ -163,7 +163,7 @@ impl<'a> Evaluator<'a> {
             }
         }
         let has_band = shows_band(plan);
-        let mut laws = Laws::of(&plan.input, plan.axes().iter().any(Axis::changes_law), has_band);
+        let mut laws = Laws::new(&plan.input, plan.axes().iter().any(Axis::changes_law), has_band);
         let combination = |index: u64| {
             // at the first places of the other axes
             let axes = plan.axes().iter().zip(&strides);
@@ -185,7 +185,7 @@ impl<'a> Evaluator<'a> {
         let strengths = [sphere.yield_strength, half_space.yield_strength];
         let has_band = shows_band(plan);
         let known = |contact: &Contact| {
-            let doubt = if has_band { Doubt::of(&plan.input) } else { None };
+            let doubt = if has_band { Doubt::new(&plan.input) } else { None };
             (plan.input.clone(), Known { strengths, contact: Ok(contact.clone()), doubt })
         };
         let contacts = contact.map(known).into_iter().collect();
@@ -254,7 +254,7 @@ impl<'a> Evaluator<'a> {
         let mut places = places(axes, cases.start);
         let mut input = self.plan.input_at(&places);
         let mut own: Option<Known> = None;
-        let mut laws = Laws::of(&input, axes.iter().any(Axis::changes_law), self.has_band);
+        let mut laws = Laws::new(&input, axes.iter().any(Axis::changes_law), self.has_band);
         for _ in cases {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             let known = match self.known(&places) {
@@ -288,7 +288,7 @@ impl<'a> Evaluator<'a> {
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut input = self.plan.input.clone();
         let mut laws =
-            Laws::of(&input, variables.iter().any(|variable| variable.key.part.changes_law()), self.has_band);
+            Laws::new(&input, variables.iter().any(|variable| variable.key.part.changes_law()), self.has_band);
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
@@ -310,7 +310,7 @@ impl<'a> Evaluator<'a> {
         let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
         let mut input = self.plan.input.clone();
         let mut own: Option<Known> = None;
-        let mut laws = Laws::of(&input, keys.iter().any(|(key, _)| key.part.changes_law()), self.has_band);
+        let mut laws = Laws::new(&input, keys.iter().any(|(key, _)| key.part.changes_law()), self.has_band);
         for case in cases {
             for (key, values) in keys {
                 key.set(&mut input, Some(values[case]));

@@ -144,7 +144,7 @@ impl<F: Form> Table<'_, F> {
             identity.create(job.directory)?;
         } else if is_joined && table.exists() {
             // the table was finished, perhaps by another run; without its parts it is as good
-            let mut tally = Tally::of(job.plan);
+            let mut tally = Tally::new(job.plan);
             if self.read(&table, 0..layout.rows, &mut |count| tally.push(count))? == Found::Whole {
                 remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
                 return Ok(Written { table, found: tally.rows, tally });
@@ -193,7 +193,7 @@ impl<F: Form> Table<'_, F> {
             (0..count).map(move |k| cases.start + k * step..cases.end.min(cases.start + (k + 1) * step))
         };
         let mine = || (0..layout.parts()).filter(|part| job.shard.is_none_or(|shard| shard.has(*part)));
-        let total = mine().map(|part| layout.cases(part)).map(|of| of.end - of.start).sum();
+        let total = mine().map(|part| layout.cases(part)).map(|cases| cases.end - cases.start).sum();
         let tasks = mine().flat_map(|part| -> Box<dyn Iterator<Item = Task> + Send> {
             // looked for when its turn comes: another process may have written it in the meantime
             if !is_one_file && path(part).exists() {
@@ -237,7 +237,7 @@ impl<F: Form> Table<'_, F> {
                 Found::Torn => pieces(part).collect::<Vec<_>>().into_par_iter().map(compute).collect(),
             }
         };
-        let (mut tally, mut found, mut open) = (Tally::of(job.plan), 0, None);
+        let (mut tally, mut found, mut open) = (Tally::new(job.plan), 0, None);
         let append = |cases: &Range<u64>, piece: &F::Piece, open: &mut Option<F::Writer>| -> Result<(), Error> {
             let part = cases.start / layout.rows_per_part;
             let (of_part, path) = (layout.cases(part), path(part));

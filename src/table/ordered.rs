@@ -22,11 +22,11 @@ pub fn in_order<T: Send, M: Send, E: Send>(
             return Ok(());
         }
         let ready = std::mem::take(&mut made);
-        let (taken, next) = rayon::join(
+        let (result, next) = rayon::join(
             || ready.into_iter().try_for_each(|piece| take(piece?)),
             || round.into_par_iter().map(&make).collect(),
         );
-        taken?;
+        result?;
         made = next;
     }
 }

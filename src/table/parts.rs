@@ -44,7 +44,7 @@ pub struct Layout {
 impl Layout {
     /// The parts of this plan have the rows of about 65 ms on one core. That follows from the number of rows and from the method
     /// alone, so that the parts of all runs fit together.
-    pub fn of(plan: &Plan) -> Self {
+    pub fn new(plan: &Plan) -> Self {
         let at_most = 65_536.0 / plan.microseconds();
         // a power of two
         let mut rows_per_part = LONGEST;

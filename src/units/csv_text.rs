@@ -13,8 +13,8 @@ pub type Refusal = (Option<u64>, String);
 pub(crate) fn refused(name: &str) -> impl Fn(Refusal) -> Error + Copy {
     move |(line, message)| {
         let at = line.map(|line| format!(":{line}")).unwrap_or_default();
-        let told = Error::input(format!("{name}{at}: {message}"));
-        told.with(Details { message: Some(message), file: Some(name.to_owned()), line, ..Details::default() })
+        let error = Error::input(format!("{name}{at}: {message}"));
+        error.with(Details { message: Some(message), file: Some(name.to_owned()), line, ..Details::default() })
     }
 }
 

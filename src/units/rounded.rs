@@ -14,7 +14,7 @@ const FIRST_EXPONENT: i32 = -15;
 
 impl Prefix {
     /// The prefix under which `value` is written with one to three digits before the point.
-    pub fn of(value: f64) -> Self {
+    pub fn for_value(value: f64) -> Self {
         let exponent = if value.is_finite() && value != 0.0 { exponent(value).div_euclid(3) * 3 } else { 0 };
         // 1e-306 is the smallest multiple of three that is not subnormal
         let exponent = exponent.max(-306);

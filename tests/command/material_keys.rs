@@ -21,7 +21,7 @@ fn scene(text: &str) -> Input {
 }
 
 fn value(name: &str, property: Property) -> f64 {
-    find(name).unwrap().of(property).unwrap().taken.value
+    find(name).unwrap().get(property).unwrap().used.value
 }
 
 #[test]
@@ -202,7 +202,7 @@ fn a_calibration_looks_for_the_strength_that_the_material_would_give() {
 #[test]
 fn every_way_to_a_result_knows_the_hardness_of_a_material() {
     let keys = |name: &str| {
-        let of = |property| find(name).unwrap().of(property).map(|known| known.taken.text.clone());
+        let of = |property| find(name).unwrap().get(property).map(|known| known.used.text.clone());
         let line = |(key, property)| of(property).map_or_else(String::new, |text| format!("{key} = \"{text}\"\n"));
         let all = [
             ("density", Property::Density),

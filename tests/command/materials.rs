@@ -31,16 +31,16 @@ fn every_value_is_one_that_a_scenario_takes_lies_in_its_range_and_has_two_source
         assert!(name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c)), "{name}");
         assert!(!entry.title.is_empty());
         for needed in [Property::Density, Property::YoungsModulus, Property::PoissonsRatio] {
-            assert!(entry.of(needed).is_some(), "{name}: {}", needed.name());
+            assert!(entry.get(needed).is_some(), "{name}: {}", needed.name());
         }
-        assert!(entry.is_metal() || entry.of(Property::HardeningExponent).is_none(), "{name}");
+        assert!(entry.is_metal() || entry.get(Property::HardeningExponent).is_none(), "{name}");
         for known in &entry.known {
             let place = format!("{name}.{}", known.property.name());
             let [low, high] = &known.range;
-            for written in [&known.taken, low, high] {
+            for written in [&known.used, low, high] {
                 assert_eq!(quantity(known.property).parse(&written.text), Ok(written.value), "{place}");
             }
-            assert!(low.value <= known.taken.value && known.taken.value <= high.value, "{place}");
+            assert!(low.value <= known.used.value && known.used.value <= high.value, "{place}");
             let sources: BTreeSet<_> = known.sources.iter().map(|[source, _]| source).collect();
             assert!(sources.len() >= 2 && !known.basis.is_empty(), "{place}");
             assert!(known.sources.iter().all(|[source, says]| !source.is_empty() && !says.is_empty()), "{place}");
@@ -50,7 +50,7 @@ fn every_value_is_one_that_a_scenario_takes_lies_in_its_range_and_has_two_source
 }
 
 fn value(name: &str, property: Property) -> f64 {
-    find(name).and_then(|entry| entry.of(property)).map_or(f64::NAN, |known| known.taken.value)
+    find(name).and_then(|entry| entry.get(property)).map_or(f64::NAN, |known| known.used.value)
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn values_are_those_that_are_published() {
         let known = &find(&name).unwrap().known;
         let known = known.iter().find(|known| known.property.name() == property).unwrap();
         let published = quantity(known.property).parse(&published).unwrap();
-        assert!(off(known.taken.value, published) <= tolerance, "{name}.{property} of {source}");
+        assert!(off(known.used.value, published) <= tolerance, "{name}.{property} of {source}");
     }
 }
 
@@ -108,10 +108,10 @@ fn a_power_law_by_name_has_the_proof_stress_of_its_metal() {
     ];
     let mut compared = 0;
     for entry in all() {
-        let Some(exponent) = entry.of(Property::HardeningExponent) else { continue };
+        let Some(exponent) = entry.get(Property::HardeningExponent) else { continue };
         let [hardness, modulus] =
             [Property::Hardness, Property::YoungsModulus].map(|property| value(&entry.name, property));
-        let (start, exponent) = (entry.strength(hardness), exponent.taken.value);
+        let (start, exponent) = (entry.strength(hardness), exponent.used.value);
         // the curve goes through the flow stress of the hardness
         assert_relative_eq!(power(start, modulus, exponent, 0.08), flow_stress(&entry.name), max_relative = 1e-9);
         let proof = power(start, modulus, exponent, 0.002);
@@ -178,7 +178,7 @@ fn the_command_lists_all_and_prints_one() {
         );
         let one = materials(&[&entry.name]);
         for known in &entry.known {
-            assert!(one.contains(&format!("{} = \"{}\"\n", known.property.name(), known.taken.text)), "{one}");
+            assert!(one.contains(&format!("{} = \"{}\"\n", known.property.name(), known.used.text)), "{one}");
             for [source, says] in &known.sources {
                 assert!(one.contains(&format!("  {source}: {says}\n")), "{one}");
             }

@@ -66,7 +66,7 @@ pub struct Written {
 pub struct Known {
     pub property: Property,
     /// The value that is used.
-    pub taken: Written,
+    pub used: Written,
     /// The smallest and the largest value that the sources give or a standard allows.
     pub range: [Written; 2],
     /// The kind of number, such as a hardness of a named condition.
@@ -93,19 +93,19 @@ pub struct MaterialEntry {
 
 impl MaterialEntry {
     /// The property, if it is known.
-    pub fn of(&self, property: Property) -> Option<&Known> {
+    pub fn get(&self, property: Property) -> Option<&Known> {
         self.known.iter().find(|known| known.property == property)
     }
 
     /// The value of a property; NaN where it is not known.
     fn value(&self, property: Property) -> f64 {
-        self.of(property).map_or(f64::NAN, |known| known.taken.value)
+        self.get(property).map_or(f64::NAN, |known| known.used.value)
     }
 
     /// The flow curve, if the material hardens by a power law.
     fn flow(&self) -> Option<FlowCurve> {
-        let power = |known: &Known| FlowCurve::Power { exponent: known.taken.value };
-        self.of(Property::HardeningExponent).map(power)
+        let power = |known: &Known| FlowCurve::Power { exponent: known.used.value };
+        self.get(Property::HardeningExponent).map(power)
     }
 
     /// A material with an exponent hardens by a power law.

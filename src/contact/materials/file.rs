@@ -71,7 +71,7 @@ impl RawKnown {
         let [low, high] = self.range;
         Ok(Known {
             property,
-            taken: written(self.value)?,
+            used: written(self.value)?,
             range: [written(low)?, written(high)?],
             basis: self.basis.or_else(|| basis.get(property.name()).cloned()).unwrap_or_default(),
             sources: self.says.into_iter().map(cited).collect::<Result<_, _>>()?,

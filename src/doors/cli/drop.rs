@@ -65,13 +65,13 @@ pub struct Arguments {
 pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     let text = arguments.scenario();
     let scenario = Scenario::from_text("the options of drop", &text, &[])?;
-    let order = RunOptions {
+    let options = RunOptions {
         command: &super::output::command_line(),
         detail: Detail::Brief,
         pictures: Pictures::None,
         progress: &Counter::default(),
     };
-    let outcome = super::output::outcome(&scenario, &order)?;
+    let outcome = super::output::outcome(&scenario, &options)?;
     super::output::warn(&outcome.warnings);
     refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
     if arguments.json {

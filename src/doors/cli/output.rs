@@ -115,8 +115,8 @@ impl Output {
 }
 
 /// The outcome of a scenario that is not a table.
-pub fn outcome(scenario: &Scenario, order: &RunOptions) -> Result<Outcome, Error> {
-    at_once(scenario, Some(order))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
+pub fn outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
+    at_once(scenario, Some(options))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
 }
 
 /// Notes that older results are gone, once the new ones are there.

@@ -35,7 +35,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
         arguments.output.refuse_one_directory()?;
     }
     one(arguments, &arguments.scenario)?;
-    arguments.more.iter().try_for_each(|file| one(arguments, &arguments.scenario.of(file)))
+    arguments.more.iter().try_for_each(|file| one(arguments, &arguments.scenario.with_file(file)))
 }
 
 /// Runs one of the files.

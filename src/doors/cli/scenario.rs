@@ -48,7 +48,7 @@ impl ScenarioArguments {
     }
 
     /// Another file with the same overrides.
-    pub fn of(&self, file: &Path) -> Self {
+    pub fn with_file(&self, file: &Path) -> Self {
         Self { scenario: file.to_owned(), overrides: self.overrides.clone() }
     }
 

@@ -10,7 +10,7 @@ const SIGNAL: &str = "PLM_IMPACT_SIGNAL";
 
 /// The process sends itself the signal that the environment names.
 pub fn when_signalled() {
-    let Some((signal, change)) = std::env::var(SIGNAL).ok().and_then(|told| parse(&told)) else { return };
+    let Some((signal, change)) = std::env::var(SIGNAL).ok().and_then(|text| parse(&text)) else { return };
     let changes = AtomicU64::new(0);
     after_changes(move || {
         if changes.fetch_add(1, Ordering::Relaxed) + 1 == change {
@@ -20,7 +20,7 @@ pub fn when_signalled() {
     });
 }
 
-fn parse(told: &str) -> Option<(i32, u64)> {
-    let (signal, change) = told.split_once('@')?;
+fn parse(text: &str) -> Option<(i32, u64)> {
+    let (signal, change) = text.split_once('@')?;
     Some((signal.parse().ok()?, change.parse().ok()?))
 }

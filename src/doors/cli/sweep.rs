@@ -90,7 +90,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let directory = output.prepare(file, scenario)?;
     let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
     let Options { format, threads, .. } = *options;
-    let mut layout = Layout::of(&plan);
+    let mut layout = Layout::new(&plan);
     if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse().ok()) {
         layout.rows_per_part = rows;
     }

@@ -23,7 +23,7 @@ pub(super) struct Bare {
 }
 
 impl Bare {
-    pub fn of(scenario: &Scenario) -> Result<Self, Error> {
+    pub fn new(scenario: &Scenario) -> Result<Self, Error> {
         let kind = scenario.kind()?;
         let refuse = |message| Err(scenario.document.refuse(kind.name(), message));
         match kind {

@@ -105,14 +105,14 @@ impl Head<'_> {
             about.push("all units are SI; linear between the speeds".to_owned());
         } else {
             let [from, to] = range_of_constant(&self.bare.contact, speed, restitution).map(|end| end.map(four_digits));
-            let within = 100.0 * E_WITHIN;
+            let percent = 100.0 * E_WITHIN;
             let range = match (from, to) {
                 (Some(from), Some(to)) => format!("from {from} to {to} m/s"),
                 (None, Some(to)) => format!("up to {to} m/s"),
                 (Some(from), None) => format!("from {from} m/s on"),
                 (None, None) => "at all speeds near this one".to_owned(),
             };
-            about.push(format!("e is a constant here; in the law it stays within {within} % {range}"));
+            about.push(format!("e is a constant here; in the law it stays within {percent} % {range}"));
             let (step, steps) = (self.time_step(), steps_per_contact(restitution));
             about.push(format!(
                 "time step {step:.3e} s or less ({steps} steps a contact, e within 1 %), for a sphere of"

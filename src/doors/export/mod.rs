@@ -30,7 +30,7 @@ const POINTS: u32 = 41;
 /// # Errors
 /// [`Error`] for a bad scenario, one without impacts, a missing speed, or a speed without a result or a rebound.
 pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
-    let bare = Bare::of(scenario)?;
+    let bare = Bare::new(scenario)?;
     let speed = request.speed.or(bare.speed).or(request.speeds.map(|(from, _)| from)).ok_or_else(|| {
         Error::input("the scenario has no single impact speed: give --speed, such as --speed \"3 m/s\"".to_owned())
     })?;

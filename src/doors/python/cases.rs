@@ -171,7 +171,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let is_exact = forces.is_none() && plan.input.solver().method.chosen(&forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
         // friction does not change e
-        let of = |speed: &f64| {
+        let restitution_at = |speed: &f64| {
             let [normal_speed, _] = contact.input.approach_at(*speed).components();
             match contact.inner.row(normal_speed, &Solver::AUTO) {
                 Ok(row) => (row.restitution, 0.0),
@@ -179,7 +179,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
             }
         };
         work::columns(py, speeds.len(), &[1, 1], false, |cases| {
-            let (restitutions, status): (Vec<f64>, Vec<f64>) = speeds[cases].iter().map(of).unzip();
+            let (restitutions, status): (Vec<f64>, Vec<f64>) = speeds[cases].iter().map(restitution_at).unzip();
             Ok(vec![restitutions, status])
         })?
     } else {

@@ -32,7 +32,7 @@ use crate::units::names::did_you_mean;
 const NAME: &str = "Contact";
 
 impl Contact {
-    fn of(py: Python<'_>, source: &Source) -> PyResult<Self> {
+    fn from_source(py: Python<'_>, source: &Source) -> PyResult<Self> {
         let scenario = Scenario::from_source(NAME, source).map_err(exception)?;
         if scenario.kind().map_err(exception)? != Kind::Impact {
             let message = "a Contact has the tables of one impact; use plm_impact.impacts for tables, plm_impact.run for all else";
@@ -96,7 +96,7 @@ impl Contact {
     #[new]
     #[pyo3(signature = (**tables), text_signature = "(*, sphere, half_space, **tables)")]
     fn new(py: Python<'_>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::of(py, &tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?)
+        Self::from_source(py, &tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?)
     }
 
     /// The coefficient of restitution at these speeds (an array of any shape, a number, or a text with a unit), as in a
@@ -116,7 +116,7 @@ impl Contact {
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
         let samples = samples.and_then(|samples| samples.try_into().ok());
-        let impact = Impact::of(slf.py(), slf.clone().unbind(), speed, samples)?;
+        let impact = Impact::compute(slf.py(), slf.clone().unbind(), speed, samples)?;
         warn(slf.py(), 1, &texts(&impact.result.warnings))?;
         Ok(impact)
     }
@@ -207,7 +207,7 @@ impl Contact {
 
     #[staticmethod]
     fn _of_texts(py: Python<'_>, texts: &str) -> PyResult<Self> {
-        Self::of(py, &serde_json::from_str(texts).map_err(unexpected)?)
+        Self::from_source(py, &serde_json::from_str(texts).map_err(unexpected)?)
     }
 }
 
@@ -233,11 +233,11 @@ pub struct Impact {
 }
 
 impl Impact {
-    fn of(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
-        let of = contact.get();
+    fn compute(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+        let holder = contact.get();
         let computed = || -> Result<_, Error> {
-            let own = of.own(speed)?;
-            Ok((of.computed(own.as_ref(), speed, samples)?, own))
+            let own = holder.own(speed)?;
+            Ok((holder.computed(own.as_ref(), speed, samples)?, own))
         };
         let (result, own) = py.detach(computed).map_err(exception)?;
         Ok(Self { contact, result, own, samples, band: OnceLock::new() })
@@ -263,10 +263,10 @@ impl Impact {
 #[pymethods]
 impl Impact {
     fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let of = self.single();
+        let single = self.single();
         if let Some(result) = results().iter().find(|result| result.name == name) {
             let missing = || PyAttributeError::new_err(format!("{name} is there only if {}", result.condition));
-            return from_json(py, &(result.value)(&of).ok_or_else(missing)?);
+            return from_json(py, &(result.value)(&single).ok_or_else(missing)?);
         }
         let there = self.to_dict(py)?;
         if let Some(group) = there.get_item(name)? {
@@ -284,7 +284,7 @@ impl Impact {
 
     #[staticmethod]
     fn _of_speed(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
-        Self::of(py, contact, speed, samples)
+        Self::compute(py, contact, speed, samples)
     }
 
     fn __dir__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyList>> {

@@ -54,7 +54,7 @@ mod _core {
         let materials = crate::contact::materials::all().iter().map(|entry| {
             let known = entry.known.iter().map(|known| {
                 let value = json!({
-                    "value": known.taken.value,
+                    "value": known.used.value,
                     "range": [known.range[0].value, known.range[1].value],
                     "basis": known.basis,
                     "sources": known.sources,

@@ -87,7 +87,8 @@ fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
 
 fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py, PyAny>> {
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
-    let made = interruptible(py, |progress| at_once(scenario, Some(&order(&command, progress))))?.map_err(exception)?;
+    let made =
+        interruptible(py, |progress| at_once(scenario, Some(&options(&command, progress))))?.map_err(exception)?;
     if let Some(mut made) = made {
         made.warnings.extend(made.contradiction.take());
         warn(py, 1, &made.warnings)?;
@@ -100,7 +101,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
     let made = interruptible(py, |progress| {
         let take = |piece| append(&mut columns, piece);
         let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
-        table::outcome(scenario, &plan, &tally, &order(&command, progress), None)
+        table::outcome(scenario, &plan, &tally, &options(&command, progress), None)
     });
     let made = made?.map_err(exception)?;
     let failed = failures(columns.last().map_or(&[], Vec::as_slice));
@@ -108,7 +109,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
     outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
 }
 
-fn order<'a>(command: &'a str, progress: &'a Counter) -> RunOptions<'a> {
+fn options<'a>(command: &'a str, progress: &'a Counter) -> RunOptions<'a> {
     RunOptions { command, detail: Detail::Usual, pictures: Pictures::Png, progress }
 }
 

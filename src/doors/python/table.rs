@@ -62,21 +62,21 @@ impl Column {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Bound<'py, PyAny>,)> {
-        let held = match slf.get().words() {
+        let data = match slf.get().words() {
             None => Self::numpy(slf)?,
             Some(words) => words.into_pyobject(slf.py())?.into_any(),
         };
-        Ok((slf.get_type().getattr("_of")?, (held,)))
+        Ok((slf.get_type().getattr("_restore")?, (data,)))
     }
 
     #[staticmethod]
-    fn _of(held: &Bound<'_, PyAny>) -> PyResult<Self> {
-        match held.extract::<(Vec<String>, Vec<i32>)>() {
+    fn _restore(data: &Bound<'_, PyAny>) -> PyResult<Self> {
+        match data.extract::<(Vec<String>, Vec<i32>)>() {
             Ok((words, places)) => {
                 let places: Vec<f64> = places.into_iter().map(f64::from).collect();
                 arrow::words(&places, &Arc::new(words.into())).map(Self).map_err(failed)
             }
-            Err(_) => Ok(Self(arrow::numbers(numbers(held, "column")?.values))),
+            Err(_) => Ok(Self(arrow::numbers(numbers(data, "column")?.values))),
         }
     }
 }

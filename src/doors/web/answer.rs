@@ -30,10 +30,10 @@ const DECADES: f64 = 2.0;
 pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     let kind = scenario.kind()?;
     let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
-    let order = RunOptions { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
-    let Outcome { warnings, text, files, contradiction, .. } = match at_once(scenario, Some(&order))? {
+    let options = RunOptions { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
+    let Outcome { warnings, text, files, contradiction, .. } = match at_once(scenario, Some(&options))? {
         Some(outcome) => outcome,
-        None => of_table(scenario, &order)?,
+        None => of_table(scenario, &options)?,
     };
     let curve = if kind == Kind::Impact { curve(scenario, pictures)? } else { None };
     Ok(json!({
@@ -46,7 +46,7 @@ pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
     }))
 }
 
-fn of_table(scenario: &Scenario, order: &RunOptions) -> Result<Outcome, Error> {
+fn of_table(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let rows = plan.count();
     if rows > MOST_ROWS {
@@ -57,7 +57,7 @@ fn of_table(scenario: &Scenario, order: &RunOptions) -> Result<Outcome, Error> {
     }
     let (csv, tally) = rows_of(&plan)?;
     let table = OutputFile { name: "table.csv".to_owned(), bytes: csv };
-    table::outcome(scenario, &plan, &tally, order, Some(table))
+    table::outcome(scenario, &plan, &tally, options, Some(table))
 }
 
 /// The picture in this format, and its points as CSV; `None` for a sphere that is released at first touch.
@@ -77,7 +77,7 @@ fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> 
     let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
     let mut plan = swept.plan()?;
     plan.columns = Some(vec!["restitution"]);
-    let drawn = pictures(&plan, &Tally::of(&plan)).into_iter().next();
+    let drawn = pictures(&plan, &Tally::new(&plan)).into_iter().next();
     drawn
         .map(|(_, mut chart)| {
             let point = Series::points("this impact", vec![(at, impact.restitution)]).styled(Style::BLACK);

@@ -42,7 +42,7 @@ pub fn materials() -> Value {
     let entry = |entry: &MaterialEntry| {
         let defaults = Body::ALL.into_iter().flat_map(Body::defaults);
         let written =
-            |(key, property): &(&str, Property)| Some(((*key).to_owned(), json!(entry.of(*property)?.taken.text)));
+            |(key, property): &(&str, Property)| Some(((*key).to_owned(), json!(entry.get(*property)?.used.text)));
         let values: Map<_, _> = defaults.filter_map(written).collect();
         json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
     };

@@ -62,7 +62,7 @@ pub fn fields() -> String {
 /// The keys that a text gives, with their values as they are typed.
 #[wasm_bindgen]
 pub fn given(text: &str) -> String {
-    let given = edit::given(text).map_err(|error| Error::of(ErrorKind::Input, &error));
+    let given = edit::given(text).map_err(|error| Error::caused_by(ErrorKind::Input, &error));
     reply(
         given.map(|given| {
             Value::Object(given.into_iter().map(|(key, value)| (key, json!(value))).collect::<Map<_, _>>())

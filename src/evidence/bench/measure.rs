@@ -131,16 +131,16 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
     let methods = METHODS.into_iter().filter(|method| serves(*method, problem));
     let settings = methods.flat_map(|method| rungs(method, is_quick).into_iter().map(move |rung| (method, rung)));
     let mut all: Vec<Measurement> = settings.filter_map(|(method, rung)| rung.measured(method, problem)).collect();
-    let time = |of: &Measurement, repetitions: u32| {
-        let ((), ns) = timed(|| (0..repetitions).for_each(|_| of.rung.spend(of.method, problem)));
+    let time = |measurement: &Measurement, repetitions: u32| {
+        let ((), ns) = timed(|| (0..repetitions).for_each(|_| measurement.rung.spend(measurement.method, problem)));
         ns / f64::from(repetitions)
     };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let fit = |once: f64| (1e9 * burst.as_secs_f64() / once.max(20.0)).clamp(1.0, 1e5) as u32;
-    let repetitions: Vec<u32> = all.iter().map(|of| fit(time(of, 1))).collect();
+    let repetitions: Vec<u32> = all.iter().map(|measurement| fit(time(measurement, 1))).collect();
     for _ in 0..rounds {
-        for (of, repetitions) in all.iter_mut().zip(&repetitions) {
-            of.ns_per_impact = of.ns_per_impact.min(time(of, *repetitions));
+        for (measurement, repetitions) in all.iter_mut().zip(&repetitions) {
+            measurement.ns_per_impact = measurement.ns_per_impact.min(time(measurement, *repetitions));
         }
     }
     all

@@ -94,10 +94,10 @@ pub fn page(all: &[Measured], laws: &[Rate], tables: &[TableRate]) -> String {
 }
 
 /// What is said of the speed of a table.
-fn sentence(of: &TableRate) -> String {
-    let [computed, csv, parquet] = of.rows_per_second.map(|rate| format!("{:.1}", 1e-6 * rate));
+fn sentence(table: &TableRate) -> String {
+    let [computed, csv, parquet] = table.rows_per_second.map(|rate| format!("{:.1}", 1e-6 * rate));
     let parquet = if cfg!(feature = "parquet") { parquet } else { "(built without it)".to_owned() };
-    format!("* {} columns: {computed} million computed, {csv} as CSV, {parquet} as Parquet.\n", of.columns)
+    format!("* {} columns: {computed} million computed, {csv} as CSV, {parquet} as Parquet.\n", table.columns)
 }
 
 /// Smaller errors are drawn here: a logarithmic axis has no zero.
@@ -158,7 +158,7 @@ fn time_table(all: &[Measured]) -> String {
     let row = |(problem, measurements): &Measured| {
         let time = |method, threshold| time_to_reach(measurements, method, threshold);
         let alone = |method, threshold| time(method, threshold).map_or_else(|| "–".into(), microseconds);
-        let beside = |method, threshold| match (time(method, threshold), time(Method::Rk8, threshold)) {
+        let with_ratio = |method, threshold| match (time(method, threshold), time(Method::Rk8, threshold)) {
             (Some(ns), Some(of_rk8)) => format!("{} ({:.1} ×)", microseconds(ns), ns / of_rk8),
             _ => "–".to_owned(),
         };
@@ -168,11 +168,11 @@ fn time_table(all: &[Measured]) -> String {
             alone(Method::Rk8, 1e-6),
             alone(Method::Rk8, 1e-9),
             alone(Method::Rk8, 1e-12),
-            beside(Method::Dop853, 1e-6),
-            beside(Method::Dop853, 1e-9),
-            beside(Method::Dopri5, 1e-6),
-            beside(Method::Dopri5, 1e-9),
-            beside(Method::Verlet, 1e-3),
+            with_ratio(Method::Dop853, 1e-6),
+            with_ratio(Method::Dop853, 1e-9),
+            with_ratio(Method::Dopri5, 1e-6),
+            with_ratio(Method::Dopri5, 1e-9),
+            with_ratio(Method::Verlet, 1e-3),
             steps_of_verlet(measurements),
         ]
     };

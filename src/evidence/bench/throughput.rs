@@ -62,7 +62,7 @@ fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Resul
         plan,
         shard: None,
         format,
-        layout: Layout::of(plan),
+        layout: Layout::new(plan),
         directory,
         source: &Source::default(),
         progress: &Counter::default(),

@@ -8,8 +8,9 @@ use crate::impact::air::{Flying, Medium};
 use crate::impact::reference::measured::{Click, clicks};
 
 const SOURCE: &str = "intervals between bounces of a table-tennis ball by students (Ali, Broggi, Cantarini), without a second witness, scenarios/clicks.csv";
-const IN_AIR: Group = Group::of("measured: restitution at a drop height over that at 8 cm, with air", SOURCE, "");
-const IN_VACUUM: Group = Group::of("measured: restitution at a drop height over that at 8 cm, without air", SOURCE, "");
+const IN_AIR: Group = Group::new("measured: restitution at a drop height over that at 8 cm, with air", SOURCE, "");
+const IN_VACUUM: Group =
+    Group::new("measured: restitution at a drop height over that at 8 cm, without air", SOURCE, "");
 
 /// The ball and the air of `scenarios/bouncing-clicks.toml`.
 const RADIUS: f64 = 0.02;

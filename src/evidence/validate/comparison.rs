@@ -21,13 +21,13 @@ pub struct Group {
 }
 
 impl Group {
-    pub const fn of(quantity: &'static str, source: &'static str, unit: &'static str) -> Self {
+    pub const fn new(quantity: &'static str, source: &'static str, unit: &'static str) -> Self {
         Self { quantity, source, unit, is_difference: false }
     }
 
     /// A group whose deviations are differences.
     pub const fn of_differences(quantity: &'static str, source: &'static str, unit: &'static str) -> Self {
-        Self { is_difference: true, ..Self::of(quantity, source, unit) }
+        Self { is_difference: true, ..Self::new(quantity, source, unit) }
     }
 
     /// The comparison of one case. The numbers are that of the reference and that of the law.

@@ -15,28 +15,28 @@ use crate::scenario::scene::Input;
 type OfImpact = (Group, fn(&Case) -> Option<[f64; 2]>);
 
 const QUANTITIES: [OfImpact; 8] = [
-    (Group::of("impact: restitution, exponent 3/2", DYNAMIC, ""), |case| {
+    (Group::new("impact: restitution, exponent 3/2", DYNAMIC, ""), |case| {
         Some([case.reference.restitution, case.impacts[0].restitution])
     }),
-    (Group::of("impact: restitution, pressure-shape", DYNAMIC, ""), |case| {
+    (Group::new("impact: restitution, pressure-shape", DYNAMIC, ""), |case| {
         Some([case.reference.restitution, case.impacts[1].restitution])
     }),
-    (Group::of("impact: restitution, pressure-shape with waves", DYNAMIC, ""), |case| {
+    (Group::new("impact: restitution, pressure-shape with waves", DYNAMIC, ""), |case| {
         Some([case.reference.restitution, case.impacts[1].restitution_with_waves()?])
     }),
-    (Group::of("impact: energy radiated as waves", DYNAMIC, ""), |case| {
+    (Group::new("impact: energy radiated as waves", DYNAMIC, ""), |case| {
         Some([case.reference.radiated_share, case.impacts[1].wave_loss_fraction?])
     }),
-    (Group::of("impact: contact time, exponent 3/2", DYNAMIC, "s"), |case| {
+    (Group::new("impact: contact time, exponent 3/2", DYNAMIC, "s"), |case| {
         Some([case.reference.contact_time, case.impacts[0].contact_time])
     }),
-    (Group::of("impact: contact time, pressure-shape", DYNAMIC, "s"), |case| {
+    (Group::new("impact: contact time, pressure-shape", DYNAMIC, "s"), |case| {
         Some([case.reference.contact_time, case.impacts[1].contact_time])
     }),
-    (Group::of("impact: peak force", DYNAMIC, "N"), |case| {
+    (Group::new("impact: peak force", DYNAMIC, "N"), |case| {
         Some([case.reference.peak_force, case.impacts[0].peak_force])
     }),
-    (Group::of("impact: residual indentation", DYNAMIC, "m"), |case| {
+    (Group::new("impact: residual indentation", DYNAMIC, "m"), |case| {
         Some([case.reference.residual_indentation, case.impacts[0].residual_indentation])
     }),
 ];
@@ -91,9 +91,9 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> 
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let cases = cases(coefficients)?;
-    let of = |(group, numbers): &OfImpact| -> Vec<Comparison> {
+    let comparisons = |(group, numbers): &OfImpact| -> Vec<Comparison> {
         let of_case = |case: &Case| Some(group.compared(case.reference.case.clone(), numbers(case)?));
         cases.iter().filter_map(of_case).collect()
     };
-    Ok(QUANTITIES.iter().flat_map(of).collect())
+    Ok(QUANTITIES.iter().flat_map(comparisons).collect())
 }

@@ -65,7 +65,7 @@ fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
     };
     let mut series: Vec<Series> = laws.iter().map(|(name, law)| Series::line(name.clone(), curve(law))).collect();
     // the law of the paper is the widest line
-    series.iter_mut().take(1).for_each(|plm| plm.style = Some(Style::of(0).wide(7.0)));
+    series.iter_mut().take(1).for_each(|plm| plm.style = Some(Style::new(0).wide(7.0)));
     let ends = [(peak.indentation, peak.force), (cycle.residual(), 0.0)];
     let points = ends.iter().chain(&cycle.points).map(|(x, f)| (x * length, f * force)).collect();
     series.push(Series::points("finite elements", points).styled(Style::BLACK));

@@ -25,7 +25,7 @@ const QUANTITIES: [Quantity; 5] = [
 ];
 
 const fn group(name: &'static str) -> Group {
-    Group::of(name, REFERENCE, "")
+    Group::new(name, REFERENCE, "")
 }
 
 /// A load cycle by the law.

@@ -97,8 +97,8 @@ pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<OfLaw>, Error> {
             Some(one.off(&contact.row(one.speed, &Solver::AUTO).ok()?))
         };
         let off: Vec<[Option<f64>; 4]> = references.iter().filter_map(answer).collect();
-        let of = |what: usize| rms(&off.iter().filter_map(|off| off[what]).collect::<Vec<_>>());
-        OfLaw { name, impacts: off.len(), rms: [0, 1, 2, 3].map(of) }
+        let rms_of = |what: usize| rms(&off.iter().filter_map(|off| off[what]).collect::<Vec<_>>());
+        OfLaw { name, impacts: off.len(), rms: [0, 1, 2, 3].map(rms_of) }
     };
     let all = EXPONENTS.into_iter().map(of_plm).chain(published.map(|law| (law.name(), law)));
     let mut laws: Vec<OfLaw> = all.map(of_law).collect();

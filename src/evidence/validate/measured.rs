@@ -23,7 +23,7 @@ const TIP: f64 = 1.5e-3;
 const STEEL: Material = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
 const STEEL_DENSITY: f64 = 7850.0;
 
-const GROUP: Group = Group::of("measured: rebound of Leeb devices", REFERENCE, "");
+const GROUP: Group = Group::new("measured: rebound of Leeb devices", REFERENCE, "");
 
 /// Restitution by a device on steel of this yield strength \[Pa\].
 pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, Error> {
@@ -45,7 +45,7 @@ fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients
 
 const CONVERSION: &str = "Leeb's conversion of hardness: a fit by a hobbyist (T. Foale) to a table that he does not name; one row checked against ASTM E140 within 1.4 %";
 const BY_HARDNESS: Group =
-    Group::of("restitution of quenched steels by their hardness, pressure-shape with waves", CONVERSION, "");
+    Group::new("restitution of quenched steels by their hardness, pressure-shape with waves", CONVERSION, "");
 
 /// The Vickers hardness of a steel on which device D shows this number.
 fn vickers(number: f64) -> f64 {

@@ -118,26 +118,26 @@ const SHARES: [Share; 3] = [
 ];
 
 /// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
-fn impact(of: &dynamic::Case) -> Picture {
+fn impact(case: &dynamic::Case) -> Picture {
     let (mut series, mut of_sphere) = (Vec::new(), Vec::new());
     for (i, (name, of_sample, of_row)) in SHARES.into_iter().enumerate() {
-        let points = of.samples.iter().step_by(SHOWN).map(|sample| (of_sample(sample), sample.force));
+        let points = case.samples.iter().step_by(SHOWN).map(|sample| (of_sample(sample), sample.force));
         let mut drawn = vec![Series::points(name, points.collect()).styled(i)];
-        for (which, impact) in of.impacts.iter().enumerate() {
+        for (which, impact) in case.impacts.iter().enumerate() {
             let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
-            drawn.push(Series::line("", curve).styled(Style::of(i).branch(which)));
+            drawn.push(Series::line("", curve).styled(Style::new(i).branch(which)));
         }
         if i == 1 { of_sphere = drawn } else { series.extend(drawn) }
     }
     let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
-    notes.push(format!("  finite elements: {:.4}", of.reference.restitution));
-    let of_law = of.impacts.iter().zip(EXPONENTS);
+    notes.push(format!("  finite elements: {:.4}", case.reference.restitution));
+    let of_law = case.impacts.iter().zip(EXPONENTS);
     notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution)));
-    let with_waves = of.impacts[1].restitution_with_waves();
+    let with_waves = case.impacts[1].restitution_with_waves();
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
-    let (name, slug) = (&of.reference.case, of.reference.case.to_lowercase());
-    let title = format!("Impact {name} at {}", quantity(of.impacts[0].speed, Dimension::Speed));
+    let (name, slug) = (&case.reference.case, case.reference.case.to_lowercase());
+    let title = format!("Impact {name} at {}", quantity(case.impacts[0].speed, Dimension::Speed));
     let chart = Chart::new(title, axes, series).with_side(Axis::engineering("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
     (format!("impact-{slug}-force-indentation"), chart)
@@ -161,7 +161,7 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
         for (which, hardens) in [true, false].into_iter().enumerate() {
             let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
             let curve = log_sampled(1.2 * deepest, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
-            series.push(Series::line("", curve).styled(Style::of(i).branch(which)));
+            series.push(Series::line("", curve).styled(Style::new(i).branch(which)));
         }
     }
     let axes = [
@@ -194,10 +194,10 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
         add("half-space: dent", &law, case.loading.yield_radius_ratio, points, deepest);
     }
     for (name, called) in YIELDING {
-        let of_pair: Vec<_> = all.iter().filter(|of| of.row.case == name).collect();
+        let of_pair: Vec<_> = all.iter().filter(|cycle| cycle.row.case == name).collect();
         let Some(first) = of_pair.first() else { continue };
-        let points = of_pair.iter().map(|of| (of.row.contact_radius, of.row.restitution)).collect();
-        let deepest = of_pair.iter().map(|of| of.at_depth).fold(1.0, f64::max);
+        let points = of_pair.iter().map(|cycle| (cycle.row.contact_radius, cycle.row.restitution)).collect();
+        let deepest = of_pair.iter().map(|cycle| cycle.at_depth).fold(1.0, f64::max);
         add(called, &first.law, first.bodies.yield_radius_ratio(), points, deepest);
     }
     let axes = [
@@ -219,13 +219,14 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let mut series =
         vec![Series::line("measured, ten steels", ranges).and("each from end to end of its range").styled(0)];
     let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
-    for (device, (i, (share, name, taken))) in devices()?.iter().take(1).cycle().zip(lines.into_iter().enumerate()) {
+    for (device, (i, (share, name, assumption))) in devices()?.iter().take(1).cycle().zip(lines.into_iter().enumerate())
+    {
         let mut points = Vec::new();
         for step in 0..=60 {
             let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
             points.push((tensile, 1000.0 * of_device(device, 1e6 * share * tensile, &coefficients)?));
         }
-        series.push(Series::line(name, points).and(taken).styled(1 + i));
+        series.push(Series::line(name, points).and(assumption).styled(1 + i));
     }
     let axes =
         [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)];

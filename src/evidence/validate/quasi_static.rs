@@ -13,14 +13,14 @@ use crate::units::four_digits;
 type OfLoading = (Group, fn(&LoadingPoint) -> f64, fn(&Case, &Law, f64) -> f64);
 
 const LOADING: [OfLoading; 3] = [
-    (Group::of("loading: force", STATIC, "F_Y"), |point| point.force, |_, law, x| law.loading.force(x)),
+    (Group::new("loading: force", STATIC, "F_Y"), |point| point.force, |_, law, x| law.loading.force(x)),
     (
-        Group::of("loading: sphere indentation", STATIC, "delta"),
+        Group::new("loading: sphere indentation", STATIC, "delta"),
         |point| point.sphere_share,
         |case, law, x| case.sphere_compliance() * law.loaded_to(x).elastic_approach / x,
     ),
     (
-        Group::of("loading: contact radius", STATIC, "R"),
+        Group::new("loading: contact radius", STATIC, "R"),
         |point| point.contact_radius,
         |case, law, x| law.contact_radius(&law.loaded_to(x)) * case.loading.yield_radius_ratio,
     ),
@@ -55,7 +55,7 @@ const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
 
 const CYCLES: [OfCycle; 4] = [
     (
-        Group::of("unloading: residual indentation from the reference's peak (Eq. 23)", STATIC, "delta_Y"),
+        Group::new("unloading: residual indentation from the reference's peak (Eq. 23)", STATIC, "delta_Y"),
         PAPER,
         |_, cycle| Some([cycle.residual(), cycle.peak.residual()]),
     ),
@@ -64,8 +64,8 @@ const CYCLES: [OfCycle; 4] = [
         PAPER,
         |law, cycle| Some([cycle.row.residual_share, law.loaded_to(cycle.row.x).residual() / cycle.row.x]),
     ),
-    (Group::of("load cycle: restitution, exponent 3/2", STATIC, ""), PAPER, of_restitution),
-    (Group::of("load cycle: restitution, pressure-shape", STATIC, ""), SHAPE, of_restitution),
+    (Group::new("load cycle: restitution, exponent 3/2", STATIC, ""), PAPER, of_restitution),
+    (Group::new("load cycle: restitution, pressure-shape", STATIC, ""), SHAPE, of_restitution),
 ];
 
 fn of_restitution(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {

@@ -17,16 +17,16 @@ const SOURCE: &str = "explicit finite elements, src/impact/reference/fe_rate.csv
 type OfImpact = (Group, fn(&RatedRow, &Impact) -> Option<[f64; 2]>);
 
 const QUANTITIES: [OfImpact; 5] = [
-    (Group::of("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |row, impact| {
+    (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |row, impact| {
         Some([row.restitution, impact.restitution_with_waves()?])
     }),
-    (Group::of("impact with strain rate: contact time", SOURCE, "s"), |row, impact| {
+    (Group::new("impact with strain rate: contact time", SOURCE, "s"), |row, impact| {
         Some([row.contact_time, impact.contact_time])
     }),
-    (Group::of("impact with strain rate: peak force", SOURCE, "N"), |row, impact| {
+    (Group::new("impact with strain rate: peak force", SOURCE, "N"), |row, impact| {
         Some([row.peak_force, impact.peak_force])
     }),
-    (Group::of("impact with strain rate: peak indentation", SOURCE, "m"), |row, impact| {
+    (Group::new("impact with strain rate: peak indentation", SOURCE, "m"), |row, impact| {
         Some([row.peak_indentation, impact.peak_indentation])
     }),
     (
@@ -66,10 +66,10 @@ pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>,
     let coefficients = Arc::new(coefficients.clone());
     let rows = impacts::rated()?;
     let impacts: Vec<Impact> = rows.iter().map(|row| impact(row, &coefficients)).collect::<Result<_, Error>>()?;
-    let of = |(group, numbers): &OfImpact| -> Vec<Comparison> {
+    let comparisons = |(group, numbers): &OfImpact| -> Vec<Comparison> {
         let compared =
             |(row, impact): (&RatedRow, &Impact)| Some(group.compared(row.case.clone(), numbers(row, impact)?));
         rows.iter().zip(&impacts).filter_map(compared).collect()
     };
-    Ok(QUANTITIES.iter().flat_map(of).collect())
+    Ok(QUANTITIES.iter().flat_map(comparisons).collect())
 }

@@ -26,7 +26,7 @@ pub(super) struct Compared {
 }
 
 impl Compared {
-    fn of(row: Cycle, coefficients: &PlmCoefficients) -> Result<Option<Self>, Error> {
+    fn new(row: Cycle, coefficients: &PlmCoefficients) -> Result<Option<Self>, Error> {
         let pair = row.pair()?;
         let Some(bodies) = Bodies::new(&pair) else { return Ok(None) };
         let law = Plm::new(coefficients, UnloadingExponent::PressureShape).of_bodies(&bodies);
@@ -40,22 +40,22 @@ impl Compared {
 /// The cycles with enough elements in contact.
 pub(super) fn compared(coefficients: &PlmCoefficients) -> Result<Vec<Compared>, Error> {
     let rows = cycles()?.into_iter().filter(|row| row.elements >= LEAST_ELEMENTS);
-    rows.filter_map(|row| Compared::of(row, coefficients).transpose()).collect()
+    rows.filter_map(|row| Compared::new(row, coefficients).transpose()).collect()
 }
 
 /// A quantity of a cycle, and the numbers of reference and law.
 type OfCycle = (Group, fn(&Compared) -> [f64; 2]);
 
 const QUANTITIES: [OfCycle; 4] = [
-    (Group::of("sphere or both yield: restitution, pressure-shape", SOURCE, ""), |of| {
-        [of.row.restitution, of.at_energy.restitution]
+    (Group::new("sphere or both yield: restitution, pressure-shape", SOURCE, ""), |cycle| {
+        [cycle.row.restitution, cycle.at_energy.restitution]
     }),
-    (Group::of("sphere or both yield: force at the same depth", SOURCE, "N"), |of| {
-        [of.row.peak_force, of.law.loading.force(of.at_depth) * of.bodies.yield_point.force]
+    (Group::new("sphere or both yield: force at the same depth", SOURCE, "N"), |cycle| {
+        [cycle.row.peak_force, cycle.law.loading.force(cycle.at_depth) * cycle.bodies.yield_point.force]
     }),
-    (Group::of("sphere or both yield: contact radius at the same depth", SOURCE, "R"), |of| {
-        let radius = of.law.contact_radius(&of.law.loaded_to(of.at_depth));
-        [of.row.contact_radius, radius * of.bodies.yield_radius_ratio()]
+    (Group::new("sphere or both yield: contact radius at the same depth", SOURCE, "R"), |cycle| {
+        let radius = cycle.law.contact_radius(&cycle.law.loaded_to(cycle.at_depth));
+        [cycle.row.contact_radius, radius * cycle.bodies.yield_radius_ratio()]
     }),
     (
         Group::of_differences(
@@ -63,23 +63,23 @@ const QUANTITIES: [OfCycle; 4] = [
             SOURCE,
             "",
         ),
-        |of| {
-            let of_law = of.law.loaded_to(of.at_depth).residual() / of.at_depth;
-            [of.row.residual_indentation / of.row.peak_indentation, of_law]
+        |cycle| {
+            let of_law = cycle.law.loaded_to(cycle.at_depth).residual() / cycle.at_depth;
+            [cycle.row.residual_indentation / cycle.row.peak_indentation, of_law]
         },
     ),
 ];
 
 pub(super) fn load_cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let all = compared(coefficients)?;
-    let of = |(group, numbers): &OfCycle| -> Vec<Comparison> {
-        let name = |of: &Compared| format!("{}, a/R = {}", of.row.case, of.row.contact_radius);
-        all.iter().map(|of| group.compared(name(of), numbers(of))).collect()
+    let comparisons = |(group, numbers): &OfCycle| -> Vec<Comparison> {
+        let name = |cycle: &Compared| format!("{}, a/R = {}", cycle.row.case, cycle.row.contact_radius);
+        all.iter().map(|cycle| group.compared(name(cycle), numbers(cycle))).collect()
     };
-    Ok(QUANTITIES.iter().flat_map(of).collect())
+    Ok(QUANTITIES.iter().flat_map(comparisons).collect())
 }
 
-const WEIR_TALLON: Group = Group::of(
+const WEIR_TALLON: Group = Group::new(
     "measured: restitution of two equal balls over that of one on a flat wall",
     "Weir and Tallon (2005), Chem. Eng. Sci. 60, 3637, abstract: about 19 % smaller, predicted and confirmed by experiments",
     "",

@@ -88,12 +88,12 @@ impl Branch {
         })
     }
 
-    /// The time of a motion d'' = −c f on the way of this length to `to`, where the speed is `exit` (0 at a turning point).
+    /// The time of a motion d'' = −c f over this distance up to `to`, where the speed is `exit` (0 at a turning point).
     ///
     /// In y, d = y (y + 2 b) with b = √l, the work of the shifted Hertz curve is a polynomial however shallow the dent; with
     /// y = Y − ζ (ζ + 2 z) the root in u² = exit² + 2 c (w(to) − w) loses its singularity.
-    pub fn time(&self, way: f64, to: f64, exit: f64, c: f64) -> f64 {
-        if way == 0.0 {
+    pub fn time(&self, distance: f64, to: f64, exit: f64, c: f64) -> f64 {
+        if distance == 0.0 {
             return 0.0;
         }
         let b = if let Form::ShiftedHertz { offset, .. } = self.form { offset.sqrt() } else { 0.0 };
@@ -102,7 +102,7 @@ impl Branch {
         let (end, more) = (y_at(to), 0.5 * exit * exit / c);
         let (nodes, weights) = gauss();
         // Y − y of the whole way, (d_2 − d_1)/(y_1 + y_2 + 2 b)
-        let most = way / (end + 2.0 * b + if way < to { y_at(to - way) } else { 0.0 });
+        let most = distance / (end + 2.0 * b + if distance < to { y_at(to - distance) } else { 0.0 });
         let behind = 0.5 * more / ((end + b) * f);
         if behind > 0.0 && behind < NEAR * most {
             // the time to the turn, less the rest, which is short
@@ -110,7 +110,7 @@ impl Branch {
                 nodes.iter().zip(weights).map(|(node, weight)| weight * self.at(to + rest * node).0[0]).sum::<f64>()
             };
             let rest = (0..30).fold(more / f, |rest, _| more / mean(rest));
-            return self.time(way + rest, to + rest, 0.0, c) - self.time(rest, to + rest, 0.0, c);
+            return self.time(distance + rest, to + rest, 0.0, c) - self.time(rest, to + rest, 0.0, c);
         }
         let z = behind.sqrt();
         let far = most / ((most + behind).sqrt() + z);

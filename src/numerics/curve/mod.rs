@@ -51,15 +51,15 @@ impl Curve {
 
     /// Hertz, with memory for so many pieces behind it.
     pub(crate) fn with_capacity(count: usize) -> Self {
-        Self::of(Vec::with_capacity(count + 1)).then(0.0, 0.0, Shape::power(1.0, 1.5))
+        Self::new(Vec::with_capacity(count + 1)).then(0.0, 0.0, Shape::power(1.0, 1.5))
     }
 
     /// f = s x without end.
     pub fn straight(slope: f64) -> Self {
-        Self::of(Vec::new()).then_straight(0.0, slope)
+        Self::new(Vec::new()).then_straight(0.0, slope)
     }
 
-    pub(crate) fn of(pieces: Vec<Piece>) -> Self {
+    pub(crate) fn new(pieces: Vec<Piece>) -> Self {
         Self { pieces, crossings: None }
     }
 

@@ -166,13 +166,13 @@ impl Poly {
         let net = first - pull;
         let root = (net * net + 2.0 * slope * rest).max(0.0).sqrt();
         let guess = if net > 0.0 { 2.0 * rest / (net + root) } else { (root - net) / slope };
-        self.way(&self.work, self.first, [rest, pull], guess)
+        self.distance_for_work(&self.work, self.first, [rest, pull], guess)
     }
 
     /// The way d from t_1 on that takes a work, d Q_1(t_1 + s d) − pull d = work, by Newton's method: it falls to the root from
     /// the second guess on, as the force rises.
     #[inline(always)]
-    fn way(&self, quotient: &Terms, t_1: f64, [work, pull]: [f64; 2], guess: f64) -> f64 {
+    fn distance_for_work(&self, quotient: &Terms, t_1: f64, [work, pull]: [f64; 2], guess: f64) -> f64 {
         let mut d = guess;
         for _ in 0..50 {
             let by = d * self.scale;
@@ -202,11 +202,11 @@ impl Poly {
         d
     }
 
-    /// The time of a motion d'' = −c f on the way of this length to `to`, where the speed is `exit` (0 at a turning point).
+    /// The time of a motion d'' = −c f over this distance up to `to`, where the speed is `exit` (0 at a turning point).
     ///
     /// With d = to − ζ (ζ + 2 z), z² = exit²/(2 c f(to)), the root in u² = exit² + 2 c (w(to) − w) loses its singularity.
-    pub fn time(&self, way: f64, to: f64, exit: f64, c: f64) -> f64 {
-        if way == 0.0 {
+    pub fn time(&self, distance: f64, to: f64, exit: f64, c: f64) -> f64 {
+        if distance == 0.0 {
             return 0.0;
         }
         let t_1 = self.first + to * self.scale;
@@ -214,13 +214,13 @@ impl Poly {
         let more = 0.5 * exit * exit / c;
         // z²: how far behind `to` it would turn against the force there
         let behind = more / value(&quotient, t_1);
-        if behind > 0.0 && behind < NEAR * way {
+        if behind > 0.0 && behind < NEAR * distance {
             // the time to the turn, less the rest, which is short
-            let rest = self.way(&quotient, t_1, [more, 0.0], behind);
-            return self.time(way + rest, to + rest, 0.0, c) - self.time(rest, to + rest, 0.0, c);
+            let rest = self.distance_for_work(&quotient, t_1, [more, 0.0], behind);
+            return self.time(distance + rest, to + rest, 0.0, c) - self.time(rest, to + rest, 0.0, c);
         }
         let z = behind.sqrt();
-        let far = way / ((way + behind).sqrt() + z);
+        let far = distance / ((distance + behind).sqrt() + z);
         let (nodes, weights) = gauss();
         let gaps = nodes.map(|node| far * node * (far * node + 2.0 * z));
         let ts = gaps.map(|gap| t_1 - gap * self.scale);

@@ -18,13 +18,13 @@ pub use pow::{exp, pow};
 /// x^n by repeated squaring, always in the same order.
 #[inline(always)]
 pub fn powi(x: f64, n: i32) -> f64 {
-    let (mut left, mut square, mut total) = (n.unsigned_abs(), x, 1.0);
+    let (mut remaining, mut square, mut total) = (n.unsigned_abs(), x, 1.0);
     loop {
-        if left % 2 == 1 {
+        if remaining % 2 == 1 {
             total *= square;
         }
-        left /= 2;
-        if left == 0 {
+        remaining /= 2;
+        if remaining == 0 {
             return if n < 0 { 1.0 / total } else { total };
         }
         square *= square;

@@ -221,11 +221,15 @@ fn out_of_steps(path: &Path) -> IntegrationError {
     }
 }
 
-/// The step that goes a little beyond a `way`, by speed and its rate along it; infinite if they do not lead there.
-fn step_to(way: f64, speed: f64, rate: f64) -> f64 {
-    let square = speed * speed + 2.0 * rate * way;
+/// The step that goes a little beyond this distance, for a speed and its rate of change; infinite if they do not lead there.
+fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
+    let square = speed * speed + 2.0 * rate * distance;
     let pace = speed + square.sqrt();
-    if way > 0.0 && way.is_finite() && square >= 0.0 && pace > 0.0 { BEYOND * 2.0 * way / pace } else { f64::INFINITY }
+    if distance > 0.0 && distance.is_finite() && square >= 0.0 && pace > 0.0 {
+        BEYOND * 2.0 * distance / pace
+    } else {
+        f64::INFINITY
+    }
 }
 
 /// Whether a step to this node may have passed an event.

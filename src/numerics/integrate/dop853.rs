@@ -236,11 +236,11 @@ impl Step {
         let k16 = &rates(A16, [k1, k6, k7, k8, k9, k13, k14, k15]);
         let mut terms = [*node; 8];
         for part in 0..4 {
-            let way = self.node[part] - node[part];
-            let first = h * k1[part] - way;
-            terms[1][part] = way;
+            let change = self.node[part] - node[part];
+            let first = h * k1[part] - change;
+            terms[1][part] = change;
             terms[2][part] = first;
-            terms[3][part] = way - h * k13[part] - first;
+            terms[3][part] = change - h * k13[part] - first;
             for (term, weights) in terms[4..].iter_mut().zip(D) {
                 term[part] = h * sum(weights, [k1, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16], part);
             }

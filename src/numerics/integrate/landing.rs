@@ -49,9 +49,12 @@ impl Target {
             // other ends of a way back are left to the stepper with drag
             Leg::Back(_) => (0.0, -1.0),
         };
-        let left = if end.is_finite() { energy - field.potential(end) } else { -1.0 };
-        let (y, u) =
-            if left > 0.0 { (end, direction * (2.0 * left).sqrt()) } else { (field.at_potential(energy), 0.0) };
+        let kinetic_at_end = if end.is_finite() { energy - field.potential(end) } else { -1.0 };
+        let (y, u) = if kinetic_at_end > 0.0 {
+            (end, direction * (2.0 * kinetic_at_end).sqrt())
+        } else {
+            (field.at_potential(energy), 0.0)
+        };
         Self { end, y, u, g: field.g(y), direction }
     }
 

@@ -45,9 +45,9 @@ impl Oscillation {
     /// (y, u) after the time t.
     fn moved(&self, time: f64) -> (f64, f64) {
         let (sine, cosine) = sin_cos(self.frequency * time);
-        let (sine, left, u) = (sine / self.frequency, exp(-self.decay * time), self.start.speed);
-        let y = left * (self.y * cosine + (u + self.decay * self.y) * sine);
-        (y, left * (u * cosine - (self.slope * self.y + self.decay * u) * sine))
+        let (sine, damping, u) = (sine / self.frequency, exp(-self.decay * time), self.start.speed);
+        let y = damping * (self.y * cosine + (u + self.decay * self.y) * sine);
+        (y, damping * (u * cosine - (self.slope * self.y + self.decay * u) * sine))
     }
 
     /// The first time at which `of_speed` u + `of_place` y vanishes, which is positive at first.
@@ -60,10 +60,10 @@ impl Oscillation {
     /// The state after the time t, at a place that may be known better; the loss follows from the energy.
     fn state(&self, time: f64, place: Option<f64>) -> State {
         let (y, speed) = self.moved(time);
-        let way = place.map_or(y - self.y, |distance| distance - self.start.distance);
+        let travelled = place.map_or(y - self.y, |distance| distance - self.start.distance);
         let kinetic = 0.5 * (self.start.speed - speed) * (self.start.speed + speed);
-        let loss = self.start.loss + kinetic - self.slope * (self.y + 0.5 * way) * way;
-        let distance = place.unwrap_or(self.start.distance + way);
+        let loss = self.start.loss + kinetic - self.slope * (self.y + 0.5 * travelled) * travelled;
+        let distance = place.unwrap_or(self.start.distance + travelled);
         State { time: self.start.time + time, distance, speed, loss }
     }
 
@@ -80,8 +80,8 @@ impl Oscillation {
                 let (y, u) = self.moved(time);
                 (end - self.start.distance - (y - self.y), -u)
             };
-            let way = end - self.start.distance;
-            let first = (way / self.start.speed).min(turning);
+            let travelled = end - self.start.distance;
+            let first = (travelled / self.start.speed).min(turning);
             let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON * next;
             let time = bracketed((0.0, turning), first, is_near, ahead);
             *state = self.state(time, Some(end));

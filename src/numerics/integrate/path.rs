@@ -104,9 +104,9 @@ pub struct Rest {
     /// Its distance along the piece.
     pub distance: f64,
     /// How far from there still counts as rest.
-    pub within: f64,
+    pub tolerance: f64,
     /// The largest speed that still counts as rest.
-    pub below: f64,
+    pub largest_speed: f64,
 }
 
 /// One smooth piece, the way along it, and what acts there.
@@ -199,7 +199,8 @@ impl Path<'_> {
 
     /// Whether this state counts as rest.
     pub(crate) fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
-        self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= rest.within && speed.abs() <= rest.below)
+        self.rest
+            .is_some_and(|rest| (distance - rest.distance).abs() <= rest.tolerance && speed.abs() <= rest.largest_speed)
     }
 
     /// Whether a place is the place of rest, within this share of its distance. A turn there counts as rest.

@@ -218,8 +218,8 @@ fn comes_back<F: Variables>(field: F, path: &Path, state: &State) -> bool {
     /// A share of the depth of the potential.
     const LEAST: f64 = 1e-10;
     let y = field.y_at(state.distance);
-    let left = 0.5 * state.speed * state.speed + field.potential(y);
-    path.leg != Leg::Back(0.0) || (state.speed == 0.0 && left > LEAST * path.sizes.speed * path.sizes.speed)
+    let energy = 0.5 * state.speed * state.speed + field.potential(y);
+    path.leg != Leg::Back(0.0) || (state.speed == 0.0 && energy > LEAST * path.sizes.speed * path.sizes.speed)
 }
 
 impl Integrator for Rk8 {

@@ -17,11 +17,11 @@ pub enum Scale {
 
 impl Scale {
     /// A value on the scale on which equal steps have equal lengths.
-    pub(super) fn of(self, value: f64) -> f64 {
+    pub(super) fn scaled(self, value: f64) -> f64 {
         if self == Self::Log { ln(value) } else { value }
     }
 
-    /// The inverse of [`Self::of`].
+    /// The inverse of [`Self::scaled`].
     pub(super) fn back(self, scaled: f64) -> f64 {
         if self == Self::Log { exp(scaled) } else { scaled }
     }
@@ -79,11 +79,11 @@ impl Axis {
             padded(low, high, is_log)
         });
         let prefix = match self.scale {
-            _ if !self.is_engineering => Prefix::of(1.0),
-            Scale::Linear => Prefix::of(low.abs().max(high.abs())),
+            _ if !self.is_engineering => Prefix::for_value(1.0),
+            Scale::Linear => Prefix::for_value(low.abs().max(high.abs())),
             // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
-            Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::of(1.0),
-            Scale::Log => Prefix::of(low.sqrt() * high.sqrt()),
+            Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::for_value(1.0),
+            Scale::Log => Prefix::for_value(low.sqrt() * high.sqrt()),
         };
         let unit = format!("{}{}", prefix.symbol, self.unit);
         let title = match unit.trim() {
@@ -152,13 +152,13 @@ impl FittedAxis {
 
     /// The value at a place along the axis: the inverse of [`FittedAxis::at`].
     pub(super) fn value_at(&self, share: f64) -> f64 {
-        let (low, high) = (self.scale.of(self.low), self.scale.of(self.high));
+        let (low, high) = (self.scale.scaled(self.low), self.scale.scaled(self.high));
         self.factor * self.scale.back(low + share * (high - low))
     }
 
     fn share(&self, value: f64) -> f64 {
-        let (low, high) = (self.scale.of(self.low), self.scale.of(self.high));
-        (self.scale.of(value) - low) / (high - low)
+        let (low, high) = (self.scale.scaled(self.low), self.scale.scaled(self.high));
+        (self.scale.scaled(value) - low) / (high - low)
     }
 
     /// Ticks from low to high, with about `wanted` labels, and at least four.

@@ -31,7 +31,7 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     let data = calibration.fit.problem.data;
     let has_lines = calibration.residuals.len() > calibration.keys.len();
     for quantity in data.measured().into_iter().filter(|_| has_lines) {
-        pictures.push((format!("fit_{}", quantity.name()), FittedQuantity::of(calibration, quantity).fitted()));
+        pictures.push((format!("fit_{}", quantity.name()), FittedQuantity::new(calibration, quantity).fitted()));
     }
     if has_lines {
         pictures.push(("residuals".to_owned(), residuals(calibration)));
@@ -41,7 +41,7 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
         pictures.extend(map.map(|chart| ("posterior".to_owned(), chart)));
     }
     if !calibration.laws.is_empty() && has_lines {
-        pictures.push(("laws".to_owned(), FittedQuantity::of(calibration, data.values[0].quantity).laws()));
+        pictures.push(("laws".to_owned(), FittedQuantity::new(calibration, data.values[0].quantity).laws()));
     }
     let sought = calibration.keys.iter().map(|key| key.free.key.path);
     let varied: Vec<&str> = sought.chain(data.keys.iter().map(|key| key.path)).collect();
@@ -61,7 +61,7 @@ enum Over {
 }
 
 impl Over {
-    fn of(data: &Data) -> Self {
+    fn new(data: &Data) -> Self {
         match data.keys[..] {
             _ if data.is_curve() => Self::Indentation,
             // speeds that follow from intervals are not in the data
@@ -112,9 +112,9 @@ struct FittedQuantity<'a> {
 }
 
 impl<'a> FittedQuantity<'a> {
-    fn of(calibration: &'a Calibration, quantity: Measured) -> Self {
+    fn new(calibration: &'a Calibration, quantity: Measured) -> Self {
         let data = calibration.fit.problem.data;
-        let (over, shown) = (Over::of(data), shown(calibration, quantity));
+        let (over, shown) = (Over::new(data), shown(calibration, quantity));
         let points: Points =
             shown.iter().map(|value| (over.at(calibration, *value), data.values[*value].value)).collect();
         let [x, y] = [over.axis(quantity, &points), of_quantity(quantity, "")];
@@ -198,11 +198,11 @@ impl<'a> FittedQuantity<'a> {
         let points: Vec<f64> =
             self.calibration.fit.problem.data.rows.iter().filter_map(|row| row.indentation).collect();
         let steps = PLACES.div_ceil(u32::try_from(points.len()).unwrap_or(PLACES)).max(1);
-        let way = |pair: &[f64]| {
+        let between = |pair: &[f64]| {
             let (from, to) = (pair[0], pair[1]);
             (1..=steps).map(move |i| from + (to - from) * f64::from(i) / f64::from(steps))
         };
-        let at: Vec<f64> = points.first().copied().into_iter().chain(points.windows(2).flat_map(way)).collect();
+        let at: Vec<f64> = points.first().copied().into_iter().chain(points.windows(2).flat_map(between)).collect();
         let rows = at.iter().map(|at| Row { indentation: Some(*at), ..Row::default() }).collect();
         (Data { name: String::new(), keys: Vec::new(), rows, values: self.ones(at.len()) }, at)
     }
@@ -226,7 +226,7 @@ fn residuals(calibration: &Calibration) -> Chart {
     let data = calibration.fit.problem.data;
     let measured = data.measured();
     // predictions of several quantities have no common axis
-    let over = Some(Over::of(data)).filter(|over| !matches!(over, Over::Prediction) || measured.len() == 1);
+    let over = Some(Over::new(data)).filter(|over| !matches!(over, Over::Prediction) || measured.len() == 1);
     #[allow(clippy::cast_precision_loss)] // counts of measurements
     let at = |value: usize| over.as_ref().map_or(value as f64 + 1.0, |over| over.at(calibration, value));
     let points = |quantity: Measured| {

@@ -14,9 +14,9 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     let varies = |beginning: &str| varied.iter().any(|path| path.starts_with(beginning));
     let said = |path: &str, text: String| Some(text).filter(|_| !varies(path));
     let body = |body: Body, modulus: &str, material: &Material| {
-        let named = input.materials().iter().find(|taken| taken.body == body);
+        let named = input.materials().iter().find(|choice| choice.body == body);
         match named {
-            Some(taken) => said(body.material(), taken.material.name.clone()),
+            Some(choice) => said(body.material(), choice.material.name.clone()),
             None => said(modulus, elastic(material)),
         }
     };

@@ -197,16 +197,16 @@ impl Chart {
         let (key, key_at) = match inside {
             Some(found) => found,
             None if is_narrow => {
-                let key = Key::of(&entries, (width - 2.0 * MARGIN, f64::from(SIZE.1)));
+                let key = Key::new(&entries, (width - 2.0 * MARGIN, f64::from(SIZE.1)));
                 (key, (MARGIN, height))
             }
             None if self.colors.is_some() => {
                 let right = width - BAR_ROOM;
                 frames = self.frames(Bounds { right, ..all });
-                (Key::of(&entries, (BAR_ROOM, all.bottom - all.top)), (right + MARGIN, TOP))
+                (Key::new(&entries, (BAR_ROOM, all.bottom - all.top)), (right + MARGIN, TOP))
             }
             None => {
-                let key = Key::of(&entries, (KEY_SHARE * width - 2.0 * MARGIN, height - TOP - MARGIN));
+                let key = Key::new(&entries, (KEY_SHARE * width - 2.0 * MARGIN, height - TOP - MARGIN));
                 let right = if entries.is_empty() { all.right } else { width - key.width() - 2.0 * MARGIN };
                 frames = self.frames(Bounds { right, ..all });
                 (key, (right + MARGIN, TOP))

@@ -18,7 +18,7 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         let points: Vec<(f64, f64)> = rows.iter().map(|(time, row)| (*time, value(row))).collect();
         let (low, high) = extremes(points.iter().map(|at| at.1).chain([0.0]));
         let margin = 0.08 * (high - low);
-        let mut series = Series::line(name, points).styled(Style::of(number).solid());
+        let mut series = Series::line(name, points).styled(Style::new(number).solid());
         series.texts.extend(note);
         let mut panel = Panel::new(Axis::engineering(name, unit).between(low - margin, high + margin), vec![series]);
         panel.guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));

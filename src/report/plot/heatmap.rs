@@ -45,7 +45,7 @@ fn shade(share: f64) -> RGBColor {
 
 /// Borders of the cells: half-way between neighbouring values, on the scale of the axis. Fewer than two values have none.
 fn edges(axis: &Axis, values: &[f64]) -> Vec<f64> {
-    let scaled: Vec<f64> = values.iter().map(|value| axis.scale.of(*value)).collect();
+    let scaled: Vec<f64> = values.iter().map(|value| axis.scale.scaled(*value)).collect();
     let ([first, second, ..], [.., before, last]) = (&scaled[..], &scaled[..]) else { return Vec::new() };
     let outer = |at: f64, inward: f64| 1.5 * at - 0.5 * inward;
     let inner = scaled.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));

@@ -18,7 +18,7 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
     if impact.trace.is_empty() {
         return Err(PlotError::Data("a history needs a trace: run the impact with samples".into()));
     }
-    let points = |of: fn(&TraceRow) -> f64| impact.trace.iter().map(|row| (row.time, of(row))).collect();
+    let points = |quantity: fn(&TraceRow) -> f64| impact.trace.iter().map(|row| (row.time, quantity(row))).collect();
     let thin = |number| loops::style(number, 3.5);
     let mut force = Series::line("Force F", points(|row| row.force)).styled(thin(3));
     if !is_damped(impact) {

@@ -16,23 +16,24 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     let mut of_sphere = Vec::new();
     let series = match tested {
         [one] => {
-            let of: [Quantity; 3] =
+            let quantities: [Quantity; 3] =
                 [|row| row.indentation, |row| row.sphere_indentation, |row| row.half_space_indentation];
             let drawn = |i: usize| {
                 let (name, width) = loops::INDENTATIONS[i];
-                one_loop(name, &one.indentation.trace, of[i], loops::style(i, width))
+                one_loop(name, &one.indentation.trace, quantities[i], loops::style(i, width))
             };
             let (drawn, aside) = loops::arranged([0, 1, 2].map(drawn));
             of_sphere = aside;
             drawn
         }
         several => {
-            let of = several.iter().enumerate();
-            of.flat_map(|(i, one)| {
-                let name = one.specimen.name.as_deref().unwrap_or_default();
-                one_loop(name, &one.indentation.trace, |row| row.indentation, loops::style(i, 4.0))
-            })
-            .collect()
+            let numbered = several.iter().enumerate();
+            numbered
+                .flat_map(|(i, one)| {
+                    let name = one.specimen.name.as_deref().unwrap_or_default();
+                    one_loop(name, &one.indentation.trace, |row| row.indentation, loops::style(i, 4.0))
+                })
+                .collect()
         }
     };
     let rows = || tested.iter().flat_map(|one| &one.indentation.trace);
@@ -60,9 +61,9 @@ pub fn indentation(tested: &[Tested]) -> Chart {
 }
 
 /// The loop of the trace of one half-space, against one kind of indentation.
-fn one_loop(name: &str, rows: &[IndentationRow], of: Quantity, style: Style) -> Vec<Series> {
+fn one_loop(name: &str, rows: &[IndentationRow], quantity: Quantity, style: Style) -> Vec<Series> {
     let branches = rows.chunk_by(|a, b| is_loading(a) == is_loading(b)).map(|branch| {
-        let mut points: Vec<_> = branch.iter().map(|row| (of(row), row.force)).collect();
+        let mut points: Vec<_> = branch.iter().map(|row| (quantity(row), row.force)).collect();
         let is_loading = branch.first().is_some_and(is_loading);
         if !is_loading {
             // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the dashes

@@ -34,7 +34,7 @@ struct LegendEntry {
 impl LegendEntry {
     /// The entry of a series in this style. The first text is black and the others are grey. Texts that are longer than
     /// `room` are wrapped.
-    fn of(series: &Series, style: Style, scale: f64, room: f64) -> Self {
+    fn new(series: &Series, style: Style, scale: f64, room: f64) -> Self {
         let mut entry = Self { sample: series.sample(style), lines: Vec::new() };
         let room = room - entry.indent();
         for (i, text) in series.texts.iter().enumerate() {
@@ -63,7 +63,7 @@ pub struct Key {
 impl Key {
     /// The key of these series, at most so wide and so high \[px\]. It is drawn smaller where that is needed. If it is still
     /// too high, the last entries are replaced by their number.
-    pub fn of(series: &[(&Series, Style)], (room, height): (f64, f64)) -> Self {
+    pub fn new(series: &[(&Series, Style)], (room, height): (f64, f64)) -> Self {
         let texts = series.iter().flat_map(|(one, _)| &one.texts).map(|text| joined(text));
         let longest = |text: String| text.split(' ').map(|word| text_width(word, LABEL_SIZE)).fold(0.0, f64::max);
         let longest = texts.map(longest).fold(0.0, f64::max);
@@ -88,7 +88,7 @@ impl Key {
     }
 
     fn scaled(series: &[(&Series, Style)], scale: f64, room: f64) -> Self {
-        Self { scale, entries: series.iter().map(|(one, style)| LegendEntry::of(one, *style, scale, room)).collect() }
+        Self { scale, entries: series.iter().map(|(one, style)| LegendEntry::new(one, *style, scale, room)).collect() }
     }
 
     /// The key and a place in the box at which it covers neither curves nor guides; none if there is none.
@@ -113,13 +113,13 @@ impl Key {
                 let share = |i: u32| f64::from(i) / f64::from(PLACES);
                 let at = (left + MARGIN + share(column) * room.0, top + MARGIN + share(row) * room.1);
                 let (half, margin) = (0.5 * MARGIN, 1.5 * MARGIN);
-                let taken = Bounds {
+                let area = Bounds {
                     left: at.0 - half,
                     top: at.1 - half,
                     right: at.0 - half + key.width() + margin,
                     bottom: at.1 - half + key.height() + margin,
                 };
-                if !is_covered(&taken) {
+                if !is_covered(&area) {
                     return Some((key, at));
                 }
             }

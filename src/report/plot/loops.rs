@@ -15,9 +15,9 @@ pub const INDENTATIONS: [(&str, f64); 3] = [("Approach δ", 7.0), ("Sphere δₛ
 /// The points without those between two others without force.
 fn without_idle(points: Points) -> Points {
     let is_idle = |i: usize| points.get(i).is_none_or(|at| at.1 == 0.0);
-    let kept = (0..points.len()).filter(|i| !(is_idle(*i) && is_idle(i + 1) && (*i == 0 || is_idle(i - 1))));
-    let kept: Points = kept.map(|i| points[i]).collect();
-    if kept.is_empty() { points } else { kept }
+    let moving = (0..points.len()).filter(|i| !(is_idle(*i) && is_idle(i + 1) && (*i == 0 || is_idle(i - 1))));
+    let moving: Points = moving.map(|i| points[i]).collect();
+    if moving.is_empty() { points } else { moving }
 }
 
 /// The series of a loop. `first` has its name and look; `branches` are its parts in the order of time, each with whether
@@ -77,11 +77,11 @@ pub fn with_sphere(chart: Chart, sphere: Vec<Series>) -> Chart {
 }
 
 /// The largest indentation of a loop.
-fn largest(of: &[Series]) -> f64 {
-    of.iter().flat_map(|one| &one.points).map(|at| at.0).fold(0.0, f64::max)
+fn largest(series: &[Series]) -> f64 {
+    series.iter().flat_map(|one| &one.points).map(|at| at.0).fold(0.0, f64::max)
 }
 
 /// The style of the loop with this number. Loops may lie on each other, so each is narrower than the one before.
 pub fn style(number: usize, width: f64) -> Style {
-    Style::of(number).solid().wide(width)
+    Style::new(number).solid().wide(width)
 }

@@ -59,6 +59,6 @@ pub enum PlotError {
 
 impl From<PlotError> for Error {
     fn from(error: PlotError) -> Self {
-        Self::of(ErrorKind::Failed, &error)
+        Self::caused_by(ErrorKind::Failed, &error)
     }
 }

@@ -16,7 +16,7 @@ pub fn map(calibration: &Calibration, [first, second]: [&KeyEstimate; 2]) -> Opt
             let region: Vec<_> = outline.iter().map(|[x, y]| (first.free.at(*x), second.free.at(*y))).collect();
             series.push(Series::band("", region.clone()).styled(5));
             let name = if i == 0 { name } else { "" };
-            series.push(Series::line(name, region).styled(Style::of(1).dashed(dash)));
+            series.push(Series::line(name, region).styled(Style::new(1).dashed(dash)));
         }
     }
     let axis = |found: &KeyEstimate, (low, high): (f64, f64)| -> Axis {

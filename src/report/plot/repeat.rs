@@ -60,7 +60,7 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
             Place::Fresh => Series::points("Dent δᵣ, each on its spot", dents),
         };
         let y = Axis::engineering("Dent depth", "m").between(0.0, 1.15 * sequence.deepest_dent());
-        panels.push(Panel::new(y, vec![dents.styled(Style::of(1).solid())]));
+        panels.push(Panel::new(y, vec![dents.styled(Style::new(1).solid())]));
     }
     let x = Axis::engineering("Time", "s").between(0.0, 1.03 * end);
     Some(Chart::stacked(title(repeat, sequence), x, panels))
@@ -99,7 +99,7 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
     #[allow(clippy::cast_precision_loss)] // at most a million
     let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&Hit) -> f64| {
         let points = sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
-        let series = Series::marked_line(name, points.collect()).styled(Style::of(style).solid());
+        let series = Series::marked_line(name, points.collect()).styled(Style::new(style).solid());
         Panel::new(y.between(0.0, highest), vec![series])
     };
     #[allow(clippy::cast_precision_loss)]
@@ -144,8 +144,8 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     }
     // identical impacts have one loop
     let same = |a: &Impact, b: &Impact| {
-        let of = |one: &Impact| (one.speed, one.restitution, one.peak_indentation);
-        of(a) == of(b)
+        let identity = |one: &Impact| (one.speed, one.restitution, one.peak_indentation);
+        identity(a) == identity(b)
     };
     let groups: Vec<&[Impact]> = traced.chunk_by(same).collect();
     let mut named = spread(groups.len(), NAMED);

@@ -108,7 +108,7 @@ impl Series {
 
     /// Its style if it is the series with this number in its picture.
     pub(super) fn style(&self, number: usize) -> Style {
-        self.style.unwrap_or_else(|| Style::of(number))
+        self.style.unwrap_or_else(|| Style::new(number))
     }
 
     /// The line and the marker that stand for it in the key.

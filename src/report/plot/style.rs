@@ -74,7 +74,7 @@ impl Style {
 
     /// The style of the series with this number. There are 7 colours and 5 dashes, so their combination repeats only
     /// after 35 series. The markers move by one after each round of colours.
-    pub fn of(number: usize) -> Self {
+    pub fn new(number: usize) -> Self {
         Self {
             color: PALETTE[number % PALETTE.len()],
             dash: DASHES[number % DASHES.len()],
@@ -123,6 +123,6 @@ impl Style {
 
 impl From<usize> for Style {
     fn from(number: usize) -> Self {
-        Self::of(number)
+        Self::new(number)
     }
 }

@@ -84,9 +84,9 @@ fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<Es
 fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
     let evaluator = Evaluator::new(plan);
     let at = some_places(&axes[0], MOST_POINTS);
-    let of = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, MOST_CURVES));
+    let curves = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, MOST_CURVES));
     let (mut angles, mut spins) = (Vec::new(), Vec::new());
-    for (number, curve) in of.iter().enumerate() {
+    for (number, curve) in curves.iter().enumerate() {
         let rows =
             at.iter().filter_map(|place| Some((*place, row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
         let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
@@ -211,7 +211,7 @@ impl Over<'_> {
             let drawn = curve_of(name, points);
             // the law of this program is the widest line among laws
             let is_first = is_by_law && number == 0;
-            series.push(if is_first { drawn.styled(Style::of(number).wide(7.0)) } else { drawn });
+            series.push(if is_first { drawn.styled(Style::new(number).wide(7.0)) } else { drawn });
         }
         // one guide in grey where all curves yield at the same speed
         let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);

@@ -17,13 +17,13 @@ use crate::scenario::Scenario;
 use crate::scenario::edit::{parsed, set, written};
 use crate::units::{Dimension, exact};
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
-    let measured = Measurements::of(scenario)?;
+pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
+    let measured = Measurements::new(scenario)?;
     let unwatched = Counter::default();
-    let found = measured.calibrate(order.map_or(&unwatched, |order| order.progress))?;
-    let files = order.map_or_else(|| Ok(Vec::new()), |order| files(scenario, &measured, &found, order))?;
+    let found = measured.calibrate(options.map_or(&unwatched, |options| options.progress))?;
+    let files = options.map_or_else(|| Ok(Vec::new()), |options| files(scenario, &measured, &found, options))?;
     let contradiction = found.verdict().contradiction();
-    let checked = if order.is_none() { report::found(&measured, &found)? } else { Map::new() };
+    let checked = if options.is_none() { report::found(&measured, &found)? } else { Map::new() };
     Ok(Outcome { contradiction, checked, ..Outcome::done(warnings(&found), report::table(&found), files) })
 }
 
@@ -32,15 +32,15 @@ fn files(
     scenario: &Scenario,
     measured: &Measurements,
     found: &Calibration,
-    order: &RunOptions,
+    options: &RunOptions,
 ) -> Result<Vec<OutputFile>, Error> {
-    let provenance = provenance(scenario, &measured.wanted.input.law(), true, order.command);
+    let provenance = provenance(scenario, &measured.wanted.input.law(), true, options.command);
     let mut files = vec![file("residuals.csv", report::residuals(found)?)];
     if !found.keys.is_empty() {
         files.push(file("calibrated.toml", calibrated(scenario, measured, found)));
     }
-    files.extend(order.pictures.files(|| Ok(pictures(found)))?);
-    with_summary(files, provenance, |of| report::summary(measured, found, of))
+    files.extend(options.pictures.files(|| Ok(pictures(found)))?);
+    with_summary(files, provenance, |provenance| report::summary(measured, found, provenance))
 }
 
 fn warnings(found: &Calibration) -> Vec<String> {

@@ -49,15 +49,15 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
     Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
 }
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
-    let (input, contact, impact) = compute(scenario, order.map(|_| scenario.input().samples()))?;
-    let Some(order) = order else {
+pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
+    let (input, contact, impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
+    let Some(options) = options else {
         let checked = of_contact(&input, &contact)?;
         return Ok(Outcome::checked(texts(&impact.warnings), overview(&input, &contact), checked));
     };
-    let provenance = provenance(scenario, &input, impact.method, order.command);
+    let provenance = provenance(scenario, &input, impact.method, options.command);
     let mut files = vec![file("trace.csv", trace(&impact)?)];
-    files.extend(order.pictures.files(|| {
+    files.extend(options.pictures.files(|| {
         let mut drawn =
             vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)];
         drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
@@ -65,6 +65,6 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result
     })?);
     let band = band(&input, impact.speed, &impact.essentials);
     let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };
-    let files = with_summary(files, provenance, |of| summary(&single, &Inputs::of(&input), of))?;
-    Ok(Outcome::done(texts(&impact.warnings), table(&single, order.detail), files))
+    let files = with_summary(files, provenance, |provenance| summary(&single, &Inputs::new(&input), provenance))?;
+    Ok(Outcome::done(texts(&impact.warnings), table(&single, options.detail), files))
 }

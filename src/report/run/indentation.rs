@@ -39,21 +39,21 @@ pub fn compute(
     Ok((scene, tested, warnings))
 }
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
-    let (scene, tested, warnings) = compute(scenario, order.map(|_| scenario.input().samples()))?;
+pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
+    let (scene, tested, warnings) = compute(scenario, options.map(|_| scenario.input().samples()))?;
     let inputs = report::inputs(scenario, &scene);
-    let Some(order) = order else {
+    let Some(options) = options else {
         let checked = report::checked(&tested, &inputs)?;
         return Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested), checked));
     };
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
-    let provenance = outcome::provenance(scenario, &scene.law, can_yield, order.command);
+    let provenance = outcome::provenance(scenario, &scene.law, can_yield, options.command);
     let mut files = vec![file("trace.csv", report::trace(&tested)?)];
-    files.extend(order.pictures.files(|| {
+    files.extend(options.pictures.files(|| {
         let drawn = plot::indentation(&tested).with_caption(of_indentation(&scene));
         Ok(vec![("force_indentation", drawn)])
     })?);
-    let files = with_summary(files, provenance, |of| report::summary(&tested, &warnings, &inputs, of))?;
+    let files = with_summary(files, provenance, |provenance| report::summary(&tested, &warnings, &inputs, provenance))?;
     Ok(Outcome::done(warnings, report::table(&tested), files))
 }
 

@@ -14,9 +14,9 @@ use crate::scenario::scene::at::at;
 use crate::scenario::{Kind, Scenario};
 pub use outcome::{Outcome, RunOptions, no_result, texts};
 
-/// The outcome of a scenario: with an order it has all files, and without one it has the text of a check. `None` for a table, which
+/// The outcome of a scenario: with options it has all files, and without one it has the text of a check. `None` for a table, which
 /// is made row after row by [`crate::table::Job`].
-pub fn at_once(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
+pub fn at_once(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
     let outcome = match scenario.kind()? {
         Kind::Sweep | Kind::MonteCarlo => return Ok(None),
         Kind::Impact => impact::outcome,
@@ -24,7 +24,7 @@ pub fn at_once(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Option
         Kind::Calibrate => calibrate::outcome,
         Kind::Indentation => indentation::outcome,
     };
-    outcome(scenario, order).map(Some)
+    outcome(scenario, options).map(Some)
 }
 
 /// Checks a scenario; nothing is written.

@@ -25,11 +25,11 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), E
     Ok((input, contact, repeat))
 }
 
-pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result<Outcome, Error> {
+pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &input)?;
     let unwatched = Counter::default();
-    let progress = order.map_or(&unwatched, |order| order.progress);
+    let progress = options.map_or(&unwatched, |options| options.progress);
     let sequence = repeat.run(&contact, &input.solver(), input.samples(), Some(progress));
     let sequence = sequence.map_err(|reason| no_result(scenario, &reason))?;
     if progress.is_stopped() {
@@ -39,24 +39,25 @@ pub(super) fn outcome(scenario: &Scenario, order: Option<&RunOptions>) -> Result
     idle.extend(input.doubts_of_air());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
-    let Some(order) = order else {
+    let Some(options) = options else {
         let text = report::repeat_lines(&repeat) + &overview(&input, &contact);
         return Ok(Outcome::checked(warnings, text, of_contact(&input, &contact)?));
     };
-    let provenance = provenance(scenario, &input, sequence.method, order.command);
+    let provenance = provenance(scenario, &input, sequence.method, options.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
         file("impacts.csv", report::impacts(&sequence)?),
         file("trace.csv", report::trace(&sequence, input.samples())?),
     ];
-    files.extend(order.pictures.files(|| {
+    files.extend(options.pictures.files(|| {
         let loops = ("force_indentation", plot::repeat::loops(&repeat, &sequence)?);
         let mut drawn = vec![loops, ("impacts", plot::repeat::impacts(&repeat, &sequence))];
         drawn.extend(plot::repeat::height(&repeat, &sequence).map(|height| ("height", height)));
         drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
         Ok(captioned(drawn, &caption(&input, &["impact.speed"])))
     })?);
-    let files = with_summary(files, provenance, |of| report::summary(&series, &Inputs::of(&input), of))?;
+    let files =
+        with_summary(files, provenance, |provenance| report::summary(&series, &Inputs::new(&input), provenance))?;
     let text = report::table(&series);
     Ok(Outcome::done(warnings, text, files))
 }

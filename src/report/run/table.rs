@@ -38,7 +38,7 @@ pub fn rows<P: Send>(
 ) -> Result<Tally, Error> {
     let step = if plan.microseconds() > SLOW { 16 } else { 1024 };
     let evaluator = Evaluator::new(plan);
-    let mut tally = Tally::of(plan);
+    let mut tally = Tally::new(plan);
     let make = |piece: u64| {
         if progress.is_stopped() {
             return Err(Error::new(ErrorKind::Stopped(130), "the table was stopped"));
@@ -66,13 +66,13 @@ pub fn outcome(
     scenario: &Scenario,
     plan: &Plan,
     tally: &Tally,
-    order: &RunOptions,
+    options: &RunOptions,
     table: Option<OutputFile>,
 ) -> Result<Outcome, Error> {
     let warnings = warnings(plan);
     let names = table.iter().map(|file| file.name.clone()).collect();
-    let provenance = Provenance { files: names, ..scenario.provenance(order.command) };
-    let mut files = files(plan, tally, &warnings, provenance, order.pictures)?;
+    let provenance = Provenance { files: names, ..scenario.provenance(options.command) };
+    let mut files = files(plan, tally, &warnings, provenance, options.pictures)?;
     files.extend(table);
     Ok(Outcome::done(warnings, lines(tally), files))
 }
@@ -96,5 +96,5 @@ pub fn files(
     format: Pictures,
 ) -> Result<Vec<OutputFile>, Error> {
     let pictures = format.files(|| Ok(pictures(plan, tally)))?;
-    with_summary(pictures, provenance, |of| summary(plan, tally, warnings, of))
+    with_summary(pictures, provenance, |provenance| summary(plan, tally, warnings, provenance))
 }

@@ -205,8 +205,8 @@ fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
             || key == "output.samples"
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
-    let mut inputs = Inputs::of(&calibration.fit.problem.input);
-    inputs.0.retain(|held| !varies(&held.path));
+    let mut inputs = Inputs::new(&calibration.fit.problem.input);
+    inputs.0.retain(|entry| !varies(&entry.path));
     inputs
 }
 

@@ -12,27 +12,27 @@ use crate::scenario::scene::results::{Reported, fields};
 
 /// The numbers of a contact at which no sphere has arrived.
 pub(super) fn contact() -> Vec<Reported<Contact>> {
-    results! { |of: Contact|
+    results! { |contact: Contact|
         /// Mass of the sphere.
-        "sphere_mass_kg" in Mass: of.mass();
+        "sphere_mass_kg" in Mass: contact.mass();
         /// Mass of the body that is hit.
-        "target_mass_kg" in Mass if FREE: of.target_mass();
+        "target_mass_kg" in Mass if FREE: contact.target_mass();
         /// Effective mass of both bodies.
-        "effective_mass_kg" in Mass if FREE: of.target_mass().map(|_| of.reduced_mass());
+        "effective_mass_kg" in Mass if FREE: contact.target_mass().map(|_| contact.reduced_mass());
         /// Effective radius of both bodies; the radius of the sphere where a flat surface is hit.
-        "effective_radius_m" in Length: of.pair().radius;
+        "effective_radius_m" in Length: contact.pair().radius;
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa" in Pressure: of.pair().effective_modulus;
+        "effective_modulus_Pa" in Pressure: contact.pair().effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance": of.pair().sphere_compliance;
+        "sphere_compliance": contact.pair().sphere_compliance;
         /// Indentation at first yield.
-        "yield_indentation_m" in Length if YIELDS: of.pair().yield_point.map(|point| point.indentation);
+        "yield_indentation_m" in Length if YIELDS: contact.pair().yield_point.map(|point| point.indentation);
         /// Force at first yield.
-        "yield_force_N" in Force if YIELDS: of.pair().yield_point.map(|point| point.force);
+        "yield_force_N" in Force if YIELDS: contact.pair().yield_point.map(|point| point.force);
         /// Contact radius at first yield.
-        "yield_contact_radius_m" in Length if YIELDS: of.pair().yield_point.map(|point| point.contact_radius);
+        "yield_contact_radius_m" in Length if YIELDS: contact.pair().yield_point.map(|point| point.contact_radius);
         /// Impact speed above which a body yields.
-        "yield_speed_m_per_s" in Speed if YIELDS: of.yield_speed();
+        "yield_speed_m_per_s" in Speed if YIELDS: contact.yield_speed();
     }
 }
 
@@ -43,7 +43,7 @@ pub(super) fn files() -> String {
 
 /// A scenario of impacts; of a table, it is its first case.
 pub fn of_contact(input: &Input, contact: &Contact) -> Result<Map<String, Value>, Error> {
-    let mut all = of_inputs(&Inputs::of(input))?;
+    let mut all = of_inputs(&Inputs::new(input))?;
     all.insert("contact".to_owned(), fields(&self::contact(), contact).into());
     Ok(all)
 }

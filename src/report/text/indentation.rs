@@ -21,35 +21,35 @@ use crate::units::{self, Dimension, describe};
 
 /// The results of one half-space, in the order of `summary.json`.
 pub(super) fn half_space() -> Vec<Reported<Tested>> {
-    results! { |of: Tested|
+    results! { |tested: Tested|
         /// Name of the half-space.
-        "name" if NAMED: of.specimen.name.clone();
+        "name" if NAMED: tested.specimen.name.clone();
         /// Young's modulus.
-        "youngs_modulus_Pa" in Pressure: of.specimen.half_space.material.youngs_modulus;
+        "youngs_modulus_Pa" in Pressure: tested.specimen.half_space.material.youngs_modulus;
         /// Poisson's ratio.
-        "poissons_ratio": of.specimen.half_space.material.poissons_ratio;
+        "poissons_ratio": tested.specimen.half_space.material.poissons_ratio;
         /// Yield strength.
-        "yield_strength_Pa" in Pressure if YIELDS: of.specimen.half_space.yield_strength;
+        "yield_strength_Pa" in Pressure if YIELDS: tested.specimen.half_space.yield_strength;
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa" in Pressure: of.pair.effective_modulus;
+        "effective_modulus_Pa" in Pressure: tested.pair.effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance": of.pair.sphere_compliance;
+        "sphere_compliance": tested.pair.sphere_compliance;
         /// Indentation at first yield.
-        "yield_indentation_m" in Length if YIELDS: of.pair.yield_point.map(|point| point.indentation);
+        "yield_indentation_m" in Length if YIELDS: tested.pair.yield_point.map(|point| point.indentation);
         /// Force at first yield.
-        "yield_force_N" in Force if YIELDS: of.pair.yield_point.map(|point| point.force);
+        "yield_force_N" in Force if YIELDS: tested.pair.yield_point.map(|point| point.force);
         /// Work of all steps.
-        "work_J" in Energy: of.indentation.steps.iter().map(|step| step.work).sum::<f64>();
+        "work_J" in Energy: tested.indentation.steps.iter().map(|step| step.work).sum::<f64>();
         /// Energy spent on the dent in all steps.
-        "plastic_work_J" in Energy if YIELDS: of.can_yield.then(|| {
-            of.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
+        "plastic_work_J" in Energy if YIELDS: tested.can_yield.then(|| {
+            tested.indentation.steps.iter().map(|step| step.plastic_work).sum::<f64>()
         });
     }
 }
 
 /// The steps of one half-space.
-fn stepped(of: &Tested) -> Vec<Stepped<'_>> {
-    (1..).zip(&of.indentation.steps).map(|(number, step)| Stepped { number, step, tested: of }).collect()
+fn stepped(tested: &Tested) -> Vec<Stepped<'_>> {
+    (1..).zip(&tested.indentation.steps).map(|(number, step)| Stepped { number, step, tested }).collect()
 }
 
 /// One step of an indentation.
@@ -62,47 +62,47 @@ pub(super) struct Stepped<'a> {
 
 /// The results of one step.
 pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
-    results! { |of: Stepped<'a>|
+    results! { |row: Stepped<'a>|
         /// Number of the step, from 1.
-        "step" as "step": of.number;
+        "step" as "step": row.number;
         /// Load at which the step ends.
-        "target_load_N" in Force as "to" if GIVEN: match of.step.target {
+        "target_load_N" in Force as "to" if GIVEN: match row.step.target {
             Target::Load(load) => Some(load),
             Target::Indentation(_) => None,
         };
         /// Indentation at which the step ends.
-        "target_indentation_m" in Length as "to" if GIVEN: match of.step.target {
+        "target_indentation_m" in Length as "to" if GIVEN: match row.step.target {
             Target::Load(_) => None,
             Target::Indentation(indentation) => Some(indentation),
         };
         /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
-        "branch": of.step.branch.name();
+        "branch": row.step.branch.name();
         /// Indentation at its end.
-        "indentation_m" in Length as "indentation": of.step.indentation;
+        "indentation_m" in Length as "indentation": row.step.indentation;
         /// The sphere's own share of the indentation, with the flat that it keeps.
-        "sphere_indentation_m" in Length: of.step.sphere_indentation;
+        "sphere_indentation_m" in Length: row.step.sphere_indentation;
         /// Force at its end.
-        "force_N" in Force as "force": of.step.force;
+        "force_N" in Force as "force": row.step.force;
         /// Work done in the step; negative on unloading.
-        "work_J" in Energy as "work": of.step.work;
+        "work_J" in Energy as "work": row.step.work;
         /// Elastic energy in the contact at its end.
-        "stored_energy_J" in Energy: of.step.stored_energy;
+        "stored_energy_J" in Energy: row.step.stored_energy;
         /// Energy spent on the dent in the step.
-        "plastic_work_J" in Energy as "plastic work" if YIELDS: of.tested.can_yield.then_some(of.step.plastic_work);
+        "plastic_work_J" in Energy as "plastic work" if YIELDS: row.tested.can_yield.then_some(row.step.plastic_work);
         /// Largest force so far.
-        "peak_force_N" in Force: of.step.memory.force;
+        "peak_force_N" in Force: row.step.memory.force;
         /// Largest indentation so far.
-        "peak_indentation_m" in Length: of.step.memory.indentation;
+        "peak_indentation_m" in Length: row.step.memory.indentation;
         /// Contact radius at that indentation.
-        "peak_contact_radius_m" in Length as "contact radius": of.step.memory.contact_radius;
+        "peak_contact_radius_m" in Length as "contact radius": row.step.memory.contact_radius;
         /// Largest force over the contact area there.
-        "peak_mean_pressure_Pa" in Pressure: of.step.memory.mean_pressure;
+        "peak_mean_pressure_Pa" in Pressure: row.step.memory.mean_pressure;
         /// Depth of the dent.
-        "residual_indentation_m" in Length as "dent depth" if YIELDS: of.tested.can_yield.then_some(of.step.memory.residual_indentation);
+        "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.memory.residual_indentation);
         /// Slope of the unloading branch at its top.
-        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": of.step.memory.unloading_stiffness;
+        "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.memory.unloading_stiffness;
         /// Exponent of the force on unloading.
-        "unloading_exponent": of.step.memory.unloading_exponent;
+        "unloading_exponent": row.step.memory.unloading_exponent;
     }
 }
 
@@ -186,8 +186,8 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
     // every half-space has keys of its own
     let own = EVERY_KEY.iter().filter_map(|key| key.path.strip_prefix("indentation.half_space[]."));
     let own: Vec<String> = own.map(|name| format!("half_space.{name}")).collect();
-    let mut inputs = Inputs::of(&input);
-    inputs.0.retain(|held| (held.part.is_static() || held.part == Part::Output) && !own.contains(&held.path));
+    let mut inputs = Inputs::new(&input);
+    inputs.0.retain(|entry| (entry.part.is_static() || entry.part == Part::Output) && !own.contains(&entry.path));
     inputs
 }
 

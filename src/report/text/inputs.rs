@@ -27,7 +27,7 @@ impl Serialize for Inputs {
 
 impl Inputs {
     /// Keys and values of an input, with its defaults and with what follows from other keys.
-    pub fn of(input: &Input) -> Self {
+    pub fn new(input: &Input) -> Self {
         let (can_yield, is_verlet) = (input.can_yield(), input.solver().method == Method::Verlet);
         let is_used = |key_values: &KeyValue| match key_values.part {
             // an elastic half-space does not use the keys of the law
@@ -45,26 +45,26 @@ impl Inputs {
             let (path, quantity) = (constraint(body), Some(&FACTOR));
             entries.push(KeyValue { path, part: Part::Flow, quantity, value: ratio.into() });
         }
-        for taken in input.materials() {
-            let part = if taken.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
-            entries.push(KeyValue::word(taken.body.material(), part, taken.material.name.as_str()));
-            entries.extend(taken.notes().map(|(path, note)| KeyValue::word(&path, part, note)));
+        for choice in input.materials() {
+            let part = if choice.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
+            entries.push(KeyValue::word(choice.body.material(), part, choice.material.name.as_str()));
+            entries.extend(choice.notes().map(|(path, note)| KeyValue::word(&path, part, note)));
         }
         Self(entries)
     }
 
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
-        let Self(mut entries) = Self::of(&plan.input);
+        let Self(mut entries) = Self::new(&plan.input);
         for input in plan.with_words() {
-            let Self(mut new) = Self::of(&input);
+            let Self(mut new) = Self::new(&input);
             new.retain(|entry| entries.iter().all(|old| old.path != entry.path));
             entries.extend(new);
         }
         let mut varied = plan.paths();
         for word in plan.axes().iter().flat_map(Axis::words) {
-            if let Word::Material(taken) = word {
-                varied.extend(taken.values().map(|(path, _)| path));
+            if let Word::Material(choice) = word {
+                varied.extend(choice.values().map(|(path, _)| path));
             }
         }
         let varies = |key: &str| varied.contains(&key);

@@ -19,7 +19,7 @@ pub fn rows(text: &str) -> Vec<[String; 7]> {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
     rows.extend(all().iter().filter(|entry| has(entry, text)).map(|entry| {
-        let text = |property| entry.of(property).map_or_else(|| "-".to_owned(), |known| known.taken.text.clone());
+        let text = |property| entry.get(property).map_or_else(|| "-".to_owned(), |known| known.used.text.clone());
         let [density, modulus, ratio, hardness, exponent, _] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
     }));
@@ -38,10 +38,10 @@ pub fn list(text: &str) -> String {
 /// These materials as JSON, with all values in SI.
 pub fn data(entries: &[&MaterialEntry]) -> Value {
     let property = |known: &Known| {
-        let Known { property, taken, range: [low, high], basis, sources } = known;
+        let Known { property, used, range: [low, high], basis, sources } = known;
         let sources = sources.iter().map(|[source, says]| json!({ "source": source, "says": says }));
         let about = json!({
-            "written": taken.text, "value": taken.value, "low": low.value, "high": high.value,
+            "written": used.text, "value": used.value, "low": low.value, "high": high.value,
             "basis": basis, "sources": sources.collect::<Vec<_>>(),
         });
         (property.name().to_owned() + property.dimension().suffix(), about)
@@ -61,11 +61,11 @@ pub fn one(entry: &MaterialEntry) -> String {
     if let Some(note) = &entry.note {
         let _ = writeln!(text, "  {note}");
     }
-    for Known { property, taken, range: [low, high], basis, sources } in &entry.known {
-        let _ = writeln!(text, "\n{} = \"{}\"", property.name(), taken.text);
+    for Known { property, used, range: [low, high], basis, sources } in &entry.known {
+        let _ = writeln!(text, "\n{} = \"{}\"", property.name(), used.text);
         let _ = writeln!(text, "  from {} to {}; {basis}", low.text, high.text);
         if *property == Property::Hardness {
-            let _ = writeln!(text, "  {}", strength(entry, taken.value));
+            let _ = writeln!(text, "  {}", strength(entry, used.value));
         }
         for [source, says] in sources {
             let _ = writeln!(text, "  {source}: {says}");

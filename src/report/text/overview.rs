@@ -22,7 +22,7 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
     let own = if contact.has_rate() { contact.at_speed(speed).ok() } else { None };
     let contact = own.as_ref().unwrap_or(contact);
     let law = input.law();
-    for [key, text] in self::rows(&Inputs::of(input)) {
+    for [key, text] in self::rows(&Inputs::new(input)) {
         match key.as_str() {
             // the keys of the PLM name the law
             "law" if matches!(law, LawChoice::Plm(_)) => {}
@@ -62,7 +62,7 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
         rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
     }
     let strengths = [contact.sphere().yield_strength, contact.half_space().yield_strength];
-    let is_precise = |body: Body| body.of(strengths).is_none() || input.has_flow(body);
+    let is_precise = |body: Body| body.pick(strengths).is_none() || input.has_flow(body);
     let softer = contact.pair().yield_point.map(|point| point.flow.of_softer(Body::ALL));
     let strength = which_strength(softer.is_some_and(|softer| !is_precise(softer)));
     aligned(&rows, |_| true) + strength + &with_rate(input, contact, softer, speed).unwrap_or_default()
@@ -71,8 +71,8 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
 /// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.
 fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
     let body = softer?;
-    let taken = input.materials().iter().find(|taken| taken.body == body)?;
-    let c = taken.material.of(Property::RateSensitivity)?.taken.value;
+    let choice = input.materials().iter().find(|choice| choice.body == body)?;
+    let c = choice.material.get(Property::RateSensitivity)?.used.value;
     if input.has_rate() || !matches!(input.law(), LawChoice::Plm(_)) {
         return None;
     }
@@ -83,7 +83,7 @@ fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
     (higher > 0.0).then(|| {
         format!(
             "\nWith the strain rate of {}, c = {c}, e is {} higher: {} = \"material\"\n",
-            taken.material.name,
+            choice.material.name,
             percent(higher),
             body.rate_keys().table
         )
@@ -101,7 +101,7 @@ Which strength? With the proof stress of a metal that hardens e is too low: scen
 
 /// Keys and values.
 pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {
-    inputs.0.iter().map(|held| [held.path.clone(), held.text()]).collect()
+    inputs.0.iter().map(|entry| [entry.path.clone(), entry.text()]).collect()
 }
 
 /// The rows that follow from the pair of bodies.

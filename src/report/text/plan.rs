@@ -53,6 +53,6 @@ fn distribution(variable: &Variable) -> String {
     if let Distribution::Uniform { .. } = variable.distribution {
         return format!("{name} from {first} to {second}");
     }
-    let kept = percent(variable.kept());
-    format!("{name}, mean {first}, sd {second}, cut to {} (keeps {kept})", variable.key.quantity.allowed())
+    let share = percent(variable.share_in_range());
+    format!("{name}, mean {first}, sd {second}, cut to {} (keeps {share})", variable.key.quantity.allowed())
 }

@@ -19,9 +19,9 @@ use crate::units::{Dimension, quantity};
 const LISTED: usize = 1000;
 
 /// `summary.json`.
-pub fn summary(of: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    let mut results = fields(&results::results(), of);
-    if let Drive::Shots(speeds) = &of.repeat.drive
+pub fn summary(series: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+    let mut results = fields(&results::results(), series);
+    if let Drive::Shots(speeds) = &series.repeat.drive
         && speeds.len() <= LISTED
     {
         results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
@@ -90,15 +90,15 @@ fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Ve
 const SHOWN: (usize, usize) = (12, 5);
 
 /// The table for the terminal: lines about the series, and a line for each impact.
-pub fn table(of: &Series) -> String {
-    let hits = &of.sequence.hits;
+pub fn table(series: &Series) -> String {
+    let hits = &series.sequence.hits;
     let is_shown = |(number, _): &(usize, &Hit)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
     let shown: Vec<(usize, Hit)> = (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
     let mut rows = terminal::columns(&results::impacts(), &shown);
     if shown.len() < hits.len() {
         rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
     }
-    aligned(&terminal::lines(&results::results(), of), |_| true) + "\n" + &aligned(&rows, |_| false)
+    aligned(&terminal::lines(&results::results(), series), |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 
 /// A list of at most so many speeds is shown speed by speed.

@@ -57,84 +57,84 @@ const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last
 
 /// The results of a series, in the order of `summary.json`.
 pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
-    results! { |of: Series<'a>|
+    results! { |series: Series<'a>|
         /// Number of impacts.
-        "impacts" as "impacts": of.sequence.hits.len();
+        "impacts" as "impacts": series.sequence.hits.len();
         /// Where they hit: `same` or `fresh`.
-        "spot" as "{} spot": of.repeat.place.name();
+        "spot" as "{} spot": series.repeat.place.name();
         /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
-        "ended_by": of.sequence.end.name();
+        "ended_by": series.sequence.end.name();
         /// Why the series ended, as a sentence.
-        "end" as "ended": end_text(of.repeat, of.sequence);
+        "end" as "ended": end_text(series.repeat, series.sequence);
         /// Restitution of the last impact; with waves, if the half-space has a density.
-        "final_restitution" as "last restitution": of.last(|hit| hit.measured_restitution());
+        "final_restitution" as "last restitution": series.last(|hit| hit.measured_restitution());
         /// Rebound speed of the last impact.
-        "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": of.last(|hit| hit.rebound_speed);
+        "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": series.last(|hit| hit.rebound_speed);
         /// Largest contact force of all impacts.
-        "largest_peak_force_N" in Force: of.largest(|hit| hit.peak_force);
+        "largest_peak_force_N" in Force: series.largest(|hit| hit.peak_force);
         /// Largest indentation of all impacts, from the original surface.
-        "largest_peak_indentation_m" in Length: of.largest(|hit| hit.peak_indentation);
+        "largest_peak_indentation_m" in Length: series.largest(|hit| hit.peak_indentation);
         /// Depth of the deepest dent.
-        "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: of.plastic(of.sequence.deepest_dent());
+        "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.plastic(series.sequence.deepest_dent());
         /// Gravity.
-        "gravity_m_per_s2" in Acceleration if BOUNCES: of.contact.forces().gravity;
+        "gravity_m_per_s2" in Acceleration if BOUNCES: series.contact.forces().gravity;
         /// Height of the first fall; `null` where the first speed is given.
-        "drop_height_m" in Length if BOUNCES: of.bouncing().map(|(drop_height, ..)| drop_height);
+        "drop_height_m" in Length if BOUNCES: series.bouncing().map(|(drop_height, ..)| drop_height);
         /// Largest number of impacts.
-        "most_impacts" if BOUNCES: of.bouncing().map(|(_, most, _)| most);
+        "most_impacts" if BOUNCES: series.bouncing().map(|(_, most, _)| most);
         /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
-        "until_speed_m_per_s" in Speed if BOUNCES: of.bouncing().map(|(.., until)| until);
+        "until_speed_m_per_s" in Speed if BOUNCES: series.bouncing().map(|(.., until)| until);
         /// Time of the last separation; `null` where the first impact captures the sphere.
         "last_separation_time_s" in Time as "last separation" if BOUNCES:
-            of.bouncing().map(|_| of.sequence.hits.iter().rev().find_map(Hit::separation_time));
+            series.bouncing().map(|_| series.sequence.hits.iter().rev().find_map(Hit::separation_time));
         /// Estimate of the time at which the sphere would be at rest, counted as all times of the series: the last separation
         /// and the remaining time; `null` as that is.
-        "rest_time_s" in Time as "time to rest" if BOUNCES: of.bouncing().map(|_| of.sequence.rest_time());
+        "rest_time_s" in Time as "time to rest" if BOUNCES: series.bouncing().map(|_| series.sequence.rest_time());
         /// The part of it after the last separation: an estimate of how long bouncing would still last; `null` if it would
         /// never end, or if the sphere stays in its dent.
         "remaining_time_s" in Time as "{} of it after the last separation" if BOUNCES:
-            of.bouncing().map(|_| of.sequence.remaining_time);
+            series.bouncing().map(|_| series.sequence.remaining_time);
         /// How the remaining time is estimated.
-        "remaining_time" if BOUNCES: of.bouncing().map(|_| REMAINING);
+        "remaining_time" if BOUNCES: series.bouncing().map(|_| REMAINING);
         /// Highest rebound over the original surface.
-        "highest_rebound_m" in Length if BOUNCES: of.bouncing().map(|_| {
-            let flights = of.sequence.hits.iter().filter_map(|hit| hit.flight);
+        "highest_rebound_m" in Length if BOUNCES: series.bouncing().map(|_| {
+            let flights = series.sequence.hits.iter().filter_map(|hit| hit.flight);
             flights.map(|flight| flight.top()).reduce(max_or_nan)
         });
         /// How far along the surface the last impact is from the first.
         "path_m" in Length as "path" if OBLIQUE:
-            of.sequence.hits.last().filter(|hit| hit.speed_along().is_some()).map(|hit| hit.position);
+            series.sequence.hits.last().filter(|hit| hit.speed_along().is_some()).map(|hit| hit.position);
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "rests at" if CAPTURED:
-            of.bouncing().and_then(|_| of.sequence.hits.last()?.forced(|forces| forces.static_indentation));
+            series.bouncing().and_then(|_| series.sequence.hits.last()?.forced(|forces| forces.static_indentation));
         /// Kinetic energy at the first touch.
-        "energy.first_kinetic_in_J" in Energy: of.first(|hit| hit.kinetic_in);
+        "energy.first_kinetic_in_J" in Energy: series.first(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
-        "energy.last_recovered_J" in Energy: of.last(|hit| hit.energy.recovered);
+        "energy.last_recovered_J" in Energy: series.last(|hit| hit.energy.recovered);
         /// Energy radiated as elastic waves.
         "energy.waves_J" in Energy if WAVES:
-            of.sequence.hits.iter().filter_map(Hit::radiated).reduce(|all, one| all + one);
+            series.sequence.hits.iter().filter_map(Hit::radiated).reduce(|all, one| all + one);
         /// Energy spent on dents.
-        "energy.plastic_J" in Energy if YIELDS: of.plastic(of.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
+        "energy.plastic_J" in Energy if YIELDS: series.plastic(series.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Energy that the plate has taken in all impacts.
-        "energy.plate_J" in Energy if PLATE: of.plate_energy();
+        "energy.plate_J" in Energy if PLATE: series.plate_energy();
         /// Energy that friction has taken in all impacts.
         "energy.friction_J" in Energy if OBLIQUE:
-            of.sequence.hits.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
+            series.sequence.hits.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
         /// Largest error of the energy balance of any impact.
-        "energy.drift" in Error as "energy drift": of.sequence.drift();
+        "energy.drift" in Error as "energy drift": series.sequence.drift();
         /// Impacts that the trace has: the first ones of a long series.
-        "traced_impacts": of.sequence.traced.len();
+        "traced_impacts": series.sequence.traced.len();
         /// Where the scene, the model or the run is doubtful.
-        "warnings": of.warnings.to_vec();
+        "warnings": series.warnings.to_vec();
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa" in Pressure: of.contact.pair().effective_modulus;
+        "effective_modulus_Pa" in Pressure: series.contact.pair().effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance": of.contact.pair().sphere_compliance;
+        "sphere_compliance": series.contact.pair().sphere_compliance;
         /// Mass of the sphere.
-        "sphere_mass_kg" in Mass: of.contact.mass();
+        "sphere_mass_kg" in Mass: series.contact.mass();
         /// Impact speed above which the half-space yields.
-        "yield_speed_m_per_s" in Speed if YIELDS: of.contact.yield_speed();
+        "yield_speed_m_per_s" in Speed if YIELDS: series.contact.yield_speed();
     }
 }
 

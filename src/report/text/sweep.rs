@@ -17,43 +17,43 @@ type Totals<'a> = (&'a Tally, Option<Distribution>);
 
 /// The results of the rows, in the order of `summary.json`.
 pub(super) fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
-    results! { |of: Totals<'a>|
+    results! { |totals: Totals<'a>|
         /// Rows of the table.
-        "rows": of.0.rows;
+        "rows": totals.0.rows;
         /// Rows without a result.
-        "failures": of.0.failures;
+        "failures": totals.0.failures;
         /// Rows that the law has no answer for.
-        "outside_law" if OUTSIDE: (of.0.outside_law > 0).then_some(of.0.outside_law);
+        "outside_law" if OUTSIDE: (totals.0.outside_law > 0).then_some(totals.0.outside_law);
         /// Restitutions that the distribution is made of.
-        "restitution.samples" if RANDOM: of.1.map(|e| e.samples);
+        "restitution.samples" if RANDOM: totals.1.map(|e| e.samples);
         /// Mean of the restitution.
-        "restitution.mean" if RANDOM: of.1.map(|e| e.mean);
+        "restitution.mean" if RANDOM: totals.1.map(|e| e.mean);
         /// Standard deviation of the restitution, with n - 1 in the denominator.
-        "restitution.standard_deviation" in Deviation if RANDOM: of.1.map(|e| e.standard_deviation);
+        "restitution.standard_deviation" in Deviation if RANDOM: totals.1.map(|e| e.standard_deviation);
         /// 5 % of the restitutions are smaller.
-        "restitution.quantile_05" if RANDOM: of.1.map(|e| e.quantile_05);
+        "restitution.quantile_05" if RANDOM: totals.1.map(|e| e.quantile_05);
         /// Half of the restitutions are smaller.
-        "restitution.quantile_50" if RANDOM: of.1.map(|e| e.quantile_50);
+        "restitution.quantile_50" if RANDOM: totals.1.map(|e| e.quantile_50);
         /// 5 % of the restitutions are larger.
-        "restitution.quantile_95" if RANDOM: of.1.map(|e| e.quantile_95);
+        "restitution.quantile_95" if RANDOM: totals.1.map(|e| e.quantile_95);
         /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the bins that they come from.
-        "restitution.quantile_resolution" if RANDOM: of.1.map(|e| e.quantile_resolution);
+        "restitution.quantile_resolution" if RANDOM: totals.1.map(|e| e.quantile_resolution);
     }
 }
 
 /// The description of every random key.
 pub(super) fn drawn() -> Vec<Reported<Variable>> {
-    results! { |of: Variable|
+    results! { |variable: Variable|
         /// Path of the key.
-        "key": of.key.path;
+        "key": variable.key.path;
         /// Name of its distribution: `uniform`, `normal` or `lognormal`.
-        "distribution": of.distribution.parts().0;
+        "distribution": variable.distribution.parts().0;
         /// Mean and standard deviation before truncation, or the two ends; SI.
-        "parameters": of.distribution.parts().1.to_vec();
+        "parameters": variable.distribution.parts().1.to_vec();
         /// Range that the values are cut to.
-        "truncated_to": of.key.quantity.allowed();
+        "truncated_to": variable.key.quantity.allowed();
         /// Share of the distribution that lies in that range.
-        "kept": of.kept();
+        "kept": variable.share_in_range();
     }
 }
 

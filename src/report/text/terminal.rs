@@ -82,11 +82,11 @@ fn name_flat([name, _, remarks]: &mut Line, single: &Single) {
 pub(super) type Line = [String; 3];
 
 /// A line for every result; a label with braces adds its value to the remarks of the line above.
-pub(super) fn lines<T>(results: &[Reported<T>], of: &T) -> Vec<Line> {
+pub(super) fn lines<T>(results: &[Reported<T>], subject: &T) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     let mut whole = f64::NAN;
     for Reported { shown, label, value, .. } in labelled(results) {
-        let Some(value) = value(of) else { continue };
+        let Some(value) = value(subject) else { continue };
         let Some((before, after)) = label.split_once('{') else {
             whole = value.as_f64().unwrap_or(f64::NAN);
             lines.push([(*label).to_owned(), text(*shown, &value).unwrap_or_else(|| "none".to_owned()), String::new()]);

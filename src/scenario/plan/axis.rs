@@ -87,7 +87,7 @@ impl Word {
         match self {
             Self::Method(method) => method.name().to_owned(),
             Self::Law(law) => law.name(),
-            Self::Material(taken) => taken.material.name.clone(),
+            Self::Material(choice) => choice.material.name.clone(),
         }
     }
 }
@@ -169,7 +169,7 @@ impl Axis {
                     input.choose(at!("solver.method"), Method::ALL.iter().position(|known| known == method));
                 }
                 Word::Law(law) => input.named_law.clone_from(law),
-                Word::Material(taken) => input.take(taken),
+                Word::Material(choice) => input.take(choice),
             },
         }
     }

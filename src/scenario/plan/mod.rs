@@ -87,12 +87,12 @@ impl Plan {
 
     /// Whether the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
     /// with it from its moduli and its exponent of hardening.
-    pub fn derives_strength(&self, of: Body) -> bool {
-        let (paths, keys) = (self.paths(), of.strength_keys());
+    pub fn derives_strength(&self, body: Body) -> bool {
+        let (paths, keys) = (self.paths(), body.strength_keys());
         let varies = |path: &str| paths.contains(&path);
         let numbers = [keys.hardness, keys.modulus, keys.poissons_ratio, keys.exponent];
         self.input.number(keys.hardness).is_some()
-            && (varies(of.material()) || numbers.into_iter().any(|number| varies(number.path())))
+            && (varies(body.material()) || numbers.into_iter().any(|number| varies(number.path())))
     }
 
     /// The results that the table has.
@@ -201,7 +201,7 @@ impl Plan {
 
     /// About how many microseconds a row takes on one core, under the slowest of its methods.
     pub fn microseconds(&self) -> f64 {
-        let of = |input: &Input| {
+        let of_case = |input: &Input| {
             let friction = match input.incidence() {
                 None => 0.0,
                 Some(_) if input.can_yield() => 1500.0,
@@ -216,7 +216,7 @@ impl Plan {
                     _ => 0.25,
                 }
         };
-        self.with_words().iter().map(of).fold(0.25, f64::max)
+        self.with_words().iter().map(of_case).fold(0.25, f64::max)
     }
 
     pub fn is_monte_carlo(&self) -> bool {

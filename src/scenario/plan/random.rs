@@ -45,14 +45,14 @@ pub struct Variable {
 
 impl Variable {
     /// The variable, cut to the allowed range of its key (the ends may be infinite).
-    pub fn of(key: &'static Key, distribution: Distribution) -> Self {
+    pub fn new(key: &'static Key, distribution: Distribution) -> Self {
         let range = key.quantity.range();
         let share = (distribution.below(range.0), distribution.below(range.1));
         Self { key, distribution, range, share }
     }
 
     /// The probability of the allowed range.
-    pub fn kept(&self) -> f64 {
+    pub fn share_in_range(&self) -> f64 {
         self.share.1 - self.share.0
     }
 

@@ -32,7 +32,7 @@ pub fn ranges(input: &Input) -> impl Iterator<Item = (Body, At<NUMBER>, &'static
     input.materials().iter().filter_map(|material| {
         let at = material.body.strength_keys().hardness;
         let (_, known) = material.values().find(|(key, _)| *key == at.path())?;
-        (input.number(at) == Some(known.taken.value)).then_some((material.body, at, known))
+        (input.number(at) == Some(known.used.value)).then_some((material.body, at, known))
     })
 }
 
@@ -46,7 +46,7 @@ pub struct Doubt {
 
 impl Doubt {
     /// `None` for a law or an exponent without a stated error, and where a contact at an end of a range does not exist.
-    pub fn of(input: &Input) -> Option<Self> {
+    pub fn new(input: &Input) -> Option<Self> {
         let error = stated_error(&input.law())?;
         let mut hardness = Vec::new();
         for (body, at, known) in ranges(input) {
@@ -95,12 +95,12 @@ impl Doubt {
 /// The band of the restitution of an impact of this input. `None` without a dent, for an exponent or a law without a stated error,
 /// and without a rebound.
 pub fn band(input: &Input, speed: f64, row: &Essentials) -> Option<Band> {
-    let doubt = Doubt::of(input)?;
+    let doubt = Doubt::new(input)?;
     let ([low, high], counts) = doubt.ends(input.approach_at(speed), row)?;
     let parts = doubt.hardness.iter().zip(counts).filter(|(_, is_part)| *is_part);
     let mut because: Vec<_> = parts
         .map(|((body, Known { range: [soft, hard], .. }, _), _)| {
-            format!("{} {} to {}", body.of(["hardness of the sphere", "hardness"]), soft.text, hard.text)
+            format!("{} {} to {}", body.pick(["hardness of the sphere", "hardness"]), soft.text, hard.text)
         })
         .collect();
     because.push(format!("law {}", percent(doubt.error)));

@@ -14,7 +14,7 @@ impl Body {
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
     /// Chooses what belongs to this body from a pair of sphere and half-space.
-    pub fn of<T>(self, [sphere, half_space]: [T; 2]) -> T {
+    pub fn pick<T>(self, [sphere, half_space]: [T; 2]) -> T {
         match self {
             Self::Sphere => sphere,
             Self::HalfSpace => half_space,
@@ -23,16 +23,16 @@ impl Body {
 
     /// Its table.
     pub fn table(self) -> &'static str {
-        self.of(["sphere", "half_space"])
+        self.pick(["sphere", "half_space"])
     }
 
     /// The key that names its material.
     pub fn material(self) -> &'static str {
-        self.of(["sphere.material", "half_space.material"])
+        self.pick(["sphere.material", "half_space.material"])
     }
 
     pub fn material_key(self) -> At<WORD> {
-        self.of([at!("sphere.material"), at!("half_space.material")])
+        self.pick([at!("sphere.material"), at!("half_space.material")])
     }
 
     /// The body whose material a key names.
@@ -69,21 +69,21 @@ pub struct BodyMaterial {
     pub body: Body,
     pub material: &'static MaterialEntry,
     /// The keys that the scenario leaves to the material.
-    pub left: Vec<(&'static str, Property)>,
+    pub defaults: Vec<(&'static str, Property)>,
 }
 
 impl BodyMaterial {
     /// The keys that take a value, each with what is known of the property.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
         let material = self.material;
-        self.left.iter().filter_map(move |(key, property)| Some((*key, material.of(*property)?)))
+        self.defaults.iter().filter_map(move |(key, property)| Some((*key, material.get(*property)?)))
     }
 
     /// The taken values for a summary, each with its name: the value as it is written, its range, and the kind of number.
     pub fn notes(&self) -> impl Iterator<Item = (String, String)> {
-        self.values().map(|(_, Known { property, taken, range: [low, high], basis, .. })| {
+        self.values().map(|(_, Known { property, used, range: [low, high], basis, .. })| {
             let name = format!("{}_{}", self.body.material(), property.name());
-            (name, format!("{} ({} to {}); {basis}", taken.text, low.text, high.text))
+            (name, format!("{} ({} to {}); {basis}", used.text, low.text, high.text))
         })
     }
 }

@@ -17,11 +17,11 @@ pub enum Purpose {
 
 /// Why nothing that is computed of these inputs depends on a key, or on the table of a law; `None` if something does, as
 /// with every key that is not named here.
-pub fn without_effect(path: &str, inputs: &[Input], of: Purpose) -> Option<&'static str> {
+pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<&'static str> {
     let all = |is_so: fn(&Input) -> bool| inputs.iter().all(is_so);
     let is_verlet = |input: &Input| input.solver().method == Method::Verlet;
-    let is_moving = of != Purpose::Indentation;
-    let has_steps = |input: &Input| of == Purpose::Impact || of == Purpose::Rows && input.is_stepped();
+    let is_moving = purpose != Purpose::Indentation;
+    let has_steps = |input: &Input| purpose == Purpose::Impact || purpose == Purpose::Rows && input.is_stepped();
     let (is_idle, why) = match path {
         "sphere.poissons_ratio" => {
             (all(|input| input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY)), "the sphere is rigid")
@@ -55,7 +55,9 @@ pub fn without_effect(path: &str, inputs: &[Input], of: Purpose) -> Option<&'sta
             all(|input| input.air().is_none_or(|air| air.drag.is_some())),
             "only drag = \"sphere\" needs it; leave the key out",
         ),
-        "half_space.edge_distance" => (of != Purpose::Impact, "it only warns of single impacts; leave the key out"),
+        "half_space.edge_distance" => {
+            (purpose != Purpose::Impact, "it only warns of single impacts; leave the key out")
+        }
         "solver.tolerance" if inputs.iter().any(is_verlet) => (
             inputs.iter().all(|input| is_verlet(input) || !has_steps(input)),
             "verlet takes steps of one length; leave the key out",

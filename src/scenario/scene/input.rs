@@ -152,8 +152,8 @@ impl Input {
         &self.others.materials
     }
 
-    pub fn set_materials(&mut self, taken: Vec<BodyMaterial>) {
-        Arc::make_mut(&mut self.others).materials = taken;
+    pub fn set_materials(&mut self, materials: Vec<BodyMaterial>) {
+        Arc::make_mut(&mut self.others).materials = materials;
     }
 
     /// Gives the keys that `is_used` names their default values, where they have some, and are not given.

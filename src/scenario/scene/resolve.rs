@@ -56,10 +56,10 @@ impl Input {
     }
 
     /// More than a yield strength describes the flow stress of a body, or the law does not use it.
-    pub fn has_flow(&self, of: Body) -> bool {
+    pub fn has_flow(&self, body: Body) -> bool {
         let law = self.law();
-        let is_hard = self.number(of.strength_keys().hardness).is_some();
-        is_hard || of.of(law.flow()).is_some() || matches!(law, LawChoice::Hertz(_))
+        let is_hard = self.number(body.strength_keys().hardness).is_some();
+        is_hard || body.pick(law.flow()).is_some() || matches!(law, LawChoice::Hertz(_))
     }
 
     /// Gravity, damping and the plate.
@@ -158,7 +158,7 @@ impl Input {
             Body::ALL.map(|body| self.word(body.material_key()).and_then(|place| all().get(place)));
         let flow = law.flow();
         let is_by_hardness =
-            Body::ALL.map(|body| self.number(body.strength_keys().hardness).is_some() && body.of(flow).is_none());
+            Body::ALL.map(|body| self.number(body.strength_keys().hardness).is_some() && body.pick(flow).is_none());
         let named = Named { sphere, half_space, is_by_hardness };
         Ok(contact.of_materials(named).with_rates(self.rates(), law))
     }
@@ -236,14 +236,14 @@ impl Input {
     }
 
     /// Puts what a body takes from its material in the place of what it took from another.
-    pub fn take(&mut self, taken: &BodyMaterial) {
-        self.choose(taken.body.material_key(), all().iter().position(|known| known.name == taken.material.name));
-        if !self.materials().contains(taken) {
-            let others = self.materials().iter().filter(|other| other.body != taken.body);
-            self.set_materials(others.chain([taken]).cloned().collect());
+    pub fn take(&mut self, choice: &BodyMaterial) {
+        self.choose(choice.body.material_key(), all().iter().position(|known| known.name == choice.material.name));
+        if !self.materials().contains(choice) {
+            let others = self.materials().iter().filter(|other| other.body != choice.body);
+            self.set_materials(others.chain([choice]).cloned().collect());
         }
-        for &(path, property) in &taken.left {
-            let number = taken.material.of(property).map(|known| known.taken.value);
+        for &(path, property) in &choice.defaults {
+            let number = choice.material.get(property).map(|known| known.used.value);
             if let Some(key) = Key::find(path) {
                 key.set(self, number);
             }

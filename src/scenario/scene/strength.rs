@@ -76,7 +76,7 @@ impl Body {
     pub fn strength_keys(self) -> &'static StrengthKeys {
         const SPHERE: StrengthKeys = keys_of!("sphere");
         const HALF_SPACE: StrengthKeys = keys_of!("half_space");
-        self.of([&SPHERE, &HALF_SPACE])
+        self.pick([&SPHERE, &HALF_SPACE])
     }
 
     /// The keys that say how its strength rises with the rate of strain.
@@ -84,23 +84,23 @@ impl Body {
     pub fn rate_keys(self) -> &'static RateKeys {
         const SPHERE: RateKeys = rate_of!("sphere");
         const HALF_SPACE: RateKeys = rate_of!("half_space");
-        self.of([&SPHERE, &HALF_SPACE])
+        self.pick([&SPHERE, &HALF_SPACE])
     }
 }
 
 impl Input {
     /// The elastic constants of a body.
     #[inline]
-    pub fn material(&self, of: Body) -> Material {
-        let keys = of.strength_keys();
+    pub fn material(&self, body: Body) -> Material {
+        let keys = body.strength_keys();
         let number = |at| self.number(at).unwrap_or(f64::NAN);
         Material { youngs_modulus: number(keys.modulus), poissons_ratio: number(keys.poissons_ratio) }
     }
 
     /// How the strength of a body rises with the rate of strain, where all numbers of a form are given.
     #[inline]
-    pub fn rate(&self, of: Body) -> Option<Rate> {
-        let keys = of.rate_keys();
+    pub fn rate(&self, body: Body) -> Option<Rate> {
+        let keys = body.rate_keys();
         let number = |at| self.number(at);
         let form = match (number(keys.c), number(keys.rate), number(keys.exponent)) {
             (Some(c), ..) => {
@@ -125,17 +125,17 @@ impl Input {
 
     /// The yield strength of a body \[Pa\], by itself or by its hardness. A flow curve that begins at it has its part in that.
     #[inline]
-    pub fn yield_strength(&self, of: Body, flow: Option<&FlowCurve>) -> Option<f64> {
-        let keys = of.strength_keys();
+    pub fn yield_strength(&self, body: Body, flow: Option<&FlowCurve>) -> Option<f64> {
+        let keys = body.strength_keys();
         match self.number(keys.hardness) {
-            Some(mean_pressure) => Some(strength_of_hardness(mean_pressure, flow, &self.material(of))),
+            Some(mean_pressure) => Some(strength_of_hardness(mean_pressure, flow, &self.material(body))),
             None => self.number(keys.yield_strength),
         }
     }
 
     /// Whether a strength of the body is given.
-    pub fn has_strength(&self, of: Body) -> bool {
-        let keys = of.strength_keys();
+    pub fn has_strength(&self, body: Body) -> bool {
+        let keys = body.strength_keys();
         self.number(keys.yield_strength).or(self.number(keys.hardness)).is_some()
     }
 
@@ -145,8 +145,8 @@ impl Input {
     }
 
     /// The flow curve of a body, if all its numbers are given.
-    pub fn flow_curve(&self, of: Body) -> Option<FlowCurve> {
-        let keys = of.strength_keys();
+    pub fn flow_curve(&self, body: Body) -> Option<FlowCurve> {
+        let keys = body.strength_keys();
         let number = |at| self.number(at);
         if let Some(exponent) = number(keys.exponent) {
             return Some(FlowCurve::Power { exponent });
@@ -162,8 +162,8 @@ impl Input {
     }
 
     /// Puts the strength itself in place of what it follows from, and the points of a file in place of the file.
-    pub(super) fn fill_strength(&mut self, of: Body, strength: Option<f64>) {
-        let keys = of.strength_keys();
+    pub(super) fn fill_strength(&mut self, body: Body, strength: Option<f64>) {
+        let keys = body.strength_keys();
         self.set(keys.yield_strength, strength);
         if let Some(curve) = self.value(keys.table).cloned() {
             self.put_value(keys.points, Some(curve));

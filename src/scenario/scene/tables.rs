@@ -230,6 +230,6 @@ pub fn names(table: &str) -> Vec<&'static str> {
 }
 
 /// The path is this one, or that of a key below it.
-pub fn is_at_or_below(path: &str, of: &str) -> bool {
-    path.strip_prefix(of).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+pub fn is_at_or_below(path: &str, above: &str) -> bool {
+    path.strip_prefix(above).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

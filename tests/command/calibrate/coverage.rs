@@ -84,7 +84,7 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
         let share = if is_estimated { 1.0 } else { sd };
         let noise_model = NoiseModel { instrument: vec![0.0; exact.len()], share, is_estimated };
         let deviations = noise_model.deviations(&data.sizes());
-        let fit = Fit::of(Problem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
+        let fit = Fit::new(Problem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
         let of_key = |key: usize| {
             fit.intervals(key).map(|[low, high]| {
                 let [low, high] =

@@ -113,7 +113,7 @@ fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
     );
     let text = scenario(&request).replace("208 GPa", "210 GPa");
     let scenario = read(&text, NONE).with_data(format!("speed_m_per_s,restitution\n{lines}"));
-    let measured = Measurements::of(&scenario).unwrap();
+    let measured = Measurements::new(&scenario).unwrap();
     let progress = Counter::default();
     let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
@@ -140,7 +140,7 @@ fn the_estimate_is_the_minimum_also_behind_a_kink() {
 #[test]
 fn the_region_of_two_keys_holds_the_places_that_the_sum_says() {
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = {{ restitution = 0.01 }}", super::BOTH));
-    let measured = Measurements::of(&read(&text, NONE).with_data(super::MADE.to_owned())).unwrap();
+    let measured = Measurements::new(&read(&text, NONE).with_data(super::MADE.to_owned())).unwrap();
     let progress = Counter::default();
     let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
@@ -170,7 +170,7 @@ fn the_region_of_two_keys_holds_the_places_that_the_sum_says() {
 fn the_region_of_two_keys_is_as_wide_as_few_values_leave_it() {
     let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n".to_owned();
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::BOTH));
-    let measured = Measurements::of(&read(&text, NONE).with_data(data)).unwrap();
+    let measured = Measurements::new(&read(&text, NONE).with_data(data)).unwrap();
     let progress = Counter::default();
     let found = measured.calibrate(&progress).unwrap();
     let rise = |place: &[f64; 2]| found.fit.problem.sum(place) - found.fit.best().sum;

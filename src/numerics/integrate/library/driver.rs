@@ -53,8 +53,8 @@ impl Library {
             return Ok(start);
         }
         // the steps of one leg, however many calls they come in
-        let taken = self.work.steps + self.work.rejected - self.taken_before_leg;
-        let most_steps = u32::try_from(MOST_STEPS.saturating_sub(taken)).unwrap_or(u32::MAX);
+        let used = self.work.steps + self.work.rejected - self.taken_before_leg;
+        let most_steps = u32::try_from(MOST_STEPS.saturating_sub(used)).unwrap_or(u32::MAX);
         if most_steps == 0 {
             return Err(IntegrationError::TooManySteps { steps: MOST_STEPS });
         }

@@ -94,8 +94,8 @@ fn land(library: &mut Library, path: &Path, node: Node) -> Result<(Landing, Node
     };
     // u² at the end of the piece, by the work of a straight line from here to there
     let g = 0.5 * (scaled_deceleration(path, d) + scaled_deceleration(path, end));
-    let left = u * u - 2.0 * g * (end - d);
-    if end.is_finite() && left > 0.25 * u * u {
+    let u_squared_at_end = u * u - 2.0 * g * (end - d);
+    if end.is_finite() && u_squared_at_end > 0.25 * u * u {
         return Ok((Landing::End, reach(library, path, DISTANCE, node, end)?));
     }
     let turn = reach(library, path, SPEED, node, 0.0)?;

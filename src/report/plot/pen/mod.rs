@@ -179,8 +179,8 @@ impl<B: DrawingBackend> Pen<'_, B> {
         let Format { units, letters, rise, fonts, .. } = self.format;
         let size = fitting(text, size, length_of_sheet - 2.0 * EDGE);
         let (length, (along, across)) = (text_width(text, size), turned(at));
-        let along = within(along, before * length, length, length_of_sheet);
-        let at = turned((along, within(across, 0.5 * size, size, height_of_sheet) + rise * size));
+        let along = moved_inside(along, before * length, length, length_of_sheet);
+        let at = turned((along, moved_inside(across, 0.5 * size, size, height_of_sheet) + rise * size));
         let font = FontDesc::new(FontFamily::Name(fonts), units * letters * size, FontStyle::Normal);
         let turn = if anchor == Anchor::Upward { FontTransform::Rotate270 } else { FontTransform::None };
         let pos = Pos::new(horizontal, VPos::Center);
@@ -204,7 +204,7 @@ fn whole_length(length: f64, units: f64) -> u32 {
 }
 
 /// A place, moved so that a text of this length around it stays within a picture with sides of `sheet`.
-fn within(at: f64, before: f64, length: f64, sheet: f64) -> f64 {
+fn moved_inside(at: f64, before: f64, length: f64, sheet: f64) -> f64 {
     at.min(sheet - EDGE - length + before).max(EDGE + before)
 }
 
@@ -214,15 +214,15 @@ fn failed(error: impl Display) -> PlotError {
 
 /// The points without those that are not finite, and without steps that are too small to see. The last point stays.
 fn thinned(points: &[Point]) -> Vec<Point> {
-    let mut kept: Vec<Point> = points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
-    let last = kept.last().copied();
+    let mut finite: Vec<Point> = points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+    let last = finite.last().copied();
     let mut is_skipped = false;
-    kept.dedup_by(|point, before| {
+    finite.dedup_by(|point, before| {
         is_skipped = hypot(point.0 - before.0, point.1 - before.1) < RESOLUTION;
         is_skipped
     });
-    kept.extend(last.filter(|_| is_skipped));
-    kept
+    finite.extend(last.filter(|_| is_skipped));
+    finite
 }
 
 /// The dashes of a line.
@@ -232,13 +232,13 @@ fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     }
     let mut pieces = Vec::new();
     let mut piece = points.first().copied().into_iter().collect::<Vec<_>>();
-    let (mut phase, mut left) = (0, pattern[0]);
+    let (mut phase, mut remaining) = (0, pattern[0]);
     for pair in points.windows(2) {
         let (from, to) = (pair[0], pair[1]);
         let length = hypot(to.0 - from.0, to.1 - from.1);
         let mut done = 0.0;
-        while length - done > left {
-            done += left;
+        while length - done > remaining {
+            done += remaining;
             let share = done / length;
             let at = (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
             piece.push(at);
@@ -246,9 +246,9 @@ fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
                 pieces.push(std::mem::take(&mut piece));
             }
             phase = (phase + 1) % pattern.len();
-            left = pattern[phase];
+            remaining = pattern[phase];
         }
-        left -= length - done;
+        remaining -= length - done;
         if phase % 2 == 0 {
             piece.push(to);
         }

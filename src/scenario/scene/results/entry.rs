@@ -119,10 +119,10 @@ impl Needs {
 }
 
 /// The values of all results that are there, by name. A name with a dot stands in a group: `energy.drift` is `drift` in `energy`.
-pub fn fields<T>(results: &[Reported<T>], of: &T) -> Map<String, Value> {
+pub fn fields<T>(results: &[Reported<T>], subject: &T) -> Map<String, Value> {
     let mut all = Map::new();
     for Reported { name, value, .. } in results {
-        let Some(value) = value(of) else { continue };
+        let Some(value) = value(subject) else { continue };
         match name.split_once('.') {
             None => drop(all.insert((*name).to_owned(), value)),
             Some((group, name)) => all.entry(group).or_insert_with(|| Map::new().into())[name] = value,
@@ -164,7 +164,7 @@ pub(crate) const GIVEN: &str = "the step is given by it";
 
 /// A list of results from its entries.
 macro_rules! results {
-    (|$of:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
+    (|$subject:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
         $(in $shown:ident)? $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? $(: $value:expr)?;)+) => {
         vec![$($crate::scenario::scene::results::entry::Reported::<$type> {
             name: $name,
@@ -173,7 +173,7 @@ macro_rules! results {
             condition: results!(@condition [$($condition)?] [$($needs)?]),
             label: concat!($($label)?),
             #[allow(unused_variables)] // a result of tables alone has no value here
-            value: |$of| results!(@value $of [$($condition)?] [$($needs, $column)?] [$($value)?]),
+            value: |$subject| results!(@value $subject [$($condition)?] [$($needs, $column)?] [$($value)?]),
             column: results!(@column $($name, $needs, $column)?),
         }),+]
     };
@@ -187,13 +187,13 @@ macro_rules! results {
     (@condition [] []) => { "" };
     (@condition [] [$needs:ident]) => { $crate::scenario::scene::results::entry::Needs::$needs.condition() };
     (@condition [$condition:ident] [$($needs:ident)?]) => { $crate::scenario::scene::results::entry::$condition };
-    (@value $of:ident [] [] [$value:expr]) => { Some($value.into()) };
-    (@value $of:ident [$condition:ident] [] [$value:expr]) => { $value.map(Into::into) };
-    (@value $of:ident [] [$needs:ident, $column:expr] []) => {
-        $of.of_row($crate::scenario::scene::results::entry::Needs::$needs, $column)
+    (@value $subject:ident [] [] [$value:expr]) => { Some($value.into()) };
+    (@value $subject:ident [$condition:ident] [] [$value:expr]) => { $value.map(Into::into) };
+    (@value $subject:ident [] [$needs:ident, $column:expr] []) => {
+        $subject.of_row($crate::scenario::scene::results::entry::Needs::$needs, $column)
     };
-    (@value $of:ident [$condition:ident] [$needs:ident, $column:expr] []) => { None };
-    (@value $of:ident [$condition:ident] [$needs:ident, $column:expr] [$value:expr]) => { $value.map(Into::into) };
+    (@value $subject:ident [$condition:ident] [$needs:ident, $column:expr] []) => { None };
+    (@value $subject:ident [$condition:ident] [$needs:ident, $column:expr] [$value:expr]) => { $value.map(Into::into) };
     (@column) => { None };
     (@column $name:literal, $needs:ident, $value:expr) => {{
         use $crate::scenario::scene::results::entry::{Column, Needs};

@@ -103,16 +103,16 @@ fn target(row: &Essentials, place: usize) -> Option<f64> {
 /// The results of one impact, in the order of `summary.json`.
 #[allow(clippy::too_many_lines)] // one list, which is read from top to bottom
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
-    results! { |of: Single<'a>|
+    results! { |single: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
         /// The range of the restitution in words: from the range of the hardness of a material by name, and from the error of
         /// the law against finite elements, added as squares.
-        "restitution_band" as "({})" if BAND: of.band.map(Band::words);
+        "restitution_band" as "({})" if BAND: single.band.map(Band::words);
         /// The lower end of that band.
-        "restitution_low" if BAND [Band: |row| row.band.map(|[low, _]| low)]: of.band.map(|band| band.low);
+        "restitution_low" if BAND [Band: |row| row.band.map(|[low, _]| low)]: single.band.map(|band| band.low);
         /// The upper end of that band.
-        "restitution_high" if BAND [Band: |row| row.band.map(|[_, high]| high)]: of.band.map(|band| band.high);
+        "restitution_high" if BAND [Band: |row| row.band.map(|[_, high]| high)]: single.band.map(|band| band.high);
         /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
         /// gravity it may exceed 1, as the weight does work too.
         "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
@@ -121,7 +121,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "inelasticity" as "Zener's number {}" [Thickness: |row| row.on_plate.map(|plate| plate.inelasticity)];
         /// How many plate thicknesses a wave travels during the contact time on a half-space: below 2 the plate acts as a
         /// half-space, from 10 on it is thin.
-        "plate_thinness" as "wave travels {} thicknesses" if PLATE: of.on_plate(|plate| plate.thinness);
+        "plate_thinness" as "wave travels {} thicknesses" if PLATE: single.on_plate(|plate| plate.thinness);
         /// How far the plate has moved at separation.
         "plate_displacement_m" in Length as "plate moves by"
             [Thickness: |row| row.on_plate.map(|plate| plate.displacement)];
@@ -133,7 +133,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
         "restitution_with_waves" as "with waves" [Density: Essentials::restitution_with_waves];
         /// Speed of the sphere when it separates, normal to the half-space; negative where it pushes a lighter body on and follows it.
-        "rebound_speed_m_per_s" in Speed as "rebound speed": of.impact.rebound_speed;
+        "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the body that is hit after the impact, in the direction of the approach.
         "target_speed_m_per_s" in Speed as "target speed" [Target: |row| row.target_speed];
         /// Its speed along the surface, in the direction of the sphere's path.
@@ -143,13 +143,13 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Height to which the sphere rises, with waves and air where they are known.
         "rebound_height_m" in Length as "rebound height" [Air: |row| row.rebound_height];
         /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
-        "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: of.in_air().and_then(|flying| {
-            let height = flying.drop_height(of.impact.speed);
-            let fallen = 1.0 - of.impact.speed * of.impact.speed / (2.0 * flying.gravity * height);
+        "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: single.in_air().and_then(|flying| {
+            let height = flying.drop_height(single.impact.speed);
+            let fallen = 1.0 - single.impact.speed * single.impact.speed / (2.0 * flying.gravity * height);
             height.is_finite().then_some(fallen)
         });
         /// Speed at which the drag of the air carries the weight.
-        "terminal_speed_m_per_s" in Speed if AIR: of.in_air().map(|flying| flying.terminal_speed());
+        "terminal_speed_m_per_s" in Speed if AIR: single.in_air().map(|flying| flying.terminal_speed());
         /// Angle of the rebound from the normal, in degrees; negative where the sphere is thrown back.
         "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound(row, |after| after.angle.to_degrees())];
         /// Tangential speed of the sphere's centre after the impact over that before; `null` without one before.
@@ -173,7 +173,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
             [Incidence: |row| rebound(row, |after| after.loss_fraction)];
         /// `sliding` where the contact point slips all the time, by the closed form; else `partial`.
         "sliding_regime" as "regime" if OBLIQUE:
-            of.impact.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
+            single.impact.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
         /// 1 where the contact point slips all the time, else 0.
         "is_sliding" if TABLES [Incidence: |row| rebound(row, |after| f64::from(u8::from(after.is_sliding)))];
         /// Slip speed before the impact over friction, 4 (G*/E*) s_0/(mu v_n); infinite (`null`) without friction.
@@ -186,24 +186,24 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "contact_time_s" in Time as "contact time"
             [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)];
         /// Time from first touch to the largest indentation.
-        "loading_time_s" in Time as "compression {}": of.impact.loading_time;
+        "loading_time_s" in Time as "compression {}": single.impact.loading_time;
         /// Largest contact force.
         "peak_force_N" in Force as "peak force" [Nothing: |row| Some(row.peak_force)];
         /// Largest indentation: how far the sphere's centre has come closer to the half-space.
         "peak_indentation_m" in Length as "peak indentation" [Nothing: |row| Some(row.peak_indentation)];
         /// The sphere's own share of the largest indentation, with the flat that it keeps; 0 for a rigid sphere.
-        "peak_sphere_indentation_m" in Length as "sphere {}": of.impact.peak_sphere_indentation;
+        "peak_sphere_indentation_m" in Length as "sphere {}": single.impact.peak_sphere_indentation;
         /// Contact radius at the largest indentation.
-        "peak_contact_radius_m" in Length as "contact radius": of.impact.peak_contact_radius;
+        "peak_contact_radius_m" in Length as "contact radius": single.impact.peak_contact_radius;
         /// Contact radius over the radius of the sphere, or of a smaller second ball; the warning of a dent that is too wide names the limit of the law.
         "contact_radius_over_R" as "{} of the sphere's radius" [Nothing: |row| Some(row.radius_ratio)];
         /// 1 where the contact radius or the indentation is outside of the range that the law holds for, or is stated for: take
         /// the row for an estimate; else 0.
         "is_outside_law" if TABLES [Nothing: |row| Some(f64::from(u8::from(row.is_outside_law)))];
         /// Peak force over the contact area there.
-        "peak_mean_pressure_Pa" in Pressure as "mean pressure {}": of.impact.peak_mean_pressure;
+        "peak_mean_pressure_Pa" in Pressure as "mean pressure {}": single.impact.peak_mean_pressure;
         /// The part of the largest indentation that is recovered on unloading.
-        "elastic_approach_m" in Length: of.impact.elastic_approach;
+        "elastic_approach_m" in Length: single.impact.elastic_approach;
         /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere; 0 without both.
         "residual_indentation_m" in Length as "dent depth" [Strength: |row| Some(row.residual_indentation)];
         /// The part of it that is a dent in the half-space. Where both bodies flow the parts are an estimate, backed up to a contact
@@ -214,20 +214,20 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Diameter of the flat on the sphere: that of the contact at the peak; `null` without one.
         "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
         /// Which body flows: `half_space`, `sphere`, `both`, or `none`.
-        "yields" as "yields" if FLATTENS: of.flat(of.yields());
+        "yields" as "yields" if FLATTENS: single.flat(single.yields());
         /// Effective radius of the contact on unloading.
-        "unloading_radius_m" in Length if YIELDS: of.plastic(of.impact.unloading_radius);
+        "unloading_radius_m" in Length if YIELDS: single.plastic(single.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
-        "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: of.plastic(of.impact.residual_radius);
+        "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: single.plastic(single.impact.residual_radius);
         /// Diameter of the dent's rim: twice the contact radius at the peak that shaped it; `null` without a dent.
         "dent_diameter_m" in Length as "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
         /// Impact speed above which a body yields.
-        "yield_speed_m_per_s" in Speed as "yield speed" if YIELDS: of.plastic(of.contact.yield_speed());
+        "yield_speed_m_per_s" in Speed as "yield speed" if YIELDS: single.plastic(single.contact.yield_speed());
         /// Indentation at first yield.
-        "yield_indentation_m" in Length if YIELDS: of.plastic(of.contact.yields_at().map(|(indentation, _)| indentation));
+        "yield_indentation_m" in Length if YIELDS: single.plastic(single.contact.yields_at().map(|(indentation, _)| indentation));
         /// Force at first yield.
-        "yield_force_N" in Force as "first yield at {}" if YIELDS: of.plastic(of.contact.yields_at().map(|(_, force)| force));
+        "yield_force_N" in Force as "first yield at {}" if YIELDS: single.plastic(single.contact.yields_at().map(|(_, force)| force));
         /// Rate of strain while the sphere goes in; empty for an impact in the dent of another one that leaves it as it was, as the
         /// two factors below.
         "strain_rate_per_s" in StrainRate as "strain rate" [Rate: |row| row.rated.map(|rated| rated.strain_rate)];
@@ -240,76 +240,76 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
         "plastic_fraction" in Percent if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)];
         /// Whether the sphere left (`separated`) or stayed (`captured`).
-        "outcome" as "outcome" if FORCES: of.forced(|under| under.fate.name());
+        "outcome" as "outcome" if FORCES: single.forced(|under| under.fate.name());
         /// Time of separation; for a captured sphere, the time at which the computation ends.
-        "end_time_s" in Time as "at {}" if FORCES: of.forced(|under| under.end_time);
+        "end_time_s" in Time as "at {}" if FORCES: single.forced(|under| under.end_time);
         /// Indentation at that time.
-        "end_indentation_m" in Length if FORCES: of.forced(|under| under.end_indentation);
+        "end_indentation_m" in Length if FORCES: single.forced(|under| under.end_indentation);
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "comes to rest at an indentation of {}" if CAPTURED:
-            of.forced(|under| under.static_indentation).flatten();
+            single.forced(|under| under.static_indentation).flatten();
         /// Length of a step.
-        "verlet.step_s" in Time as "verlet step" if VERLET: of.verlet(|seen| seen.step);
+        "verlet.step_s" in Time as "verlet step" if VERLET: single.verlet(|seen| seen.step);
         /// Time from first touch to the deepest step.
-        "verlet.compression_time_s" in Time as "compression {}" if VERLET: of.verlet(|seen| seen.compression_time);
+        "verlet.compression_time_s" in Time as "compression {}" if VERLET: single.verlet(|seen| seen.compression_time);
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
-        "verlet.separation_time_s" in Time as "separation {}" if VERLET: of.verlet(|seen| seen.separation_time);
+        "verlet.separation_time_s" in Time as "separation {}" if VERLET: single.verlet(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
         "verlet.energy_drift_at_end" in Error as "energy drift at the end {}" if VERLET:
-            of.verlet(|_| ()).map(|()| of.impact.energy.drift_at_end);
+            single.verlet(|_| ()).map(|()| single.impact.energy.drift_at_end);
         /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below. With a body
         /// that is free to move, of their relative motion.
-        "energy.kinetic_in_J" in Energy as "energy": of.impact.energy.kinetic_in;
+        "energy.kinetic_in_J" in Energy as "energy": single.impact.energy.kinetic_in;
         /// The same at separation.
-        "energy.recovered_J" in Energy as "{%} recovered": of.impact.energy.recovered;
+        "energy.recovered_J" in Energy as "{%} recovered": single.impact.energy.recovered;
         /// Energy spent on the dent.
-        "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: of.impact.energy.plastic;
+        "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: single.impact.energy.plastic;
         /// Kinetic energy of the common motion of sphere and body that is hit: of their centre of mass, which stays.
-        "energy.centre_of_mass_J" in Energy as "{} stays in the common motion" if FREE: of.impact.energy.of_centre;
+        "energy.centre_of_mass_J" in Energy as "{} stays in the common motion" if FREE: single.impact.energy.of_centre;
         /// Energy in the plate at separation, or where the computation of a captured sphere ends.
-        "energy.plate_J" in Energy as "{%} into the plate" if PLATE: of.on_plate(|plate| plate.energy);
+        "energy.plate_J" in Energy as "{%} into the plate" if PLATE: single.on_plate(|plate| plate.energy);
         /// Energy taken by damping.
-        "energy.damping_J" in Energy as "{%} into damping" if DAMPING: of.forced(|under| under.damping_loss).flatten();
+        "energy.damping_J" in Energy as "{%} into damping" if DAMPING: single.forced(|under| under.damping_loss).flatten();
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
         "energy.stored_at_separation_J" in Energy as "{%} left in the contact" if VISCOUS:
-            of.forced(|under| under.stored_at_separation).flatten();
+            single.forced(|under| under.stored_at_separation).flatten();
         /// Kinetic and elastic energy where the computation of a captured sphere ends.
-        "energy.left_J" in Energy as "{%} left in sphere and contact" if CAPTURED: of.forced(|under| under.left).flatten();
+        "energy.left_J" in Energy as "{%} left in sphere and contact" if CAPTURED: single.forced(|under| under.left).flatten();
         /// Work of gravity since first touch: the weight times the way of the sphere's centre, which a plate below it lengthens.
-        "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: of.forced(|under| under.gravity_work).flatten();
+        "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: single.forced(|under| under.gravity_work).flatten();
         /// Kinetic energy along the half-space and of the spin at first touch.
-        "energy.tangential_in_J" in Energy as "along the surface" if OBLIQUE: of.oblique(|friction| friction.kinetic_in);
+        "energy.tangential_in_J" in Energy as "along the surface" if OBLIQUE: single.oblique(|friction| friction.kinetic_in);
         /// Kinetic energy along the half-space and of the spin at separation.
-        "energy.tangential_recovered_J" in Energy as "{%} recovered" if OBLIQUE: of.oblique(|friction| friction.recovered);
+        "energy.tangential_recovered_J" in Energy as "{%} recovered" if OBLIQUE: single.oblique(|friction| friction.recovered);
         /// Energy taken by friction.
-        "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: of.oblique(|friction| friction.loss);
+        "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: single.oblique(|friction| friction.loss);
         /// Change of the angular momentum about the contact point, relative: it stays but for rounding.
-        "energy.angular_momentum_drift" in Error if OBLIQUE: of.oblique(|friction| friction.momentum_drift);
+        "energy.angular_momentum_drift" in Error if OBLIQUE: single.oblique(|friction| friction.momentum_drift);
         /// Largest error of the energy balance on the way, as a share of the energy put in: kinetic energy at first touch, and
         /// with gravity the work of the weight down to the peak.
-        "energy.drift" in Error as "drift {}": of.impact.energy.drift;
+        "energy.drift" in Error as "drift {}": single.impact.energy.drift;
         /// Restitution of the closed form; `null` where the scene has none, as for the two errors below.
-        "accuracy.closed_form_restitution" as "closed form": of.impact.accuracy.closed_form_restitution;
+        "accuracy.closed_form_restitution" as "closed form": single.impact.accuracy.closed_form_restitution;
         /// Relative difference of the restitution from the closed form.
-        "accuracy.restitution_error" in Error as "restitution off by {}": of.impact.accuracy.restitution_error;
+        "accuracy.restitution_error" in Error as "restitution off by {}": single.impact.accuracy.restitution_error;
         /// Relative difference of the contact time from the closed form.
-        "accuracy.contact_time_error" in Error as "contact time by {}": of.impact.accuracy.contact_time_error;
+        "accuracy.contact_time_error" in Error as "contact time by {}": single.impact.accuracy.contact_time_error;
         /// Steps of the integration.
-        "work.steps" as "steps": of.impact.work.steps;
+        "work.steps" as "steps": single.impact.work.steps;
         /// Steps that were repeated with a shorter length.
-        "work.rejected" as "{} rejected": of.impact.work.rejected;
+        "work.rejected" as "{} rejected": single.impact.work.rejected;
         /// How often the contact force was computed.
-        "work.force_evaluations" as "{} force evaluations": of.impact.work.force_evaluations;
+        "work.force_evaluations" as "{} force evaluations": single.impact.work.force_evaluations;
         /// Where the scene, the model or the run is doubtful.
-        "warnings": of.impact.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();
+        "warnings": single.impact.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa" in Pressure: of.contact.pair().effective_modulus;
+        "effective_modulus_Pa" in Pressure: single.contact.pair().effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance": of.contact.pair().sphere_compliance;
+        "sphere_compliance": single.contact.pair().sphere_compliance;
         /// Mass of the sphere.
-        "sphere_mass_kg" in Mass: of.contact.mass();
+        "sphere_mass_kg" in Mass: single.contact.mass();
         /// Exponent of the force on unloading.
-        "unloading_exponent": of.impact.unloading_exponent;
+        "unloading_exponent": single.impact.unloading_exponent;
     }
 }
 

@@ -1,5 +1,5 @@
-//! Keys that need another key, that stand in place of another, or that are not computed beside another. What is asked is
-//! only whether a key or table is given, or varies.
+//! Which keys may be given together: keys that need another key, keys of which only one is allowed, and keys that are not
+//! computed together with another. These rules look only at whether a key or a table is given or varies, not at its value.
 
 use super::Scenario;
 use crate::error::Error;
@@ -10,24 +10,26 @@ use crate::scenario::scene::tables::is_at_or_below;
 use crate::scenario::scene::{EITHER, Input, KEYS};
 use crate::units::four_digits;
 
-/// Keys that are refused beside others.
+/// A rule that refuses keys because of other keys.
 struct KeyRule {
     /// The keys that are refused.
     keys: &'static [&'static str],
-    /// Beside any of these; none: always.
-    beside: &'static [&'static str],
-    /// Unless one of these is given.
+    /// They are refused if any of these is given too. An empty list refuses them always.
+    others: &'static [&'static str],
+    /// They are allowed if one of these is given.
     unless: &'static [&'static str],
-    /// Why, and the way out; `{}` stands for the key beside which they are refused.
+    /// The reason and the way out, for the message; `{}` stands for the other key.
     why: &'static str,
 }
 
-const fn without(keys: &'static [&'static str], needed: &'static [&'static str], why: &'static str) -> KeyRule {
-    KeyRule { keys, beside: &[], unless: needed, why }
+/// The keys need one of the others.
+const fn needs(keys: &'static [&'static str], needed: &'static [&'static str], why: &'static str) -> KeyRule {
+    KeyRule { keys, others: &[], unless: needed, why }
 }
 
-const fn beside(keys: &'static [&'static str], beside: &'static [&'static str], why: &'static str) -> KeyRule {
-    KeyRule { keys, beside, unless: &[], why }
+/// The keys are refused together with any of the others.
+const fn excludes(keys: &'static [&'static str], others: &'static [&'static str], why: &'static str) -> KeyRule {
+    KeyRule { keys, others, unless: &[], why }
 }
 
 const OBLIQUE: &[&str] = &["impact.angle", "sphere.spin"];
@@ -36,38 +38,38 @@ const ONE_OF_TWO: &str = "[{}] is given too; write only one of the two";
 const RULES: &[KeyRule] = &[
     KeyRule {
         keys: &["impact.drop_height"],
-        beside: &["repeat"],
+        others: &["repeat"],
         unless: &["gravity.acceleration"],
         why: "a dropped sphere bounces only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give `speed` for shots",
     },
-    without(
+    needs(
         OBLIQUE,
         &["friction.coefficient"],
         "needs friction: add [friction] with coefficient = 0.1, or coefficient = 0 for none",
     ),
     KeyRule {
         keys: OBLIQUE,
-        beside: &["sphere.mass"],
+        others: &["sphere.mass"],
         unless: &["sphere.moment_of_inertia"],
         why: "needs sphere.moment_of_inertia beside {}, as the body is no plain sphere",
     },
-    without(
+    needs(
         &["air"],
         &["gravity.acceleration", "impact.drop_height", "calibrate"],
         "nothing flies: add [gravity] with acceleration = \"9.81 m/s^2\", or give impact.drop_height, or leave [air] out",
     ),
-    beside(
+    excludes(
         OBLIQUE,
         &["air"],
         "[{}] would slow the ball along its path too, which is not computed: leave one of them out",
     ),
     KeyRule {
         keys: OBLIQUE,
-        beside: &["repeat"],
+        others: &["repeat"],
         unless: &["gravity.acceleration"],
         why: "shots of [{}] are straight, and a ball hops along only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or leave this key out",
     },
-    beside(
+    excludes(
         OBLIQUE,
         &["calibrate"],
         "the impacts of [{}] are straight: leave this key out, and give the speed normal to the surface",
@@ -75,66 +77,66 @@ const RULES: &[KeyRule] = &[
     // a plate radiates no such waves: its density is for the plate
     KeyRule {
         keys: &["half_space.density"],
-        beside: &["damping"],
+        others: &["damping"],
         unless: &["half_space.thickness", "half_space.mass"],
         why: "elastic waves are computed from the force of the law, without damping: leave out this key, or [{}]",
     },
-    beside(
+    excludes(
         &["half_space.mass"],
         &["gravity", "repeat"],
         "is of a body that is free to move, which is not computed beside [{}]: leave one of them out; impact.drop_height alone gives the speed",
     ),
-    beside(
+    excludes(
         &["half_space.thickness"],
         &["half_space.radius", "half_space.mass"],
         "a plate is flat and gives way by bending, and {} is given too: leave one of them out",
     ),
     // a column of measurements may give the thickness
-    without(
+    needs(
         &["half_space.edge_distance", "half_space.plate"],
         &["half_space.thickness", "calibrate"],
         "is of a plate: give half_space.thickness too, or leave the key out",
     ),
-    beside(
+    excludes(
         &["impact"],
         &["repeat.speeds"],
         "repeat.speeds gives the speed of every shot; leave [impact] out, or the list",
     ),
-    beside(
+    excludes(
         &["repeat.speeds"],
         &["gravity"],
         "gives every shot a speed, but under [{}] the sphere bounces: leave one of the two out",
     ),
-    beside(&["repeat.impacts"], &["repeat.speeds"], "`speeds` is given too: it has as many impacts as speeds"),
-    without(
+    excludes(&["repeat.impacts"], &["repeat.speeds"], "`speeds` is given too: it has as many impacts as speeds"),
+    needs(
         &["repeat.until"],
         &["gravity"],
         "is for bouncing: without [gravity] every shot has its given speed; leave it out",
     ),
-    beside(
+    excludes(
         &["impact", "gravity", "damping", "air"],
         &["indentation"],
         "[{}] is given too, and there is no motion in it; write only one of the two",
     ),
-    beside(
+    excludes(
         &["sphere.rate", "half_space.rate"],
         &["indentation"],
         "[{}] is slow, and the strength is that of a slow test: leave the rate out",
     ),
-    beside(&["friction"], &["indentation"], "[{}] is given too, and nothing slides there; write only one of the two"),
-    beside(
+    excludes(&["friction"], &["indentation"], "[{}] is given too, and nothing slides there; write only one of the two"),
+    excludes(
         &["solver"],
         &["indentation"],
         "[{}] is given too, and it is computed in closed form; write only one of the two",
     ),
-    beside(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO),
-    beside(&["indentation.half_space"], &["half_space"], ONE_OF_TWO),
+    excludes(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO),
+    excludes(&["indentation.half_space"], &["half_space"], ONE_OF_TWO),
 ];
 
 impl Scenario {
     /// The refusals of tables of two kinds, of keys that cannot stand beside each other, of keys that need another, and of
     /// tables without any key.
-    pub(super) fn beside(&self) -> Vec<Error> {
+    pub(super) fn check_combinations(&self) -> Vec<Error> {
         let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
         for [one, other] in EITHER {
             if self.has(one) && self.has(other) {
@@ -153,11 +155,11 @@ impl Scenario {
             refused.push(self.refuse_varied(path, problem));
         }
         let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.gives(path));
-        for KeyRule { keys, beside, unless, why } in RULES {
+        for KeyRule { keys, others, unless, why } in RULES {
             let (Some(key), None) = (given(keys), given(unless)) else { continue };
-            if let Some(other) = if beside.is_empty() { Some("") } else { given(beside) } {
+            if let Some(other) = if others.is_empty() { Some("") } else { given(others) } {
                 // beside another key there are other ways out
-                let needed = unless.first().copied().filter(|_| beside.is_empty());
+                let needed = unless.first().copied().filter(|_| others.is_empty());
                 refused.push(self.refuse_varied(key, why.replace("{}", other)).needing(needed));
             }
         }
@@ -250,11 +252,11 @@ impl Scenario {
         // a swept diameter replaces a radius in the file
         let pairs = EITHER.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
         let given = pairs.into_iter().find(|(key, other)| varies(key) && self.has(other));
-        let told = |(key, other, is_given)| {
+        let refusal = |(key, other, is_given)| {
             (key, format!("stands in place of {other}, which {is_given}; keep one of the two"))
         };
         let both = || EITHER.into_iter().find(|pair| pair.iter().all(|path| varies(path)));
         let given = given.map(|(key, other)| (key, other, "the scenario gives"));
-        given.or_else(|| both().map(|[other, key]| (key, other, "varies too"))).map(told)
+        given.or_else(|| both().map(|[other, key]| (key, other, "varies too"))).map(refusal)
     }
 }
