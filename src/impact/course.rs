@@ -12,12 +12,12 @@
 //! lies inside of this one and ends in it. Or it ends where an overdamped sphere (ζ from 0.9 on) has crept up to its static
 //! indentation, to one part in a thousand.
 
-use super::forces::{ScaledForces, StaticPoint, nearer};
+use super::forces::{ScaledForces, StaticPoint};
 use super::outcome::{Fate, Outcome};
 use super::record::{Event, Recorder};
 use super::scales::ACCELERATION;
 use crate::contact::law::Ground;
-use crate::numerics::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Rest, Sizes, State};
+use crate::numerics::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Sizes, State};
 use crate::numerics::power::max_or_nan;
 
 /// Integrates an impact at q = v/V from first touch to its end.
@@ -53,19 +53,15 @@ pub fn integrate<'a, I: Integrator>(
         if piece == 0 && ground.stays_on_branch(0.4 * q * q, forces.weight) {
             path.leg = Leg::Outward(f64::INFINITY);
         }
-        path.rest = None;
-        let on_piece = |point: &StaticPoint| ground.index_at(point.indentation) == piece;
-        let start = ground.piece(piece).start;
-        let place = |point: &StaticPoint| point.indentation - start + entry_of(ground, piece);
-        let creep = static_point.filter(on_piece);
-        let creep = creep.and_then(|point| near_rest(forces, &point, place(&point), &at, &mut path));
+        let rest_of = |point: StaticPoint| {
+            let is_here = ground.index_at(point.indentation) == piece;
+            let place = point.indentation - path.piece.start + entry_of(ground, piece);
+            forces.rest(&point, place).filter(|_| is_here)
+        };
+        path.rest = static_point.and_then(rest_of);
         let landing = go(&path, &mut at, Some(piece), recorder)?;
-        if landing != Landing::End || creep.is_some_and(|creep| at.speed <= creep.largest_speed) {
-            break landing == Landing::Rest || landing == Landing::End;
-        }
-        if creep.is_some() {
-            // from the place near rest on along the same piece
-            continue;
+        if landing != Landing::End {
+            break landing == Landing::Rest;
         }
         piece += 1;
         if recorder.is_on() && !ground.piece(piece).is_joint {
@@ -90,23 +86,14 @@ pub fn integrate<'a, I: Integrator>(
         let stops = is_captured && forces.is_conservative();
         let end = if stops { unloading.recovered_at(forces.weight) } else { 0.0 };
         path.leg = Leg::Back(end);
-        path.rest = None;
         let static_point = may_creep.then(|| forces.static_on_unloading(ground, &unloading));
-        let creep = static_point.and_then(|point| near_rest(forces, &point, point.distance, &at, &mut path));
+        path.rest = static_point.and_then(|point| forces.rest(&point, point.distance));
         let turned = at;
-        let mut landing = go(&path, &mut at, None, recorder)?;
+        let landing = go(&path, &mut at, None, recorder)?;
         if recorder.is_on() && ground.step(&unloading) > 0.0 {
             recorder.mark(Event::Relaxation, &turned);
         }
-        let mut creeps = false;
-        if let Some(creep) = creep.filter(|_| landing == Landing::End) {
-            creeps = -at.speed <= creep.largest_speed;
-            if !creeps {
-                path.leg = Leg::Back(end);
-                landing = go(&path, &mut at, None, recorder)?;
-            }
-        }
-        if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured && !creeps {
+        if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured {
             fate = Fate::Separated;
         }
         recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, &at);
@@ -137,23 +124,6 @@ fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
     let distance = 1e-22 * forces.static_on_loading(ground).distance;
     let speed = (2.0 * distance * pull).sqrt();
     State { time: speed / pull, distance, speed, loss: 0.0 }
-}
-
-/// Sets where the sphere may come to rest, at this distance of the leg. If that lies ahead, the leg ends near it, and this is
-/// the rule there.
-#[cold]
-fn near_rest(forces: &ScaledForces, point: &StaticPoint, distance: f64, at: &State, path: &mut Path) -> Option<Rest> {
-    let rest = forces.rest(point)?;
-    path.rest = Some(nearer(rest, distance));
-    let (outward, back) = (distance - rest.tolerance, distance + rest.tolerance);
-    let (leg, is_ahead) = match path.leg {
-        Leg::Outward(end) => (Leg::Outward(outward), at.distance < outward && outward < end),
-        Leg::Back(_) => (Leg::Back(back), back < at.distance),
-    };
-    if is_ahead {
-        path.leg = leg;
-    }
-    Some(rest).filter(|_| is_ahead)
 }
 
 /// The way along a piece of the loading curve.

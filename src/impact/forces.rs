@@ -144,10 +144,10 @@ impl ScaledForces {
         StaticPoint { indentation, distance: indentation - ground.touch(), slope }
     }
 
-    /// Where an overdamped sphere comes to rest: it creeps up to the static point, and never passes it. `None` where it swings
-    /// through it. A run ends there as soon as it is so near and so slow: at most the fast one of the two rates of decay times
-    /// that distance.
-    pub(super) fn rest(&self, point: &StaticPoint) -> Option<Rest> {
+    /// Where an overdamped sphere comes to rest, at this distance of the leg: it creeps up to the static point, and never passes
+    /// it. `None` where it swings through it. A run ends there as soon as it is so near and so slow: at most the fast one of the
+    /// two rates of decay times that distance.
+    pub(super) fn rest(&self, point: &StaticPoint, distance: f64) -> Option<Rest> {
         let omega = (ACCELERATION * point.slope).sqrt();
         let Drag { chi, eta, theta } = self.drag;
         // the fraction of critical damping of small swings
@@ -156,14 +156,8 @@ impl ScaledForces {
         // from ζ = 0.9 on every swing is less than e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
         let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
-        is_overdamped.then_some(Rest { distance: point.distance, tolerance, largest_speed: fast * omega * tolerance })
+        is_overdamped.then_some(Rest { distance, tolerance, largest_speed: fast * omega * tolerance })
     }
-}
-
-/// The rule for a sphere that the first one did not stop, where the place of rest is at this distance of the leg. The
-/// integrator itself ends the leg there.
-pub(super) fn nearer(rest: Rest, distance: f64) -> Rest {
-    Rest { distance, tolerance: NEARER / NEAR * rest.tolerance, largest_speed: NEARER / NEAR * rest.largest_speed }
 }
 
 /// Where a contact carries the weight of its sphere.
@@ -179,5 +173,3 @@ pub(super) struct StaticPoint {
 
 /// An overdamped sphere that is nearer to its static indentation than this share of the static depth counts as captured.
 const NEAR: f64 = 1e-3;
-/// A sphere that this rule did not stop counts as captured within this share.
-const NEARER: f64 = 1e-7;

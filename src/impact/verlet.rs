@@ -221,9 +221,8 @@ pub(crate) fn march(
 /// Whether an overdamped sphere has come near its static indentation.
 fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
     let point = forces.static_point(motion.contact.ground, unloading);
-    let distance = (motion.contact.touch + motion.state.distance - point.indentation).abs();
-    let speed = motion.state.speed.abs();
-    forces.rest(&point).is_some_and(|rest| distance <= rest.tolerance && speed <= rest.largest_speed)
+    let indentation = motion.contact.touch + motion.state.distance;
+    forces.rest(&point, point.indentation).is_some_and(|rest| rest.excess(indentation, motion.state.speed) <= 0.0)
 }
 
 /// The motion in a step that began in this state and ended at this time.

@@ -134,17 +134,16 @@ impl DragStepper {
             }
             if let Some((landing, _, to)) = landed
                 && (landing == Landing::Turning || landing == Landing::End && sign * to[1] <= 0.0)
-                && self.is_false_turn(piece, path, to[0])
+                && sign * piece.rates(to[0], 0.0)[1] > 0.0
             {
+                // a sphere at rest there would be pushed on: under strong drag a creep is slower than the error that a loose
+                // tolerance allows, and a step may end with a speed of the wrong sign
                 self.work.force_evaluations += CONTINUOUS_EVALUATIONS;
                 self.work.rejected += 1;
                 h *= 0.5;
                 continue;
             }
             (self.work.steps, rounds) = (self.work.steps + 1, 0);
-            if landed.is_none() && path.is_at_rest(P::distance_at(next.node[0]), next.node[1]) {
-                landed = Some((Landing::Rest, 1.0, next.node));
-            }
             let to = landed.map_or(next.node, |(.., to)| to);
             if !is_falling && has_crested::<P>(path, &to) {
                 is_falling = true;
@@ -178,13 +177,6 @@ impl DragStepper {
             }
             () => Ok(h),
         }
-    }
-
-    /// Whether a turning point found at y is false, because a sphere at rest there would be pushed on. Under strong drag a
-    /// creep is slower than the error that a loose tolerance allows, and a step may end with a speed of the wrong sign.
-    fn is_false_turn<P: Dragged>(&self, piece: P, path: &Path, y: f64) -> bool {
-        let is_pushed = path.leg.direction() * piece.rates(y, 0.0)[1] > 0.0;
-        is_pushed && !path.is_next_to_rest(P::distance_at(y), self.tolerance)
     }
 
     /// Along any piece. On curves that begin without force r = d^(1/M): M = 4 where the drag goes with the stiffness, else 2.
@@ -236,7 +228,7 @@ fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
 #[inline]
 fn may_end<P: Dragged>(path: &Path, end: f64, from: &DraggedState, to: &DraggedState) -> bool {
     let sign = path.leg.direction();
-    if sign * to[1] <= 0.0 || sign * (end - to[0]) <= 0.0 {
+    if sign * to[1] <= 0.0 || sign * (end - to[0]) <= 0.0 || path.is_at_rest(P::distance_at(to[0]), to[1]) {
         return true;
     }
     // under a pull the force may vanish and come again within the step

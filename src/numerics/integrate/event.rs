@@ -27,6 +27,16 @@ impl DenseStep<'_> {
             limit = self.falls(0, -sign, self.end, limit);
             first = Some((Landing::End, limit));
         }
+        if let Some(rest) = self.path.rest {
+            let excess = |theta| {
+                let (y, u) = self.moving(theta);
+                rest.excess(P::distance_at(y), u)
+            };
+            if excess(limit) <= 0.0 {
+                limit = falls_through((0.0, limit), excess);
+                first = Some((Landing::Rest, limit));
+            }
+        }
         if self.path.can_lift_off() {
             let pressed = |theta| self.pressed::<P>(theta);
             let gone = if pressed(limit) <= 0.0 { Some(limit) } else { self.dip::<P>(limit) };

@@ -98,7 +98,7 @@ fn root_of(slope: f64) -> f64 {
     max_or_nan(slope, 0.0).sqrt()
 }
 
-/// A place where a damped motion may come to rest.
+/// A place where a damped motion may come to rest. It does so where it is both near and slow enough.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rest {
     /// Its distance along the piece.
@@ -107,6 +107,13 @@ pub struct Rest {
     pub tolerance: f64,
     /// The largest speed that still counts as rest.
     pub largest_speed: f64,
+}
+
+impl Rest {
+    /// How much of the distance or of the speed is left until a state counts as rest; 0 or less where it does.
+    pub(crate) fn excess(&self, distance: f64, speed: f64) -> f64 {
+        max_or_nan((distance - self.distance).abs() / self.tolerance, speed.abs() / self.largest_speed) - 1.0
+    }
 }
 
 /// One smooth piece, the way along it, and what acts there.
@@ -199,13 +206,7 @@ impl Path<'_> {
 
     /// Whether this state counts as rest.
     pub(crate) fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
-        self.rest
-            .is_some_and(|rest| (distance - rest.distance).abs() <= rest.tolerance && speed.abs() <= rest.largest_speed)
-    }
-
-    /// Whether a place is the place of rest, within this share of its distance. A turn there counts as rest.
-    pub(crate) fn is_next_to_rest(&self, distance: f64, share: f64) -> bool {
-        self.rest.is_some_and(|rest| (distance - rest.distance).abs() <= share * rest.distance)
+        self.rest.is_some_and(|rest| rest.excess(distance, speed) <= 0.0)
     }
 
     /// The distance of a landing: exactly the end's, or where the motion came to.
@@ -223,7 +224,7 @@ pub enum Landing {
     Turning,
     /// Where the contact force vanishes on the way back, before the restoring force does.
     LiftOff,
-    /// As near to rest as the path says.
+    /// Where the state begins to count as rest.
     Rest,
 }
 

@@ -34,11 +34,10 @@ impl Library {
         Self { scheme, tolerance, work: Effort::default(), taken_before_leg: 0 }
     }
 
-    /// Carries `start` from `from` to `to` at this tolerance.
+    /// Carries `start` from `from` to `to`.
     pub(super) fn drive<S, D: Dim>(
         &mut self,
         equations: S,
-        tolerance: f64,
         from: f64,
         to: f64,
         start: OVector<f64, D>,
@@ -66,8 +65,8 @@ impl Library {
                     to,
                     to - from,
                     start,
-                    tolerance,
-                    tolerance,
+                    self.tolerance,
+                    self.tolerance,
                     0.9,
                     $beta,
                     $shrink,

@@ -67,7 +67,7 @@ pub(super) fn run(
     const LONG: f64 = 1e3;
     let mut nodes = vec![start];
     let equations = Equations { path, along: DISTANCE, nodes: Some(&mut nodes) };
-    library.drive(equations, library.tolerance, 0.0, LONG, Vector2::new(start[1], start[2]))?;
+    library.drive(equations, 0.0, LONG, Vector2::new(start[1], start[2]))?;
     let last = nodes.last().copied().unwrap_or(start);
     let (landing, [t, d, u, _]) = land(library, path, last)?;
     Ok((nodes, landing, [t, d, u, start[3]]))
@@ -77,7 +77,7 @@ pub(super) fn run(
 fn reach(library: &mut Library, path: &Path, along: usize, node: Node, to: f64) -> Result<Node, IntegrationError> {
     let [t, d, u, loss] = node;
     let equations = Equations { path, along, nodes: None };
-    let end = library.drive(equations, library.tolerance, [d, u][along], to, Vector3::new(d, u, t))?;
+    let end = library.drive(equations, [d, u][along], to, Vector3::new(d, u, t))?;
     let mut at = [end[2], end[0], end[1], loss];
     at[1 + along] = to;
     Ok(at)

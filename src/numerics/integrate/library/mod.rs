@@ -25,15 +25,10 @@ use crate::numerics::power::max_or_nan;
 use driver::Node;
 pub use driver::{Library, Scheme};
 
-/// The loosest tolerance of a leg that may end in a creep. The error of the speed is measured against the largest speed of the
-/// impact, and a creep is much slower: with a looser tolerance the steps may stop before the creep has ended.
-const LOOSEST_CREEP: f64 = 1e-5;
-
 /// The equations in variables of size one, y = (d, u, loss), up to the last step before an event.
 struct Equations<'a> {
     path: &'a Path<'a>,
     nodes: &'a mut Vec<Node>,
-    comes_to_rest: &'a mut bool,
 }
 
 impl System<f64, Vector3<f64>> for Equations<'_> {
@@ -58,12 +53,11 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
             let may_dip = path.pull > 0.0 && growth(before[1], before[2]) < 0.0 && growth(y[0], y[1]) > 0.0;
             may_dip || path.contact_force(d, u) <= 0.0
         };
-        if ends || lifts {
+        if ends || lifts || path.is_at_rest(d, u) {
             return true;
         }
         self.nodes.push([time, y[0], y[1], y[2]]);
-        *self.comes_to_rest = path.is_at_rest(d, u);
-        *self.comes_to_rest
+        false
     }
 }
 
@@ -75,17 +69,17 @@ fn between(path: &Path, from: &State, to: &State) -> Continuous {
 }
 
 impl Library {
-    /// The steps of a leg with pull or drag up to the last one before an event: states, and whether the last is one of rest.
-    fn steps(&mut self, path: &Path, start: Node, tolerance: f64) -> Result<(Vec<Node>, bool), IntegrationError> {
+    /// The states of a leg with pull or drag up to the last step before an event.
+    fn steps(&mut self, path: &Path, start: Node) -> Result<Vec<Node>, IntegrationError> {
         /// Longer than any leg, except that of an overdamped sphere that creeps.
         const LONG: f64 = 1e6;
-        let (mut nodes, mut comes_to_rest) = (vec![start], false);
+        let mut nodes = vec![start];
         if matches!(path.leg, Leg::Outward(_)) && start[2] <= 0.0 {
-            return Ok((nodes, false));
+            return Ok(nodes);
         }
-        let equations = Equations { path, nodes: &mut nodes, comes_to_rest: &mut comes_to_rest };
-        self.drive(equations, tolerance, 0.0, LONG, Vector3::new(start[1], start[2], start[3]))?;
-        Ok((nodes, comes_to_rest))
+        let equations = Equations { path, nodes: &mut nodes };
+        self.drive(equations, 0.0, LONG, Vector3::new(start[1], start[2], start[3]))?;
+        Ok(nodes)
     }
 }
 
@@ -107,7 +101,6 @@ impl Integrator for Library {
         };
         let start = [0.0, begun.distance / distance, begun.speed / speed, begun.loss / (speed * speed)];
         let is_free = path.pull == 0.0 && path.drag == Drag::NONE;
-        let tolerance = if path.rest.is_some() { self.tolerance.min(LOOSEST_CREEP) } else { self.tolerance };
         let mut landing = None;
         let nodes = if is_free {
             let (mut nodes, landed, end) = henon::run(self, path, start)?;
@@ -115,9 +108,7 @@ impl Integrator for Library {
             landing = Some(landed);
             nodes
         } else {
-            let (nodes, comes_to_rest) = self.steps(path, start, tolerance)?;
-            landing = landing.or(comes_to_rest.then_some(Landing::Rest));
-            nodes
+            self.steps(path, start)?
         };
         let mut states: Vec<State> = nodes.into_iter().map(absolute).collect();
         if let (Some(landing), Some(last)) = (landing, states.last_mut()) {
@@ -133,11 +124,11 @@ impl Integrator for Library {
             }
         }
         if let Some(track) = track {
-            DragStepper::new(tolerance).traverse(path, &mut begun.clone(), Some(track))?;
+            DragStepper::new(self.tolerance).traverse(path, &mut begun.clone(), Some(track))?;
         }
         *state = states.last().copied().unwrap_or(begun);
         if landing.is_none() {
-            let mut stepper = DragStepper::new(tolerance);
+            let mut stepper = DragStepper::new(self.tolerance);
             let arrival = stepper.run(AnyDragged::<1>(*path), path, state, None);
             self.work = self.work + stepper.work();
             let Arrival { landing: landed, largest_force } = arrival?;
