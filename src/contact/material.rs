@@ -120,16 +120,6 @@ pub struct YieldPoint {
     pub contact_radius: f64,
 }
 
-impl YieldPoint {
-    /// v_Y \[m/s\] of a sphere of this mass \[kg\], from ½ m v_Y² = (2/5) F_Y δ_Y: the slowest impact that yields.
-    ///
-    /// # Errors
-    /// [`OutOfFloatRange`] where it over- or underflows.
-    pub fn speed(&self, mass: f64) -> Result<f64, OutOfFloatRange> {
-        normal("yield speed (m/s)", (0.8 * (self.force / mass) * self.indentation).sqrt())
-    }
-}
-
 /// A quantity of the pair that double precision cannot hold.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(

@@ -100,10 +100,7 @@ impl Contact {
 
     /// The scales, the law and the yield speed of a pair.
     fn law_of(pair: &Pair, mass: f64, law: &dyn ContactLaw) -> Result<(Scales, Law, f64), ImpactError> {
-        let (scales, law) = match (&pair.yield_point, law.of_pair(pair)?) {
-            (Some(point), Some(law)) => (Scales::of_yield(point, point.speed(mass)?), law),
-            _ => (Scales::of_radius(pair, mass), Law::hertz()),
-        };
+        let (scales, law) = (Scales::of_pair(pair, mass)?, law.of_pair(pair)?);
         // up to there the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
         let until = law.limits.elastic_until;
         let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
@@ -135,8 +132,7 @@ impl Contact {
     /// The scales of another pair of the same bodies, if the loading curve of this contact is theirs too, in its own units.
     pub(super) fn scales_of_same_curve(&self, pair: &Pair) -> Result<Option<Scales>, ImpactError> {
         let is_same = self.pair.shares() == pair.shares() && self.law.has_one_curve();
-        let Some(point) = pair.yield_point.filter(|_| is_same) else { return Ok(None) };
-        Ok(Some(Scales::of_yield(&point, point.speed(self.reduced_mass)?)))
+        Ok(if is_same { Some(Scales::of_pair(pair, self.reduced_mass)?) } else { None })
     }
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].

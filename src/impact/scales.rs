@@ -4,36 +4,67 @@
 //! every sphere. L, Φ, V are the yield indentation, force and speed; an impact that stays elastic takes its own Hertz peak
 //! and speed instead, so that the slowest impact is no closer to underflow than the fastest.
 
-use crate::contact::material::{OutOfFloatRange, Pair, YieldPoint, normal};
+use std::ops::Deref;
+
+use crate::contact::material::{OutOfFloatRange, Pair, normal};
 use crate::numerics::functions::pow;
 use crate::numerics::power::power_turn;
 
 /// c of x'' = −c f.
 pub const ACCELERATION: f64 = 1.25;
 
-/// The units of length, force and speed of one impact.
+/// The units of a contact, with or without a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scales {
+pub struct Units {
     /// L \[m\].
     pub length: f64,
     /// Φ \[N\].
     pub force: f64,
-    /// V \[m/s\].
-    pub speed: f64,
     /// Hertz contact radius at L \[m\].
     pub contact_radius: f64,
 }
 
-impl Scales {
-    /// Yield scales; `speed` is v_Y of the sphere.
-    pub(crate) fn of_yield(point: &YieldPoint, speed: f64) -> Self {
-        Self { length: point.indentation, force: point.force, speed, contact_radius: point.contact_radius }
+impl Units {
+    /// The units of first yield; for bodies without a yield strength those of a Hertz contact that is as deep as R.
+    pub(crate) fn of(pair: &Pair) -> Self {
+        let Some(point) = pair.yield_point else {
+            let length = pair.radius;
+            return Self { length, force: pair.hertz_stiffness() * length * length.sqrt(), contact_radius: length };
+        };
+        Self { length: point.indentation, force: point.force, contact_radius: point.contact_radius }
     }
 
-    /// Hertz scales of a contact that is as deep as the sphere's radius.
-    pub(crate) fn of_radius(pair: &Pair, mass: f64) -> Self {
-        let (length, force) = (pair.radius, pair.hertz_stiffness() * pair.radius * pair.radius.sqrt());
-        Self { length, force, speed: (0.8 * (force / mass) * length).sqrt(), contact_radius: length }
+    /// Φ L \[J\].
+    pub fn energy(&self) -> f64 {
+        self.force * self.length
+    }
+}
+
+/// The units of length, force and speed of one impact. Those without the speed are reached through a deref, as in
+/// `scales.length`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scales {
+    pub units: Units,
+    /// V \[m/s\].
+    pub speed: f64,
+}
+
+impl Deref for Scales {
+    type Target = Units;
+
+    #[inline]
+    fn deref(&self) -> &Units {
+        &self.units
+    }
+}
+
+impl Scales {
+    /// The units of a pair, with the speed at which this mass \[kg\] brings the energy (2/5) Φ L: v_Y for bodies that yield.
+    pub(crate) fn of_pair(pair: &Pair, mass: f64) -> Result<Self, OutOfFloatRange> {
+        let units = Units::of(pair);
+        let speed = (0.8 * (units.force / mass) * units.length).sqrt();
+        let speed = if pair.yield_point.is_some() { normal("yield speed (m/s)", speed)? } else { speed };
+        Ok(Self { units, speed })
     }
 
     /// Hertz scales of an elastic impact of `mass` at `speed` under `gravity`: L where (2/5) K L^2.5 = ½ m v² + m g L,
@@ -54,16 +85,12 @@ impl Scales {
         let length = normal("peak indentation (m)", length)?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
         let fastest = if gravity == 0.0 { speed } else { (square + 2.0 * gravity * length).sqrt() };
-        Ok(Self { length, force, speed: fastest, contact_radius: (pair.radius * length).sqrt() })
+        let units = Units { length, force, contact_radius: (pair.radius * length).sqrt() };
+        Ok(Self { units, speed: fastest })
     }
 
     /// L/V \[s\].
     pub fn time(&self) -> f64 {
         self.length / self.speed
-    }
-
-    /// Φ L \[J\].
-    pub fn energy(&self) -> f64 {
-        self.force * self.length
     }
 }

@@ -78,7 +78,7 @@ fn hardening_law(
     let sphere = Material { youngs_modulus: MODULUS * 10_f64.powf(ratio), poissons_ratio: 0.3 };
     let half_space = HalfSpace::flat(half_space, Some(yield_strength));
     let pair = Pair::try_new(&Sphere::elastic(1.0, sphere, 1.0), &half_space).unwrap();
-    let law = Plm { exponent, flow: [None, Some(flow)], ..Plm::default() }.of_pair(&pair).ok()?.unwrap();
+    let law = Plm { exponent, flow: [None, Some(flow)], ..Plm::default() }.of_pair(&pair).ok()?;
     Some((law, Bodies::new(&pair).unwrap()))
 }
 

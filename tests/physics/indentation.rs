@@ -53,6 +53,19 @@ fn an_elastic_loop_is_hertz_to_and_fro() {
     }
 }
 
+/// On a ball the radius of Hertz's contact is the effective one, 1/R = 1/0.25 mm + 1/0.5 mm.
+#[test]
+fn an_elastic_contact_of_two_balls_is_as_wide_as_hertz_says() {
+    let ball = HalfSpace { radius: Some(0.5e-3), ..alloy(77e9, None) };
+    let contact = contact(&ball, UnloadingExponent::Paper);
+    let memory = steps(&contact, &[To(1e-6)])[0].memory;
+    // a = √(R δ), F = (4/3) E* a δ
+    let width = (0.5e-3 / 3.0 * 1e-6_f64).sqrt();
+    let force = 4.0 / 3.0 * contact.pair().effective_modulus * width * 1e-6;
+    assert!(off(memory.force, force) < 1e-13 && off(memory.contact_radius, width) < 1e-13);
+    assert!(off(memory.mean_pressure, force / (std::f64::consts::PI * width * width)) < 1e-13);
+}
+
 #[test]
 fn a_loop_costs_the_work_less_what_comes_back() {
     // from the definition of the law: ∮ F dδ = W − F_m δ_e/(n + 1), S = n F_m/δ_e, δ_r = δ_m − δ_e

@@ -45,20 +45,14 @@ impl About {
 pub struct Bodies {
     /// Effective modulus, shares of compliance.
     pub pair: Pair,
-    /// First yield by C_ν: the unit of x and f.
+    /// First yield of the softer body by C_ν: the unit of x and f.
     pub yield_point: YieldPoint,
-    /// σ_Y of the softer body \[Pa\].
-    pub yield_strength: f64,
-    /// ν of the softer body.
-    pub poissons_ratio: f64,
 }
 
 impl Bodies {
     /// `None` for bodies without a yield strength: there is only Hertz.
     pub fn new(pair: &Pair) -> Option<Self> {
-        let yield_point = pair.yield_point?;
-        let YieldPoint { strength, poissons_ratio, .. } = yield_point;
-        Some(Self { pair: *pair, yield_point, yield_strength: strength, poissons_ratio })
+        Some(Self { pair: *pair, yield_point: pair.yield_point? })
     }
 
     /// δ_y/δ_Y of a law that yields where the largest Hertz pressure is `factor` σ_Y: (C/C_ν)².
@@ -69,7 +63,7 @@ impl Bodies {
 
     /// σ_Y/E*.
     pub fn yield_strain(&self) -> f64 {
-        self.yield_strength / self.pair.effective_modulus
+        self.yield_point.strength / self.pair.effective_modulus
     }
 
     /// a_Y/R = √(δ_Y/R), with R of the finite geometry.
@@ -80,9 +74,9 @@ impl Bodies {
     /// E of the softer body \[Pa\].
     pub fn modulus(&self) -> f64 {
         let Pair { sphere_compliance, half_space_compliance, .. } = self.pair;
-        let compliance = self.yield_point.flow.of_softer([sphere_compliance, half_space_compliance]);
-        let plane_strain = self.pair.effective_modulus / compliance;
-        plane_strain * (1.0 - self.poissons_ratio * self.poissons_ratio)
+        let YieldPoint { flow, poissons_ratio, .. } = self.yield_point;
+        let plane_strain = self.pair.effective_modulus / flow.of_softer([sphere_compliance, half_space_compliance]);
+        plane_strain * (1.0 - poissons_ratio * poissons_ratio)
     }
 
     /// Slope df/dx of F = s π R p δ, with p = `pressure` σ_Y: (3/2) s p/C_ν.
@@ -99,17 +93,17 @@ pub trait ContactLaw: Debug {
     /// The whole law.
     ///
     /// # Errors
-    /// [`OutsideLaw::Incomplete`] for a law that lacks its loading.
+    /// [`OutsideLaw::Incomplete`] for a law that lacks its loading; of the PLM [`OutsideLaw::BothFlow`] and [`OutsideLaw::Flow`].
     fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
         let LawParts { loading, recovery } = self.rules(bodies);
         Ok(Law::published(loading?, recovery))
     }
 
-    /// The whole law of a pair of bodies; `None` for bodies without a yield strength, whose every contact is Hertz's.
+    /// The whole law of a pair of bodies. Without a yield strength every contact is Hertz's.
     ///
     /// # Errors
     /// As of [`ContactLaw::law`].
-    fn of_pair(&self, pair: &Pair) -> Result<Option<Law>, OutsideLaw> {
-        Bodies::new(pair).map(|bodies| self.law(&bodies)).transpose()
+    fn of_pair(&self, pair: &Pair) -> Result<Law, OutsideLaw> {
+        Bodies::new(pair).map_or_else(|| Ok(Law::hertz()), |bodies| self.law(&bodies))
     }
 }

@@ -118,10 +118,9 @@ impl Law {
         if let Some(unloading) = self.relaxed_at(x) {
             return unloading;
         }
-        let peak = |elastic_approach| ContactState { indentation: x, force, elastic_approach };
         match self.rule_at(x) {
-            LoadingRule::Elastic => Unloading::power(peak(x), 1.5),
-            LoadingRule::Polyline(rule) => rule.unloading(peak(rule.elastic_approach(x, force)), spent),
+            LoadingRule::Elastic => Unloading::power(ContactState { indentation: x, force, elastic_approach: x }, 1.5),
+            LoadingRule::Polyline(rule) => rule.unloading(rule.state(x, force), spent),
             LoadingRule::Published(rule) => rule.unloading(x, force, spent),
         }
     }

@@ -15,8 +15,8 @@ use thiserror::Error;
 
 use crate::contact::law::{Branch, ContactLaw, ContactState, Law, OutsideLaw};
 use crate::contact::material::{HalfSpace, Hollow, Material, OutOfFloatRange, Pair, PairError, Sphere, normal};
+use crate::impact::scales::Units;
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
-use crate::numerics::functions::pow;
 use machine::{Machine, Stroke};
 pub use specimen::{Specimen, Tested};
 
@@ -157,17 +157,6 @@ pub struct Indenter {
     pub yield_strength: Option<f64>,
 }
 
-/// Units of the dimensionless law.
-#[derive(Debug, Clone, Copy)]
-struct Units {
-    /// \[m\]
-    length: f64,
-    /// \[N\]
-    force: f64,
-    /// Hertz contact radius at one unit of length \[m\].
-    contact_radius: f64,
-}
-
 /// An indenter on a half-space under a law.
 #[derive(Debug, Clone)]
 pub struct StaticContact {
@@ -189,15 +178,9 @@ impl StaticContact {
         let radius = indenter.radius;
         let Indenter { material, yield_strength, .. } = indenter;
         let pair = Pair::try_new(&Sphere { radius, material, density: f64::NAN, yield_strength }, half_space)?;
-        let law = law.of_pair(&pair)?;
-        let (units, law) = if let (Some(point), Some(law)) = (pair.yield_point, law) {
-            (Units { length: point.indentation, force: point.force, contact_radius: point.contact_radius }, law)
-        } else {
-            let deep = pair.hertz_stiffness() * pow(radius, 1.5);
-            let force = normal("force of a Hertz contact one radius deep (N)", deep)?;
-            (Units { length: radius, force, contact_radius: radius }, Law::hertz())
-        };
-        Ok(Self { indenter, strength: half_space.yield_strength, pair, units, law })
+        let units = Units::of(&pair);
+        normal("force of the contact at first yield, or one radius deep (N)", units.force)?;
+        Ok(Self { indenter, strength: half_space.yield_strength, pair, units, law: law.of_pair(&pair)? })
     }
 
     pub fn pair(&self) -> &Pair {
@@ -264,7 +247,7 @@ impl StaticContact {
 
     fn step(&self, target: Target, stroke: &Stroke) -> Result<Step, OutOfFloatRange> {
         let Units { length, force, contact_radius } = self.units;
-        let energy = force * length;
+        let energy = self.units.energy();
         let end = stroke.end();
         let row = self.row(0, stroke, end);
         let unloading = &stroke.memory;

@@ -37,10 +37,12 @@ fn unloaded() -> Result<Vec<Unloaded>, Error> {
 /// The unloadings of the case that has these materials, by rising depth; none for other materials. Quasi-static results in
 /// units of the yield point do not depend on the radius.
 pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded> {
-    let materials = [sphere_modulus, bodies.modulus(), bodies.yield_strength];
+    let materials = [sphere_modulus, bodies.modulus(), bodies.yield_point.strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;
     let case = MATERIALS.iter().find(|(_, of_case)| of_case.iter().copied().zip(materials).all(is_near));
-    let Some((case, _)) = case.filter(|_| (bodies.poissons_ratio - 0.3).abs() <= 1e-9) else { return Vec::new() };
+    let Some((case, _)) = case.filter(|_| (bodies.yield_point.poissons_ratio - 0.3).abs() <= 1e-9) else {
+        return Vec::new();
+    };
     let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.material == *case).collect();
     rows.sort_by(|a, b| a.x.total_cmp(&b.x));
     rows

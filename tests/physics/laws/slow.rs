@@ -18,7 +18,7 @@ fn pressed(law: &LawChoice) -> StaticContact {
 fn an_indentation_gives_back_what_the_impact_to_its_depth_does() {
     let scene = Scene::case_3();
     let point = bodies(&scene).yield_point;
-    let yield_speed = point.speed(scene.parts().0.mass()).unwrap();
+    let yield_speed = scene.contact().yield_speed().unwrap();
     for (name, law) in whole_laws() {
         let (moving, slow) = (scene.contact_by(law.get()), pressed(&law));
         let mut compared = 0;

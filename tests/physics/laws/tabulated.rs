@@ -97,7 +97,7 @@ fn the_tabulated_dents_of_the_fully_plastic_law_need_half_its_pressure() {
         assert!(dent(radius) < tabulated - 0.03);
         let pressure = peak.force * bodies.yield_point.force
             / (std::f64::consts::PI * (radius * bodies.yield_point.contact_radius).powi(2));
-        assert!(off(pressure, 3.0 * bodies.yield_strength) < 1e-12);
+        assert!(off(pressure, 3.0 * bodies.yield_point.strength) < 1e-12);
     }
 }
 

@@ -15,7 +15,8 @@ fn by_name(name: &str) -> LawChoice {
 
 /// The yield speed v_Y by C_ν, which is the unit of speed for every law.
 fn unit_speed(contact: &Contact) -> f64 {
-    contact.pair().yield_point.unwrap().speed(contact.mass()).unwrap()
+    let point = contact.pair().yield_point.unwrap();
+    (0.8 * point.force / contact.mass() * point.indentation).sqrt()
 }
 
 /// The gravity at which the weight of the sphere is `share` of F_Y.

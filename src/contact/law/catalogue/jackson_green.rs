@@ -66,7 +66,7 @@ fn residual(x: f64) -> f64 {
 
 impl ContactLaw for JacksonGreen {
     fn rules(&self, bodies: &Bodies) -> LawParts {
-        let factor = self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.poissons_ratio));
+        let factor = self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.yield_point.poissons_ratio));
         let (s, strain) = (bodies.yield_at(factor), bodies.yield_strain());
         // a/R = π C σ_Y/(2E*) x^½ (x/1.9)^(B/2), in units of the law
         let b = 0.14 * exp(23.0 * strain);

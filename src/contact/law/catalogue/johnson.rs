@@ -29,7 +29,7 @@ pub struct Johnson {
 
 impl ContactLaw for Johnson {
     fn rules(&self, bodies: &Bodies) -> LawParts {
-        let pressure = self.dynamic_pressure.map_or(3.0, |pressure| pressure / bodies.yield_strength);
+        let pressure = self.dynamic_pressure.map_or(3.0, |pressure| pressure / bodies.yield_point.strength);
         let slope = bodies.slope_of_pressure(2.0, pressure);
         let loading = Loading::new(Curve::straight(slope), 0.0, |x, _| (2.0 * x).sqrt());
         LawParts::of(loading, hertzian(|peak| peak.force / peak.radius))

@@ -46,7 +46,7 @@ const LIMITS: [f64; 3] = [1.0, 6.0, 110.0];
 
 impl ContactLaw for KogutEtsion {
     fn rules(&self, bodies: &Bodies) -> LawParts {
-        let factor = self.yield_factor.unwrap_or(HARDNESS * (0.454 + 0.41 * bodies.poissons_ratio));
+        let factor = self.yield_factor.unwrap_or(HARDNESS * (0.454 + 0.41 * bodies.yield_point.poissons_ratio));
         let s = bodies.yield_at(factor);
         // f = 2π R H δ in units of ω_c and its force
         let plastic = 3.0 * HARDNESS / factor;

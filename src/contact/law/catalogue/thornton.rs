@@ -36,7 +36,8 @@ pub(super) fn elastic_approach(force: f64) -> f64 {
 impl ContactLaw for Thornton {
     fn rules(&self, bodies: &Bodies) -> LawParts {
         // δ_y/δ_Y
-        let yields = self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_strength));
+        let yields =
+            self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_point.strength));
         let unit = yields * yields.sqrt();
         let loading = Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt());
         LawParts::of(loading, hertzian(move |peak| yields * elastic_approach(peak.force / unit)))

@@ -99,7 +99,7 @@ impl Plm {
         let [sphere, half_space] = &self.flow;
         let flows = bodies.yield_point.flow;
         let Some(flow) = flows.of_softer([sphere, half_space]) else { return (perfect, rule) };
-        let slow = bodies.yield_strength / flows.of_softer(self.rate_factors);
+        let slow = bodies.yield_point.strength / flows.of_softer(self.rate_factors);
         let rise = flow.rise(slow, bodies.modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
         (Arc::new(hardening.loading(&perfect)), PlmRule { hardening: Some(hardening), ..rule })
@@ -122,41 +122,27 @@ impl Plm {
 impl ContactLaw for Plm {
     fn rules(&self, bodies: &Bodies) -> LawParts {
         let (curve, rule) = self.halves(bodies);
-        let (limits, of_unloading) = (rule.limits(), rule.clone());
-        let radius = move |indentation, force| {
-            let elastic_approach = rule.elastic_approach(indentation, force);
-            rule.contact_radius(&ContactState { indentation, force, elastic_approach })
-        };
+        let (limits, of_radius) = (rule.limits(), rule.clone());
+        let radius = move |x, force| of_radius.contact_radius(&of_radius.state(x, force));
         let recovery = move |at: PeakState| {
-            let of_plm = || of_unloading.elastic_approach(at.indentation, at.force);
-            let elastic_approach = at.elastic_approach.unwrap_or_else(of_plm);
-            let peak =
-                |elastic_approach| ContactState { indentation: at.indentation, force: at.force, elastic_approach };
-            let exponent = match of_unloading.exponent {
-                UnloadingExponent::Paper => 1.5,
-                UnloadingExponent::Fixed(n) => n,
-                UnloadingExponent::PressureShape => of_unloading.pressure_shape(&peak(elastic_approach)),
-            };
+            let of_plm = rule.state(at.indentation, at.force);
+            let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
+            let exponent = rule.asked(&ContactState { elastic_approach, ..of_plm });
             Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
         };
         LawParts::of(Loading { curve, limits, radius: Arc::new(radius) }, Arc::new(recovery))
     }
 
     fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
-        Ok(self.of_bodies(bodies))
-    }
-
-    fn of_pair(&self, pair: &Pair) -> Result<Option<Law>, OutsideLaw> {
-        let Some(bodies) = Bodies::new(pair) else { return Ok(None) };
         let flows = bodies.yield_point.flow;
         let [sphere, half_space] = &self.flow;
         if flows.is_of_both() && (sphere.is_some() || half_space.is_some()) {
             return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
         }
         if let Some(flow) = flows.of_softer([sphere, half_space]) {
-            flow.is_flatter_than(bodies.modulus(), bodies.yield_strength / flows.of_softer(self.rate_factors))?;
+            flow.is_flatter_than(bodies.modulus(), bodies.yield_point.strength / flows.of_softer(self.rate_factors))?;
         }
-        Ok(Some(self.of_bodies(&bodies)))
+        Ok(self.of_bodies(bodies))
     }
 }
 
@@ -172,7 +158,7 @@ mod tests {
             let sphere = Sphere::elastic(5e-3, Material { youngs_modulus: modulus, poissons_ratio: 0.3 }, 7850.0);
             let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
             let half_space = HalfSpace::flat(steel, Some(strength));
-            plm.of_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().unwrap().loading
+            plm.of_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().loading
         };
         let plm = Plm::default();
         let first = of(&plm, 210e9, 3e8);

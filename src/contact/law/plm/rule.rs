@@ -30,6 +30,12 @@ impl PlmRule {
         Limits::of(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.widest))
     }
 
+    /// The state at a point (x, f) of the loading curve.
+    #[inline(always)]
+    pub(crate) fn state(&self, x: f64, force: f64) -> ContactState {
+        ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
+    }
+
     /// ε at a point (x, f) of the loading curve.
     #[inline(always)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
@@ -67,7 +73,7 @@ impl PlmRule {
 
     /// At (x, f) of a law without a flat: A, in units of the strength that the body that flows has reached there, and a/a_Y.
     pub(super) fn radii(&self, x: f64, force: f64) -> [f64; 2] {
-        let peak = ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) };
+        let peak = self.state(x, force);
         let equivalent = self.equivalent(&peak);
         let of = |hardening: &Hardening| hardening.shape(x, equivalent).equivalent;
         [self.hardening.as_ref().map_or(equivalent, of), self.contact_radius(&peak)]
@@ -91,7 +97,7 @@ impl PlmRule {
 
     /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
     #[inline(always)]
-    pub(super) fn pressure_shape(&self, peak: &ContactState) -> f64 {
+    fn pressure_shape(&self, peak: &ContactState) -> f64 {
         let equivalent = self.equivalent(peak);
         match &self.hardening {
             None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
