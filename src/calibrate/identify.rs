@@ -1,4 +1,4 @@
-//! Whether the measurements determine the keys that are wanted, and if not, which other measurement would.
+//! A check before the fit: do the measurements determine the wanted keys? If not, it names another measurement that would.
 //!
 //! A law has an error of one or two per cent. If the keys can be changed together while all predictions stay the same
 //! within this error, the measurements do not determine them, even if there are many of them with little noise.

@@ -59,7 +59,7 @@ impl Range {
     }
 }
 
-/// Whether two sums differ only by rounding.
+/// True if two sums differ only by rounding.
 pub fn is_same(a: f64, b: f64) -> bool {
     a == b || (a - b).abs() <= 1e-11 * a.abs().max(b.abs()) + 1e-24
 }

@@ -68,7 +68,7 @@ pub struct Calibration<'a> {
     pub laws: Vec<LawFit<'a>>,
 }
 
-/// Whether a law fits its measurements.
+/// The answer to the question if a law fits its measurements.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
     /// The law fits within the noise.
@@ -82,7 +82,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// Whether the law fits; `None` if these measurements cannot tell.
+    /// True if the law fits; `None` if these measurements cannot tell.
     pub fn fits(&self) -> Option<bool> {
         match self {
             Self::Fits => Some(true),
@@ -103,7 +103,7 @@ impl Verdict {
 }
 
 impl Calibration<'_> {
-    /// Whether the law fits: by the outliers, then by chi-square if the noise is known, or by the signs of the residuals if it
+    /// True if the law fits: by the outliers, then by chi-square if the noise is known, or by the signs of the residuals if it
     /// is estimated.
     pub fn verdict(&self) -> Verdict {
         let values = self.residuals.len();

@@ -148,7 +148,7 @@ impl OutputDirectory {
         &self.path
     }
 
-    /// Whether files of others may be replaced.
+    /// True if files of others may be replaced.
     pub fn is_forced(&self) -> bool {
         self.is_forced
     }
@@ -172,7 +172,7 @@ impl OutputDirectory {
         }
     }
 
-    /// Whether a file of this name may be written. Where no summary says that the results there are of the same scenario, a file
+    /// True if a file of this name may be written. Where no summary says that the results there are of the same scenario, a file
     /// gives way only to one that begins with the same line, as a table does to another of the same columns.
     ///
     /// # Errors

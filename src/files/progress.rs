@@ -42,7 +42,7 @@ impl Counter {
         self.stop.store(true, Ordering::Relaxed);
     }
 
-    /// Whether the computation has to stop. It then ends soon and gives no result.
+    /// True if the computation has to stop. It then ends soon and gives no result.
     pub fn is_stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }

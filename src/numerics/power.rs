@@ -123,7 +123,8 @@ pub fn turning_time(exponent: f64) -> f64 {
 }
 
 fn other_turning_time(exponent: f64) -> f64 {
-    /// The same for a = 1/(n + 1) from 1/3 to 1/2, by the powers of 12 (a − 5/12); off by less than rounding.
+    /// The coefficients for a = 1/(n + 1) from 1/3 to 1/2, in powers of 12 (a − 5/12). The error of the series is
+    /// less than rounding.
     const USUAL: [f64; 12] = [
         1.488_564_008_466_679_4,
         0.084_214_351_498_150_6,

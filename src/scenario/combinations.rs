@@ -166,7 +166,7 @@ impl Scenario {
         refused
     }
 
-    /// Whether a key or a table is given, or a key of it varies.
+    /// True if a key or a table is given, or a key of it varies.
     pub(super) fn gives(&self, path: &str) -> bool {
         // a value that is refused is given too
         let is_axis = |table: &&str| self.document.has(&format!("{table}.{path}"));

@@ -50,7 +50,7 @@ impl Kind {
         }
     }
 
-    /// Whether it is a table, which is made row after row.
+    /// True if it is a table, which is made row after row.
     pub fn is_table(self) -> bool {
         matches!(self, Self::Sweep | Self::MonteCarlo)
     }

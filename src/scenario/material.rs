@@ -78,7 +78,7 @@ impl Varied {
         }
     }
 
-    /// Whether a key takes its value from the material: it has a use, and neither the key nor another in its place is given.
+    /// True if a key takes its value from the material: it has a use, and neither the key nor another in its place is given.
     fn is_left(&self, input: &Input, document: &Document, body: Body, key: &Key) -> bool {
         let has = |path: &str| document.has(path);
         let varied = self.paths();
@@ -108,7 +108,7 @@ impl Varied {
     }
 }
 
-/// Whether the scenario says `rate = "material"` of a body.
+/// True if the scenario says `rate = "material"` of a body.
 pub(super) fn asks_material(input: &Input, body: Body) -> bool {
     input.text(body.rate_keys().word).is_some()
 }

@@ -168,13 +168,13 @@ impl Scenario {
         Error::all(mistakes).map_or(Ok(scenario), Err)
     }
 
-    /// Whether the scenario, or a material that it names, gives a key, or the scenario has a table.
+    /// True if the scenario, or a material that it names, gives a key, or the scenario has a table.
     fn has(&self, path: &str) -> bool {
         let is_taken = || self.input.materials().iter().flat_map(BodyMaterial::values).any(|(given, _)| given == path);
         self.document.has(path) || is_taken()
     }
 
-    /// Whether a key varies over the cases of a table, or is to be found.
+    /// True if a key varies over the cases of a table, or is to be found.
     fn varies(&self, path: &str) -> bool {
         self.varied.paths().contains(&path)
     }

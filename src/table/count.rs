@@ -38,7 +38,7 @@ pub struct Tally {
     pub failures: u64,
     /// Rows outside the range of the law.
     pub outside_law: u64,
-    /// Whether values are random; only then e goes into the statistics.
+    /// True if values are random; only then e goes into the statistics.
     is_random: bool,
     /// Statistics of e; empty if the values are not random.
     pub statistics: Statistics,

@@ -96,7 +96,7 @@ struct Known {
     /// The yield strengths of sphere and half-space.
     strengths: [Option<f64>; 2],
     contact: Result<Contact, Failure>,
-    /// What leaves e open, where the table shows it.
+    /// The uncertainty of e, if the table has columns for it.
     doubt: Option<Doubt>,
 }
 
@@ -132,9 +132,9 @@ fn shows_band(plan: &Plan) -> bool {
 #[derive(Debug)]
 pub struct Evaluator<'a> {
     plan: &'a Plan,
-    /// Whether the yield strengths of sphere and half-space follow from the swept values ([`Plan::derives_strength`]).
+    /// True if the yield strengths of sphere and half-space follow from the swept values ([`Plan::derives_strength`]).
     derives: [bool; 2],
-    /// Whether the table shows the band of e.
+    /// True if the table shows the band of e.
     has_band: bool,
     /// Input and contact of every combination of the axes that change the contact. Empty if there are too many
     /// combinations.

@@ -56,7 +56,7 @@ impl Layout {
         Self { rows, rows_per_part: rows_per_part.max(rows.div_ceil(MOST_PARTS).next_multiple_of(16)) }
     }
 
-    /// Whether the table is written in parts, with which the same command goes on: a shard, a large table, or one that was
+    /// True if the table is written in parts, with which the same command goes on: a shard, a large table, or one that was
     /// begun so.
     pub fn is_in_parts(&self, shard: Option<Shard>, directory: &OutputDirectory) -> bool {
         shard.is_some() || self.parts() > ONE_FILE || directory.path().join(IDENTITY).exists()
@@ -135,7 +135,7 @@ impl Identity {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Whether the table was begun in parts here, perhaps by another process. Parts of another table are refused, or removed
+    /// True if the table was begun in parts here, perhaps by another process. Parts of another table are refused, or removed
     /// by force.
     ///
     /// # Errors

@@ -36,7 +36,7 @@ impl Shard {
         Err(Error::input(format!("--shard: {problem}")))
     }
 
-    /// Whether a part belongs to this shard.
+    /// True if a part belongs to this shard.
     pub fn has(self, part: u64) -> bool {
         part % self.count == self.index
     }

@@ -15,7 +15,7 @@ use plm_impact::table::parts::make_way;
 
 use super::watched::{Signals, Watch};
 
-/// What is written, and where.
+/// The options that say which files are written, and where.
 #[derive(Debug, Args)]
 #[allow(clippy::struct_excessive_bools)] // each is an option
 pub struct Output {
@@ -151,7 +151,7 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     PossibleValuesParser::new(all.map(name)).try_map(find)
 }
 
-/// What pictures are written as.
+/// The option with the format of pictures.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PictureArguments {
     /// What pictures are written as: svg stays sharp in any size, and its text can be searched; narrow-svg fits a column of a paper

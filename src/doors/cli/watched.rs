@@ -33,7 +33,7 @@ pub struct Signals {
     is_set: Arc<AtomicBool>,
     /// The exit code after the signal that was received.
     code: Arc<AtomicUsize>,
-    /// Whether signals end the process, as they do by default.
+    /// True if signals end the process, as they do by default.
     is_off: Arc<AtomicBool>,
 }
 

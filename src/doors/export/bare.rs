@@ -1,5 +1,5 @@
-//! What a code for many spheres needs of a scenario: the bodies with plate and damping, and the speed. All other forces and the
-//! path of the sphere are those of that code.
+//! The part of a scenario that a code for many spheres takes over: the bodies with plate and damping, and the speed. That code
+//! has its own way to compute all other forces and the path of the sphere.
 
 use crate::contact::material::Hold;
 use crate::error::{Error, ErrorKind};
@@ -18,7 +18,7 @@ pub(super) struct Bare {
     pub ball: Option<f64>,
     /// The coefficient of friction, if the scenario has one.
     pub friction: Option<f64>,
-    /// What the scenario has besides, and what was made of it.
+    /// A sentence for every other part of the scenario: it says that the part is left out, or what replaces it.
     pub left_out: Vec<String>,
 }
 

@@ -29,7 +29,7 @@ named! {
 }
 
 impl Target {
-    /// Whether the code reads a table e(v).
+    /// True if the code reads a table e(v).
     pub(super) fn takes_table(self) -> bool {
         self == Self::Csv
     }

@@ -13,7 +13,8 @@ use crate::error::{Details, Error};
 use crate::scenario::Scenario;
 use crate::scenario::Source;
 
-/// What `__reduce__` returns: a function, and the arguments with which it makes the object anew.
+/// The return value of `__reduce__`, by which Python pickles an object: a function, and the arguments with which this function
+/// makes the object again.
 pub type Reduced<'py, Arguments> = PyResult<(Bound<'py, PyAny>, Arguments)>;
 
 /// A function of `plm_impact._convert`.
@@ -21,7 +22,7 @@ pub fn python<'py>(py: Python<'py>, function: &str) -> PyResult<Bound<'py, PyAny
     py.import("plm_impact._convert")?.getattr(function)
 }
 
-/// What a notebook shows of an object: its text, and a picture.
+/// The HTML by which a notebook shows an object: its text, and a picture.
 pub fn html<'py>(shown: &Bound<'py, PyAny>, picture: Option<Bound<'py, PyBytes>>) -> PyResult<Bound<'py, PyAny>> {
     shown.py().import("plm_impact._results")?.call_method1("html_of", (shown.repr()?, picture))
 }

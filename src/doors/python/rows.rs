@@ -53,7 +53,7 @@ pub fn values(named: &Named, rows: &Rows) -> Vec<Vec<f64>> {
     named.iter().map(|(_, column)| column.values(rows)).collect()
 }
 
-/// What is said of rows without a result, by the column of the status.
+/// The warning about rows without a result. The column of the status gives the reason for each row.
 pub fn failures(status: &[f64]) -> Option<String> {
     let mut failed = status.iter().filter(|code| **code > 0.0);
     let name = arrow::failure(*failed.next()?).map_or("", Failure::name);

@@ -28,7 +28,7 @@ pub fn run(name: &str, text: &str, data: Option<String>, is_narrow: bool) -> Str
     reply(scenario(name, text, data).and_then(|scenario| answer::run(&scenario, pictures)))
 }
 
-/// What is understood of a scenario, and its warnings.
+/// Reads a scenario, and gives its inputs and warnings without a run.
 #[wasm_bindgen]
 pub fn check(name: &str, text: &str, data: Option<String>) -> String {
     let checked = scenario(name, text, data).and_then(|scenario| crate::report::run::check(&scenario));

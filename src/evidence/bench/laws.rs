@@ -10,7 +10,7 @@ use crate::impact::oblique::{Approach, Incidence};
 use crate::impact::{ImpactError, Solver};
 use crate::numerics::functions::pow;
 
-/// What was measured of a law.
+/// The measured times of a law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rate {
     /// Its name, with what is more.

@@ -10,10 +10,10 @@ use crate::numerics::functions::pow;
 use crate::numerics::integrate::{Effort, IntegrationError};
 use crate::numerics::power::max_or_nan;
 
-/// What is measured, in the order of the report.
+/// The methods that are measured, in the order of the report.
 pub const METHODS: [Method; 5] = [Method::Rk8, Method::Dop853, Method::Dopri5, Method::Verlet, Method::ClosedForm];
 
-/// Whether a method solves a problem: there is no closed form under viscous damping, or on a plate.
+/// True if a method solves a problem: there is no closed form under viscous damping, or on a plate.
 pub fn serves(method: Method, problem: &Problem) -> bool {
     method != Method::ClosedForm || problem.forces.is_none()
 }
@@ -44,7 +44,7 @@ pub enum Rung {
 /// The phases of [`Rung::Steps`].
 const PHASES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-/// What was measured of a setting.
+/// The measured error and time of a method with one setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     pub method: Method,
@@ -63,7 +63,7 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// Whether e is within the threshold, contact time and peak force within 30 times it.
+    /// True if e is within the threshold, contact time and peak force within 30 times it.
     pub fn reaches(&self, threshold: f64) -> bool {
         self.restitution_error <= threshold
             && max_or_nan(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold

@@ -23,13 +23,13 @@ use crate::numerics::power::turning_time;
 #[derive(Debug, Clone)]
 pub struct Problem {
     pub name: &'static str,
-    /// What it is, for a reader of the report.
+    /// A description for a reader of the report.
     pub about: &'static str,
     /// The law, in units of the yield indentation and force.
     pub law: Law,
     /// q = v/V.
     pub speed: f64,
-    /// What acts beside the law.
+    /// The forces in addition to that of the law.
     pub forces: ScaledForces,
     /// The exact outcome: e and contact time from 16 or more printed digits, the peak by the balance of energy. The hardened
     /// problem has that of the closed form, the damped one that of rk8 at a tolerance of 1e-14, the plate that of 30-digit

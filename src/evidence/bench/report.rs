@@ -93,7 +93,7 @@ pub fn page(all: &[Measured], laws: &[Rate], tables: &[TableRate]) -> String {
     )
 }
 
-/// What is said of the speed of a table.
+/// The sentence about the speed of a table.
 fn sentence(table: &TableRate) -> String {
     let [computed, csv, parquet] = table.rows_per_second.map(|rate| format!("{:.1}", 1e-6 * rate));
     let parquet = if cfg!(feature = "parquet") { parquet } else { "(built without it)".to_owned() };

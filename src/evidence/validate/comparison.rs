@@ -16,7 +16,7 @@ pub struct Group {
     pub source: &'static str,
     /// Unit of the numbers; empty for plain numbers.
     pub unit: &'static str,
-    /// Whether the deviation is the difference of the numbers, because both are shares of another number.
+    /// True if the deviation is the difference of the numbers, because both are shares of another number.
     pub is_difference: bool,
 }
 

@@ -58,7 +58,7 @@ impl Crossing {
         Self { piece, start, work, coefficients }
     }
 
-    /// Whether the series is good for a sphere of this energy.
+    /// True if the series is good for a sphere of this energy.
     #[inline(always)]
     pub(super) fn is_good(&self, kinetic: f64) -> bool {
         self.work <= LARGEST_SHARE * kinetic

@@ -26,7 +26,7 @@ pub struct Curve {
     crossings: Option<Once<Vec<Crossing>>>,
 }
 
-/// What follows from all that stands beside it, made when it is first asked for.
+/// A value that follows from the other fields of its struct. It is computed when it is first needed.
 #[derive(Debug, Clone)]
 pub struct Once<T>(pub(crate) OnceLock<T>);
 
@@ -127,7 +127,7 @@ impl Curve {
         self
     }
 
-    /// Whether pieces of it stand for a formula.
+    /// True if pieces of it stand for a formula.
     pub(crate) fn has_formula(&self) -> bool {
         self.pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)))
     }

@@ -82,7 +82,7 @@ pub struct Piece {
     pub force: f64,
     /// w(x_i), the work from first touch to here.
     pub work: f64,
-    /// Whether the formula of the piece before goes on here: no knot of the law.
+    /// True if the formula of the piece before goes on here: no knot of the law.
     pub is_joint: bool,
     pub shape: Shape,
 }

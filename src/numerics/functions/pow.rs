@@ -74,7 +74,8 @@ const fn step_of_logarithm(k: f64) -> Sum {
     total
 }
 
-/// Of an interval of z: 1/c for a c in its middle (1 beside 1), and ln c on the grid and the rest.
+/// The constants of an interval of z: 1/c for a number c in its middle (c = 1 near 1), and ln c as a number on the grid plus a
+/// rest.
 #[derive(Clone, Copy)]
 struct Near {
     inverse: f64,
@@ -196,7 +197,7 @@ pub fn pow(x: f64, y: f64) -> f64 {
     at_the_ends(x, y)
 }
 
-/// The same for zeros, infinities, numbers below the normal ones and negative x.
+/// x^y for the special cases: zeros, infinities, subnormal numbers and negative x.
 #[cold]
 #[inline(never)]
 fn at_the_ends(x: f64, y: f64) -> f64 {

@@ -224,7 +224,7 @@ fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
     }
 }
 
-/// Whether a step to this node may have passed an event.
+/// True if a step to this node may have passed an event.
 #[inline]
 fn may_end<P: Dragged>(path: &Path, end: f64, from: &DraggedState, to: &DraggedState) -> bool {
     let sign = path.leg.direction();

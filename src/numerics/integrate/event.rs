@@ -94,7 +94,7 @@ impl DenseStep<'_> {
     }
 }
 
-/// Whether the contact force no longer rises at a node.
+/// True if the contact force no longer rises at a node.
 pub(super) fn has_crested<P: Dragged>(path: &Path, node: &DraggedState) -> bool {
     path.growth_of_force(P::distance_at(node[0]), node[1]) <= 0.0
 }

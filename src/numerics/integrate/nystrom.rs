@@ -78,7 +78,7 @@ const EV_REST: [f64; 7] = [EV[1], EV[2], EV[3], EV[4], EV[5], EV[6], EV[7]];
 /// Evaluations of g a step costs: stages 2 … 9.
 pub const EVALUATIONS: u64 = 8;
 
-/// What a step of length h gives.
+/// The results of a step of length h.
 #[derive(Debug, Clone, Copy)]
 pub struct Step {
     /// y at the end.

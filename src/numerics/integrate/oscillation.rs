@@ -112,7 +112,7 @@ mod tests {
     use crate::numerics::integrate::piece::straight::DraggedStraight;
     use approx::assert_abs_diff_eq;
 
-    /// The same way by steps at a tolerance of 1e-13: to the end of the piece, and to the turning point.
+    /// The closed form is compared with steps at a tolerance of 1e-13, to the end of the piece and to the turning point.
     #[test]
     fn steps_lead_to_the_same_state() {
         for (end, eta, theta) in [(0.3, 0.2, 0.0), (9.0, 0.2, 0.0), (0.3, 1.5, 0.1), (9.0, 1.0, 0.3), (9.0, 0.0, 0.4)] {

@@ -46,7 +46,7 @@ pub struct Sizes {
     pub speed: f64,
 }
 
-/// What resists motion beside the restoring force g: drag = (χ g + η √g') d' + θ g' d'.
+/// The drag, a force against the motion in addition to the restoring force g: drag = (χ g + η √g') d' + θ g' d'.
 ///
 /// The first two terms are in the contact: they are a part of its force, and so they count where it vanishes and where it is
 /// largest. The third acts on the motion alone, as where the ground gives way at a speed in proportion to the force.
@@ -63,17 +63,17 @@ pub struct Drag {
 impl Drag {
     pub const NONE: Self = Self { chi: 0.0, eta: 0.0, theta: 0.0 };
 
-    /// Whether any of it is a part of the contact force.
+    /// True if any part of the drag is a part of the contact force.
     pub(crate) fn is_in_contact(self) -> bool {
         self.chi != 0.0 || self.eta != 0.0
     }
 
-    /// Whether the contact force can vanish before the restoring force does.
+    /// True if the contact force can vanish before the restoring force does.
     pub(crate) fn lifts_off(self) -> bool {
         self.eta > 0.0
     }
 
-    /// Whether the stiffness counts.
+    /// True if the drag depends on the stiffness g'.
     pub(super) fn needs_slope(self) -> bool {
         self.eta != 0.0 || self.theta != 0.0
     }
@@ -199,12 +199,12 @@ impl Path<'_> {
         max_or_nan(at(begun), at(end))
     }
 
-    /// Whether the contact force can vanish before the restoring force does.
+    /// True if the contact force can vanish before the restoring force does.
     pub(crate) fn can_lift_off(&self) -> bool {
         matches!(self.leg, Leg::Back(_)) && self.drag.lifts_off()
     }
 
-    /// Whether this state counts as rest.
+    /// True if the sphere counts as at rest in this state.
     pub(crate) fn is_at_rest(&self, distance: f64, speed: f64) -> bool {
         self.rest.is_some_and(|rest| rest.excess(distance, speed) <= 0.0)
     }

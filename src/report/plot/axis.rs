@@ -34,7 +34,7 @@ pub struct Axis {
     /// The unit, such as "m/s"; empty for a plain number.
     pub unit: String,
     pub scale: Scale,
-    /// Whether values are shown with a fitting SI prefix (only on axes whose unit has no prefix).
+    /// True if values are shown with a fitting SI prefix (only on axes whose unit has no prefix).
     pub is_engineering: bool,
     /// Lower and upper end, in the unit of the values; `None` to fit them to the data.
     pub range: Option<(f64, f64)>,
@@ -105,7 +105,7 @@ pub fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }
 
-/// Whether a range is empty or too short to differ from one value.
+/// True if a range is empty or too short to differ from one value.
 fn is_one_value(low: f64, high: f64) -> bool {
     high - low <= 1e-9 * high.abs().max(low.abs())
 }

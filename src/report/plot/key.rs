@@ -173,7 +173,7 @@ fn joined(text: &str) -> String {
     joined.collect()
 }
 
-/// Whether a place lies inside a closed line: a ray from it to the right crosses the line an odd number of times.
+/// True if a place lies inside a closed line: a ray from it to the right crosses the line an odd number of times.
 fn is_in_area((x, y): Point, line: &[Point]) -> bool {
     let ends = line.iter().zip(line.iter().cycle().skip(1));
     let crosses = |(a, b): &(&Point, &Point)| (a.1 > y) != (b.1 > y) && x < a.0 + (y - a.1) / (b.1 - a.1) * (b.0 - a.0);

@@ -145,7 +145,7 @@ impl Series {
         }
     }
 
-    /// Whether a part of a guide is inside the box, with an allowance for rounding.
+    /// True if a part of a guide is inside the box, with an allowance for rounding.
     pub(super) fn is_visible(&self, frame: &Frame) -> bool {
         let is_share = |at: f64| (-1e-9..=1.0 + 1e-9).contains(&at);
         self.drawn(frame).iter().any(|point| is_share(frame.x.at(point.0)) && is_share(frame.y.at(point.1)))

@@ -59,7 +59,7 @@ pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
         "refusal": one.calibration.refusal.clone();
         /// Correlation of the two keys.
         "correlation": one.calibration.correlation().filter(|_| one.calibration.refusal.is_none());
-        /// Whether the law fits; `null` if these measurements cannot tell.
+        /// `true` if the law fits, `null` if these measurements cannot tell.
         "fits": one.calibration.verdict().fits();
         /// Why the law does not fit.
         "contradiction": one.calibration.verdict().contradiction();
@@ -145,7 +145,7 @@ fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
         "column": one.found().free.key.column();
         /// Range that was searched.
         "range": vec![one.found().free.from, one.found().free.to];
-        /// Whether it was searched in the logarithm.
+        /// `true` if the search used the logarithm of the value.
         "is_logarithmic": one.found().free.is_logarithmic;
         /// Best value.
         "estimate": one.found().estimate;

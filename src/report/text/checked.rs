@@ -1,4 +1,4 @@
-//! What `check --json` prints: the inputs, and the numbers that follow from them before anything is run.
+//! The output of `check --json`: the inputs, and the numbers that follow from them before anything is run.
 
 use serde_json::{Map, Value, json};
 

@@ -8,7 +8,7 @@ use crate::contact::materials::{Known, MaterialEntry, Property, all};
 use crate::units::aligned::aligned;
 use crate::units::{Dimension, four_digits, quantity};
 
-/// Whether the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
+/// True if the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
 pub fn has(entry: &MaterialEntry, text: &str) -> bool {
     let text = text.to_lowercase();
     [&entry.name, &entry.title].into_iter().any(|words| words.to_lowercase().contains(&text))

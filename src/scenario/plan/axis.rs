@@ -96,7 +96,7 @@ impl Word {
 pub struct Axis {
     pub setting: Setting,
     part: Part,
-    /// Whether pictures show it on a logarithmic scale.
+    /// True if pictures show it on a logarithmic scale.
     pub is_logarithmic: bool,
 }
 
@@ -153,7 +153,7 @@ impl Axis {
         !self.part.changes_contact()
     }
 
-    /// Whether the law with its flow curve may change along it, as it does with a material that hardens.
+    /// True if the law with its flow curve may change along it, as it does with a material that hardens.
     pub fn changes_law(&self) -> bool {
         self.part.changes_law() || !self.words().is_empty()
     }

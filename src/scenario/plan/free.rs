@@ -13,7 +13,7 @@ pub struct Free {
     pub from: f64,
     /// The upper end of its range, SI.
     pub to: f64,
-    /// Whether the scale is logarithmic: equal ratios count the same, not equal differences.
+    /// True if the scale is logarithmic: equal ratios count the same, not equal differences.
     pub is_logarithmic: bool,
     /// The scale of hardness on which the scenario gives the key, if it is one: results are on it too.
     pub hardness: Option<Scale>,

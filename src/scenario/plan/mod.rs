@@ -85,7 +85,7 @@ impl Plan {
         Body::ALL.into_iter().filter(|body| self.derives_strength(*body))
     }
 
-    /// Whether the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
+    /// True if the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
     /// with it from its moduli and its exponent of hardening.
     pub fn derives_strength(&self, body: Body) -> bool {
         let (paths, keys) = (self.paths(), body.strength_keys());
@@ -130,7 +130,7 @@ impl Plan {
         }
     }
 
-    /// Whether some rows have a hardness with a range, under a law whose error is known. One that varies by itself has none.
+    /// True if some rows have a hardness with a range, under a law whose error is known. One that varies by itself has none.
     fn has_band(&self) -> bool {
         let paths = self.paths();
         let varies = |at: At<NUMBER>| paths.contains(&at.path());
@@ -188,7 +188,7 @@ impl Plan {
         self.with_words().iter().map(|input| input.solver().method).collect()
     }
 
-    /// Whether a case has the method `closed_form`, but no closed form.
+    /// True if a case has the method `closed_form`, but no closed form.
     pub fn lacks_closed_form(&self) -> bool {
         let mut input = self.input.clone();
         for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {

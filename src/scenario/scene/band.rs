@@ -36,8 +36,8 @@ pub fn ranges(input: &Input) -> impl Iterator<Item = (Body, At<NUMBER>, &'static
     })
 }
 
-/// What leaves e open at a contact: the contacts at both ends of the range of each hardness that a material gives, and the error of
-/// the law.
+/// The two causes of the uncertainty of e at a contact. Each hardness that a material gives has a range: this holds the contacts
+/// with its lowest and its highest value. And the law itself has an error.
 #[derive(Debug)]
 pub struct Doubt {
     error: f64,

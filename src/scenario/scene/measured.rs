@@ -43,7 +43,7 @@ impl Measured {
         }
     }
 
-    /// Whether the quantity depends only on the restitution and known keys.
+    /// True if the quantity depends only on the restitution and known keys.
     pub fn is_of_restitution(self) -> bool {
         self <= Self::Leeb
     }

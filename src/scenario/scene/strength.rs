@@ -118,7 +118,7 @@ impl Input {
         Body::ALL.map(|body| self.rate(body))
     }
 
-    /// Whether a strength rises with the rate of strain.
+    /// True if a strength rises with the rate of strain.
     pub fn has_rate(&self) -> bool {
         self.rates().iter().any(Option::is_some)
     }
@@ -133,13 +133,13 @@ impl Input {
         }
     }
 
-    /// Whether a strength of the body is given.
+    /// True if a strength of the body is given.
     pub fn has_strength(&self, body: Body) -> bool {
         let keys = body.strength_keys();
         self.number(keys.yield_strength).or(self.number(keys.hardness)).is_some()
     }
 
-    /// Whether a body has a strength, without which nothing yields.
+    /// True if a body has a strength, without which nothing yields.
     pub fn can_yield(&self) -> bool {
         Body::ALL.into_iter().any(|body| self.has_strength(body))
     }

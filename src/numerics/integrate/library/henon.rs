@@ -12,7 +12,7 @@ use ode_solvers::System;
 use super::driver::{Library, Node};
 use crate::numerics::integrate::{IntegrationError, Landing, Leg, Path};
 
-/// What a landing has as its independent variable, as its place in (d, u).
+/// The independent variable of a landing, as its index in (d, u).
 const DISTANCE: usize = 0;
 const SPEED: usize = 1;
 

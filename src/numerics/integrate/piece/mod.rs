@@ -29,7 +29,7 @@ use crate::numerics::functions::powi;
 
 /// g(y) of one smooth piece without drag, with what stepping, landing and dense output need.
 pub(super) trait Field: Copy {
-    /// Whether y = d and σ = t; else y = √d and dσ = dt/(2 y).
+    /// True for y = d and σ = t; false for y = √d and dσ = dt/(2 y).
     const IS_TIME: bool;
     fn scaled(self, factor: f64) -> Self;
     /// g(y).
@@ -45,9 +45,9 @@ pub(super) trait Field: Copy {
 
 /// The variables of a piece without drag, needed where a leg begins and ends.
 pub(super) trait Variables: Field + Send + Sync + 'static {
-    /// Whether g is a polynomial, or as smooth as one, also at y = 0.
+    /// True if g is a polynomial, or as smooth as one, also at y = 0.
     const IS_POLYNOMIAL: bool;
-    /// Whether a pull may be stronger than the force.
+    /// True if a pull may be stronger than the force.
     const IS_PULLED: bool = false;
     #[inline(always)]
     fn y_at(self, distance: f64) -> f64 {
@@ -77,7 +77,7 @@ pub(super) trait Motion: Copy {
     fn rates(&self, y: f64, u: f64) -> DraggedState;
 }
 
-/// What landing and sampling need of a piece with drag.
+/// A piece with drag, with the functions that landing and sampling need.
 pub(super) trait Dragged: Motion {
     /// m.
     const ROOT: i32;

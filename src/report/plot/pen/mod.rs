@@ -35,7 +35,7 @@ struct Format {
     fonts: &'static str,
     /// Rectangles are larger by this on every side, so that a viewer shows no gap between neighbours \[px\].
     overlap: f64,
-    /// Whether lines are drawn piece by piece. The pixels of plotters have gaps where a wide line crosses itself.
+    /// True if lines are drawn piece by piece. The pixels of plotters have gaps where a wide line crosses itself.
     is_raster: bool,
 }
 
@@ -68,7 +68,7 @@ pub fn svg(
     Ok(svg.replacen(&of_drawing, &of_picture, 1).replace(" opacity=\"1\"", "").into_bytes())
 }
 
-/// Whether a text starts at its place, is centred on it, or ends at it.
+/// The alignment of a text: it starts at its place, is centred on it, or ends at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     Start,

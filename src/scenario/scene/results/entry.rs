@@ -112,7 +112,7 @@ impl Needs {
         self.rule().0
     }
 
-    /// Whether an impact on this contact has the result.
+    /// True if an impact on this contact has the result.
     pub fn is_met(self, contact: &Contact, row: &Essentials) -> bool {
         self.rule().1(contact, row)
     }

@@ -239,7 +239,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
         /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
         "plastic_fraction" in Percent if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)];
-        /// Whether the sphere left (`separated`) or stayed (`captured`).
+        /// `separated` if the sphere left, `captured` if it stayed.
         "outcome" as "outcome" if FORCES: single.forced(|under| under.fate.name());
         /// Time of separation; for a captured sphere, the time at which the computation ends.
         "end_time_s" in Time as "at {}" if FORCES: single.forced(|under| under.end_time);
@@ -260,7 +260,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below. With a body
         /// that is free to move, of their relative motion.
         "energy.kinetic_in_J" in Energy as "energy": single.impact.energy.kinetic_in;
-        /// The same at separation.
+        /// Kinetic energy of the normal motion at separation.
         "energy.recovered_J" in Energy as "{%} recovered": single.impact.energy.recovered;
         /// Energy spent on the dent.
         "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: single.impact.energy.plastic;
