@@ -128,7 +128,7 @@ pub struct YieldPoint {
 )]
 pub struct OutOfFloatRange {
     pub quantity: &'static str,
-    /// What came out.
+    /// The number that was computed.
     pub value: f64,
 }
 
@@ -185,7 +185,7 @@ pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFlo
 pub struct Flow {
     /// q; infinite beside a body that stays elastic.
     pub ratio: f64,
-    /// Whether the sphere is the softer body. At equal strengths it counts as that.
+    /// True if the sphere is the softer body. At equal strengths it counts as that.
     pub is_sphere: bool,
     /// w.
     pub alone: f64,
@@ -229,13 +229,13 @@ impl Flow {
         if self.is_sphere { sphere } else { half_space }
     }
 
-    /// Whether both bodies flow.
+    /// True if both bodies flow.
     pub fn is_of_both(&self) -> bool {
         self.alone < 1.0
     }
 }
 
-/// What the pairing of sphere and half-space fixes.
+/// The numbers that follow from the sphere and the half-space together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
     /// Effective radius \[m\], 1/R = 1/R_s + 1/R_h: that of the sphere on a flat half-space (Eq. 9).
@@ -351,13 +351,13 @@ impl Pair {
         self.yield_point.map_or(of_bodies, |point| [point.flow.elastic_share, point.flow.plastic_share])
     }
 
-    /// Whether both bodies flow, and are balls that are not equal.
+    /// True if both bodies flow, and are balls that are not equal.
     pub fn is_of_unequal_balls(&self) -> bool {
         let is_of_both = self.yield_point.is_some_and(|point| point.flow.is_of_both());
         is_of_both && self.balls[1].curvature > 0.0
     }
 
-    /// Whether two equal balls meet, of which the law is that of one on a rigid wall.
+    /// True if two equal balls meet, of which the law is that of one on a rigid wall.
     pub fn is_of_equal_balls(&self) -> bool {
         self.geometry_radius != self.radius
     }

@@ -65,7 +65,7 @@ pub struct Flying {
 /// e^−40 is below the last bit of 1.
 const DEEPEST: f64 = 40.0;
 
-/// Whether two values differ by no more than rounding.
+/// True if two values differ by no more than rounding.
 fn is_near(x: f64, next: f64) -> bool {
     (x - next).abs() <= 4.0 * f64::EPSILON * next.abs()
 }
@@ -105,7 +105,7 @@ impl Flying {
         density * sphere_volume(radius) / mass
     }
 
-    /// Whether air is computed.
+    /// True if air is computed.
     pub fn is_in_air(&self) -> bool {
         self.drag != Drag::None || self.pull != self.gravity
     }

@@ -20,7 +20,7 @@ pub struct Named {
     pub sphere: Option<&'static MaterialEntry>,
     /// The material of the half-space, if it has a name.
     pub half_space: Option<&'static MaterialEntry>,
-    /// Whether the strengths of sphere and half-space are their hardness, without an exponent of hardening.
+    /// True if the strengths of sphere and half-space are their hardness, without an exponent of hardening.
     pub is_by_hardness: [bool; 2],
 }
 
@@ -36,7 +36,7 @@ pub struct Contact {
     target_mass: Option<f64>,
     /// m* \[kg\]: that of the relative motion.
     reduced_mass: f64,
-    /// Whether the sphere is only the tip of a body, which has the mass.
+    /// True if the sphere is only the tip of a body, which has the mass.
     is_tip: bool,
     pub(super) law: Law,
     /// Its units: those of first yield, or of the sphere's radius for a half-space that stays elastic.
@@ -176,7 +176,7 @@ impl Contact {
         self
     }
 
-    /// Whether the sphere is only the tip of the body that moves.
+    /// True if the sphere is only the tip of the body that moves.
     pub(crate) fn is_of_a_body(&self) -> bool {
         self.is_tip
     }

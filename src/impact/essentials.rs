@@ -13,7 +13,7 @@ use super::waves;
 use crate::contact::material::{OutOfFloatRange, normal};
 use crate::numerics::integrate::IntegrationError;
 
-/// What a row of a table holds of an impact. SI units.
+/// The results of an impact that a row of a table has. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Essentials {
     /// e \[1\].
@@ -36,7 +36,7 @@ pub struct Essentials {
     pub peak_contact_radius: f64,
     /// a_m/R \[1\], with the radius of the smaller ball.
     pub radius_ratio: f64,
-    /// Whether a_m/R or δ_m is outside of the range that the law holds for, or is stated for.
+    /// True if a_m/R or δ_m is outside of the range that the law holds for, or is stated for.
     pub is_outside_law: bool,
     /// ½ m* v² \[J\]: without the motion of the centre of mass, which stays.
     pub kinetic_in: f64,
@@ -53,11 +53,11 @@ pub struct Essentials {
     /// To which height the sphere rises \[m\], with waves and air where they are known; `None` without gravity and height, and
     /// for a sphere that does not leave.
     pub rebound_height: Option<f64>,
-    /// What friction makes of an oblique impact. All else is then of the motion normal to the half-space.
+    /// The rebound of an oblique impact with friction. All other results then describe the motion normal to the half-space.
     pub rebound: Option<Rebound>,
 }
 
-/// What an impact on a plate has besides: the equations are in [`super::plate`]. SI units.
+/// The additional results of an impact on a plate; [`super::plate`] has the equations. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OnPlate {
     /// λ \[1\].
@@ -165,17 +165,17 @@ impl Essentials {
         self.residual_indentation - self.flat_depth
     }
 
-    /// Whether the impact left a flat on the sphere.
+    /// True if the impact left a flat on the sphere.
     pub fn has_flat(&self) -> bool {
         self.flat_depth > 0.0
     }
 
-    /// Whether the impact left a dent or a flat.
+    /// True if the impact left a dent or a flat.
     pub fn has_dent(&self) -> bool {
         self.residual_indentation > 0.0
     }
 
-    /// Whether the sphere arrived with a speed. If it was let go at first touch, it has no restitution and no kinetic energy
+    /// True if the sphere arrived with a speed. If it was let go at first touch, it has no restitution and no kinetic energy
     /// to take shares of.
     pub fn has_speed(&self) -> bool {
         self.kinetic_in > 0.0

@@ -1,4 +1,4 @@
-//! What acts beside the contact law: gravity, damping and a plate that gives way, only where a scene names them.
+//! The forces in addition to the contact law: gravity, damping and a plate that bends. A scene has only those that it names.
 //!
 //! The sphere moves by m δ'' = −F_c + m g, with the contact force F_c: the law's own F without damping, else as
 //! [`Damping`] says. The contact never pulls. Under viscous damping the sphere therefore leaves where F_c vanishes, above
@@ -43,7 +43,7 @@ impl Damping {
     }
 }
 
-/// What acts on the sphere beside the contact law. Damping acts in the contact, gravity and a plate act on the motion.
+/// The forces on the sphere in addition to the contact law. Damping acts in the contact; gravity and a plate act on the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Forces {
     /// Gravity along the approach g \[m/s²\], > 0.
@@ -56,12 +56,12 @@ pub struct Forces {
 }
 
 impl Forces {
-    /// Whether the law acts alone.
+    /// True if the law acts alone.
     pub fn is_none(&self) -> bool {
         self.gravity.is_none() && self.damping.is_none() && self.plate.is_none()
     }
 
-    /// Whether damping or a plate takes energy.
+    /// True if damping or a plate takes energy.
     pub(crate) fn have_drag(&self) -> bool {
         self.plate.is_some() || self.damping.is_some_and(|damping| damping.drag(1.0) != Drag::NONE)
     }
@@ -83,7 +83,7 @@ impl ScaledForces {
     /// The law alone.
     pub const NONE: Self = Self { weight: 0.0, drag: Drag::NONE };
 
-    /// Whether the impact is that of the law alone.
+    /// True if the impact is that of the law alone.
     #[inline]
     pub fn is_none(&self) -> bool {
         self.weight == 0.0 && self.is_conservative()
@@ -93,7 +93,7 @@ impl ScaledForces {
         Self { weight: self.weight, ..Self::NONE }
     }
 
-    /// Whether there is no damping and no plate, so that only the dent takes energy.
+    /// True if there is no damping and no plate, so that only the dent takes energy.
     #[inline]
     pub(super) fn is_conservative(&self) -> bool {
         self.drag == Drag::NONE
@@ -113,7 +113,7 @@ impl ScaledForces {
         ground.piece(last).start - ground.touch() + distance
     }
 
-    /// Whether the rebound speed is the impact speed: nothing takes energy, and the sphere leaves where it came. One that leaves
+    /// True if the rebound speed is the impact speed: nothing takes energy, and the sphere leaves where it came. One that leaves
     /// deeper, in a dent that cost nothing, has the work of its weight on that way.
     pub(super) fn is_even(&self, ground: Ground, unloading: &Unloading) -> bool {
         let sinks = self.weight > 0.0 && ground.dent(&unloading.peak).residual() > ground.touch();

@@ -7,7 +7,7 @@
 use super::contact::Contact;
 use super::response::Memory;
 
-/// What happened at a contact since the last step. SI units.
+/// A contact after a step of time, and its motion in this step. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionStep {
     /// δ at the last step \[m\]; 0 in the first one.

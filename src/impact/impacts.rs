@@ -36,7 +36,7 @@ impl Contact {
         self.impact(speed, &Solver { method: Method::ClosedForm, tolerance: FINEST, ..Solver::default() }, None)
     }
 
-    /// What a table holds of an impact by this solver, without the rest of an [`Impact`].
+    /// The results of an impact for a row of a table, computed by this solver, without the rest of an [`Impact`].
     ///
     /// # Errors
     /// [`ImpactError`] where the result leaves double precision, the law has no answer, the integrator gives up, or the

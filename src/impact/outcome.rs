@@ -1,4 +1,4 @@
-//! What an impact comes to, in dimensionless form, however it was obtained.
+//! The results of an impact in dimensionless form, the same for every method.
 
 use super::record::Point;
 use crate::contact::law::Unloading;
@@ -14,8 +14,8 @@ named! {
     }
 }
 
-/// What a code with fixed steps sees of an impact: the times of peak and separation, each the end of a step. Dimensionless, or
-/// in an [`Impact`](super::Impact) in seconds.
+/// The times of peak and separation in a code with fixed steps, each at the end of a step. They are dimensionless here, and in
+/// seconds in an [`Impact`](super::Impact).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedSteps {
     pub step: f64,
@@ -61,7 +61,7 @@ pub struct Outcome {
 pub struct Computed {
     pub outcome: Outcome,
     pub work: Effort,
-    /// What a run in fixed steps sees; `None` of other methods.
+    /// The times in fixed steps; `None` for other methods.
     pub fixed_steps: Option<FixedSteps>,
     /// The trace, in order of time; empty if none was asked for.
     pub points: Vec<Point>,

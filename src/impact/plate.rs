@@ -96,7 +96,7 @@ pub enum PlateError {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LoadedPlate {
     plate: Plate,
-    /// Of the sphere \[kg\].
+    /// Mass of the sphere \[kg\].
     mass: f64,
     /// c_p = √(E_h*/ρ) \[m/s\].
     wave_speed: f64,

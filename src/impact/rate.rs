@@ -44,7 +44,7 @@ impl Contact {
         self
     }
 
-    /// Whether the strength depends on the speed.
+    /// True if the strength depends on the speed.
     pub fn has_rate(&self) -> bool {
         self.rates.is_some()
     }

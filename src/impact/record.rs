@@ -7,7 +7,7 @@ use crate::numerics::integrate::{Drag, Segment, State};
 use crate::numerics::power::max_or_nan;
 use crate::numerics::root::falls_through;
 
-/// What happens on the way; the kinds in their order of time.
+/// The events of an impact that a trace marks, in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
     Touch,
@@ -32,7 +32,7 @@ pub struct Point {
     /// Where the law is: x, its force, and ε, the part of x recovered if unloaded from here.
     pub state: ContactState,
     pub total_force: f64,
-    /// Whether compression is over.
+    /// True if compression is over.
     pub is_unloading: bool,
     pub event: Option<Event>,
 }

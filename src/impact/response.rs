@@ -24,7 +24,7 @@ impl Memory {
         self.indentation - self.elastic_approach
     }
 
-    /// Whether this memory, and an indentation beside it, are numbers that a contact can have. What is recovered may be
+    /// True if this memory, and an indentation beside it, are numbers that a contact can have. What is recovered may be
     /// larger than δ_m by rounding.
     fn is_possible_at(&self, indentation: f64) -> bool {
         let Self { indentation: largest, force, elastic_approach } = *self;
@@ -46,9 +46,9 @@ impl Memory {
 /// How the work done on a contact is divided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactEnergy {
-    /// What unloading from here gives back \[J\].
+    /// The energy that unloading from here gives back \[J\].
     pub stored: f64,
-    /// What was spent on the dent \[J\].
+    /// The energy spent on the dent \[J\].
     pub plastic: f64,
 }
 

@@ -19,7 +19,7 @@ use crate::numerics::power::max_or_nan;
 pub struct Energy {
     /// ½ m* v².
     pub kinetic_in: f64,
-    /// Of the centre of mass of sphere and a body that is free to move, which stays as it is.
+    /// Kinetic energy of the common motion of the sphere and a body that is free to move. It does not change.
     pub of_centre: Option<f64>,
     /// ½ m* (e v)².
     pub recovered: f64,
@@ -28,7 +28,7 @@ pub struct Energy {
     /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the
     /// error of the run as the run itself can see it.
     pub drift: f64,
-    /// What the energy ledger is off by at the end of the contact, relative as `drift`; positive for a gain.
+    /// The error of the energy balance at the end of the contact, relative as `drift`; positive for a gain.
     pub drift_at_end: f64,
 }
 
@@ -111,7 +111,7 @@ pub struct Impact {
     pub accuracy: Accuracy,
     /// Fate, losses and work under gravity or damping or on a plate, if the scene names them.
     pub under_forces: Option<ForcesResult>,
-    /// What a code with fixed steps sees, by [`Method::Verlet`].
+    /// The times in fixed steps, by [`Method::Verlet`].
     pub in_fixed_steps: Option<FixedSteps>,
     /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
     pub oblique: Option<Oblique>,

@@ -32,9 +32,9 @@ named! {
 }
 
 impl Method {
-    /// What computes an impact under these forces: the method itself, or what [`Method::Auto`] stands for. That is the closed
-    /// form for results of a motion that nothing damps, and rk8 for all else. `None` for [`Method::ClosedForm`] where there is
-    /// none.
+    /// The method that computes an impact under these forces. [`Method::Auto`] stands for the closed form if nothing damps the
+    /// motion and no trace is wanted, else for rk8; every other method stands for itself. `None` for [`Method::ClosedForm`]
+    /// where there is no closed form.
     pub fn chosen(self, forces: &Forces, has_trace: bool) -> Option<Self> {
         match self {
             Self::Auto if has_trace || forces.have_drag() => Some(Self::Rk8),

@@ -218,7 +218,7 @@ pub(crate) fn march(
     Err(IntegrationError::TooManySteps { steps: most_steps })
 }
 
-/// Whether an overdamped sphere has come near its static indentation.
+/// True if an overdamped sphere has come near its static indentation.
 fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
     let point = forces.static_point(motion.contact.ground, unloading);
     let indentation = motion.contact.touch + motion.state.distance;

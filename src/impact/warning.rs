@@ -82,12 +82,12 @@ impl Warning {
         Self { kind, size, text }
     }
 
-    /// Whether the result is not to be used at all. Such a warning comes before the others.
+    /// True if the result is not to be used at all. Such a warning comes before the others.
     pub fn is_grave(&self) -> bool {
         self.kind == WarningKind::NoMetal || self.kind == WarningKind::SphereYields && self.size > FULLY
     }
 
-    /// Whether the two say the same, of which one is enough. Those of materials are as many as materials.
+    /// True if two warnings have the same meaning, so that one of them is enough. Every material may have its own warning.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         let is_of_material = matches!(self.kind, WarningKind::NoMetal | WarningKind::NoExponent);
         self.kind == other.kind && (!is_of_material || self.text == other.text)

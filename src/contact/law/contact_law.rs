@@ -1,4 +1,4 @@
-//! What every contact law has: a description, a loading, an unloading.
+//! The trait of all contact laws: every law has a description, a loading and an unloading.
 
 use std::fmt::Debug;
 use std::sync::LazyLock;

@@ -95,7 +95,7 @@ impl<'a> Ground<'a> {
         self.branch().map_or(self.law.limits.elastic_until, |branch| branch.peak.indentation)
     }
 
-    /// Whether an impact that turns at x leaves the ground as it was: at most first yield, or on the branch.
+    /// True if an impact that turns at x leaves the ground as it was: at most first yield, or on the branch.
     #[inline(always)]
     pub(crate) fn is_elastic_to(&self, x: f64) -> bool {
         x <= self.branch().map_or_else(|| self.law.recovers_until(), |branch| branch.peak.indentation)
@@ -164,7 +164,7 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// Whether an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
+    /// True if an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
     #[inline]
     pub(crate) fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
         self.branch().is_some_and(|branch| {

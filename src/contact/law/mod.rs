@@ -165,7 +165,8 @@ impl Law {
         if let LoadingRule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
     }
 
-    /// What is known of the exponent of this branch, where it is not the one that was asked for.
+    /// If the exponent was raised on this branch: the exponent that was asked for, the one that is used, and the gain of energy
+    /// that this avoids.
     pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
         if let Some((law, own)) = self.at_turn(unloading) {
             return law.raised(&own);

@@ -159,7 +159,7 @@ pub enum OutsideLaw {
     Range {
         /// The peak indentation over that at which the law yields.
         ratio: f64,
-        /// What is wrong there.
+        /// The reason, in words.
         problem: &'static str,
     },
     /// An exponent of unloading that gives back too much.

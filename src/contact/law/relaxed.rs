@@ -52,7 +52,7 @@ impl Law {
         Self { relaxed: Some(Box::new(Relaxed { law, ratio })), ..self }
     }
 
-    /// Whether the loading is the same in units of any strength: the PLM of bodies whose strength is constant, with a dent alone.
+    /// True if the loading is the same in units of any strength: the PLM of bodies whose strength is constant, with a dent alone.
     pub(crate) fn has_one_curve(&self) -> bool {
         matches!(&self.rule, LoadingRule::Polyline(rule) if rule.hardening.is_none() && rule.flattening.is_none())
     }

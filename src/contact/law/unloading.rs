@@ -143,7 +143,7 @@ impl Unloading {
         Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
     }
 
-    /// Whether the branch is the power law of its exponent.
+    /// True if the branch is the power law of its exponent.
     #[inline]
     pub(crate) fn is_power(&self) -> bool {
         self.curve.is_none()

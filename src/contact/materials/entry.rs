@@ -130,7 +130,7 @@ impl MaterialEntry {
         }
     }
 
-    /// Whether the material yields. Glass, ceramics and polymers are computed as elastic.
+    /// True if the material yields. Glass, ceramics and polymers are computed as elastic.
     pub fn is_metal(&self) -> bool {
         self.class == Class::Metal
     }

@@ -105,7 +105,7 @@ pub enum FlowError {
         slope: f64,
         /// Young's modulus \[Pa\].
         modulus: f64,
-        /// Whether the curve is of points.
+        /// True if the curve is of points.
         is_measured: bool,
     },
 }
@@ -134,7 +134,7 @@ impl FlowCurve {
         Ok(Self::Points(points))
     }
 
-    /// Whether the curve starts from this yield strength \[Pa\].
+    /// True if the curve starts from this yield strength \[Pa\].
     ///
     /// # Errors
     /// [`FlowError::Start`] if the first point is below the yield strength, or is at strain 0 with another stress.
@@ -149,7 +149,7 @@ impl FlowCurve {
         Ok(())
     }
 
-    /// Whether the curve of this yield strength \[Pa\] is nowhere steeper than the elastic line, whose slope is Young's modulus
+    /// True if the curve of this yield strength \[Pa\] is nowhere steeper than the elastic line, whose slope is Young's modulus
     /// \[Pa\]. The power form never is.
     ///
     /// # Errors

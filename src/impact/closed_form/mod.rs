@@ -43,7 +43,7 @@ pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> (Unloadi
     (unloading, restitution)
 }
 
-/// What the balance of energy gives.
+/// The results that follow from the balance of energy.
 #[derive(Debug, Clone, Copy)]
 struct Balance {
     unloading: Unloading,

@@ -57,7 +57,7 @@ impl Stroke<'_> {
         Ground::new(self.law, self.before.as_ref())
     }
 
-    /// Whether the step goes deeper than all before it.
+    /// True if the step goes deeper than all before it.
     pub fn is_new_peak(&self) -> bool {
         self.ground().branch().is_none_or(|branch| self.to > branch.peak.indentation)
     }

@@ -187,7 +187,7 @@ impl StaticContact {
         &self.pair
     }
 
-    /// Whether a load that is large enough leaves a dent.
+    /// True if a load that is large enough leaves a dent.
     pub fn can_yield(&self) -> bool {
         self.law.limits.elastic_until.is_finite()
     }

@@ -1,4 +1,4 @@
-//! A half-space that is indented, with what came of it.
+//! A half-space that is indented, and its results.
 
 use super::Indentation;
 use crate::contact::material::{HalfSpace, Pair};
@@ -8,18 +8,18 @@ use crate::contact::material::{HalfSpace, Pair};
 pub struct Specimen {
     /// Its name among several; `None` for a single one.
     pub name: Option<String>,
-    /// What is indented.
+    /// The half-space that is indented.
     pub half_space: HalfSpace,
 }
 
-/// One half-space with what came of it.
+/// One half-space and its results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tested {
     /// The half-space.
     pub specimen: Specimen,
-    /// What its pairing with the sphere fixes.
+    /// The sphere and this half-space as a pair.
     pub pair: Pair,
-    /// Whether a load that is large enough leaves a dent.
+    /// True if a load that is large enough leaves a dent.
     pub can_yield: bool,
     /// The results.
     pub indentation: Indentation,

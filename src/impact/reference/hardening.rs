@@ -34,7 +34,7 @@ impl Materials {
         HalfSpace::flat(material, Some(self.yield_strength))
     }
 
-    /// What a law is built for; never `None`, because the half-space yields.
+    /// The bodies for which a law is built; never `None`, because the half-space yields.
     pub fn bodies(&self) -> Result<Option<Bodies>, PairError> {
         // the law in units of the yield point does not depend on the radius
         let half_space = self.half_space();

@@ -9,7 +9,7 @@ rows! {
         /// "D".
         pub name as "device": String,
         energy as "energy_J": f64,
-        /// Of the body that rebounds \[kg\].
+        /// Mass of the body that rebounds \[kg\].
         pub mass as "mass_kg": f64,
         tip_modulus as "tip_youngs_modulus_Pa": f64,
         tip_poissons_ratio: f64,

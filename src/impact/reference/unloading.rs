@@ -27,7 +27,7 @@ rows! {
         pub restitution: Option<f64>,
         /// R_res/R fitted within the contact radius.
         pub residual_radius as "residual_radius_over_R": f64,
-        /// The same within 0.7 of it.
+        /// R_res/R fitted within 0.7 of the contact radius.
         pub inner_residual_radius as "inner_residual_radius_over_R": f64,
     }
 }

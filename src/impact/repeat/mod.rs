@@ -6,7 +6,7 @@
 //!
 //! Bouncing ends by rule ([`End`]). What would come after the end is estimated, not computed.
 //!
-//! What a spot remembers, and when an impact on it is elastic, is said in [`law::Ground`](crate::contact::law::Ground). So a second
+//! [`law::Ground`](crate::contact::law::Ground) says what a spot remembers, and when an impact on it is elastic. So a second
 //! equal shot is not elastic: it goes as deep as one impact of √(2 − e²) times the speed. Equal shots deepen the dent less and
 //! less, up to the one whose branch holds their whole energy.
 //!
@@ -40,7 +40,7 @@ named! {
     }
 }
 
-/// What brings the sphere back.
+/// The reason why the sphere hits again: it falls back, or it is shot again.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {
     Bouncing {
@@ -66,7 +66,7 @@ pub struct Repeat {
 }
 
 impl Repeat {
-    /// Whether the sphere bounces.
+    /// True if the sphere bounces.
     pub fn is_bouncing(&self) -> bool {
         matches!(self.drive, Drive::Bouncing { .. })
     }

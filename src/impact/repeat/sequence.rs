@@ -120,7 +120,7 @@ impl Hit {
         })
     }
 
-    /// What elastic waves take \[J\], if the half-space has a density.
+    /// The energy that elastic waves carry away \[J\], if the half-space has a density.
     pub fn radiated(&self) -> Option<f64> {
         self.wave_loss_fraction.map(|_| (self.recovered_fraction() * self.kinetic_in - self.energy.recovered).max(0.0))
     }
@@ -135,7 +135,7 @@ impl Hit {
         self.on_plate.map(|plate| plate.energy)
     }
 
-    /// Whether the sphere does not leave: without damping F_m ≤ (n + 1) m g.
+    /// True if the sphere does not leave: without damping F_m ≤ (n + 1) m g.
     pub fn is_captured(&self) -> bool {
         self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)
     }

@@ -103,12 +103,12 @@ impl LawChoice {
         }
     }
 
-    /// Whether it says how a contact loads. All laws unload, if need be by the paper's law.
+    /// True if it says how a contact loads. All laws unload, if need be by the paper's law.
     pub fn has_loading(&self) -> bool {
         self.about().loading != "none"
     }
 
-    /// Whether its unloading is its own and not that of another law.
+    /// True if its unloading is its own and not that of another law.
     pub(crate) fn has_own_unloading(&self) -> bool {
         !matches!(self, Self::KogutKomvopoulos(_))
     }

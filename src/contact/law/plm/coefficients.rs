@@ -32,7 +32,7 @@ pub struct ForceTable {
     pub from: Vec<f64>,
     /// df/dx at κ = 0; > 0.
     pub slope: Vec<f64>,
-    /// What κ² adds to it.
+    /// The slope is `slope` + κ² × this.
     pub slope_kappa_squared: Vec<f64>,
 }
 
@@ -50,14 +50,14 @@ impl ForceTable {
 pub struct ApproachTable {
     /// Slope from A = 1 at κ = 0.
     pub first_slope: f64,
-    /// What κ² adds to it.
+    /// The slope is `first_slope` + κ² × this.
     pub first_slope_kappa_squared: f64,
     pub first_slope_limit: f64,
     /// Fully plastic from A = 1 + this × ρ_E.
     pub plastic_from_rho: f64,
     /// Slope from there on at κ = 0.
     pub plastic_slope: f64,
-    /// What κ² adds to it.
+    /// The slope is `plastic_slope` + κ² × this.
     pub plastic_slope_kappa_squared: f64,
     /// Finite geometry: A a_Y/R from which each factor multiplies the slope.
     pub geometry_from: Vec<f64>,

@@ -29,7 +29,7 @@ pub struct RadiusTable {
 }
 
 impl RadiusTable {
-    /// The same in units of a_Y: for a sphere of this κ² on a half-space that yields at this a_Y/R.
+    /// This fit in units of a_Y, for a sphere of this κ² on a half-space that yields at this a_Y/R.
     #[must_use]
     pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> Self {
         let slope = self.geometry_slope + self.geometry_slope_kappa_squared * kappa_squared;
