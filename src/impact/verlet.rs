@@ -96,9 +96,9 @@ impl<'a> Remembering<'a> {
 
 /// A force of the law with what drag does there, see [`Remembering::at`].
 fn resisted(drag: Drag, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
-    // the drag is that of g = c f, and so are its shares
-    let (in_contact, on_motion) = drag.at(force, || slope() / ACCELERATION);
-    (force, in_contact * speed, ACCELERATION * ACCELERATION * on_motion * speed)
+    // the drag is that of the deceleration g = c f
+    let (in_contact, on_motion) = drag.at(ACCELERATION * force, || ACCELERATION * slope());
+    (force, in_contact * speed / ACCELERATION, on_motion * speed)
 }
 
 /// A motion in steps of one length.
@@ -174,7 +174,9 @@ pub(crate) fn march(
             return Err(IntegrationError::NotFinite { time });
         }
         let is_back = time > peak.time;
-        let lifts_off = is_back && total == 0.0 && state.speed < 0.0;
+        // the total force of Hunt and Crossley vanishes before the law's only through rounding or a coarse step
+        let pushes = if forces.drag.lifts_off() { total } else { force };
+        let lifts_off = is_back && pushes == 0.0 && state.speed < 0.0;
         let is_slower = is_back && state.speed >= 0.0;
         let deepest = || ground.unloading(motion.contact.loaded_to(peak.distance));
         let stays = || {
