@@ -102,6 +102,17 @@ impl Clone {
     }
 }
 
+/// The page for who changes the program names files and folders that are there, by their path in the repository or in `src`.
+#[test]
+fn the_architecture_names_files_that_are_there() {
+    let page = read("src/README.md");
+    let is_path = |name: &&str| name.contains('/') && !name.contains([' ', '{', '"']);
+    let paths: Vec<_> = page.split('`').skip(1).step_by(2).filter(is_path).collect();
+    assert!(paths.len() > 30);
+    let is_missing = |path: &&str| !["", "src"].iter().any(|root| Path::new(ROOT).join(root).join(path).exists());
+    assert_eq!(paths.into_iter().filter(is_missing).collect::<Vec<_>>(), <[&str; 0]>::default());
+}
+
 #[test]
 fn the_table_of_commands_names_commands_and_options_that_are_there() {
     let clone = Clone::new();
