@@ -14,7 +14,7 @@ mod specimen;
 use thiserror::Error;
 
 use crate::contact::law::{Branch, ContactLaw, ContactState, Law, OutsideLaw};
-use crate::contact::material::{HalfSpace, Hollow, Material, OutOfFloatRange, Pair, PairError, Sphere, normal};
+use crate::contact::material::{HalfSpace, Material, OutOfFloatRange, Pair, PairError, Sphere, normal};
 use crate::impact::scales::Units;
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
 use machine::{Machine, Stroke};
@@ -29,22 +29,13 @@ pub enum Target {
     Indentation(f64),
 }
 
-impl From<PairError> for IndentationError {
-    fn from(error: PairError) -> Self {
-        match error {
-            PairError::Range(error) => error.into(),
-            PairError::Hollow(error) => error.into(),
-        }
-    }
-}
-
 /// Why a list of steps has no result.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum IndentationError {
     #[error(transparent)]
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
-    Hollow(#[from] Hollow),
+    Pair(#[from] PairError),
     /// A law that has no loading or no unloading.
     #[error(transparent)]
     Law(#[from] OutsideLaw),

@@ -188,13 +188,14 @@ impl DragStepper {
     ) -> Result<Arrival, IntegrationError> {
         let c = path.factor;
         match path.piece.shape {
-            Shape::Straight { slope, .. } => match Oscillation::along(path, *state) {
-                Some(closed) => {
-                    self.work = self.work + Effort { steps: 1, rejected: 0, force_evaluations: 1 };
-                    Ok(closed.land(path, state, track))
-                }
-                None => self.run(DraggedStraight::along(c * path.piece.force, c * slope, path), path, state, track),
-            },
+            Shape::Straight { slope, .. } => {
+                let piece = DraggedStraight::along(c * path.piece.force, c * slope, path);
+                let Some(closed) = Oscillation::along(&piece, path.leg, *state) else {
+                    return self.run(piece, path, state, track);
+                };
+                self.work = self.work + Effort { steps: 1, rejected: 0, force_evaluations: 1 };
+                Ok(closed.land(path, state, track))
+            }
             Shape::Power { stiffness, exponent: 1.5, .. } => {
                 self.run(DraggedHertz::<M>::along(c * stiffness, path), path, state, track)
             }

@@ -1,4 +1,5 @@
-//! Closed form of the way outward along a straight piece whose drag is linear and below critical: d'' = −(a + b d) − c d'.
+//! Closed form of the way outward along a straight piece whose drag is linear and below critical: d'' = −(a + b d) − c d'
+//! (see [`DraggedStraight`]).
 //!
 //! With y = d + a/b, β = c/2 and ω² = b − β² > 0, from y_0 and u_0 = y_0':
 //!
@@ -7,8 +8,8 @@
 //! u(t) = e^(−βt) (u_0 cos ωt − (b y_0 + β u_0) sin(ωt)/ω)
 //! ```
 
-use super::{Arrival, Drag, Landing, Leg, Path, Segment, State};
-use crate::numerics::curve::piece::Shape;
+use super::piece::straight::DraggedStraight;
+use super::{Arrival, Landing, Leg, Path, Segment, State};
 use crate::numerics::functions::{atan2, exp, sin_cos};
 use crate::numerics::power::max_or_nan;
 use crate::numerics::root::bracketed;
@@ -30,15 +31,11 @@ pub(super) struct Oscillation {
 
 impl Oscillation {
     /// `None` where the motion is another one.
-    pub fn along(path: &Path, start: State) -> Option<Self> {
-        let Shape::Straight { slope, .. } = path.piece.shape else { return None };
-        let (at_start, slope) = (path.factor * path.piece.force, path.factor * slope);
-        let Drag { chi, eta, theta } = path.drag;
-        let in_contact = eta * slope.sqrt();
-        let decay = 0.5 * (in_contact + theta * slope);
+    pub fn along(piece: &DraggedStraight, leg: Leg, start: State) -> Option<Self> {
+        let DraggedStraight { a, b: slope, chi, c, in_contact, pull } = *piece;
+        let (y, decay) = (start.distance + a / slope, 0.5 * c);
         let square = slope - decay * decay;
-        let is_this = matches!(path.leg, Leg::Outward(_)) && chi == 0.0 && path.pull == 0.0 && square > 0.0;
-        let y = start.distance + at_start / slope;
+        let is_this = matches!(leg, Leg::Outward(_)) && chi == 0.0 && pull == 0.0 && square > 0.0;
         (is_this && start.speed > 0.0).then(|| Self { start, y, slope, decay, frequency: square.sqrt(), in_contact })
     }
 
@@ -107,9 +104,9 @@ impl Oscillation {
 mod tests {
     use super::*;
     use crate::numerics::curve::Curve;
+    use crate::numerics::integrate::Drag;
     use crate::numerics::integrate::damped::DragStepper;
     use crate::numerics::integrate::path::Sizes;
-    use crate::numerics::integrate::piece::straight::DraggedStraight;
     use approx::assert_abs_diff_eq;
 
     /// The closed form is compared with steps at a tolerance of 1e-13, to the end of the piece and to the turning point.
@@ -129,8 +126,8 @@ mod tests {
             let start = State { time: 0.7, distance: 0.1, speed: 1.3, loss: 0.05 };
             let (mut exact, mut stepped) = (start, start);
             let mut track = Vec::new();
-            let closed = Oscillation::along(&path, start).unwrap().land(&path, &mut exact, Some(&mut track));
             let piece = DraggedStraight::along(0.5, 2.0, &path);
+            let closed = Oscillation::along(&piece, path.leg, start).unwrap().land(&path, &mut exact, Some(&mut track));
             let steps = DragStepper::new(1e-13).run(piece, &path, &mut stepped, None).unwrap();
             assert_eq!(closed.landing, steps.landing);
             assert_abs_diff_eq!(closed.largest_force, steps.largest_force, epsilon = 2e-12);

@@ -54,6 +54,8 @@ pub struct DraggedStraight {
     pub b: f64,
     pub chi: f64,
     pub c: f64,
+    /// η √b, the part of c that is in the contact.
+    pub in_contact: f64,
     pub pull: f64,
 }
 
@@ -61,7 +63,8 @@ impl DraggedStraight {
     /// The piece a + b d with the pull and the drag of a path.
     pub fn along(a: f64, b: f64, path: &Path) -> Self {
         let Drag { chi, eta, theta } = path.drag;
-        Self { a, b, chi, c: eta * b.sqrt() + theta * b, pull: path.pull }
+        let in_contact = eta * b.sqrt();
+        Self { a, b, chi, c: in_contact + theta * b, in_contact, pull: path.pull }
     }
 }
 
