@@ -64,7 +64,7 @@ pub fn is_same(a: f64, b: f64) -> bool {
     a == b || (a - b).abs() <= 1e-11 * a.abs().max(b.abs()) + 1e-24
 }
 
-/// The measurements, and every few of them, which tell where the basins are.
+/// The problem with all measurements, and a smaller one with some of them, by which the basins are found.
 #[derive(Debug, Clone)]
 pub struct Profile<'p, 'a> {
     whole: &'p Problem<'a>,

@@ -3,8 +3,8 @@
 //!
 //! One or two keys are wanted, and each has a range; without a key the measurements are only compared with the law. The
 //! profile of −2 ln of the likelihood along the first key, minimised over the second, gives every basin and its minimum. If
-//! the standard deviations of the noise are known, the likelihood is normal and the sum is chi-square. With `robust` the likelihood has the long tails
-//! of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
+//! the standard deviations of the noise are known, the likelihood is normal and the sum is chi-square. With `robust` the
+//! likelihood has the long tails of Student's distribution with 4 degrees of freedom. The error of the law is a share of each value; it is added to
 //! the noise in quadrature, and is independent from value to value. If the noise is not known, it is taken as the same
 //! share of every value that the law gives, and estimated from the scatter.
 //!
@@ -235,7 +235,7 @@ impl Measurements {
     }
 }
 
-/// The result for one key. Without `is_told` the measurements do not determine the keys.
+/// The result for one key. It has an interval only if the measurements determine the keys (`is_determined`).
 fn found(fit: &Fit, key: usize, is_determined: bool) -> KeyEstimate {
     let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
     let covariance = fit.covariance.as_ref().filter(|_| is_determined);

@@ -1,4 +1,4 @@
-//! The law against reality, and speed against error.
+//! How good the program is: `validate` compares the law with reality, and `bench` measures speed against error.
 
 pub mod bench;
 pub mod validate;

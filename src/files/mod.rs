@@ -2,7 +2,7 @@
 //!
 //! 1. It is made under a random name beside its place; no link is followed ([`NewFile`]).
 //! 2. It is written and synchronised to the disk, so that all errors come before anything is replaced.
-//! 3. It is renamed, and the folder is synchronised to the disk. The summary, which says of what the results are, comes last.
+//! 3. It is renamed, and the folder is synchronised to the disk. The summary, which names the scenario of the results, comes last.
 //!
 //! Whenever the process is killed, each place holds either its old file or its new one, complete. Nothing is locked: of two
 //! processes that write the same file the last to rename it wins.
@@ -55,23 +55,23 @@ pub fn foreign(path: &Path) -> Error {
 pub enum Origin<'a> {
     /// A scenario: its file, and its hash.
     File(&'a Path, &'a str),
-    /// A command that needs none.
+    /// A command that needs no scenario.
     Command(&'static str),
 }
 
 /// The results that are in a directory before a run, as their summary tells of them.
 #[derive(Debug)]
-struct Before {
-    /// Their scenario.
+struct EarlierResults {
+    /// The file of their scenario.
     name: String,
     /// The files beside the summary.
     files: Vec<String>,
-    is: Whose,
+    relation: Relation,
 }
 
-/// Which scenario the results are of.
+/// The relation of earlier results to the scenario that is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Whose {
+enum Relation {
     /// Results of this scenario: its text and overrides are unchanged.
     Same,
     /// Results of this file, whose text or overrides have changed since.
@@ -86,7 +86,7 @@ pub struct OutputDirectory {
     path: PathBuf,
     /// Made for this run, the deepest first.
     made: Vec<PathBuf>,
-    before: Option<Before>,
+    before: Option<EarlierResults>,
     /// Set once the older results are removed.
     is_cleared: AtomicBool,
     is_forced: bool,
@@ -113,7 +113,7 @@ impl OutputDirectory {
     }
 
     /// Reads the summary of the results that are there.
-    fn find(&self, origin: Origin) -> Result<Option<Before>, Error> {
+    fn find(&self, origin: Origin) -> Result<Option<EarlierResults>, Error> {
         let path = self.path.join(SUMMARY);
         refuse_special(&path).map_err(unwritable(&path))?;
         let text = match fs::read(&path) {
@@ -125,17 +125,19 @@ impl OutputDirectory {
         let (Some(hash), Some(other)) = (noted("scenario_sha256"), noted("scenario_file")) else {
             return if self.is_forced { Ok(None) } else { Err(foreign(&path)) };
         };
-        let before = |is| Ok(Some(Before { name: other.to_owned(), files: listed(&summary), is }));
+        let before = |relation| Ok(Some(EarlierResults { name: other.to_owned(), files: listed(&summary), relation }));
         let own = match origin {
-            Origin::File(_, own) if own == hash => return before(Whose::Same),
-            Origin::File(file, _) if self.seen(file).is_some_and(|seen| Some(&*seen) == noted(SEEN)) => {
-                return before(Whose::Edited);
+            Origin::File(_, own) if own == hash => return before(Relation::Same),
+            Origin::File(file, _)
+                if self.relative_path(file).is_some_and(|seen| Some(&*seen) == noted(RELATIVE_SCENARIO)) =>
+            {
+                return before(Relation::Edited);
             }
             Origin::File(file, _) => file.display().to_string(),
             Origin::Command(name) => name.to_owned(),
         };
         if self.is_forced {
-            return before(Whose::Other);
+            return before(Relation::Other);
         }
         let reason = format!(
             "holds results of {other}, and these are of {own}; name another --out, or replace them with --force"
@@ -153,8 +155,9 @@ impl OutputDirectory {
         self.is_forced
     }
 
-    /// The way to a file from here, which is the same wherever both are moved together; `None` where there is no such file.
-    pub fn seen(&self, file: &Path) -> Option<String> {
+    /// The relative path from this directory to a file, which stays right if both are moved together; `None` if there is no such
+    /// file.
+    pub fn relative_path(&self, file: &Path) -> Option<String> {
         let (folder, file) = (self.path.canonicalize().ok()?, file.canonicalize().ok()?);
         let shared = folder.components().zip(file.components()).take_while(|(one, other)| one == other).count();
         let up = folder.components().skip(shared).map(|_| "..".into());
@@ -164,11 +167,11 @@ impl OutputDirectory {
 
     /// The older results that give way to the new ones, in words.
     pub fn replaces(&self) -> Option<String> {
-        let Before { name, is, .. } = self.before.as_ref()?;
-        match is {
-            Whose::Same => None,
-            Whose::Edited => Some(format!("the results of {name} as it was, or with other --set")),
-            Whose::Other => Some(format!("the results of {name}")),
+        let EarlierResults { name, relation, .. } = self.before.as_ref()?;
+        match relation {
+            Relation::Same => None,
+            Relation::Edited => Some(format!("the results of {name} as it was, or with other --set")),
+            Relation::Other => Some(format!("the results of {name}")),
         }
     }
 
@@ -245,10 +248,10 @@ impl OutputDirectory {
     }
 }
 
-/// The key of a summary with the way to its scenario.
-const SEEN: &str = "scenario_from_here";
+/// The key of a summary with the relative path to its scenario.
+const RELATIVE_SCENARIO: &str = "scenario_from_here";
 
-/// The files that a summary lists. A name with a folder in it is none of this program.
+/// The files that a summary lists. This program never writes a name with a folder in it, so such a name is left out.
 fn listed(summary: &Value) -> Vec<String> {
     let names = summary["provenance"]["files"].as_array().into_iter().flatten().filter_map(Value::as_str);
     names.filter(|name| Path::new(name).file_name().is_some_and(|own| own == *name)).map(str::to_owned).collect()

@@ -23,7 +23,7 @@ use crate::units::names::did_you_mean;
 pub(super) const METHOD: &str = "solver.method";
 pub(super) const LAW: &str = "law";
 
-/// `[monte_carlo]`
+/// The table `[monte_carlo]`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct RandomKeys {
     /// Number of samples.

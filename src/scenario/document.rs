@@ -192,7 +192,7 @@ impl Document {
         by(&|given| is_at_or_below(given, key)).map(Location::Set)
     }
 
-    /// The scenario, or the command line, gives the key itself.
+    /// True if the scenario or the command line gives the key itself.
     pub fn has(&self, key: &str) -> bool {
         self.places.contains_key(key)
     }

@@ -148,7 +148,7 @@ fn ranged(kind: &str, quantity: &Quantity) -> Value {
     schema
 }
 
-/// A table of numeric keys, each with what `of` makes of its value.
+/// A table of numeric keys. `form` makes the schema of a value that varies from the schema of one value.
 fn varied(form: impl Fn(&Value) -> Value) -> Value {
     let mut schema = table();
     for key in KEYS.iter() {

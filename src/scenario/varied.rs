@@ -7,7 +7,7 @@ use crate::scenario::plan::axis::Axis;
 use crate::scenario::plan::free::Free;
 use crate::scenario::scene::read::Reader;
 
-/// Nothing varies in most scenarios.
+/// The keys that vary. In most scenarios there are none.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Varied {
     pub(super) sweep: Option<Vec<Axis>>,

@@ -1,4 +1,4 @@
-//! Columns of rows, and the same as Arrow data, for Parquet and for Python.
+//! Columns of a table as numbers and as Arrow data, for Parquet and for Python.
 
 use std::sync::Arc;
 
@@ -11,12 +11,12 @@ use super::count::OK;
 use super::evaluator::{Failure, Rows};
 use crate::impact::Essentials;
 
-/// The place of a failure among the words of the column `status`; 0 is that of a row with results.
+/// The number of a failure: its index in the words of the column `status`. A row with results has 0.
 pub(crate) fn code(failure: Failure) -> f64 {
     f64::from(failure as u8 + 1)
 }
 
-/// The failure at that place; `None` for a row with results.
+/// The failure with this number; `None` for a row with results.
 #[cfg(feature = "python")]
 pub(crate) fn failure(place: f64) -> Option<Failure> {
     Failure::ALL.into_iter().find(|failure| code(*failure) == place)

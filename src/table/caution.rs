@@ -11,7 +11,7 @@ use crate::scenario::plan::random::Variable;
 use crate::scenario::plan::{Cases, Plan, put};
 use crate::scenario::scene::Input;
 
-/// The largest number of corners that are computed all: those of thirteen axes of numbers. Of more, so many are a sample.
+/// Up to this number, which thirteen axes of numbers have, all corners are computed. If there are more, a sample of this size is.
 const MOST_CORNERS: u64 = 1 << 13;
 /// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];

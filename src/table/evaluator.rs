@@ -9,14 +9,14 @@ use crate::scenario::plan::axis::Axis;
 use crate::scenario::plan::random::{Draws, Variable};
 use crate::scenario::plan::{Cases, Plan, places};
 use crate::scenario::scene::at::at;
-use crate::scenario::scene::band::Doubt;
+use crate::scenario::scene::band::Uncertainty;
 use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::results::Needs;
 use crate::scenario::scene::{Input, Key};
 use crate::units::names::named;
 
 named! {
-    /// Why a row has no numbers, and its name in the column `status`.
+    /// The reason why a row has no numbers, with its name in the column `status`.
     pub enum Failure {
         /// A quantity is too large or too small for double precision.
         OutOfFloatRange = "out_of_float_range",
@@ -92,35 +92,36 @@ impl Rows {
 
 /// The bodies of a row and their law.
 #[derive(Debug)]
-struct Known {
+struct RowContact {
     /// The yield strengths of sphere and half-space.
     strengths: [Option<f64>; 2],
     contact: Result<Contact, Failure>,
     /// The uncertainty of e, if the table has columns for it.
-    doubt: Option<Doubt>,
+    uncertainty: Option<Uncertainty>,
 }
 
-/// The law of rows that may change it. Rows that do not share it, and the curve that it has made for their first pair.
-struct Laws {
+/// The law of the rows, which share it and the loading curve that it has computed. If the law changes from row to row, every row
+/// reads its own.
+struct RowLaw {
     changes: bool,
     law: LawChoice,
     has_band: bool,
 }
 
-impl Laws {
+impl RowLaw {
     fn new(input: &Input, changes: bool, has_band: bool) -> Self {
         Self { changes, law: input.law(), has_band }
     }
 
     /// The bodies of a row and their law.
-    fn known(&mut self, input: &Input) -> Known {
+    fn contact_of(&mut self, input: &Input) -> RowContact {
         if self.changes {
             self.law = input.law();
         }
         let (sphere, half_space) = input.bodies(&self.law);
         let contact = input.pair(sphere, half_space, &self.law).map_err(Failure::from);
-        let doubt = if self.has_band { Doubt::new(input) } else { None };
-        Known { strengths: [sphere.yield_strength, half_space.yield_strength], contact, doubt }
+        let uncertainty = if self.has_band { Uncertainty::new(input) } else { None };
+        RowContact { strengths: [sphere.yield_strength, half_space.yield_strength], contact, uncertainty }
     }
 }
 
@@ -128,7 +129,7 @@ fn shows_band(plan: &Plan) -> bool {
     plan.results().iter().any(|column| column.needs == Needs::Band)
 }
 
-/// A plan, and what its rows have in common, computed once.
+/// A plan, with the numbers that its rows have in common, computed once.
 #[derive(Debug)]
 pub struct Evaluator<'a> {
     plan: &'a Plan,
@@ -138,7 +139,7 @@ pub struct Evaluator<'a> {
     has_band: bool,
     /// Input and contact of every combination of the axes that change the contact. Empty if there are too many
     /// combinations.
-    contacts: Vec<(Input, Known)>,
+    contacts: Vec<(Input, RowContact)>,
     /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
     /// contact.
     strides: Vec<u64>,
@@ -163,14 +164,14 @@ impl<'a> Evaluator<'a> {
             }
         }
         let has_band = shows_band(plan);
-        let mut laws = Laws::new(&plan.input, plan.axes().iter().any(Axis::changes_law), has_band);
+        let mut row_law = RowLaw::new(&plan.input, plan.axes().iter().any(Axis::changes_law), has_band);
         let combination = |index: u64| {
             // at the first places of the other axes
             let axes = plan.axes().iter().zip(&strides);
             let places: Vec<u64> =
                 axes.map(|(axis, stride)| index.checked_div(*stride).unwrap_or(0) % axis.len()).collect();
             let input = plan.input_at(&places);
-            let known = laws.known(&input);
+            let known = row_law.contact_of(&input);
             (input, known)
         };
         let contacts =
@@ -185,8 +186,8 @@ impl<'a> Evaluator<'a> {
         let strengths = [sphere.yield_strength, half_space.yield_strength];
         let has_band = shows_band(plan);
         let known = |contact: &Contact| {
-            let doubt = if has_band { Doubt::new(&plan.input) } else { None };
-            (plan.input.clone(), Known { strengths, contact: Ok(contact.clone()), doubt })
+            let uncertainty = if has_band { Uncertainty::new(&plan.input) } else { None };
+            (plan.input.clone(), RowContact { strengths, contact: Ok(contact.clone()), uncertainty })
         };
         let contacts = contact.map(known).into_iter().collect();
         Self {
@@ -220,7 +221,7 @@ impl<'a> Evaluator<'a> {
 
     /// The prepared contact of the combination at these places.
     #[allow(clippy::cast_possible_truncation)] // at most 10⁴
-    fn known(&self, places: &[u64]) -> Option<&(Input, Known)> {
+    fn known(&self, places: &[u64]) -> Option<&(Input, RowContact)> {
         let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
         self.contacts.get(index as usize)
     }
@@ -235,15 +236,15 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Appends the row of an input with this contact.
-    fn row(&self, input: &Input, Known { strengths, contact, doubt }: &Known, rows: &mut Rows) {
+    fn row(&self, input: &Input, RowContact { strengths, contact, uncertainty }: &RowContact, rows: &mut Rows) {
         for (strength, is_derived) in strengths.iter().zip(self.derives) {
             // a body that stays elastic has none
             rows.swept.extend(is_derived.then(|| strength.unwrap_or(f64::NAN)));
         }
         let row = contact.as_ref().map_err(|error| *error);
         let mut row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
-        if let (Ok(row), Some(doubt)) = (&mut row, doubt) {
-            row.band = doubt.range(input.approach(), row);
+        if let (Ok(row), Some(uncertainty)) = (&mut row, uncertainty) {
+            row.band = uncertainty.range(input.approach(), row);
         }
         rows.results.push(row);
     }
@@ -253,13 +254,13 @@ impl<'a> Evaluator<'a> {
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = places(axes, cases.start);
         let mut input = self.plan.input_at(&places);
-        let mut own: Option<Known> = None;
-        let mut laws = Laws::new(&input, axes.iter().any(Axis::changes_law), self.has_band);
+        let mut own: Option<RowContact> = None;
+        let mut row_law = RowLaw::new(&input, axes.iter().any(Axis::changes_law), self.has_band);
         for _ in cases {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             let known = match self.known(&places) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| laws.known(&input)),
+                None => own.get_or_insert_with(|| row_law.contact_of(&input)),
             };
             self.row(&input, known, rows);
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
@@ -287,8 +288,8 @@ impl<'a> Evaluator<'a> {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
         let mut input = self.plan.input.clone();
-        let mut laws =
-            Laws::new(&input, variables.iter().any(|variable| variable.key.part.changes_law()), self.has_band);
+        let mut row_law =
+            RowLaw::new(&input, variables.iter().any(|variable| variable.key.part.changes_law()), self.has_band);
         for _ in cases {
             for draw in &mut draws {
                 let value = draw.next_value();
@@ -298,7 +299,7 @@ impl<'a> Evaluator<'a> {
             if let Some((_, known)) = self.contacts.first() {
                 self.row(&input, known, rows);
             } else {
-                self.row(&input, &laws.known(&input), rows);
+                self.row(&input, &row_law.contact_of(&input), rows);
             }
         }
     }
@@ -309,8 +310,8 @@ impl<'a> Evaluator<'a> {
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
         let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
         let mut input = self.plan.input.clone();
-        let mut own: Option<Known> = None;
-        let mut laws = Laws::new(&input, keys.iter().any(|(key, _)| key.part.changes_law()), self.has_band);
+        let mut own: Option<RowContact> = None;
+        let mut row_law = RowLaw::new(&input, keys.iter().any(|(key, _)| key.part.changes_law()), self.has_band);
         for case in cases {
             for (key, values) in keys {
                 key.set(&mut input, Some(values[case]));
@@ -320,7 +321,7 @@ impl<'a> Evaluator<'a> {
             }
             let known = match self.contacts.first().filter(|_| of_contact.is_empty()) {
                 Some((_, known)) => known,
-                None => own.get_or_insert_with(|| laws.known(&input)),
+                None => own.get_or_insert_with(|| row_law.contact_of(&input)),
             };
             self.row(&input, known, rows);
         }

@@ -1,4 +1,5 @@
-//! The forms that a table is written in, and what one of them has to do.
+//! The file formats of a table. A format is added as a value of [`Format`] and an implementation of [`Form`]: see `csv.rs` and
+//! `parquet.rs`.
 
 use std::io;
 use std::path::Path;
@@ -22,7 +23,7 @@ named! {
     }
 }
 
-/// The state of a file that is there.
+/// The state of a file that an earlier run has written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Found {
     /// All rows of the part are there.
@@ -31,7 +32,7 @@ pub enum Found {
     Torn,
 }
 
-/// How rows become a file.
+/// A file format: it encodes rows, writes them into a file, and reads such a file again.
 pub(super) trait Form: Sync + Send {
     /// Encoded rows.
     type Piece: Send;
@@ -47,11 +48,13 @@ pub(super) trait Form: Sync + Send {
     /// Encodes rows; many threads do so at a time.
     fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
 
+    /// Begins a file.
     fn begin(&self, file: NewFile) -> io::Result<Self::Writer>;
 
     /// Appends the next rows.
     fn append(&self, writer: &mut Self::Writer, piece: &Self::Piece) -> io::Result<()>;
 
+    /// Ends the file, which is then complete but not yet in its place.
     fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
 
     /// Reads a file that ought to have so many rows. Counts the rows until it finds that the file is not whole.

@@ -1,4 +1,4 @@
-//! How a table is divided into parts, and the file that says which table the parts of a folder are of.
+//! How a table is divided into parts, and the file that says to which table the parts in a folder belong.
 
 use std::ffi::{OsStr, OsString};
 use std::fs;
@@ -104,7 +104,7 @@ pub fn make_way(directory: &OutputDirectory) -> Result<(), Error> {
     remove(&identity).map_err(file("cannot be removed", &identity))
 }
 
-/// Which table the parts of a folder are of. Two equal ones have the same bytes.
+/// The description of the table to which the parts in a folder belong. Tables with equal descriptions have the same bytes.
 #[derive(Debug, Serialize)]
 pub struct Identity {
     format_version: u64,

@@ -82,7 +82,8 @@ fn written(digits: &str, exponent: i32) -> String {
     format!("{sign}{before:0<whole$}.{after}").trim_end_matches('.').to_owned()
 }
 
-/// Both: "0.005 m (5 mm)"; one where they are the same, or where the number in SI has more than six digits.
+/// In the SI unit and in a suitable unit: "0.005 m (5 mm)". Only in the suitable one if both are the same, or if the number in
+/// SI has more than six digits.
 pub fn describe(value: f64, dimension: Dimension) -> String {
     let (exact, short) = (si(value, dimension), human(value, dimension));
     let is_long = format!("{value:.5e}").parse() != Ok(value);

@@ -78,7 +78,7 @@ enum Command {
     Man(shells::Manual),
 }
 
-/// Does what the command line says.
+/// Runs the command that the command line names.
 pub fn run() -> Result<(), Error> {
     let Cli { command, licenses, error_format } = parse()?;
     error_format.begin();
@@ -105,7 +105,7 @@ pub fn run() -> Result<(), Error> {
     }
 }
 
-/// The command line. A wrong one ends the program at once, unless errors are written as JSON.
+/// Reads the command line. A wrong one ends the program at once, unless errors are written as JSON.
 fn parse() -> Result<Cli, Error> {
     Cli::try_parse().map_err(|error| {
         let words: Vec<_> = std::env::args_os().take_while(|word| word != "--").collect();
@@ -128,7 +128,7 @@ fn parse() -> Result<Cli, Error> {
     })
 }
 
-/// Commands and options of earlier versions, and what does the same now.
+/// Commands and options of earlier versions, each with its replacement.
 const GONE: [(&str, &str); 4] = [
     ("fit-plm", "fit by a tool of your own, and give the file as `[law.plm] coefficients`"),
     (

@@ -109,7 +109,7 @@ impl Output {
     pub fn prepare(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
         let hash = scenario.sha256();
         let directory = OutputDirectory::prepare(&self.directory(file), Origin::File(file, &hash), self.force)?;
-        scenario.from_results = directory.seen(file);
+        scenario.from_results = directory.relative_path(file);
         Ok(directory)
     }
 }

@@ -1,11 +1,13 @@
-//! The five pairs of materials of the quasi-static finite elements, each with its loading curve and its unloadings.
+//! The five pairs of materials (cases) of the quasi-static finite elements, each with its loading curve and its unloadings.
+//!
+//! Everything is in units of first yield: x is the indentation and f the force.
 
 use crate::contact::law::{ContactState, Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::reference::loading::{self, LoadingCurve};
 use crate::impact::reference::unloading::{self, UnloadingRow};
 
-/// One of the five pairs of materials: loading curve and unloadings.
+/// One of the five pairs of materials.
 #[derive(Debug, Clone)]
 pub struct Case {
     pub loading: LoadingCurve,
@@ -18,7 +20,7 @@ pub struct Case {
 pub struct Cycle {
     /// The results of the finite elements.
     pub row: UnloadingRow,
-    /// Their peak: x_m, f_m and ε_m = x_s,m/κ.
+    /// The peak of the finite elements: x_m, f_m and the recovered approach ε_m = x_s,m/κ, with the indentation x_s,m of the sphere.
     pub peak: ContactState,
     /// x and f at points between peak and separation.
     pub points: Vec<(f64, f64)>,
@@ -42,10 +44,12 @@ impl Case {
         self.loading.case.replace("case", "case ")
     }
 
+    /// The law of these two materials.
     pub fn law(&self, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Law {
         coefficients.law(&self.loading.pair, self.loading.yield_radius_ratio, exponent)
     }
 
+    /// κ, the share of the sphere in the elastic compliance.
     pub fn sphere_compliance(&self) -> f64 {
         self.loading.pair.sphere_compliance
     }

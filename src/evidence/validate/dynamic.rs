@@ -12,9 +12,9 @@ use crate::scenario::Scenario;
 use crate::scenario::scene::Input;
 
 /// A quantity of an impact, and the numbers of reference and law.
-type OfImpact = (Group, fn(&Case) -> Option<[f64; 2]>);
+type ImpactQuantity = (Group, fn(&Case) -> Option<[f64; 2]>);
 
-const QUANTITIES: [OfImpact; 8] = [
+const QUANTITIES: [ImpactQuantity; 8] = [
     (Group::new("impact: restitution, exponent 3/2", DYNAMIC, ""), |case| {
         Some([case.reference.restitution, case.impacts[0].restitution])
     }),
@@ -91,7 +91,7 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> 
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let cases = cases(coefficients)?;
-    let comparisons = |(group, numbers): &OfImpact| -> Vec<Comparison> {
+    let comparisons = |(group, numbers): &ImpactQuantity| -> Vec<Comparison> {
         let of_case = |case: &Case| Some(group.compared(case.reference.case.clone(), numbers(case)?));
         cases.iter().filter_map(of_case).collect()
     };

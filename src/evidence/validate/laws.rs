@@ -15,7 +15,7 @@ use crate::impact::{Contact, Essentials, Solver};
 
 /// Root mean squares of the deviations of a law.
 #[derive(Debug, Clone)]
-pub struct OfLaw {
+pub struct LawDeviations {
     pub name: String,
     /// Number of the impacts for which the law has an answer.
     pub impacts: usize,
@@ -81,7 +81,7 @@ fn references() -> Result<Vec<Reference>, Error> {
 }
 
 /// Every law of the program with its default parameters, and the PLM with these coefficients; the nearest restitution first.
-pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<OfLaw>, Error> {
+pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<LawDeviations>, Error> {
     let coefficients = Arc::new(coefficients.clone());
     let of_plm = |(exponent, name)| {
         let plm = Plm { coefficients: Arc::clone(&coefficients), exponent, ..Plm::default() };
@@ -98,10 +98,10 @@ pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<OfLaw>, Error> {
         };
         let off: Vec<[Option<f64>; 4]> = references.iter().filter_map(answer).collect();
         let rms_of = |what: usize| rms(&off.iter().filter_map(|off| off[what]).collect::<Vec<_>>());
-        OfLaw { name, impacts: off.len(), rms: [0, 1, 2, 3].map(rms_of) }
+        LawDeviations { name, impacts: off.len(), rms: [0, 1, 2, 3].map(rms_of) }
     };
     let all = EXPONENTS.into_iter().map(of_plm).chain(published.map(|law| (law.name(), law)));
-    let mut laws: Vec<OfLaw> = all.map(of_law).collect();
+    let mut laws: Vec<LawDeviations> = all.map(of_law).collect();
     laws.sort_by(|a, b| a.rms[0].total_cmp(&b.rms[0]));
     Ok(laws)
 }

@@ -9,10 +9,14 @@ use crate::impact::reference::STATIC;
 use crate::impact::reference::loading::LoadingPoint;
 use crate::units::four_digits;
 
-/// A quantity along the loading curve: by the finite elements, and by the law at the same depth.
-type OfLoading = (Group, fn(&LoadingPoint) -> f64, fn(&Case, &Law, f64) -> f64);
+/// The exponents of the unloading with which the law is compared.
+const PAPER: UnloadingExponent = UnloadingExponent::Paper;
+const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
 
-const LOADING: [OfLoading; 3] = [
+/// A quantity along the loading curve: its name, its value by the finite elements, and its value by the law at the same depth.
+type LoadingQuantity = (Group, fn(&LoadingPoint) -> f64, fn(&Case, &Law, f64) -> f64);
+
+const LOADING: [LoadingQuantity; 3] = [
     (Group::new("loading: force", STATIC, "F_Y"), |point| point.force, |_, law, x| law.loading.force(x)),
     (
         Group::new("loading: sphere indentation", STATIC, "delta"),
@@ -26,7 +30,7 @@ const LOADING: [OfLoading; 3] = [
     ),
 ];
 
-/// The points of every curve from first yield on.
+/// Compares the loading curves at their points from first yield on.
 pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let (mut compared, cases) = (Vec::new(), cases()?);
     for (group, of_point, of_law) in LOADING {
@@ -47,13 +51,11 @@ pub(super) fn restitution(law: &Law, x: f64) -> f64 {
     (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).sqrt()
 }
 
-/// A quantity of every cycle: the exponent of the law, and the numbers of reference and law, if the reference has one.
-type OfCycle = (Group, UnloadingExponent, fn(&Law, &Cycle) -> Option<[f64; 2]>);
+/// A quantity of a load cycle: its name, the exponent of the law, and a function that gives the numbers of the finite elements and
+/// of the law; `None` if the finite elements have no such number.
+type CycleQuantity = (Group, UnloadingExponent, fn(&Law, &Cycle) -> Option<[f64; 2]>);
 
-const PAPER: UnloadingExponent = UnloadingExponent::Paper;
-const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
-
-const CYCLES: [OfCycle; 4] = [
+const CYCLES: [CycleQuantity; 4] = [
     (
         Group::new("unloading: residual indentation from the reference's peak (Eq. 23)", STATIC, "delta_Y"),
         PAPER,
@@ -72,7 +74,8 @@ fn of_restitution(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
     Some([cycle.row.restitution?, restitution(law, cycle.row.x)])
 }
 
-/// Every cycle: the dent from the peak of the finite elements; dent and restitution by the whole law.
+/// Compares every load cycle: first the dent that the law gives from the peak of the finite elements, then dent and restitution
+/// by the law alone.
 pub(super) fn cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let (mut compared, cases) = (Vec::new(), cases()?);
     for (group, exponent, numbers) in CYCLES {

@@ -14,9 +14,9 @@ use crate::impact::{Contact, Impact};
 const SOURCE: &str = "explicit finite elements, src/impact/reference/fe_rate.csv";
 
 /// A quantity of an impact, and the numbers of reference and law.
-type OfImpact = (Group, fn(&RatedRow, &Impact) -> Option<[f64; 2]>);
+type ImpactQuantity = (Group, fn(&RatedRow, &Impact) -> Option<[f64; 2]>);
 
-const QUANTITIES: [OfImpact; 5] = [
+const QUANTITIES: [ImpactQuantity; 5] = [
     (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |row, impact| {
         Some([row.restitution, impact.restitution_with_waves()?])
     }),
@@ -66,7 +66,7 @@ pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>,
     let coefficients = Arc::new(coefficients.clone());
     let rows = impacts::rated()?;
     let impacts: Vec<Impact> = rows.iter().map(|row| impact(row, &coefficients)).collect::<Result<_, Error>>()?;
-    let comparisons = |(group, numbers): &OfImpact| -> Vec<Comparison> {
+    let comparisons = |(group, numbers): &ImpactQuantity| -> Vec<Comparison> {
         let compared =
             |(row, impact): (&RatedRow, &Impact)| Some(group.compared(row.case.clone(), numbers(row, impact)?));
         rows.iter().zip(&impacts).filter_map(compared).collect()

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::comparison::{Comparison, largest, mean, rms};
-use super::laws::OfLaw;
+use super::laws::LawDeviations;
 use crate::units::aligned::{aligned, markdown};
 
 /// The text of `validation.csv`. Deviations are shares, not per cent.
@@ -71,8 +71,8 @@ pub fn table(compared: &[Comparison]) -> String {
 }
 
 /// The names of the columns, and a row for every law.
-fn of_laws(laws: &[OfLaw]) -> Vec<[String; 6]> {
-    let row = |OfLaw { name, impacts, rms: [restitution, force, dent, time] }: &OfLaw| {
+fn of_laws(laws: &[LawDeviations]) -> Vec<[String; 6]> {
+    let row = |LawDeviations { name, impacts, rms: [restitution, force, dent, time] }: &LawDeviations| {
         [name.clone(), impacts.to_string(), share(*restitution), share(*time), share(*force), share(*dent)]
     };
     let names = ["law", "impacts", "restitution", "contact time", "peak force", "dent depth"].map(str::to_owned);
@@ -81,7 +81,7 @@ fn of_laws(laws: &[OfLaw]) -> Vec<[String; 6]> {
 
 /// The page of the report: the table of laws, and a table of all comparisons with every source. For the built-in law it
 /// also says where the law deviates, and shows the pictures.
-pub fn page(compared: &[Comparison], laws: &[OfLaw], law: &str, is_built_in: bool) -> String {
+pub fn page(compared: &[Comparison], laws: &[LawDeviations], law: &str, is_built_in: bool) -> String {
     let (mut tables, rows) = (String::new(), summary(compared));
     let mut next = 1;
     for of_source in groups(compared).collect::<Vec<_>>().chunk_by(|a, b| a[0].group.source == b[0].group.source) {

@@ -44,9 +44,9 @@ pub(super) fn compared(coefficients: &PlmCoefficients) -> Result<Vec<Compared>, 
 }
 
 /// A quantity of a cycle, and the numbers of reference and law.
-type OfCycle = (Group, fn(&Compared) -> [f64; 2]);
+type CycleQuantity = (Group, fn(&Compared) -> [f64; 2]);
 
-const QUANTITIES: [OfCycle; 4] = [
+const QUANTITIES: [CycleQuantity; 4] = [
     (Group::new("sphere or both yield: restitution, pressure-shape", SOURCE, ""), |cycle| {
         [cycle.row.restitution, cycle.at_energy.restitution]
     }),
@@ -72,7 +72,7 @@ const QUANTITIES: [OfCycle; 4] = [
 
 pub(super) fn load_cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let all = compared(coefficients)?;
-    let comparisons = |(group, numbers): &OfCycle| -> Vec<Comparison> {
+    let comparisons = |(group, numbers): &CycleQuantity| -> Vec<Comparison> {
         let name = |cycle: &Compared| format!("{}, a/R = {}", cycle.row.case, cycle.row.contact_radius);
         all.iter().map(|cycle| group.compared(name(cycle), numbers(cycle))).collect()
     };

@@ -37,7 +37,7 @@ pub fn solve_with<'a>(
     }
 }
 
-/// Peak, exponent and restitution of an impact at q = v/V: the part that needs no times.
+/// Peak, exponent and restitution of an impact at the dimensionless speed q = v/V, without any times.
 pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> (Unloading, f64) {
     let Balance { unloading, restitution, .. } = balance(ground.into(), speed);
     (unloading, restitution)
@@ -69,7 +69,7 @@ fn balance(ground: Ground, speed: f64) -> Balance {
     Balance { unloading, restitution, kinetic, last, distance }
 }
 
-/// The whole outcome of an impact at q = v/V by the law alone, exact to rounding.
+/// The whole outcome of an impact at the dimensionless speed q = v/V by the law alone, exact to rounding.
 pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
     let ground = ground.into();
     let Balance { unloading, restitution, kinetic, last, distance } = balance(ground, speed);

@@ -1,4 +1,5 @@
-//! A sphere that yields, alone or with the half-space: load cycles of finite elements.
+//! Load cycles by finite elements in which the sphere yields, alone or with the half-space. Numbers without a unit in their column
+//! are in SI units.
 
 use crate::contact::material::{HalfSpace, Material, Pair, PairError, Sphere};
 
@@ -29,7 +30,7 @@ rows! {
 }
 
 impl Cycle {
-    /// The two bodies, without what only a motion needs.
+    /// The two bodies. A load cycle is slow, so they have no density.
     pub fn pair(&self) -> Result<Pair, PairError> {
         let material = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
         let of_sphere = material(self.sphere_modulus, self.sphere_poissons_ratio);

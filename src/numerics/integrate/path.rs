@@ -1,4 +1,5 @@
-//! The way along one smooth piece, and what acts there: its restoring force g = c f, drag in the contact and on the motion, a pull.
+//! The motion along one smooth piece, and the forces there: the restoring force g = c f of the piece, drag in the contact and on
+//! the motion, and a pull.
 
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::power::{max_or_nan, power};

@@ -193,7 +193,7 @@ impl<'a> FittedQuantity<'a> {
         Some(edge(-1.0).chain(upper.into_iter().rev()).collect())
     }
 
-    /// The way of an indentation curve with places between its points, and the indentations there.
+    /// The points of an indentation curve with more points between them, and their indentations.
     fn between_points(&self) -> (Data, Vec<f64>) {
         let points: Vec<f64> =
             self.calibration.fit.problem.data.rows.iter().filter_map(|row| row.indentation).collect();

@@ -1,4 +1,4 @@
-//! Colours, dash patterns and markers. Each series differs from the one before in all three.
+//! The looks of lines and points: colours, dash patterns and markers. Each series differs from the one before in all three.
 
 use plotters::style::RGBColor;
 

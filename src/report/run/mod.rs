@@ -14,7 +14,7 @@ use crate::scenario::scene::at::at;
 use crate::scenario::{Kind, Scenario};
 pub use outcome::{Outcome, RunOptions, no_result, texts};
 
-/// The outcome of a scenario: with options it has all files, and without one it has the text of a check. `None` for a table, which
+/// The outcome of a scenario: with options it has all files, and without options it has the text of a check. `None` for a table, which
 /// is made row after row by [`crate::table::Job`].
 pub fn at_once(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
     let outcome = match scenario.kind()? {
@@ -32,7 +32,7 @@ pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     at_once(scenario, None)?.map_or_else(|| table::check(scenario), Ok)
 }
 
-/// Such a key is of a sphere that moves, and not of its contact.
+/// The way out for a key that describes the motion of the sphere and not its contact.
 const OF_THE_SPHERE: &str = "leave this key out; the simulation has path and spin of every sphere";
 
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
@@ -70,7 +70,8 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     Ok((input, contact))
 }
 
-/// That contact with the strength of the speed of the scenario, for codes that ask for forces one after the other.
+/// The contact of [`contact_alone`], with the strength at the speed of the scenario, for codes that ask for forces one after the
+/// other.
 ///
 /// # Errors
 /// [`Error`] as of [`contact_alone`], and where a strength depends on a speed that the scenario does not give.

@@ -1,4 +1,5 @@
-//! The reference pages: every key, every result, every material.
+//! The tables of the reference pages (`scenarios/keys.md`, `results.md`, `materials.md`): every key, every result, every material.
+//! A test of the program writes them into the pages.
 
 use super::{calibrate, checked, indentation, series, sweep};
 use crate::scenario::reference::keys;
@@ -10,7 +11,8 @@ type Part = (&'static str, fn() -> String);
 
 const PARTS: [Part; 3] = [("keys", keys), ("results", results), ("materials", materials)];
 
-/// A page with the text between the marks written anew, and how many pairs of marks it has.
+/// A page in which every table between two marks is written anew, and the number of these tables. The marks are comments such as
+/// `<!-- keys: written by a test -->`.
 pub fn renewed(page: &str) -> (String, usize) {
     let mut count = 0;
     let write = |page: String, (name, text): &Part| {

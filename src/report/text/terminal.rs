@@ -66,7 +66,7 @@ fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
     aligned(&lines, |_| true)
 }
 
-/// Where the sphere flows, what stays is no dent alone.
+/// Renames the dent where the sphere flows too: the residual indentation is then the sum of a dent and a flat on the sphere.
 fn name_flat([name, _, remarks]: &mut Line, single: &Single) {
     let impact = single.impact;
     if impact.flat_depth > 0.0 {

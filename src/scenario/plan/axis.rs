@@ -148,7 +148,7 @@ impl Axis {
         }
     }
 
-    /// Bodies and law then stay the same along the axis.
+    /// True if bodies and law stay the same along the axis.
     pub fn keeps_contact(&self) -> bool {
         !self.part.changes_contact()
     }

@@ -39,12 +39,12 @@ pub fn ranges(input: &Input) -> impl Iterator<Item = (Body, At<NUMBER>, &'static
 /// The two causes of the uncertainty of e at a contact. Each hardness that a material gives has a range: this holds the contacts
 /// with its lowest and its highest value. And the law itself has an error.
 #[derive(Debug)]
-pub struct Doubt {
+pub struct Uncertainty {
     error: f64,
     hardness: Vec<(Body, &'static Known, [Contact; 2])>,
 }
 
-impl Doubt {
+impl Uncertainty {
     /// `None` for a law or an exponent without a stated error, and where a contact at an end of a range does not exist.
     pub fn new(input: &Input) -> Option<Self> {
         let error = stated_error(&input.law())?;
@@ -95,14 +95,14 @@ impl Doubt {
 /// The band of the restitution of an impact of this input. `None` without a dent, for an exponent or a law without a stated error,
 /// and without a rebound.
 pub fn band(input: &Input, speed: f64, row: &Essentials) -> Option<Band> {
-    let doubt = Doubt::new(input)?;
-    let ([low, high], counts) = doubt.ends(input.approach_at(speed), row)?;
-    let parts = doubt.hardness.iter().zip(counts).filter(|(_, is_part)| *is_part);
+    let uncertainty = Uncertainty::new(input)?;
+    let ([low, high], counts) = uncertainty.ends(input.approach_at(speed), row)?;
+    let parts = uncertainty.hardness.iter().zip(counts).filter(|(_, is_part)| *is_part);
     let mut because: Vec<_> = parts
         .map(|((body, Known { range: [soft, hard], .. }, _), _)| {
             format!("{} {} to {}", body.pick(["hardness of the sphere", "hardness"]), soft.text, hard.text)
         })
         .collect();
-    because.push(format!("law {}", percent(doubt.error)));
+    because.push(format!("law {}", percent(uncertainty.error)));
     Some(Band { low, high, because: because.join(", ") })
 }

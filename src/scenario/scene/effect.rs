@@ -82,7 +82,7 @@ pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<
 }
 
 impl Input {
-    /// The other body then yields at a strength that this ratio keeps below that of this one, and does not harden.
+    /// True if only the other body yields: this one is stronger by at least the factor `least`, and the other one does not harden.
     fn is_harder(&self, body: Body, least: f64) -> bool {
         let flow = self.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow));
         let law = self.law();

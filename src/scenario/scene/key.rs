@@ -37,17 +37,17 @@ pub enum Part {
 }
 
 impl Part {
-    /// Bodies, law or forces change with such a key, and so the contact.
+    /// True if such a key changes bodies, law or forces, and so the contact.
     pub fn changes_contact(self) -> bool {
         !matches!(self, Self::Approach | Self::Solver | Self::Output)
     }
 
-    /// A slow indentation depends on such a key, as far as its law does.
+    /// True if a slow indentation may depend on such a key.
     pub fn is_static(self) -> bool {
         matches!(self, Self::Sphere | Self::HalfSpace | Self::Flow | Self::Law)
     }
 
-    /// The law changes with such a key, or its flow curve.
+    /// True if such a key changes the law or its flow curve.
     pub fn changes_law(self) -> bool {
         matches!(self, Self::Law | Self::Flow)
     }

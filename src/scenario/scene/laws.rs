@@ -57,7 +57,7 @@ impl Input {
         law
     }
 
-    /// The key stands in the table of the law.
+    /// True if the key stands in the table of the law.
     pub fn is_of_law(&self, path: &str) -> bool {
         path.split('.').take(2).eq(["law", self.named_law.about().name])
     }

@@ -55,7 +55,7 @@ impl Input {
         self.bodies(&self.law()).1
     }
 
-    /// More than a yield strength describes the flow stress of a body, or the law does not use it.
+    /// True if the flow stress of a body is described by more than a yield strength, or if the law does not use it.
     pub fn has_flow(&self, body: Body) -> bool {
         let law = self.law();
         let is_hard = self.number(body.strength_keys().hardness).is_some();
@@ -217,7 +217,7 @@ impl Input {
         }
     }
 
-    /// A row of a table is integrated then, or its times are.
+    /// True if a row of a table is integrated, or at least its times are.
     pub fn is_stepped(&self) -> bool {
         let forces = self.forces();
         let method = self.solver().method.chosen(&forces, false);

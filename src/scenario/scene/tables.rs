@@ -209,7 +209,7 @@ fn through(points: &[[f64; 2]]) -> Result<FlowCurve, String> {
     FlowCurve::through(points.collect::<Vec<_>>()).map_err(|error| error.to_string())
 }
 
-/// There is a key, or a table, of this path.
+/// True if there is a key or a table of this path.
 pub fn is_known(path: &str) -> bool {
     path == "law" || EVERY_KEY.iter().any(|key| is_at_or_below(key.path, path))
 }
@@ -229,7 +229,7 @@ pub fn names(table: &str) -> Vec<&'static str> {
     names
 }
 
-/// The path is this one, or that of a key below it.
+/// True if a path is `above`, or the path of a key below it.
 pub fn is_at_or_below(path: &str, above: &str) -> bool {
     path.strip_prefix(above).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

@@ -23,7 +23,7 @@ const EDGE: f64 = 6.0;
 /// Points of a curve that are closer than this \[px\] are drawn as one.
 const RESOLUTION: f64 = 2.0;
 
-/// The two file formats differ in this.
+/// The differences between the two file formats.
 #[derive(Clone, Copy)]
 struct Format {
     /// Units of the back end per pixel of the picture: plotters takes whole numbers.

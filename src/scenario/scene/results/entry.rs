@@ -52,7 +52,7 @@ pub(crate) fn file<T>(title: &str, results: &[Reported<T>]) -> String {
     text + "\n"
 }
 
-/// A column is there only in a scene that has this.
+/// The part of a scene that a column needs: a table has the column only if its scene has this part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
     /// Nothing: the column is in every table.
@@ -90,7 +90,7 @@ pub struct Column {
 }
 
 impl Needs {
-    /// When an impact has the result, in words, and whether one has it.
+    /// The condition under which an impact has the result, in words and as a function.
     const fn rule(self) -> (&'static str, fn(&Contact, &Essentials) -> bool) {
         match self {
             Self::Nothing => ("", |_, _| true),
@@ -107,7 +107,7 @@ impl Needs {
         }
     }
 
-    /// When an impact has the result, in words.
+    /// The condition under which an impact has the result, in words.
     pub const fn condition(self) -> &'static str {
         self.rule().0
     }
@@ -131,7 +131,7 @@ pub fn fields<T>(results: &[Reported<T>], subject: &T) -> Map<String, Value> {
     all
 }
 
-/// Makes a list of the values of several things.
+/// The results of several things as a list.
 pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &'a T>) -> Value {
     all.into_iter().map(|one| fields(results, one)).collect()
 }
