@@ -93,6 +93,21 @@ impl Curve {
         self.then(start, force, Shape::straight(slope))
     }
 
+    /// Lets the curve go on from a point (x, f) in straight lines through others.
+    #[must_use]
+    pub fn then_through(mut self, first: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Self {
+        self.pieces.reserve(points.size_hint().0 + 1);
+        let [mut start, mut force] = first;
+        let mut work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
+        for [x, to] in points {
+            let (distance, slope) = (x - start, (to - force) / (x - start));
+            self.pieces.push(Piece { start, force, work, is_joint: false, shape: Shape::straight(slope) });
+            [_, work] = along(slope, [force, work], distance);
+            [start, force] = [x, to];
+        }
+        self
+    }
+
     /// Lets the curve go on from `start` as k x^n.
     #[must_use]
     pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {

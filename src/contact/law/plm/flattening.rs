@@ -40,13 +40,15 @@ pub struct Flattening {
 }
 
 impl Flattening {
-    /// The curve f, and what it leaves to be known of f_P. `radii` gives A_P and a/a_Y at (x, f_P), `plastic_from` is A_fp.
+    /// The curve f, and what it leaves to be known of f_P. `equivalent` gives A_P and `radius` a/a_Y at (x, f_P); `plastic_from` is
+    /// A_fp.
     pub(super) fn of(
         pair: &Pair,
         yield_radius_ratio: f64,
         plastic_from: f64,
         plain: Arc<Curve>,
-        radii: impl Fn(f64, f64) -> [f64; 2],
+        equivalent: impl Fn(f64, f64) -> f64,
+        radius: impl Fn(f64, f64) -> f64,
     ) -> (Curve, Self) {
         let (mut softening, mut recovery) = (0.0, 0.0);
         for Ball { share, compliance, curvature } in pair.balls {
@@ -54,28 +56,29 @@ impl Flattening {
             recovery += RECOVERY * share * compliance * curvature;
         }
         let softening = softening * yield_radius_ratio * yield_radius_ratio;
-        let state = |x: f64| {
-            let force = plain.force(x);
-            let [equivalent, radius] = radii(x, force);
-            let factor = 1.0 + softening * x * (1.0 - plastic_from / equivalent).max(0.0);
-            (force, factor, radius * yield_radius_ratio)
-        };
-        let knots: Vec<f64> = plain.pieces().iter().skip(1).map(|piece| piece.start).collect();
-        let mut curve = Curve::hertz();
-        let (mut start, mut from) = knots.first().map_or((1.0, 1.0), |first| (*first, first * first.sqrt()));
-        let mut held = None;
-        for x in points(&knots, |x| state(x).2 >= WIDEST) {
-            let (force, factor, ratio) = state(x);
-            let factor = held.unwrap_or(factor);
-            if ratio >= WIDEST {
-                held = Some(factor);
+        let pieces = plain.pieces();
+        let knots: Vec<f64> = pieces.iter().skip(1).map(|piece| piece.start).collect();
+        // the contact radius rises with the indentation
+        let is_wide = |x: f64| radius(x, plain.force(x)) * yield_radius_ratio >= WIDEST;
+        let points = points(&knots, is_wide);
+        let wide_from = points.partition_point(|x| !is_wide(*x));
+        let first = knots.first().map_or([1.0, 1.0], |first| [*first, first * first.sqrt()]);
+        let (mut end, mut factor, mut piece) = (first, 1.0, 0);
+        let softer = points.iter().enumerate().map(|(index, &x)| {
+            // the points rise, so no piece need be searched for
+            while pieces.get(piece + 1).is_some_and(|next| next.start <= x) {
+                piece += 1;
             }
-            let to = force / factor;
-            curve = curve.then_straight_from(start, from, (to - from) / (x - start));
-            (start, from) = (x, to);
-        }
-        let last = plain.pieces().last().map_or(1.0, |last| last.slope_at(start));
-        curve = curve.then_straight_from(start, from, last / held.unwrap_or(1.0));
+            let force = pieces[piece].force_at(x);
+            if index <= wide_from {
+                factor = 1.0 + softening * x * (1.0 - plastic_from / equivalent(x, force)).max(0.0);
+            }
+            end = [x, force / factor];
+            end
+        });
+        let curve = Curve::hertz().then_through(first, softer);
+        let last = pieces.last().map_or(1.0, |last| last.slope_at(end[0]));
+        let curve = curve.then_straight_from(end[0], end[1], last / factor);
         let widest = match pair.yield_point.map(|point| point.flow) {
             Some(flow) if flow.is_of_both() => 0.2,
             _ => 0.3,

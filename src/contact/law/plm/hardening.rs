@@ -95,14 +95,13 @@ impl Hardening {
             if scaled <= first { x * x.sqrt() } else { r * r * r * perfect.force(scaled) }
         };
         let end = 1.0 / (self.yield_radius_ratio * self.yield_radius_ratio);
-        let mut curve = Curve::hertz();
-        let (mut start, mut from) = (first, force(first));
-        for x in points(&knots, |x| x >= end) {
-            let to = force(x).max(from * (1.0 + LEAST_GROWTH * (x - start) / start));
-            curve = curve.then_straight_from(start, from, (to - from) / (x - start));
-            (start, from) = (x, to);
-        }
-        curve.with_crossings()
+        let mut before = [first, force(first)];
+        let hardened = points(&knots, |x| x >= end).into_iter().map(|x| {
+            let [start, from] = before;
+            before = [x, force(x).max(from * (1.0 + LEAST_GROWTH * (x - start) / start))];
+            before
+        });
+        Curve::hertz().then_through([first, force(first)], hardened).with_crossings()
     }
 }
 

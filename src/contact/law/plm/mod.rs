@@ -113,8 +113,10 @@ impl Plm {
             return (plain, rule);
         }
         let plastic_from = self.coefficients.line_slopes(pair).plastic_from;
-        let radii = |x: f64, force: f64| rule.radii(x, force);
-        let (curve, flattening) = Flattening::of(pair, bodies.yield_radius_ratio(), plastic_from, plain, radii);
+        let equivalent = |x, force| rule.equivalent_at(x, force);
+        let radius = |x, force| rule.contact_radius(&rule.state(x, force));
+        let ratio = bodies.yield_radius_ratio();
+        let (curve, flattening) = Flattening::of(pair, ratio, plastic_from, plain, equivalent, radius);
         (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })
     }
 }

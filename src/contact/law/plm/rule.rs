@@ -71,12 +71,10 @@ impl PlmRule {
         }
     }
 
-    /// At (x, f) of a law without a flat: A, in units of the strength that the body that flows has reached there, and a/a_Y.
-    pub(super) fn radii(&self, x: f64, force: f64) -> [f64; 2] {
-        let peak = self.state(x, force);
-        let equivalent = self.equivalent(&peak);
-        let of = |hardening: &Hardening| hardening.shape(x, equivalent).equivalent;
-        [self.hardening.as_ref().map_or(equivalent, of), self.contact_radius(&peak)]
+    /// A at (x, f) of a law without a flat, in units of the strength that the body that flows has reached there.
+    pub(super) fn equivalent_at(&self, x: f64, force: f64) -> f64 {
+        let equivalent = self.equivalent(&self.state(x, force));
+        self.hardening.as_ref().map_or(equivalent, |hardening| hardening.shape(x, equivalent).equivalent)
     }
 
     /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
