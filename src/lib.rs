@@ -9,8 +9,8 @@
 //! m δ'' = −F(δ, memory),   δ(0) = 0,  δ'(0) = v,   until F = 0 at δ = δ_r;   e = −δ'(end)/v
 //! ```
 //!
-//! Without gravity and damping the impact has a closed form: it is what tables of e(v) are made of, unless they name a method,
-//! and what the integration of a single impact is compared with.
+//! Without gravity and damping the impact has a closed form. Tables of e(v) are computed by it, unless they name a method, and the
+//! integration of a single impact is compared with it.
 //!
 //! # Notation
 //!
@@ -122,8 +122,9 @@
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
-//! Beside these, [`impact::repeat`] has series of impacts, and [`impact::indentation`] the slow ones. The other modules are what the command is made of. They are public
-//! for the command and for the tests, are left out here, and may change at any time; `src/README.md` shows them.
+//! Beside these, [`impact::repeat`] has series of impacts, and [`impact::indentation`] has slow indentations. The command is made
+//! of the other modules. They are public for the command and for the tests, are left out here, and may change at any time;
+//! `src/README.md` shows them.
 
 // see clippy.toml
 #![warn(clippy::disallowed_methods)]

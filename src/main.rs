@@ -1,4 +1,4 @@
-//! The command: parse, call, print what went wrong, choose the exit code.
+//! The command: it reads the command line, runs the command, prints an error, and chooses the exit code.
 
 #[path = "doors/cli/mod.rs"]
 mod cli;

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::problem::Problem;
 
-/// With this number of impacts the cells with basins are found.
+/// This number of impacts is enough to find the cells with basins.
 const ENOUGH: usize = 1000;
 /// Cells along the range of a key, and along that of a key inside of a profile.
 const CELLS: u32 = 64;

@@ -1,5 +1,5 @@
-//! The two bodies and what their pairing fixes before any law is chosen: effective modulus, compliance shares, first
-//! yield. Nothing here but the densities knows of motion.
+//! The two bodies, and the numbers that follow from them as a pair before any law is chosen: effective modulus, compliance
+//! shares, first yield. Only the densities have to do with motion.
 
 use thiserror::Error;
 
@@ -104,7 +104,7 @@ impl HalfSpace {
 /// First yield of the softer body (Xie et al. 2024, Eqs. 17-18).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldPoint {
-    /// Who flows.
+    /// The bodies that flow.
     pub flow: Flow,
     /// σ_Y of the softer body \[Pa\].
     pub strength: f64,

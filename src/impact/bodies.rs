@@ -1,5 +1,5 @@
-//! Doubts about the bodies: numbers that hardly any body has, a sphere that yields, and what the materials say against a
-//! result, where they have names. Only metals yield here, and a metal that hardens needs more than its hardness.
+//! Warnings about the bodies: numbers that hardly any body has, a sphere that yields, and results that do not fit the named
+//! materials. Only metals yield here, and a metal that hardens needs more than its hardness.
 
 use super::contact::Contact;
 use super::result::Impact;
@@ -9,11 +9,11 @@ use crate::contact::material::{HalfSpace, Material, Pair, YieldPoint};
 use crate::contact::materials::{Class, MaterialEntry};
 use crate::units::{Dimension, four_digits, human, quantity};
 
-/// Lighter bodies are doubted \[kg/m³\]; cork has 120 to 240.
+/// Bodies of a lower density \[kg/m³\] get a warning; cork has 120 to 240.
 const LIGHT: f64 = 100.0;
-/// Larger spheres are doubted: their radius \[m\].
+/// Spheres of a larger radius \[m\] get a warning.
 const LARGE: f64 = 1.0;
-/// Higher strengths are doubted, over Young's modulus; whiskers without a flaw reach a tenth.
+/// Strengths that are a larger share of Young's modulus get a warning; whiskers without a flaw reach a tenth.
 const HIGH: f64 = 0.1;
 
 /// How far e is too high by the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.

@@ -41,9 +41,9 @@ pub struct Contact {
     pub(super) law: Law,
     /// Its units: those of first yield, or of the sphere's radius for a half-space that stays elastic.
     pub(super) scales: Scales,
-    /// The slowest impact that yields \[m/s\]; infinite without one.
+    /// Speed of the slowest impact that yields \[m/s\]; infinite if none yields.
     pub(super) yield_speed: f64,
-    /// The fastest impact that gives back all \[m/s\]: that speed, or less where the metal relaxes.
+    /// Speed of the fastest impact without any loss \[m/s\]: the yield speed, or less where the metal relaxes.
     pub(super) elastic_speed: f64,
     /// How the strengths rise with the rate of strain.
     pub(super) rates: Option<Arc<Rates>>,

@@ -1,4 +1,4 @@
-//! The numbers of an impact that a table holds, without the rest of an [`Impact`](super::Impact).
+//! The results of an impact that a row of a table has, without the rest of an [`Impact`](super::Impact).
 
 use super::case::Case;
 use super::closed_form;

@@ -99,7 +99,7 @@ impl ScaledForces {
         self.drag == Drag::NONE
     }
 
-    /// Without damping: whether a sphere that came at q = v/V stays in its dent.
+    /// True if a sphere that came at q = v/V stays in its dent. It is for impacts without damping.
     pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
         let held = (unloading.exponent + 1.0) * self.weight;
         // an elastic contact gives back what it took, but for rounding

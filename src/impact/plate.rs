@@ -8,7 +8,7 @@
 //! m p' = −F + m g,   δ' = p − Y F    <=>    m δ'' = −F + m g − m Y F' δ'
 //! ```
 //!
-//! A drag on the motion, then, and no part of the contact force. In the units of an impact y = Y Φ/V, and
+//! So the plate is a drag on the motion, and no part of the contact force. In the units of an impact y = Y Φ/V, and
 //!
 //! ```text
 //! sphere   0.4 p²,  p = u + y f         plate   E_p = 0.8 ∫ drag u dτ − 0.8 y f u − 0.4 y² f² + w w_p

@@ -1,4 +1,4 @@
-//! The strain rate of an impact and what it makes of the strength, as a result; [`super::rate`] finds it.
+//! The strain rate of an impact, and the factors by which it raises the strength. [`super::rate`] computes them.
 
 use crate::contact::law::LawChoice;
 use crate::contact::strength::rate::Rate;

@@ -3,8 +3,8 @@
 use super::contact::Contact;
 use crate::contact::law::{ContactState, Ground};
 
-/// The largest state that a contact has seen. It is the whole memory of the contact; a fresh contact has zeros, and so has
-/// one with a half-space that stays elastic.
+/// The largest indentation of a contact so far, with its force. It is the whole memory of the contact. A fresh contact has zeros,
+/// and so has a contact without a yield strength.
 ///
 /// A code that moves spheres sets it back to zero when the sphere has left the original surface (δ ≤ 0). It must not do so
 /// earlier, where the force ends at the depth of the dent. A sphere that comes back to the same spot keeps its memory.

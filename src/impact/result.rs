@@ -76,13 +76,13 @@ pub struct ForcesResult {
     pub gravity_work: Option<f64>,
 }
 
-/// One impact: every report and every picture reads this. What a table holds of it, it holds too: an impact derefs to its
-/// [`Essentials`], as in `impact.peak_force`. SI units.
+/// One impact: every report and every picture reads this. It derefs to its [`Essentials`], the results that a row of a table has,
+/// as in `impact.peak_force`. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
     /// Impact speed v \[m/s\]; the whole speed of an oblique impact.
     pub speed: f64,
-    /// How it was computed: never `Auto`, but what that chose.
+    /// The method that computed it. It is never `Auto` but the method that `Auto` chose.
     pub method: Method,
     pub essentials: Essentials,
     /// Speed of the sphere \[m/s\], normal to the half-space: e v, unless the other body is free to move.
@@ -214,7 +214,7 @@ impl Impact {
         })
     }
 
-    /// Adds what friction makes of an oblique impact, of which all else is the normal motion.
+    /// Adds the results of friction to an oblique impact, whose other results describe the normal motion.
     pub(super) fn add_friction(&mut self, inclined: &ObliqueImpact, approach: Approach) -> Result<(), ImpactError> {
         let slip = inclined.slip(true)?;
         self.speed = approach.speed;

@@ -1,4 +1,4 @@
-//! The file formats of a table. A format is added as a value of [`Format`] and an implementation of [`Form`]: see `csv.rs` and
+//! The file formats of a table. A format is added as a value of [`Format`] and an implementation of the trait `Form`: see `csv.rs` and
 //! `parquet.rs`.
 
 use std::io;

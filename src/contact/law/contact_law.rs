@@ -9,7 +9,7 @@ use super::Law;
 use super::published::{LawParts, OutsideLaw};
 use crate::contact::material::{Pair, YieldPoint};
 
-/// Where a law comes from and what it is good for, in words.
+/// The source of a law and its use, in words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct About {
     pub name: &'static str,

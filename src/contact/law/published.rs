@@ -22,7 +22,7 @@ use crate::units::{four_digits, percent};
 /// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there.
 pub const LARGEST_CUT: f64 = 0.05;
 
-/// A point of a loading curve, as unloading sees it.
+/// A point of a loading curve from which the contact unloads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PeakState {
     /// x_m.
@@ -175,7 +175,7 @@ pub enum OutsideLaw {
         /// The energy given back over that spent, less 1.
         gain: f64,
     },
-    /// A flow curve that is none.
+    /// The points or the numbers make no flow curve.
     #[error("the flow curve of the body that yields: {0}")]
     Flow(#[from] FlowError),
     /// A flow curve of one of two bodies that both flow.

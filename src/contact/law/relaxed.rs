@@ -14,7 +14,7 @@ use super::{Ground, Law, LoadingRule, Relaxed};
 use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::root::halved;
 
-/// By which share of the step the largest force is reported below the one that the loading comes to.
+/// The largest force is reported lower than the force at the end of loading, by this share of the step.
 const UNREPORTED: f64 = 0.8;
 
 impl Relaxed {
@@ -29,7 +29,7 @@ impl Relaxed {
         self.law.limits.elastic_until * length
     }
 
-    /// How a surface unloads that was loaded to x.
+    /// The unloading branch of a surface that was loaded to x.
     fn left_at(&self, x: f64) -> Unloading {
         let [length, force] = self.units();
         let unloading = self.law.unloading(self.law.loaded_to(x / length));
@@ -70,7 +70,7 @@ impl Law {
         (x > relaxed.until() * (1.0 + f64::EPSILON)).then(|| relaxed.left_at(x))
     }
 
-    /// The law that judges a turn, with the branch in its units; `None` where the metal does not relax.
+    /// The law at the turn, with the branch in the units of that law; `None` if the metal does not relax.
     #[inline(always)]
     pub(super) fn at_turn(&self, unloading: &Unloading) -> Option<(&Law, Unloading)> {
         self.relaxed.as_ref().map(|relaxed| (&relaxed.law, relaxed.own(unloading)))
@@ -93,7 +93,7 @@ impl Law {
         }
     }
 
-    /// A branch longer than it was, or shorter: up to where it meets this loading curve.
+    /// The branch up to the place where it meets this loading curve. It may become longer or shorter by that.
     pub(crate) fn met_by(&self, branch: &Unloading) -> Unloading {
         let (piece, residual) = (branch.branch(), branch.peak.residual());
         let over = |recovered: f64| piece.force_beyond(recovered) - self.loading.force(residual + recovered);

@@ -7,7 +7,7 @@ use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::power::{power, turning_time, work_share};
 
-/// The largest state that a contact has seen: the whole memory of the law.
+/// The largest indentation of a contact so far, with its force: the whole memory of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactState {
     /// x_m.

@@ -68,7 +68,7 @@ fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
     Law::new(loading, law.limits, law.rule.clone())
 }
 
-/// All of them. Where the restitution comes from is what each says about itself.
+/// All hard cases. Each names the source of its restitution in its description.
 ///
 /// # Errors
 /// [`ImpactError`], which none of their numbers is near.

@@ -37,7 +37,7 @@ pub enum Rung {
     /// Steps over the exact contact time T. In a DEM code a contact seldom lasts a whole number of steps. So five step
     /// sizes T/(steps + phase) are tried, and the largest error counts.
     Steps(u32),
-    /// Nothing to set.
+    /// The method has no setting.
     Exact,
 }
 

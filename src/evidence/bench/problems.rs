@@ -2,8 +2,8 @@
 //!
 //! P1, P2 and P3 are a sphere of steel (E 210 GPa, ν 0.3, ρ 7850 kg/m³, R 5 mm, σ_Y 345 MPa) on the same steel, with
 //! laws simple enough for pencil and paper: Hertz up to δ_Y = R (π 1.6 σ_Y/2E*)², then straight pieces, and Hertz-type
-//! unloading √2 times as stiff as the loading. Three more are the PLM at three of its limits. The last three are what
-//! users compute beside it: the PLM on a half-space that hardens, with viscous damping, and on a plate.
+//! unloading √2 times as stiff as the loading. Three more are the PLM at three of its limits. The last three are other scenes
+//! that users compute: the PLM on a half-space that hardens, with viscous damping, and on a plate.
 
 use std::f64::consts::{PI, SQRT_2};
 

@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::impact::reference::quasi_static;
 use crate::impact::{Contact, Essentials, Solver};
 
-/// Root mean squares of the deviations of a law.
+/// The deviations of a law from the finite elements, as root mean squares.
 #[derive(Debug, Clone)]
 pub struct LawDeviations {
     pub name: String,
@@ -36,7 +36,7 @@ struct Reference {
 }
 
 impl Reference {
-    /// Deviations of a result of a law, in the order of [`OfLaw::rms`].
+    /// Deviations of a result of a law, in the order of [`LawDeviations::rms`].
     fn off(&self, by_law: &Essentials) -> [Option<f64>; 4] {
         let restitution = by_law.measured_restitution();
         [

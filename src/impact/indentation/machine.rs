@@ -5,7 +5,7 @@ use crate::contact::law::{Branch, ContactState, Dent, Ground, Law, Unloading};
 /// A step that moves by less than this share of the indentation counts as no move: it is rounding.
 const STILL: f64 = 1e-12;
 
-/// A contact that is indented slowly: its law, where it is, and what it remembers.
+/// A contact that is indented slowly: its law, its present indentation, and the dent that it remembers.
 #[derive(Debug)]
 pub(super) struct Machine<'a> {
     law: &'a Law,

@@ -24,7 +24,7 @@ named! {
     }
 }
 
-/// One impact of a series. It holds what a table holds of it, and derefs to that, as in `hit.peak_force`. SI units.
+/// One impact of a series. It derefs to the results that a row of a table has, as in `hit.peak_force`. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// First touch \[s\]; `None` for shots.

@@ -1,4 +1,4 @@
-//! Checks of model and run. What they find is a warning in the result, and an error only with `--strict`.
+//! Checks of model and run. Each finding is a warning in the result; with `--strict` it is an error.
 
 mod of_run;
 

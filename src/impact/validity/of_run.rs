@@ -1,4 +1,4 @@
-//! Checks of a run: of its error, and of energy that it makes.
+//! Warnings about a run: its error is too large, or it creates energy.
 
 use crate::impact::contact::Contact;
 use crate::impact::result::Impact;

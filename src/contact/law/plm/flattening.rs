@@ -40,8 +40,8 @@ pub struct Flattening {
 }
 
 impl Flattening {
-    /// The curve f, and what it leaves to be known of f_P. `equivalent` gives A_P and `radius` a/a_Y at (x, f_P); `plastic_from` is
-    /// A_fp.
+    /// Makes the curve f, and the flattening, which keeps f_P. `equivalent` gives A_P and `radius` a/a_Y at (x, f_P); `plastic_from`
+    /// is A_fp.
     pub(super) fn of(
         pair: &Pair,
         yield_radius_ratio: f64,
