@@ -9,6 +9,7 @@ mod bench;
 mod calibrate;
 mod cli;
 mod doubts;
+mod drawn;
 mod drop;
 mod export;
 mod forces_output;
@@ -21,6 +22,7 @@ mod licences;
 mod material_keys;
 mod materials;
 mod oblique;
+mod picture_numbers;
 mod pictures;
 mod plots;
 #[cfg(unix)]

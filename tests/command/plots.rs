@@ -4,73 +4,8 @@
 use plm_impact::report::plot::{self, Axis, Chart, Panel, PlotError, Series, heatmap, histogram};
 use roxmltree::Node;
 
+use super::drawn::*;
 use crate::common::prelude::*;
-
-/// Units of the drawing per pixel.
-const UNITS: f64 = 10.0;
-/// The first colours of Okabe and Ito (2008), in the order of the series, and those of outline and measurements.
-const BLUE: &str = "#0072B2";
-const VERMILLION: &str = "#D55E00";
-const GREEN: &str = "#009E73";
-const PURPLE: &str = "#CC79A7";
-const ORANGE: &str = "#E69F00";
-const INK: &str = "#222222";
-
-/// A picture that was read back from its SVG.
-struct Drawn(String);
-
-fn number(node: Node, name: &str) -> f64 {
-    node.attribute(name).unwrap().parse().unwrap()
-}
-
-fn points(node: Node) -> Vec<(f64, f64)> {
-    let pairs = node.attribute("points").unwrap().split_whitespace().map(|pair| pair.split_once(',').unwrap());
-    pairs.map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap())).collect()
-}
-
-impl Drawn {
-    fn of(chart: &Chart) -> Self {
-        Self(text(&chart.to_svg().unwrap()))
-    }
-
-    fn document(&self) -> Document<'_> {
-        Document::parse(&self.0).unwrap()
-    }
-
-    /// The boxes with axes, from the top down: left, top, right, bottom. Their outlines are closed black lines.
-    fn boxes(&self) -> Vec<[f64; 4]> {
-        let outlines = self.lines(INK).into_iter().filter(|line| line.len() == 5 && line[0] == line[4]);
-        outlines.map(|corners| [corners[0].0, corners[0].1, corners[2].0, corners[2].1]).collect()
-    }
-
-    /// The lines of this colour, in units of the drawing.
-    fn lines(&self, color: &str) -> Vec<Vec<(f64, f64)>> {
-        let document = self.document();
-        let lines = document
-            .descendants()
-            .filter(|node| node.has_tag_name("polyline") && node.attribute("stroke") == Some(color));
-        lines.map(points).collect()
-    }
-
-    /// The points of the lines of this colour as shares of a box. The level line of 56 pixels in the key is left out.
-    fn shares_of(&self, color: &str, number: usize) -> Vec<(f64, f64)> {
-        let [left, top, right, bottom] = self.boxes()[number];
-        let share = |(x, y): (f64, f64)| ((x - left) / (right - left), (bottom - y) / (bottom - top));
-        let is_key = |line: &Vec<(f64, f64)>| line[0].1 == line[1].1 && line[1].0 - line[0].0 == 56.0 * UNITS;
-        let lines = self.lines(color).into_iter().filter(|line| line.len() != 2 || !is_key(line));
-        lines.flatten().map(share).filter(|(x, _)| (-1e-3..=1.0 + 1e-3).contains(x)).collect()
-    }
-
-    fn shares(&self, color: &str) -> Vec<(f64, f64)> {
-        self.shares_of(color, 0)
-    }
-
-    fn texts(&self) -> Vec<String> {
-        let document = self.document();
-        let texts = document.descendants().filter(|node| node.has_tag_name("text"));
-        texts.map(|node| node.text().unwrap().trim().to_owned()).collect()
-    }
-}
 
 fn impact(sphere_modulus: f64, yield_strength: Option<f64>, speed: f64) -> Impact {
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
