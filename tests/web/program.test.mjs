@@ -1,10 +1,12 @@
-// The program of the page, without a browser: for every scenario the files, texts and warnings of the command, to the last bit.
+// The program of the page, without a browser: for a scenario of every kind the files, texts and warnings of the command, to the last bit.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { readFileSync, readdirSync } from "node:fs";
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
+import { pathToFileURL } from "node:url";
 
 import { PAGE, SCENARIOS, call, callWith, read, runByCommand, withoutCommand } from "./command.mjs";
 
@@ -14,7 +16,14 @@ program.initSync({ module: readFileSync(join(PAGE, "plm_impact_bg.wasm")) });
 
 const run = (name, text, data) => JSON.parse(program.run(name, text, data));
 
-const scenarios = readdirSync(SCENARIOS).filter((name) => name.endsWith(".toml"));
+// scenarios that have all tables together, none of which has only tables that others before it have; and that of all laws
+const scenarios = ["restitution-of-all-laws.toml"];
+const known = new Set();
+for (const name of readdirSync(SCENARIOS).filter((name) => name.endsWith(".toml")).sort()) {
+  const tables = [...read(name).matchAll(/^\[(\w+)/gm)].map(([, table]) => table);
+  if (tables.some((table) => !known.has(table))) scenarios.push(name);
+  tables.forEach((table) => known.add(table));
+}
 
 test("the page has the licences that the command prints", () => {
   const { stdout } = call("--licenses");
@@ -23,7 +32,7 @@ test("the page has the licences that the command prints", () => {
   assert.match(readFileSync(join(PAGE, "index.html"), "utf8"), /href="licenses.txt"/);
 });
 
-test("there are scenarios", () => assert.ok(scenarios.length > 30, `${scenarios.length}`));
+test("there are scenarios of every kind", () => assert.ok(scenarios.length > 8, `${scenarios.length}`));
 
 for (const name of scenarios) {
   test(`${name}: the files of the command`, () => {
@@ -99,6 +108,59 @@ test("e against speed as CSV is the table of the command", () => {
   const axis = 'sweep."impact.speed"={ logspace = [1e-2, 1e2], points = 601 }';
   const { files } = runByCommand("steel-on-steel.toml", "--set", axis, "--set", 'output.columns=["restitution"]');
   assert.equal(curve["restitution.csv"], files["table.csv"]);
+});
+
+test("e against drop height as CSV is the table of the command", () => {
+  const text = read("steel-on-steel.toml").replace(/^speed = .*/m, 'drop_height = "0.5 m"') + "[gravity]\nacceleration = 9.81\n";
+  const { curve } = run("drop.toml", text);
+  const folder = mkdtempSync(join(tmpdir(), "plm-impact-"));
+  const axis = 'sweep."impact.drop_height"={ logspace = [1e-3, 1e1], points = 601 }';
+  const keys = ["--set", axis, "--set", 'output.columns=["restitution"]'];
+  const { status, stderr } = callWith(text, "run", "-", "--pictures", "none", "--out", folder, ...keys);
+  assert.equal(status, 0, stderr);
+  assert.equal(curve["restitution.csv"], readFileSync(join(folder, "table.csv"), "utf8"));
+  rmSync(folder, { recursive: true });
+});
+
+// the worker is played by this test
+test("a run of more than a second gives way to the next, and a program that has an error is replaced", async (context) => {
+  const workers = [];
+  globalThis.Worker = class {
+    sent = [];
+    constructor() {
+      workers.push(this);
+    }
+    postMessage(message) {
+      this.sent.push(message);
+    }
+    terminate() {
+      this.isOver = true;
+    }
+  };
+  globalThis.fetch = async () => ({ arrayBuffer: async () => readFileSync(join(PAGE, "plm_impact_bg.wasm")) });
+  let now = 0;
+  context.mock.method(performance, "now", () => now);
+  const { load, run } = await import(pathToFileURL(join(PAGE, "program.js")));
+  const replies = [];
+  await load((reply) => replies.push(reply));
+  // within the second the next run waits, and of those that wait the last is done
+  ["one", "two", "three"].forEach((name) => run(name));
+  assert.deepEqual(workers[0].sent.slice(1).map(([name]) => name), ["one"]);
+  workers[0].onmessage({ data: "{}" });
+  assert.deepEqual(workers[0].sent.slice(1).map(([name]) => name), ["one", "three"]);
+  assert.deepEqual(replies, []);
+  // beyond it the worker is ended
+  now = 1001;
+  run("four");
+  assert.ok(workers[0].isOver && workers.length === 2);
+  assert.deepEqual(workers[1].sent.slice(1).map(([name]) => name), ["four"]);
+  workers[1].onerror({ preventDefault() {}, message: "unreachable" });
+  assert.match(replies[0].error, /^the program has an error: unreachable/);
+  run("five");
+  assert.deepEqual(workers[2].sent.slice(1).map(([name]) => name), ["five"]);
+  assert.ok(workers[2].sent[0] instanceof WebAssembly.Module);
+  workers[2].onmessage({ data: '{"text":"done"}' });
+  assert.equal(replies[1].text, "done");
 });
 
 test("command and page are looked for where cargo builds", () => {
