@@ -161,7 +161,7 @@ fn materials_are_an_axis() {
 #[test]
 fn one_line_draws_from_the_ranges_of_a_material() {
     let random = steel()
-        + "[monte_carlo]\nsamples = 20000\n\"half_space.material\" = \"uniform\"\n\"impact.speed\" = { uniform = [2, 4] }\n";
+        + "[monte_carlo]\nsamples = 2000\n\"half_space.material\" = \"uniform\"\n\"impact.speed\" = { uniform = [2, 4] }\n";
     let plan = Scenario::from_text("s.toml", &random, &[]).unwrap().plan().unwrap();
     let Cases::MonteCarlo { variables, .. } = &plan.cases else { panic!("{plan:?}") };
     let drawn: Vec<&str> = variables.iter().map(|variable| variable.key.path).collect();
