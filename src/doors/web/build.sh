@@ -10,13 +10,31 @@ target=wasm32-unknown-unknown
 build=$(cargo metadata --format-version 1 --no-deps | sed 's/.*"target_directory":"\([^"]*\)".*/\1/')
 rustup target list --installed | grep -qx $target || rustup target add $target
 version=$(grep -A1 '^name = "wasm-bindgen"$' Cargo.lock | sed -n 's/^version = "\(.*\)"$/\1/p')
-bindgen=$build/tools/bin/wasm-bindgen
-[ "$("$bindgen" --version 2>/dev/null)" = "wasm-bindgen $version" ] || CARGO_PROFILE_DEV_OPT_LEVEL=0 cargo install --quiet --debug --force \
-    wasm-bindgen-cli --version "$version" --no-default-features --bin wasm-bindgen --root "$build/tools" --target-dir "$build/tools"
+# its library with a front end of a few lines: a third of the crates of wasm-bindgen-cli, whose tools for tests need a web server
+tool=$build/tools/bindgen-$version
+if [ ! -x "$tool/debug/bindgen" ]; then
+    mkdir -p "$tool/src"
+    cat >"$tool/Cargo.toml" <<END
+[package]
+name = "bindgen"
+edition = "2024"
+[dependencies]
+wasm-bindgen-cli-support = "=$version"
+[workspace]
+END
+    cat >"$tool/src/main.rs" <<END
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let files: Vec<String> = std::env::args().collect();
+    let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();
+    bindgen.web(true)?.typescript(false).remove_name_section(true).remove_producers_section(true);
+    Ok(bindgen.input_path(&files[1]).generate(&files[2])?)
+}
+END
+    CARGO_PROFILE_DEV_DEBUG=none cargo build --quiet --manifest-path "$tool/Cargo.toml" --target-dir "$tool"
+fi
 cargo rustc --quiet --lib --crate-type cdylib --no-default-features --features web --target $target --profile "$profile"
 mkdir -p "$out"
-"$bindgen" --target web --no-typescript --remove-name-section --remove-producers-section --out-dir "$out" \
-    "$build/$target/${profile/#dev/debug}/plm_impact.wasm"
+"$tool/debug/bindgen" "$build/$target/${profile/#dev/debug}/plm_impact.wasm" "$out"
 cp src/doors/web/page/* src/doors/licenses.txt "$out"
 # the documents, with the pictures and files that they show, and the source: a page without the network has them too
 for document in README.md src/README.md scenarios/*.md plots/*/*.md; do
