@@ -25,6 +25,9 @@ const PART: f64 = 0.05;
 /// The first step on a leg is this times tolerance^(1/8) in units of 1/ω.
 const FIRST_STEP: f64 = 2.0;
 
+/// The longest step on the way back under a pull, in units of 1/ω: half a swing takes π.
+const LONGEST: f64 = 2.0;
+
 /// How far beyond the end of a leg, as far as it is known, a step goes.
 const BEYOND: f64 = 1.005;
 /// Up to here in a step (0 ≤ θ ≤ 1) its continuous solution may have a larger error than the step.
@@ -84,6 +87,8 @@ impl DragStepper {
         if node[1] > 0.0 && far > node[0] && end.is_infinite() {
             h = h.min((far - node[0]) / node[1]);
         }
+        // where the pull nearly balances the force, a swing may be smaller than the error of a step, and no step may pass it whole
+        let longest = if path.pull > 0.0 && sign < 0.0 { LONGEST / piece.frequency(node[0]) } else { f64::INFINITY };
         let mut largest = f64::NEG_INFINITY;
         // without drag in the contact, its force is largest at an end of the leg
         let mut is_falling = sign < 0.0 || !path.drag.is_in_contact() || has_crested::<P>(path, &node);
@@ -162,7 +167,7 @@ impl DragStepper {
                 return Ok(Arrival { landing, largest_force });
             }
             (node, rates) = (next.node, next.rates);
-            h *= pace.min(5.0);
+            h = (h * pace.min(5.0)).min(longest);
         }
     }
 

@@ -103,6 +103,40 @@ fn a_creep_has_no_false_turning_point() {
     assert!(refused.get() <= judged / 100, "{} of {judged}", refused.get());
 }
 
+/// Just below ζ = 0.9 a sphere swings through its place of rest by 0.2 to 0.3 % of the way, which a tolerance of 1e-2 does not
+/// see: such a run crept on for a million steps.
+#[test]
+fn a_sphere_that_hardly_swings_comes_to_rest_at_any_tolerance() {
+    let scene = soft(2.3e-3, 8.72e6, 0.368, 121e3);
+    for zeta in [0.8, 0.85, 0.89, 0.895, 0.898_116, 0.899_9, 0.91] {
+        let forces = Forces { gravity: Some(GRAVITY), damping: Some(Damping::Viscous(zeta)), ..Forces::default() };
+        let contact = under(&scene, forces);
+        let fine = contact.impact(0.0, &solver(Method::Rk8, 1e-11), None).unwrap();
+        for tolerance in LOOSE {
+            for (method, _) in STEPPING {
+                let got = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
+                let is_right = is_right(got.peak_indentation, got.residual_indentation, &fine, tolerance);
+                assert!(is_right && got.work.steps < 200, "{zeta} {} {tolerance:e}", method.name());
+            }
+        }
+    }
+}
+
+/// A sphere that turns just beyond the place where the way back carries its weight swings there by 1e-4 of the depth, which is
+/// below the error of a step: once a step took a whole swing, and the run never ended.
+#[test]
+fn a_swing_below_the_tolerance_has_its_turn() {
+    let scene = soft(1.792_464_483_455_484e-3, 1_480_566.250_640_734, 0.080_442_706_793_612_1, 1_912.790_080_706_852_5);
+    let damping = Some(Damping::HuntCrossley(148.115_288_895_800_97));
+    let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
+    for (method, _) in STEPPING {
+        for tolerance in LOOSE {
+            let impact = contact.impact(0.0, &solver(method, tolerance), None).unwrap();
+            assert!(fate(&impact) == Fate::Captured && impact.work.steps < 200, "{} {tolerance:e}", method.name());
+        }
+    }
+}
+
 /// The library accepts any damping, so it must not return a trace with rows of NaN: once 396 rows were NaN, and the
 /// energy ledger did not show it.
 #[test]
