@@ -71,7 +71,9 @@ pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) ->
                     choose_law(&mut document, law);
                 }
                 put(&mut document, &path, value.clone());
-                if let Some(other) = partner(&key).filter(|other| !given.iter().any(|given| given == other)) {
+                // an axis stands where its key would
+                let number = if let ["sweep" | "monte_carlo", number] = path[..] { number } else { key.as_str() };
+                if let Some(other) = partner(number).filter(|other| !given.iter().any(|given| given == other)) {
                     remove(document.as_table_mut(), &parts(other));
                 }
             }
@@ -299,6 +301,8 @@ mod tests {
         assert_eq!(with(TEXT, &["impact.drop_height=2"]), TEXT.replace("speed = 3", "drop_height = 2"));
         let both = with(TEXT, &["sphere.diameter=1 cm", "sphere.radius=5 mm"]);
         assert!(both.contains("radius") && both.contains("diameter"), "both are of the command line: {both}");
+        let swept = with(TEXT, &["sweep.\"impact.drop_height\"=[1, 2]"]);
+        assert!(swept.contains("drop_height") && !swept.contains("speed = 3"), "an axis too: {swept}");
         assert_eq!(with(TEXT, &["sphere.radius=none"]), TEXT.replace(radius, ""));
         assert_eq!(with(TEXT, &["impact=none"]), TEXT.replace("[impact]\nspeed = 3\n", ""));
         assert_eq!(with(TEXT, &["gravity.acceleration=9.81", "gravity=none", "damping.viscous=none"]), TEXT);

@@ -96,6 +96,24 @@ fn an_elastic_half_space_has_no_plastic_columns() {
     );
 }
 
+/// Without air a sphere that leaves with e v rises to e² h, and waves take a part of e.
+#[test]
+fn a_table_over_drop_heights_says_how_high_the_sphere_rises() {
+    let steel = STEEL.replace("speed = \"3 m/s\"", "drop_height = 1");
+    let block = steel.replace("yield_strength", "density = 7850\nyield_strength");
+    let axis = "[sweep]\n\"impact.drop_height\" = [0.1, 1, 10]\n";
+    for (bodies, of) in [(steel.as_str(), "restitution"), (block.as_str(), "restitution_with_waves")] {
+        let (table, _) = table(&format!("{bodies}{axis}"));
+        for ((rise, height), e) in
+            numbers(&table, "rebound_height_m").iter().zip([0.1, 1.0, 10.0]).zip(numbers(&table, of))
+        {
+            assert!((rise / (e * e * height) - 1.0).abs() < 1e-14, "{rise} {height} {e}");
+        }
+    }
+    let speeds = STEEL.to_owned() + "[sweep]\n\"impact.speed\" = [1, 2]\n";
+    assert!(!table(&speeds).0.contains("rebound_height_m"));
+}
+
 /// What identifies a row of a table whatever the order of the axes: its values by the names of their columns, and its results.
 fn named_rows(bodies: &str, axes: &[&str]) -> Vec<String> {
     let (table, _) = table(&format!("{bodies}[sweep]\n{}\n", axes.join("\n")));

@@ -2,7 +2,6 @@
 
 use std::path::absolute;
 
-use serde_json::Map;
 use toml_edit::Value;
 
 use super::outcome::{Outcome, RunOptions, file, provenance, with_summary};
@@ -13,6 +12,7 @@ use crate::files::progress::Counter;
 use crate::files::provenance::PROGRAM;
 use crate::report::plot::calibrate::pictures;
 use crate::report::text::calibrate as report;
+use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
 use crate::scenario::edit::{parsed, set, written};
 use crate::units::{Dimension, exact};
@@ -21,10 +21,14 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let measured = Measurements::new(scenario)?;
     let unwatched = Counter::default();
     let found = measured.calibrate(options.map_or(&unwatched, |options| options.progress))?;
-    let files = options.map_or_else(|| Ok(Vec::new()), |options| files(scenario, &measured, &found, options))?;
     let contradiction = found.verdict().contradiction();
-    let checked = if options.is_none() { report::found(&measured, &found)? } else { Map::new() };
-    Ok(Outcome { contradiction, checked, ..Outcome::done(warnings(&found), report::table(&found), files) })
+    let Some(options) = options else {
+        let checked = report::found(&measured, &found)?;
+        let text = of_calibration(&measured, &found);
+        return Ok(Outcome { contradiction, ..Outcome::checked(warnings(&found), text, checked) });
+    };
+    let files = files(scenario, &measured, &found, options)?;
+    Ok(Outcome { contradiction, ..Outcome::done(warnings(&found), report::table(&found), files) })
 }
 
 /// The files with these results.

@@ -5,12 +5,13 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value, json};
 
 use super::files::{summary_of, written};
-use super::inputs::Inputs;
+use super::inputs::{Inputs, constraint};
 use crate::calibrate::minimum::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
 use crate::files::provenance::Provenance;
+use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::measured::Measured;
 use crate::scenario::scene::results::entry::{file, results};
 use crate::scenario::scene::results::{Reported, fields};
@@ -198,15 +199,23 @@ pub fn found(measured: &Measurements, calibration: &Calibration) -> Result<Map<S
 }
 
 /// The inputs that neither the data give nor the calibration finds.
-fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
+pub(super) fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
     let varies = |key: &str| {
         calibration.keys.iter().any(|found| found.free.key.path == key)
             || measured.data.keys.iter().any(|column| column.path == key)
             || key == "output.samples"
             || key == "impact.speed" && measured.data.keys.iter().any(|column| column.path.starts_with("impact."))
     };
-    let mut inputs = Inputs::new(&calibration.fit.problem.input);
-    inputs.0.retain(|entry| !varies(&entry.path));
+    let input = &calibration.fit.problem.input;
+    let mut inputs = Inputs::new(input);
+    // a strength that follows from a hardness changes with it
+    let changing: Vec<String> = Body::ALL
+        .into_iter()
+        .filter(|body| input.number(body.strength_keys().hardness).is_some())
+        .filter(|body| body.strength_numbers().into_iter().any(|number| varies(number.path())))
+        .flat_map(|body| [body.strength_keys().yield_strength.path().to_owned(), constraint(body)])
+        .collect();
+    inputs.0.retain(|entry| !varies(&entry.path) && !changing.contains(&entry.path));
     inputs
 }
 

@@ -97,7 +97,7 @@ impl Inputs {
 }
 
 /// The mean pressure of the hardness of a body over its flow stress at a plastic strain of 0.08.
-fn constraint(body: Body) -> String {
+pub(super) fn constraint(body: Body) -> String {
     format!("{}_over_flow_stress", body.strength_keys().hardness.path())
 }
 

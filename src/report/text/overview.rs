@@ -1,7 +1,9 @@
 //! The text of `check`: every value in SI and in a suitable unit, and the numbers that follow from them
 //! before anything is run.
 
+use super::calibrate;
 use super::inputs::Inputs;
+use crate::calibrate::{Calibration, Measurements};
 use crate::contact::law::LawChoice;
 use crate::contact::material::{Flow, Pair};
 use crate::contact::materials::Property;
@@ -10,7 +12,7 @@ use crate::impact::Contact;
 use crate::scenario::scene::Input;
 use crate::scenario::scene::body_material::Body;
 use crate::units::aligned::aligned;
-use crate::units::{Dimension, describe, four_digits, number, percent};
+use crate::units::{Dimension, describe, four_digits, human, percent};
 
 /// A name and a value.
 type Row = [String; 2];
@@ -68,6 +70,32 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
     aligned(&rows, |_| true) + strength + &with_rate(input, contact, softer, speed).unwrap_or_default()
 }
 
+/// Bodies and measurements of a calibration as they were understood, and what it finds.
+pub fn of_calibration(measured: &Measurements, calibration: &Calibration) -> String {
+    let mut rows = self::rows(&calibrate::inputs(measured, calibration));
+    rows.push([String::new(), String::new()]);
+    let Measurements { data, .. } = measured;
+    let mut range = |name: &str, dimension: Dimension, values: Vec<f64>| {
+        let [low, high] = [f64::min, f64::max].map(|end| values.iter().copied().fold(f64::NAN, end));
+        let count = values.iter().filter(|value| !value.is_nan()).count();
+        let [low, high] = [low, high].map(|end| human(end, dimension));
+        let values = match count {
+            1 => format!("1 value, {low}"),
+            _ => format!("{count} values, {low} to {high}"),
+        };
+        rows.push([name.to_owned(), format!("{values}, in {}", data.name)]);
+    };
+    for (column, key) in data.keys.iter().enumerate() {
+        range(key.path, key.quantity.dimension, data.rows.iter().map(|row| row.keys[column]).collect());
+    }
+    for quantity in data.measured() {
+        let of_it = data.values.iter().filter(|value| value.quantity == quantity);
+        range(quantity.name(), quantity.quantity().dimension, of_it.map(|value| value.value).collect());
+    }
+    rows.push([String::new(), String::new()]);
+    aligned(&rows, |_| true) + &calibrate::table(calibration)
+}
+
 /// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.
 fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
     let body = softer?;
@@ -109,7 +137,7 @@ pub(super) fn paired(pair: &Pair) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
-    row("share of the sphere kappa", number(pair.sphere_compliance));
+    row("share of the sphere kappa", four_digits(pair.sphere_compliance));
     match pair.yield_point {
         Some(point) => {
             row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));

@@ -88,11 +88,10 @@ impl Plan {
     /// True if the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
     /// with it from its moduli and its exponent of hardening.
     pub fn derives_strength(&self, body: Body) -> bool {
-        let (paths, keys) = (self.paths(), body.strength_keys());
+        let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
-        let numbers = [keys.hardness, keys.modulus, keys.poissons_ratio, keys.exponent];
-        self.input.number(keys.hardness).is_some()
-            && (varies(body.material()) || numbers.into_iter().any(|number| varies(number.path())))
+        self.input.number(body.strength_keys().hardness).is_some()
+            && (varies(body.material()) || body.strength_numbers().into_iter().any(|number| varies(number.path())))
     }
 
     /// The results that the table has.
@@ -115,12 +114,13 @@ impl Plan {
             Needs::Incidence if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")
             }
-            Needs::Air if !input.forces().flying.is_some_and(|flying| flying.is_in_air()) => {
-                Some("without [air] a height is a speed")
+            Needs::Flight if input.flying().is_none() => {
+                Some("without impact.drop_height or gravity.acceleration nothing says how high the sphere rises")
             }
             Needs::Density if input.number(at!("half_space.density")).is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }
+            Needs::Flight if is_free => Some("a body with half_space.mass moves, and nothing is known of how both fly"),
             Needs::Density if is_free => Some("a body with half_space.mass moves, and no waves are computed in it"),
             Needs::Target | Needs::Struck if !is_free => Some("without half_space.mass the body that is hit is fixed"),
             Needs::Struck if input.incidence().is_none() => Some("without impact.angle or sphere.spin nothing slides"),

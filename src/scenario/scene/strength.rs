@@ -79,6 +79,12 @@ impl Body {
         self.pick([&SPHERE, &HALF_SPACE])
     }
 
+    /// The numbers from which its strength follows, where its hardness is given.
+    pub fn strength_numbers(self) -> [At<NUMBER>; 4] {
+        let keys = self.strength_keys();
+        [keys.hardness, keys.modulus, keys.poissons_ratio, keys.exponent]
+    }
+
     /// The keys that say how its strength rises with the rate of strain.
     #[inline]
     pub fn rate_keys(self) -> &'static RateKeys {

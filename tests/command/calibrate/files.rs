@@ -142,6 +142,28 @@ fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
     desk.ends(&["check", "o/calibrated.toml"], 0);
 }
 
+/// The strength follows from the hardness that is found, so it is no input: one of the search would be that of 30 HV.
+#[test]
+fn a_check_of_a_calibration_shows_bodies_and_columns_and_no_strength_of_the_search() {
+    let hardness = "free.\"half_space.hardness\" = { from = \"30 HV\", to = \"300 HV\" }\n";
+    let hard = scenario(&format!("data = \"d.csv\"\n{hardness}")).replace("yield_strength = \"345 MPa\"\n", "");
+    let desk = Desk::with(&hard);
+    std::fs::write(desk.path("d.csv"), "drop_height_cm,restitution\n10,0.6\n20,0.55\n40,0.5\n").unwrap();
+    let (printed, _) = desk.ends(&["check", "s.toml"], 0);
+    let row = |name: &str| {
+        let found = printed.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(' ')).unwrap_or_default();
+        found.trim().to_owned()
+    };
+    assert_eq!(row("sphere.radius"), "0.005 m (5 mm)", "{printed}");
+    assert_eq!(row("impact.drop_height"), "3 values, 100 mm to 400 mm, in d.csv", "{printed}");
+    assert_eq!(row("restitution"), "3 values, 0.5 to 0.6, in d.csv", "{printed}");
+    assert!(row("half_space.hardness").contains("HV (") && !printed.contains("yield_strength  "), "{printed}");
+    desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
+    let inputs = desk.json("o/summary.json")["inputs"].clone();
+    assert!(inputs.get("half_space_yield_strength_Pa").is_none(), "{inputs}");
+    assert!(inputs.get("half_space_hardness_over_flow_stress").is_none(), "{inputs}");
+}
+
 #[test]
 fn nothing_that_is_there_is_overwritten() {
     let desk = Desk::with(scenario(&format!("data = \"d.csv\"\n{STRENGTH}")));

@@ -75,8 +75,8 @@ pub enum Needs {
     Target,
     /// Such a mass, and an angle or a spin.
     Struck,
-    /// Air: without it heights follow from speeds.
-    Air,
+    /// Gravity or a drop height: without them nothing says how the sphere flies.
+    Flight,
 }
 
 /// A column of a table.
@@ -103,7 +103,7 @@ impl Needs {
             Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
             Self::Target => (FREE, |_, row| row.target_speed.is_some()),
             Self::Struck => (STRUCK, |_, row| row.rebound.is_some_and(|after| after.target.is_some())),
-            Self::Air => (FLIES, |_, row| row.rebound_height.is_some()),
+            Self::Flight => (FLIES, |_, row| row.rebound_height.is_some()),
         }
     }
 
@@ -146,7 +146,7 @@ pub(crate) const WAVES: &str =
 pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
 pub(crate) const FREE: &str = "the half-space has a mass, and is free to move";
 pub(crate) const STRUCK: &str = "a second ball is hit at an angle, or by a sphere that spins";
-pub(crate) const FLIES: &str = "there is gravity or a drop height; in tables only with air";
+pub(crate) const FLIES: &str = "there is gravity or a drop height";
 pub(crate) const AIR: &str = "there is air";
 pub(crate) const FORCES: &str = "there is gravity, damping or a plate";
 pub(crate) const PLATE: &str = "a plate is hit";

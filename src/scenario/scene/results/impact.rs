@@ -141,7 +141,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Its spin, in the direction of a sphere that rolls forward.
         "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target(row, 1)];
         /// Height to which the sphere rises, with waves and air where they are known.
-        "rebound_height_m" in Length as "rebound height" [Air: |row| row.rebound_height];
+        "rebound_height_m" in Length as "rebound height" [Flight: |row| row.rebound_height];
         /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
         "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: single.in_air().and_then(|flying| {
             let height = flying.drop_height(single.impact.speed);
