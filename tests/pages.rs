@@ -15,7 +15,8 @@ use common::command::text;
 use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-const PAGES: [&str; 11] = [
+const TUTORIAL: &str = "scenarios/tutorial.md";
+const PAGES: [&str; 13] = [
     "README.md",
     "src/README.md",
     "scenarios/README.md",
@@ -23,6 +24,8 @@ const PAGES: [&str; 11] = [
     "scenarios/keys.md",
     "scenarios/results.md",
     "scenarios/tables.md",
+    "scenarios/trust.md",
+    TUTORIAL,
     "plots/bench/README.md",
     "plots/bench/python.md",
     "plots/lammps/README.md",
@@ -40,6 +43,19 @@ enum Shown<'a> {
     All(&'a str),
     /// Some lines of that, right behind the block.
     Lines(&'a str),
+}
+
+impl Shown<'_> {
+    #[track_caller]
+    fn is_of(&self, printed: &str, page: &str) {
+        match self {
+            Shown::Nothing => {}
+            Shown::All(text) => assert_eq!(printed, *text, "{page}"),
+            Shown::Lines(text) => text.lines().for_each(|row| {
+                assert!(printed.lines().any(|line| line == row), "{page}: {row} is not in\n{printed}");
+            }),
+        }
+    }
 }
 
 /// The blocks of commands of a page.
@@ -129,6 +145,63 @@ fn the_table_of_commands_names_commands_and_options_that_are_there() {
         }
     }
     assert!(count > 5, "{count}");
+}
+
+/// The file that stands in a block of this language.
+fn file_in<'a>(page: &'a str, language: &str) -> &'a str {
+    let (_, rest) = page.split_once(&format!("```{language}\n")).unwrap();
+    rest.split_once("```").unwrap().0
+}
+
+#[test]
+fn the_tutorial_goes_from_its_heights_to_its_lines_for_a_dem_code() {
+    let clone = Clone::new();
+    let page = read(TUTORIAL);
+    clone.shell("mkdir plots/empty", 0);
+    let folder = clone.path().join("plots/empty");
+    fs::write(folder.join("heights.csv"), file_in(&page, "csv")).unwrap();
+    let mut all = String::new();
+    for (at, (block, shown)) in commands(&page).into_iter().enumerate() {
+        // what the page adds to the scenario stands behind the first command
+        if at == 1 {
+            let scenario = fs::read_to_string(folder.join("block.toml")).unwrap();
+            fs::write(folder.join("block.toml"), scenario + "\n" + file_in(&page, "toml")).unwrap();
+        }
+        let printed: String = block.lines().map(|line| clone.shell(&format!("cd plots/empty && {line}"), 0)).collect();
+        assert!(!matches!(shown, Shown::Nothing), "{block} shows nothing of its output");
+        shown.is_of(&printed, TUTORIAL);
+        all += &printed;
+    }
+    // files and numbers that its sentences name
+    let sentences: String = page.split("```").step_by(2).collect();
+    for name in sentences.split('`').skip(1).step_by(2).filter(|code| code.ends_with(".png") || code.ends_with(".toml"))
+    {
+        let is_there = folder.join(name).exists() || folder.join("plots/block").join(name).exists();
+        assert!(is_there, "{name}");
+    }
+    all += &clone.shell("plm-impact materials aluminium-6061-t6", 0);
+    assert!(sentences.contains("99 HV to 113 HV") && all.contains("from 99 HV to 113 HV"), "{all}");
+}
+
+/// The heights of the tutorial are those of the law at 118 HV, within three times the scatter that it names: 1 mm and 1 %.
+#[test]
+fn the_heights_of_the_tutorial_are_those_of_its_hardness() {
+    let clone = Clone::new();
+    let page = read(TUTORIAL);
+    clone.shell(
+        "cd plots && plm-impact drop --ball steel-52100-hardened --diameter '10 mm' --on aluminium-6061-t6 --hardness '118 HV' \
+         --from '1 m' --save block.toml",
+        0,
+    );
+    for line in file_in(&page, "csv").lines().skip(2) {
+        let (from, measured) = line.split_once(',').unwrap();
+        let printed =
+            clone.shell(&format!("plm-impact run plots/block.toml --json --set impact.drop_height='{from} mm'"), 0);
+        let height =
+            1e3 * serde_json::from_str::<serde_json::Value>(&printed).unwrap()["rebound_height_m"].as_f64().unwrap();
+        let off = measured.parse::<f64>().unwrap() - height;
+        assert!(off.abs() < 3.0 * 1_f64.hypot(0.01 * height), "{line} {height}");
+    }
 }
 
 /// The anchor that GitHub gives a heading.
@@ -226,7 +299,7 @@ fn every_command_that_a_page_shows_runs_leaves_git_clean_and_draws_the_gallery()
     let clone = Clone::new();
     let mut run = BTreeSet::new();
     let mut count = 0;
-    for page in PAGES {
+    for page in PAGES.into_iter().filter(|page| *page != TUTORIAL) {
         for (block, shown) in commands(&read(page)) {
             let mut last = String::new();
             if ["big.toml", "--partition-by", "pip install", "cargo rustc", "cc -I"]
@@ -253,13 +326,7 @@ fn every_command_that_a_page_shows_runs_leaves_git_clean_and_draws_the_gallery()
                 }
                 count += 1;
             }
-            match shown {
-                Shown::Nothing => {}
-                Shown::All(text) => assert_eq!(last, text, "{page}"),
-                Shown::Lines(text) => text.lines().for_each(|row| {
-                    assert!(last.lines().any(|printed| printed == row), "{page}: {row} is not in\n{last}");
-                }),
-            }
+            shown.is_of(&last, page);
         }
     }
     assert!(count > 15, "{count}");
