@@ -208,6 +208,10 @@ impl Data {
     }
 
     fn row(&mut self, line: u64, record: &csv::StringRecord, columns: &[Option<DataColumn>]) -> Result<(), String> {
+        // a spreadsheet writes lines of separators alone
+        if record.iter().all(str::is_empty) {
+            return Ok(());
+        }
         let row = self.rows.len();
         let mut read = Row { line, keys: Vec::with_capacity(self.keys.len()), ..Row::default() };
         let first = self.values.len();

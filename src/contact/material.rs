@@ -200,6 +200,15 @@ pub struct Flow {
     pub flat_share: f64,
 }
 
+/// What an impact leaves behind: a dent in the half-space, a flat on the sphere, or both. It takes the share of the flat.
+pub fn left_behind(flat_share: f64) -> &'static str {
+    match flat_share {
+        share if share >= 1.0 => "flat",
+        share if share > 0.0 => "dent and flat",
+        _ => "dent",
+    }
+}
+
 impl Flow {
     /// Shares the flow between two bodies. It takes the pressures of sphere and half-space at first yield, and their compliances
     /// E*/E_i*.

@@ -10,7 +10,7 @@ use super::outcome::{Fate, Outcome};
 use super::plate::ScaledPlate;
 use super::rated::Rated;
 use super::waves;
-use crate::contact::material::{OutOfFloatRange, normal};
+use crate::contact::material::{OutOfFloatRange, left_behind, normal};
 use crate::numerics::integrate::IntegrationError;
 
 /// The results of an impact that a row of a table has. SI units.
@@ -168,6 +168,11 @@ impl Essentials {
     /// True if the impact left a flat on the sphere.
     pub fn has_flat(&self) -> bool {
         self.flat_depth > 0.0
+    }
+
+    /// What the impact left behind: `dent`, `flat`, or `dent and flat`.
+    pub fn left_behind(&self) -> &'static str {
+        left_behind(self.flat_depth / self.residual_indentation)
     }
 
     /// True if the impact left a dent or a flat.

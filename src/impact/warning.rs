@@ -56,6 +56,8 @@ pub enum WarningKind {
     Mismatch,
     /// A fall that air would slow, or a ball so light that air moves with it.
     InAir,
+    /// A sphere so small and slow that adhesion counts.
+    Adhesion,
     /// A key or a table of the scenario that has no effect.
     Unused,
     /// A strain rate outside of those that the constants are known for.

@@ -71,16 +71,27 @@ pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) ->
                     choose_law(&mut document, law);
                 }
                 put(&mut document, &path, value.clone());
-                // an axis stands where its key would
-                let number = if let ["sweep" | "monte_carlo", number] = path[..] { number } else { key.as_str() };
-                if let Some(other) = partner(number).filter(|other| !given.iter().any(|given| given == other)) {
-                    remove(document.as_table_mut(), &parts(other));
+                for other in replaced(&path, &key, value) {
+                    if !given.iter().any(|given| given == other) {
+                        remove(document.as_table_mut(), &parts(other));
+                    }
                 }
             }
         }
         given.push(key);
     }
     Ok(written(&document))
+}
+
+/// The keys whose place this change takes. An axis stands where its key would.
+fn replaced(path: &[&str], key: &str, value: &Value) -> Vec<&'static str> {
+    match (path, value) {
+        (["sweep" | "monte_carlo", number], _) => partner(number).into_iter().collect(),
+        (["sweep" | "monte_carlo"], Value::InlineTable(axes)) => {
+            axes.iter().filter_map(|(name, _)| partner(name)).collect()
+        }
+        _ => partner(key).into_iter().collect(),
+    }
 }
 
 /// Stands around a whole number that is written as a text. No text of a scenario has this character.
@@ -303,6 +314,8 @@ mod tests {
         assert!(both.contains("radius") && both.contains("diameter"), "both are of the command line: {both}");
         let swept = with(TEXT, &["sweep.\"impact.drop_height\"=[1, 2]"]);
         assert!(swept.contains("drop_height") && !swept.contains("speed = 3"), "an axis too: {swept}");
+        let table = with(TEXT, &["sweep={ \"impact.drop_height\" = [1, 2], \"sphere.diameter\" = [1, 2] }"]);
+        assert!(!table.contains("speed = 3") && !table.contains("radius"), "a table of axes too: {table}");
         assert_eq!(with(TEXT, &["sphere.radius=none"]), TEXT.replace(radius, ""));
         assert_eq!(with(TEXT, &["impact=none"]), TEXT.replace("[impact]\nspeed = 3\n", ""));
         assert_eq!(with(TEXT, &["gravity.acceleration=9.81", "gravity=none", "damping.viscous=none"]), TEXT);

@@ -43,9 +43,29 @@ fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Opt
         .map(|(_, candidate)| candidate)
 }
 
-/// The end of a message about an unknown word: the known word most like it, if there is one, and then `rest`, which says
-/// what there is: ", did you mean `plm`? Laws are plm, hertz", or "; laws are plm, hertz".
+/// The candidates of which `word` is a part, or nearly one: "aluminum" of "aluminium-6061-t6".
+fn related<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
+    let lower = word.to_lowercase();
+    let is_like = |candidate: &&&str| {
+        let whole = candidate.to_lowercase();
+        let mut parts = whole.split(['-', '_', '.', ' ']);
+        lower.chars().count() > 2
+            && (whole.contains(&lower) || parts.any(|part| 4 * strsim::osa_distance(&lower, part) <= part.len()))
+    };
+    candidates.iter().filter(is_like).copied().collect()
+}
+
+/// The end of a message about an unknown word. If some known words are like it, it names them: ", did you mean `plm`? Laws are
+/// plm, hertz", or ", did you mean one of `steel-s235`, `steel-s355`?". Else `rest` says what there is: "; laws are plm, hertz".
 pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char, rest: &str) -> String {
-    let Some(near) = nearest(word, candidates) else { return format!("; {rest}") };
-    format!(", did you mean {mark}{near}{mark}? {}", capital(rest))
+    let candidates: Vec<&str> = candidates.into_iter().collect();
+    let some = related(word, &candidates);
+    match (nearest(word, candidates.iter().copied()), &some[..]) {
+        (Some(near), _) | (None, &[near]) => format!(", did you mean {mark}{near}{mark}? {}", capital(rest)),
+        (None, []) => format!("; {rest}"),
+        (None, some) => {
+            let some: Vec<String> = some.iter().map(|one| format!("{mark}{one}{mark}")).collect();
+            format!(", did you mean one of {}?", some.join(", "))
+        }
+    }
 }

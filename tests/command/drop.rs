@@ -78,11 +78,31 @@ fn the_band_of_e_comes_from_hardness_and_law() {
     }
 }
 
+/// √(14.18/m) (Γ⁵ R⁴/E*²)^(1/6) with 0.2 J/m²: a steel ball of 0.1 mm on steel sticks below 4.3 mm/s, and one of 10 mm below
+/// 0.09 mm/s (Thornton and Ning 1998).
+#[test]
+fn a_sphere_that_may_stick_is_warned_of() {
+    let desk = Desk::with(STEEL);
+    let warned = |diameter: &str, speed: &str| {
+        let [diameter, speed] = [format!("sphere.diameter={diameter}"), format!("impact.speed={speed}")];
+        desk.ends(&["check", "s.toml", "--set", &diameter, "--set", &speed], 0).1
+    };
+    let said = warned("0.1 mm", "25 mm/s");
+    assert!(said.contains("adhesion") && said.contains("stick below 4.2"), "{said}");
+    assert!(!warned("0.1 mm", "35 mm/s").contains("adhesion"));
+    assert!(!warned("10 mm", "1 mm/s").contains("adhesion"));
+}
+
 #[test]
 fn a_wrong_option_is_refused_with_the_way_out() {
     let desk = Desk::with("");
     for (arguments, want) in [
         (&["drop", "--ball", "steel-5210", "--diameter", "1 mm", "--on", "lead", "--from", "1 m"][..], "did you mean"),
+        // American spelling, and the beginning of several names
+        (
+            &["drop", "--ball", "lead", "--diameter", "1 mm", "--on", "aluminum", "--from", "1 m"][..],
+            "did you mean one of \"aluminium-6061-t6\", \"aluminium-7075-t6\", \"aluminium-2024-t3\"?",
+        ),
         (&["drop", "--ball", "lead", "--diameter", "1 kg", "--on", "lead", "--from", "1 m"][..], "diameter"),
         (&["drop", "--ball", "lead", "--diameter", "1 mm", "--on", "lead"][..], "--from"),
         (&["keys", "impact.angel"][..], "impact.angle"),

@@ -38,8 +38,10 @@ pub fn export(arguments: &Arguments) -> Result<(), Error> {
     super::terminal::print(&text)
 }
 
+/// A speed with its unit, or a number in m/s.
 fn speed(option: &str, text: &str) -> Result<f64, Error> {
-    SPEED.parse(text).map_err(|problem| Error::input(format!("{option}: {problem}")))
+    let number = text.parse::<f64>().map(|number| format!("{number} m/s"));
+    SPEED.parse(number.as_deref().unwrap_or(text)).map_err(|problem| Error::input(format!("{option}: {problem}")))
 }
 
 fn speeds(text: &str) -> Result<(f64, f64), Error> {

@@ -157,6 +157,11 @@ impl Sequence {
         self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
     }
 
+    /// What the first impact left behind: `dent`, `flat`, or `dent and flat`.
+    pub fn left_behind(&self) -> &'static str {
+        self.hits.first().map_or("dent", |hit| hit.left_behind())
+    }
+
     /// When the sphere would rest \[s\]: the last separation and the remaining time.
     pub fn rest_time(&self) -> Option<f64> {
         Some(self.hits.iter().rev().find_map(Hit::separation_time)? + self.remaining_time?)

@@ -22,8 +22,9 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     };
     let own_law = input.law();
     let (sphere, half_space) = input.bodies(&own_law);
+    let radius = if varies("sphere.diameter") { "sphere.diameter" } else { "sphere.radius" };
     let of_sphere = [
-        said("sphere.radius", format!("R {}", quantity(sphere.radius, Dimension::Length))),
+        said(radius, format!("R {}", quantity(sphere.radius, Dimension::Length))),
         body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
     ];
     let is_soft = ["half_space.yield_strength", "half_space.hardness", "half_space.material"].into_iter().any(varies);

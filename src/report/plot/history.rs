@@ -64,7 +64,11 @@ fn times(impact: &Impact) -> Vec<Series> {
         }
     };
     if impact.has_dent() {
-        end = end.and(format!("dent δᵣ = {}", quantity(impact.residual_indentation, Dimension::Length)));
+        end = end.and(format!(
+            "{} δᵣ = {}",
+            impact.left_behind(),
+            quantity(impact.residual_indentation, Dimension::Length)
+        ));
     }
     // a sphere that comes to rest at its deepest point has one line there
     let is_apart = impact.duration() - impact.loading_time > 1e-3 * impact.duration();

@@ -11,7 +11,7 @@ use crate::impact::Impact;
 use crate::impact::repeat::flight::Flight;
 use crate::impact::repeat::{Hit, Place, Repeat, Sequence};
 use crate::numerics::functions::pow;
-use crate::units::{Dimension, four_digits, quantity};
+use crate::units::{Dimension, capital, four_digits, quantity};
 
 /// Largest number of points of one flight.
 const FLIGHT_POINTS: u32 = 48;
@@ -46,20 +46,22 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let highest = drawn.iter().flat_map(|one| &one.points).map(|at| at.1).fold(0.0, f64::max);
     let y = Axis::engineering("Height", "m").between(0.0, 1.06 * highest);
     let mut panels = vec![Panel { share: 2.0, ..Panel::new(y, drawn) }];
+    let what = sequence.left_behind();
     let shallowest = sequence.hits.iter().map(|hit| hit.residual_indentation).fold(f64::INFINITY, f64::min);
     // a dent that only the first impact makes is a number, not a curve
     let is_constant = sequence.deepest_dent() <= 1.001 * shallowest;
     if sequence.deepest_dent() > 0.0 && is_constant {
         panels[0].series[0]
             .texts
-            .push(format!("dent δᵣ = {} from the first impact on", quantity(shallowest, Dimension::Length)));
+            .push(format!("{what} δᵣ = {} from the first impact on", quantity(shallowest, Dimension::Length)));
     } else if sequence.deepest_dent() > 0.0 {
         let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation))).collect();
         let dents = match repeat.place {
-            Place::Same => Series::marked_line("Dent δᵣ of the one spot", dents),
-            Place::Fresh => Series::points("Dent δᵣ, each on its spot", dents),
+            Place::Same => Series::marked_line(format!("{} δᵣ of the one spot", capital(what)), dents),
+            Place::Fresh => Series::points(format!("{} δᵣ, each on its spot", capital(what)), dents),
         };
-        let y = Axis::engineering("Dent depth", "m").between(0.0, 1.15 * sequence.deepest_dent());
+        let y =
+            Axis::engineering(&format!("{} depth", capital(what)), "m").between(0.0, 1.15 * sequence.deepest_dent());
         panels.push(Panel::new(y, vec![dents.styled(Style::new(1).solid())]));
     }
     let x = Axis::engineering("Time", "s").between(0.0, 1.03 * end);
@@ -115,8 +117,9 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
     ];
     let deepest = sequence.deepest_dent();
     if deepest > 0.0 {
-        let y = Axis::engineering("Dent depth", "m");
-        panels.push(panel(y, 1.15 * deepest, "Dent δᵣ", 1, |hit| hit.residual_indentation));
+        let what = capital(sequence.left_behind());
+        let y = Axis::engineering(&format!("{what} depth"), "m");
+        panels.push(panel(y, 1.15 * deepest, &format!("{what} δᵣ"), 1, |hit| hit.residual_indentation));
     }
     let x = if last > 200.0 {
         Axis::log("Impact", "").between(0.9, 1.1 * last)

@@ -6,6 +6,7 @@ use toml_edit::Value;
 
 use super::outcome::{Outcome, RunOptions, file, provenance, with_summary};
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
+use crate::contact::materials::Property;
 use crate::error::Error;
 use crate::files::OutputFile;
 use crate::files::progress::Counter;
@@ -15,7 +16,8 @@ use crate::report::text::calibrate as report;
 use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
 use crate::scenario::edit::{parsed, set, written};
-use crate::units::{Dimension, exact};
+use crate::scenario::scene::Input;
+use crate::units::{Dimension, exact, four_digits};
 
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let measured = Measurements::new(scenario)?;
@@ -54,11 +56,41 @@ fn warnings(found: &Calibration) -> Vec<String> {
         })
     };
     let runs = found.runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
-        let p = crate::units::four_digits(runs.p);
+        let p = four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
+    let unlikely = found.keys.iter().filter_map(|key| unlikely(key, &found.fit.problem.input));
     let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
-    refusal.chain(found.verdict().undecided()).chain(runs).chain(found.keys.iter().filter_map(unbounded)).collect()
+    refusal
+        .chain(found.verdict().undecided())
+        .chain(runs)
+        .chain(found.keys.iter().filter_map(unbounded))
+        .chain(unlikely)
+        .collect()
+}
+
+/// Doubts a strength or a hardness that is far from that of the material that the body names.
+fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
+    let taken = input.materials().iter().find(|taken| key.free.key.path.starts_with(taken.body.table()))?;
+    let hardness = taken.material.of(Property::Hardness)?.taken.value;
+    let keys = taken.body.strength_keys();
+    let usual = match key.free.key.path {
+        path if path == keys.hardness.path() => hardness,
+        path if path == keys.yield_strength.path() && input.flow_curve(taken.body).is_none() => {
+            taken.material.flow_stress(hardness)
+        }
+        _ => return None,
+    };
+    let ratio = key.estimate / usual;
+    (!(0.5..=2.0).contains(&ratio)).then(|| {
+        format!(
+            "{}: {} times the {} of {}: check the units of the data and of the scenario",
+            key.free.key.path,
+            four_digits(ratio),
+            key.free.say(usual, 4),
+            taken.material.name
+        )
+    })
 }
 
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first

@@ -27,6 +27,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
     impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
     impact.warnings.extend(input.doubts_of_air());
+    impact.warnings.extend(input.doubts_of_adhesion(&contact));
     Ok((input, contact, impact))
 }
 

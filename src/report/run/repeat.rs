@@ -58,6 +58,6 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     })?);
     let files =
         with_summary(files, provenance, |provenance| report::summary(&series, &Inputs::new(&input), provenance))?;
-    let text = report::table(&series);
+    let text = report::table(&series, options.detail);
     Ok(Outcome::done(warnings, text, files))
 }

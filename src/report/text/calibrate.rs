@@ -341,6 +341,7 @@ pub fn table(calibration: &Calibration) -> String {
     let mut text = aligned(&rows, |_| true);
     if !calibration.laws.is_empty() {
         let _ = write!(text, "\n{}", aligned(&ranked(calibration), |column| column == 0));
+        text.push_str("a law up to 2 above the best fits as well, and one 10 or more above it does not\n");
     }
     text
 }

@@ -5,6 +5,7 @@ use serde_json::{Map, Value};
 use super::files::{csv, summary_of};
 use super::inputs::Inputs;
 use super::{overview, terminal};
+use crate::contact::material::left_behind;
 use crate::error::Error;
 use crate::files::provenance::Provenance;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
@@ -97,7 +98,7 @@ pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         "peak_contact_radius_m" in Length as "contact radius": row.step.memory.contact_radius;
         /// Largest force over the contact area there.
         "peak_mean_pressure_Pa" in Pressure: row.step.memory.mean_pressure;
-        /// Depth of the dent.
+        /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere.
         "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.memory.residual_indentation);
         /// Slope of the unloading branch at its top.
         "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.memory.unloading_stiffness;
@@ -171,7 +172,14 @@ pub fn table(tested: &[Tested]) -> String {
             text.push_str(name);
             text.push('\n');
         }
-        text.push_str(&terminal::table(&step(), &stepped(one)));
+        let mut rows = terminal::columns(&step(), &stepped(one));
+        let flow = one.pair.yield_point.map(|point| point.flow);
+        if let Some(flow) = flow
+            && let Some(name) = rows.iter_mut().flatten().find(|name| *name == "dent depth")
+        {
+            *name = format!("{} depth", left_behind(flow.flat_share));
+        }
+        text.push_str(&aligned(&rows, |_| true));
     }
     text
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::files::{csv, summary_of};
 use super::inputs::Inputs;
 use super::series::{self as results, Series, TraceRow};
-use super::terminal;
+use super::terminal::{self, Detail};
 use crate::error::Error;
 use crate::files::provenance::Provenance;
 use crate::impact::repeat::flight::Flight;
@@ -90,7 +90,7 @@ fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Ve
 const SHOWN: (usize, usize) = (12, 5);
 
 /// The table for the terminal: lines about the series, and a line for each impact.
-pub fn table(series: &Series) -> String {
+pub fn table(series: &Series, detail: Detail) -> String {
     let hits = &series.sequence.hits;
     let is_shown = |(number, _): &(usize, &Hit)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
     let shown: Vec<(usize, Hit)> = (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
@@ -98,7 +98,18 @@ pub fn table(series: &Series) -> String {
     if shown.len() < hits.len() {
         rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
     }
-    aligned(&terminal::lines(&results::results(), series), |_| true) + "\n" + &aligned(&rows, |_| false)
+    let mut about = results::results();
+    about.retain(|result| detail == Detail::Whole || result.name != "energy.drift");
+    let mut lines = terminal::lines(&about, series);
+    let what = series.sequence.left_behind();
+    for name in lines.iter_mut().flatten().chain(rows.iter_mut().flatten()) {
+        match name.as_str() {
+            "deepest dent" => *name = format!("deepest {what}"),
+            "dent" => what.clone_into(name),
+            _ => {}
+        }
+    }
+    aligned(&lines, |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 
 /// A list of at most so many speeds is shown speed by speed.

@@ -74,7 +74,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "largest_peak_force_N" in Force: series.largest(|hit| hit.peak_force);
         /// Largest indentation of all impacts, from the original surface.
         "largest_peak_indentation_m" in Length: series.largest(|hit| hit.peak_indentation);
-        /// Depth of the deepest dent.
+        /// Depth of the deepest dent, with the flat on the sphere.
         "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.plastic(series.sequence.deepest_dent());
         /// Gravity.
         "gravity_m_per_s2" in Acceleration if BOUNCES: series.contact.forces().gravity;
@@ -182,7 +182,7 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         "peak_force_N" in Force as "peak force": row.1.peak_force;
         /// Largest indentation, from the original surface.
         "peak_indentation_m" in Length as "peak depth": row.1.peak_indentation;
-        /// Depth of the dent afterwards.
+        /// Depth of the dent afterwards, with the flat on the sphere.
         "residual_indentation_m" in Length as "dent" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
         /// How much deeper this impact made the dent.
         "dent_growth_m" in Length as "growth" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);

@@ -39,7 +39,14 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     if detail == Detail::Brief {
         return brief(&results, single);
     }
-    results.retain(|result| detail == Detail::Whole || !is_of_the_integrator(result.name));
+    let is_shared = impact.has_flat() && impact.dent_depth() > 0.0;
+    let is_idle = |name: &str| match name {
+        // parts of a sum with one part
+        "dent_depth_m" | "flat_depth_m" => !is_shared,
+        "dent_diameter_m" => impact.has_flat() && !is_shared,
+        name => detail != Detail::Whole && is_of_the_integrator(name),
+    };
+    results.retain(|result| !is_idle(result.name));
     let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()]];
     lines.extend(self::lines(&results, single));
     for line in &mut lines {
@@ -68,14 +75,11 @@ fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
 
 /// Renames the dent where the sphere flows too: the residual indentation is then the sum of a dent and a flat on the sphere.
 fn name_flat([name, _, remarks]: &mut Line, single: &Single) {
-    let impact = single.impact;
-    if impact.flat_depth > 0.0 {
-        let what = if impact.dent_depth() > 0.0 { "dent and flat" } else { "flat" };
-        if name == "dent depth" {
-            *name = format!("{what} depth");
-        }
-        *remarks = remarks.replace("into the dent", &format!("into the {what}"));
+    let what = single.impact.left_behind();
+    if name == "dent depth" {
+        *name = format!("{what} depth");
     }
+    *remarks = remarks.replace("into the dent", &format!("into the {what}"));
 }
 
 /// A name, a value and remarks.
@@ -128,11 +132,6 @@ pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>
         }
     }
     lines
-}
-
-/// The columns as text.
-pub(super) fn table<T>(results: &[Reported<T>], rows: &[T]) -> String {
-    aligned(&columns(results, rows), |_| true)
 }
 
 fn labelled<T>(results: &[Reported<T>]) -> impl Iterator<Item = &Reported<T>> {

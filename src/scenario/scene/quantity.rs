@@ -258,8 +258,12 @@ impl Quantity {
 
     /// The allowed range in words: "> 0 m and finite".
     pub fn allowed(&self) -> String {
-        let value = |value| units::si(value, self.dimension);
+        let is_angle = self.dimension == Dimension::Angle;
+        let value = |value| if is_angle { self.human(value) } else { units::si(value, self.dimension) };
         let (low, high) = self.range();
+        if low == f64::NEG_INFINITY && high == f64::INFINITY {
+            return "that is finite".to_owned();
+        }
         let or_equal = |bound| if matches!(bound, Included(_)) { "=" } else { "" };
         let low = format!(">{} {}", or_equal(self.low), value(low));
         if high == f64::INFINITY {

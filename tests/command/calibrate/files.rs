@@ -164,6 +164,23 @@ fn a_check_of_a_calibration_shows_bodies_and_columns_and_no_strength_of_the_sear
     assert!(inputs.get("half_space_hardness_over_flow_stress").is_none(), "{inputs}");
 }
 
+/// Heights in metres in place of centimetres, and the lines of separators with which spreadsheets end a file.
+#[test]
+fn a_strength_far_from_that_of_the_material_is_doubted_and_empty_lines_are_none() {
+    let text = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardened\"\n\
+                [half_space]\nmaterial = \"aluminium-6061-t6\"\n[calibrate]\ndata = \"d.csv\"\n";
+    let data = |unit: &str| {
+        format!("drop_height_{unit},rebound_height_{unit}\n20,7.9\n40,14.2\n60,20.1\n80,25.2\n100,30.6\n,\n,\n")
+    };
+    for (unit, is_doubted) in [("m", true), ("cm", false)] {
+        let desk = Desk::with(text);
+        std::fs::write(desk.path("d.csv"), data(unit)).unwrap();
+        let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
+        let doubt = "times the 402.2 MPa of aluminium-6061-t6: check the units of the data";
+        assert_eq!(said.contains(doubt), is_doubted, "{unit}: {said}");
+    }
+}
+
 #[test]
 fn nothing_that_is_there_is_overwritten() {
     let desk = Desk::with(scenario(&format!("data = \"d.csv\"\n{STRENGTH}")));
