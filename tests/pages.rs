@@ -174,8 +174,8 @@ fn the_tutorial_goes_from_its_heights_to_its_lines_for_a_dem_code() {
     }
     // files and numbers that its sentences name
     let sentences: String = page.split("```").step_by(2).collect();
-    for name in sentences.split('`').skip(1).step_by(2).filter(|code| code.ends_with(".png") || code.ends_with(".toml"))
-    {
+    let is_file = |code: &&str| Path::new(code).extension().is_some_and(|ending| ending == "png" || ending == "toml");
+    for name in sentences.split('`').skip(1).step_by(2).filter(is_file) {
         let is_there = folder.join(name).exists() || folder.join("plots/block").join(name).exists();
         assert!(is_there, "{name}");
     }
