@@ -72,7 +72,7 @@ fn warnings(found: &Calibration) -> Vec<String> {
 /// Doubts a strength or a hardness that is far from that of the material that the body names.
 fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
     let taken = input.materials().iter().find(|taken| key.free.key.path.starts_with(taken.body.table()))?;
-    let hardness = taken.material.of(Property::Hardness)?.taken.value;
+    let hardness = taken.material.get(Property::Hardness)?.used.value;
     let keys = taken.body.strength_keys();
     let usual = match key.free.key.path {
         path if path == keys.hardness.path() => hardness,
