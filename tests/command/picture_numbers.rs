@@ -46,6 +46,8 @@ fn curves() -> Vec<Curve> {
         curve(STEEL, "force_indentation", 1, VERMILLION, "trace", ["sphere_indentation_m", "force_N"]),
         curve(STEEL, "history", 0, PURPLE, "trace", ["time_s", "force_N"]),
         curve(STEEL, "history", 1, BLUE, "trace", ["time_s", "indentation_m"]),
+        curve(STEEL, "history", 1, VERMILLION, "trace", ["time_s", "sphere_indentation_m"]),
+        curve(STEEL, "history", 1, GREEN, "trace", ["time_s", "half_space_indentation_m"]),
         curve(STEEL, "history", 2, ORANGE, "trace", ["time_s", "speed_m_per_s"]),
         curve(&angle, "friction", 0, PURPLE, "trace", ["time_s", "friction_force_N"]),
         curve(&angle, "friction", 1, VERMILLION, "trace", ["time_s", "slip_speed_m_per_s"]),

@@ -182,15 +182,16 @@ fn a_check_as_json_has_the_inputs_and_the_contact_of_the_run() {
 /// A lead-like ball on hard steel keeps a flat and leaves no dent, and two equal balls share both.
 #[test]
 fn what_a_sphere_that_yields_keeps_is_called_a_flat() {
+    const RUN: [&str; 6] = ["run", "s.toml", "--out", "o", "--pictures", "none"];
     let soft = crate::common::STEEL.replace("[half_space]", "yield_strength = \"100 MPa\"\n[half_space]");
     let desk = Desk::with(&soft);
-    let (text, _) = desk.ends(&["run", "s.toml", "--out", "o"], 0);
+    let (text, _) = desk.ends(&RUN, 0);
     assert!(
         text.contains("\nflat depth ") && text.contains("into the flat") && !text.contains("into the dent"),
         "{text}"
     );
     let equal = soft.replace("100 MPa", "345 MPa");
     let desk = Desk::with(equal);
-    let (text, _) = desk.ends(&["run", "s.toml", "--out", "o"], 0);
+    let (text, _) = desk.ends(&RUN, 0);
     assert!(text.contains("\ndent and flat depth ") && text.contains("into the dent and flat"), "{text}");
 }

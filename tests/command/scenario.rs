@@ -94,60 +94,40 @@ fn a_diameter_is_twice_the_radius() {
     assert_eq!(resolve(&by_diameter, &[]).unwrap().sphere(), resolve(STEEL, &[]).unwrap().sphere());
 }
 
-/// What a key needs beside it, and the line of the steel scenario that it takes the place of.
-fn beside(path: &str) -> (&'static [&'static str], &'static str) {
-    match path {
-        "sphere.mass" => (&["sphere.mass=7"], "density = \"7850 kg/m^3\"\n"),
-        "half_space.hardness" => (&["half_space.hardness=7e9"], "yield_strength = \"345 MPa\"\n"),
-        "sphere.hardness" => (&["sphere.hardness=7e9"], ""),
-        "impact.drop_height" => (&["impact.drop_height=7"], "speed = \"3 m/s\"\n"),
-        // without an angle nothing slides
-        "sphere.moment_of_inertia" | "friction.coefficient" => {
-            (&["impact.angle=30 deg", "friction.coefficient=0.1"], "")
-        }
-        "sphere.spin" | "impact.angle" => (&["friction.coefficient=0.1"], ""),
-        // a plate needs a density, and an edge needs a plate
-        "half_space.thickness" | "half_space.edge_distance" => {
-            (&["half_space.density=7", "half_space.thickness=7"], "")
-        }
-        // what flies falls from a height
-        path if path.starts_with("air.") => {
-            (&["impact.drop_height=7", "air.density=1", "air.drag=0.5"], "speed = \"3 m/s\"\n")
-        }
-        // a key of a flow curve needs a curve of its form
-        path if path.starts_with("sphere.flow_stress.power") => {
-            (&["sphere.yield_strength=9e8", "sphere.flow_stress.power.exponent=0.1"], "")
-        }
-        path if path.starts_with("sphere.flow_stress.voce") => (
-            &["sphere.yield_strength=9e8", "sphere.flow_stress.voce.saturation=2", "sphere.flow_stress.voce.rate=20"],
-            "",
-        ),
-        path if path.starts_with("sphere.flow_stress.linear") => {
-            (&["sphere.yield_strength=9e8", "sphere.flow_stress.linear.slope=1e9"], "")
-        }
-        path if path.contains(".power.") => (&["half_space.flow_stress.power.exponent=0.1"], ""),
-        path if path.contains(".voce.") => {
-            (&["half_space.flow_stress.voce.saturation=2", "half_space.flow_stress.voce.rate=20"], "")
-        }
-        path if path.contains(".linear.") => (&["half_space.flow_stress.linear.slope=1e9"], ""),
-        // a key of a rate needs a law of it, and the sphere a strength
-        path if path.starts_with("sphere.rate.cowper") => (
-            &[
-                "sphere.yield_strength=1e8",
-                "sphere.rate.cowper_symonds.rate=2",
-                "sphere.rate.cowper_symonds.exponent=2",
-            ],
-            "",
-        ),
-        path if path.starts_with("sphere.rate") => {
-            (&["sphere.yield_strength=1e8", "sphere.rate.johnson_cook.c=0.1"], "")
-        }
-        path if path.starts_with("half_space.rate.cowper") => {
-            (&["half_space.rate.cowper_symonds.rate=2", "half_space.rate.cowper_symonds.exponent=2"], "")
-        }
-        path if path.starts_with("half_space.rate") => (&["half_space.rate.johnson_cook.c=0.1"], ""),
-        _ => (&[], ""),
-    }
+/// Keys by how they begin, what each needs beside it, and the line of the steel scenario that it takes the place of.
+const BESIDE: [(&str, &str, &str); 16] = [
+    ("sphere.mass", "sphere.mass=7", "density = \"7850 kg/m^3\"\n"),
+    ("half_space.hardness", "half_space.hardness=7e9", "yield_strength = \"345 MPa\"\n"),
+    ("sphere.hardness", "sphere.hardness=7e9", ""),
+    ("impact.drop_height", "impact.drop_height=7", "speed = \"3 m/s\"\n"),
+    // without an angle nothing slides
+    ("sphere.moment_of_inertia", "impact.angle=30 deg & friction.coefficient=0.1", ""),
+    ("friction.coefficient", "impact.angle=30 deg & friction.coefficient=0.1", ""),
+    ("sphere.spin", "friction.coefficient=0.1", ""),
+    ("impact.angle", "friction.coefficient=0.1", ""),
+    // a plate needs a density, and an edge needs a plate
+    ("half_space.thickness", "half_space.density=7 & half_space.thickness=7", ""),
+    ("half_space.edge_distance", "half_space.density=7 & half_space.thickness=7", ""),
+    // what flies falls from a height
+    ("air.", "impact.drop_height=7 & air.density=1 & air.drag=0.5", "speed = \"3 m/s\"\n"),
+    // a key of a flow curve needs a curve of its form, a key of a rate a law of it, and for both a sphere its strength
+    ("flow_stress.power", "flow_stress.power.exponent=0.1", ""),
+    ("flow_stress.voce", "flow_stress.voce.saturation=2 & flow_stress.voce.rate=20", ""),
+    ("flow_stress.linear", "flow_stress.linear.slope=1e9", ""),
+    ("rate.cowper", "rate.cowper_symonds.rate=2 & rate.cowper_symonds.exponent=2", ""),
+    ("rate.", "rate.johnson_cook.c=0.1", ""),
+];
+
+/// What a key needs beside it, and the line that it takes the place of.
+fn beside(path: &str) -> (Vec<String>, &'static str) {
+    let (body, rest) = path.split_once('.').unwrap();
+    let is_inner = |begin: &str| ["flow_stress.", "rate."].iter().any(|table| begin.starts_with(table));
+    let found = BESIDE.iter().find(|(begin, ..)| if is_inner(begin) { rest } else { path }.starts_with(begin));
+    let Some((begin, needs, without)) = found else { return (Vec::new(), "") };
+    let prefix = if is_inner(begin) { format!("{body}.") } else { String::new() };
+    let needs = needs.split(" & ").map(|need| format!("{prefix}{need}"));
+    let strength = (prefix == "sphere.").then(|| "sphere.yield_strength=1e8".to_owned());
+    (strength.into_iter().chain(needs).collect(), without)
 }
 
 #[test]
@@ -167,7 +147,8 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
         let size = if key.path == "sphere.radius" { "[sphere]" } else { "[sphere]\ndiameter = 1" };
         let text = STEEL.replace("radius = \"5 mm\"\n", "").replace("[sphere]", size);
         let text = if without.is_empty() { text } else { text.replace(without, "") };
-        let given = |more: &[&str]| resolve(&text, &[beside, more].concat()).unwrap();
+        let beside: Vec<&str> = beside.iter().map(String::as_str).collect();
+        let given = |more: &[&str]| resolve(&text, &[&beside, more].concat()).unwrap();
         // an angle always carries its unit
         let unit = if key.path == "impact.angle" { " rad" } else { "" };
         let by_file = given(&[&format!("{}={value}{unit}", key.path)]);
@@ -329,19 +310,6 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_has_no_warning() {
         }
     }
     assert!(checked > 15, "{checked}");
-}
-
-#[test]
-fn the_tables_tell_what_kind_of_scene_a_file_is() {
-    let kind = |tables: &str| Scenario::from_text("steel.toml", &format!("{STEEL}{tables}"), &[]).unwrap().kind();
-    let sweep = "[sweep]\n\"impact.speed\" = [1, 2]\n";
-    let monte_carlo = "[monte_carlo]\nsamples = 9\n\"impact.speed\" = { uniform = [1, 2] }\n";
-    assert_eq!(kind("").unwrap(), Kind::Impact);
-    assert_eq!(kind(sweep).unwrap(), Kind::Sweep);
-    assert_eq!(kind(monte_carlo).unwrap(), Kind::MonteCarlo);
-    let indentation = "[indentation]\nsteps = [{ load = 1 }]\n";
-    let slow = format!("{}{indentation}", STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", ""));
-    assert_eq!(Scenario::from_text("steel.toml", &slow, &[]).unwrap().kind().unwrap(), Kind::Indentation);
 }
 
 /// Values, names and rules: all mistakes of a file are told at once, and programs are told each of them.

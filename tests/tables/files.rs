@@ -105,21 +105,21 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
         fs::write(desk.path(folder).join("s.toml"), STEEL.replace("3 m/s", &format!("{} m/s", folder.len()))).unwrap();
     }
     fs::write(desk.path("b/s.toml"), STEEL).unwrap();
-    desk.ends(&["run", "a/s.toml"], 0);
+    desk.ends(&["run", "a/s.toml", "--pictures", "svg"], 0);
     let first = desk.read("plots/s/summary.json");
     let message = desk.ends(&["run", "b/s.toml"], 2).1;
     assert!(message.contains("holds results of a/s.toml, and these are of b/s.toml"), "{message}");
     assert_eq!(desk.read("plots/s/summary.json"), first);
     // an edited scenario, overrides, and a copy of the scenario are allowed
-    let message = desk.ends(&["run", "a/s.toml", "--set", "impact.speed=2"], 0).1;
+    let message = desk.ends(&["run", "a/s.toml", "--set", "impact.speed=2", "--pictures", "svg"], 0).1;
     assert!(message.contains("plots/s: replaced the results of a/s.toml as it was, or with other --set"), "{message}");
     // the same again has nothing to say, also from another folder
-    let arguments = ["run", "../a/s.toml", "--set", "impact.speed=2", "--out", "../plots/s"];
+    let arguments = ["run", "../a/s.toml", "--set", "impact.speed=2", "--out", "../plots/s", "--pictures", "svg"];
     assert!(!text(&crate::common::command::call(&desk.path("b"), &arguments).stderr).contains("replaced"));
     fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
-    desk.ends(&["run", "a/s.toml"], 0);
+    desk.ends(&["run", "a/s.toml", "--pictures", "svg"], 0);
     fs::write(desk.path("b/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
-    desk.ends(&["run", "b/s.toml"], 0);
+    desk.ends(&["run", "b/s.toml", "--pictures", "svg"], 0);
     fs::write(desk.path("a/s.toml"), STEEL).unwrap();
     desk.ends(&["run", "a/s.toml"], 2);
     // with --force only the files of the new run are left

@@ -111,7 +111,7 @@ fn intervals_cover_the_truth_as_often_as_they_say() {
         much,
         Made { is_estimated: true, ..much },
         Made { quantities: &["peak_force"], ..PLAIN },
-        Made { sets: 150, quantities: &["restitution", "peak_force"], keys: &[STRENGTH, MODULUS], ..PLAIN },
+        Made { sets: 100, quantities: &["restitution", "peak_force"], keys: &[STRENGTH, MODULUS], ..PLAIN },
     ] {
         for key in covered(made) {
             // within 3.5 standard deviations of the share of so many independent sets
