@@ -143,6 +143,19 @@ fn a_constant_e_says_how_far_it_holds() {
     assert!(slow("1 um/s").contains("within 2 % at all speeds near this one"), "{}", slow("1 um/s"));
 }
 
+/// A fall of v²/(2 g), and e² of it on the way up.
+#[test]
+fn the_header_has_the_numbers_of_a_drop_test() {
+    let impact = steel().closed_form(3.0).unwrap();
+    let text = printed(&[STEEL, "--to", "yade", "--speed", "3 m/s"]);
+    let line = text.lines().find(|line| line.contains("dent diameter")).unwrap();
+    let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
+    let fall = 4.5 / 9.80665;
+    let want = [2.0 * impact.peak_contact_radius, impact.restitution * impact.restitution * fall, fall];
+    assert!(numbers.iter().zip(want).all(|(got, want)| (got / want - 1.0).abs() < 1e-6), "{line} {want:?}");
+    assert_eq!(numbers.len(), 3, "{line}");
+}
+
 #[test]
 fn tables_are_those_of_the_closed_form() {
     let contact = steel();

@@ -13,7 +13,7 @@ use plm_impact::scenario::Scenario;
 
 use super::terminal::other;
 
-/// Measure speed against error of every method: CSV, pictures, and a page, on the terminal and as Markdown
+/// For maintainers: measure speed against error of every method (CSV, pictures, a page)
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   plm-impact bench --out bench

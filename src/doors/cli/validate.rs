@@ -13,7 +13,7 @@ use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 use super::output::PictureArguments;
 use super::watched::{Signals, Watch};
 
-/// Compare the law with finite elements and measurements: CSV, Markdown, pictures, a summary on the terminal
+/// For maintainers: compare the law with finite elements and measurements (CSV, Markdown, pictures)
 ///
 /// Measurements of your own are compared by `plm-impact calibrate FILE DATA.csv --set calibrate.free={}`.
 #[derive(Debug, Args)]

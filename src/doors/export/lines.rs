@@ -6,7 +6,8 @@ use super::bare::Bare;
 use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
 use crate::files::provenance::PROGRAM;
-use crate::impact::{Essentials, Impact, Rated};
+use crate::impact::air::Flying;
+use crate::impact::{Essentials, Impact, Rated, STANDARD_GRAVITY};
 use crate::numerics::functions::{atan, pow};
 use crate::scenario::Scenario;
 use crate::units::names::named;
@@ -92,6 +93,7 @@ impl Head<'_> {
                 "impact at {speed} m/s: e {restitution:.6}, contact time {contact_time:.6e} s, peak force {peak_force:.6e} N"
             ),
         ]);
+        about.extend(self.on_the_bench());
         if let Some(Rated { strain_rate, factor, .. }) = self.impact.rated {
             about.push(format!(
                 "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
@@ -131,6 +133,18 @@ impl Head<'_> {
             about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
         }
         about
+    }
+
+    /// Dent, and heights of a fall in vacuum: numbers that a test measures.
+    fn on_the_bench(&self) -> Option<String> {
+        let impact = &self.impact;
+        if !impact.has_dent() || impact.has_flat() || self.bare.contact.target_mass().is_some() {
+            return None;
+        }
+        let flight = Flying::in_vacuum(STANDARD_GRAVITY);
+        let [from, to] = [impact.speed, self.e * impact.speed].map(|speed| flight.rise(speed));
+        let dent = 2.0 * impact.peak_contact_radius;
+        Some(format!("dent diameter {dent:.6e} m, rebound height {to:.6e} m after a fall of {from:.6e} m"))
     }
 
     /// The spheres that these lines are for.

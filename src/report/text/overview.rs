@@ -4,7 +4,7 @@
 use super::calibrate;
 use super::inputs::Inputs;
 use crate::calibrate::{Calibration, Measurements};
-use crate::contact::law::LawChoice;
+use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::material::{Flow, Pair};
 use crate::contact::materials::Property;
 use crate::contact::strength::hardness;
@@ -67,7 +67,9 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
     let is_precise = |body: Body| body.pick(strengths).is_none() || input.has_flow(body);
     let softer = contact.pair().yield_point.map(|point| point.flow.of_softer(Body::ALL));
     let strength = which_strength(softer.is_some_and(|softer| !is_precise(softer)));
-    aligned(&rows, |_| true) + strength + &with_rate(input, contact, softer, speed).unwrap_or_default()
+    let is_of_paper = matches!(&law, LawChoice::Plm(law) if law.exponent == UnloadingExponent::Paper);
+    let exponent = if is_of_paper && softer.is_some() { WHICH_EXPONENT } else { "" };
+    aligned(&rows, |_| true) + strength + exponent + &with_rate(input, contact, softer, speed).unwrap_or_default()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
@@ -125,6 +127,10 @@ pub(super) fn which_strength(is_vague: bool) -> &'static str {
 
 const WHICH_STRENGTH: &str = "
 Which strength? With the proof stress of a metal that hardens e is too low: scenarios/README.md#which-strength
+";
+
+const WHICH_EXPONENT: &str = "
+Which exponent? With 1.5, of the paper, e is 3 % too low: law.plm.unloading_exponent = \"pressure-shape\" is within 1 %
 ";
 
 /// Keys and values.

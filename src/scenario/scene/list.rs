@@ -173,7 +173,8 @@ const OTHERS: [AnyKey; 70] = keys! {
     /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
     "damping.viscous" of Forces: Number(&VISCOUS);
     /// Exponent of the unloading force, or "pressure-shape": the exponent that follows from the shape of the contact
-    /// pressure at the peak. Other numbers than 1.5 are for comparison.
+    /// pressure at the peak. With it e is within 1 % of finite elements; with 1.5, of the paper, it is 3 % too low. Other
+    /// numbers are for comparison.
     "law.plm.unloading_exponent" of Law: NumberOr(&EXPONENT, "pressure-shape") => "1.5";
     /// File of coefficients of the loading curve, relative to the scenario.
     "law.plm.coefficients" of Law: File("my.toml") => "built in";
