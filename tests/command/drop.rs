@@ -93,6 +93,17 @@ fn a_sphere_that_may_stick_is_warned_of() {
     assert!(!warned("10 mm", "1 mm/s").contains("adhesion"));
 }
 
+/// A lead ball from 1 m has a contact radius of 0.36 R on hard steel, and the law ends at 0.3 R where the sphere yields.
+#[test]
+fn a_restitution_outside_the_law_is_marked() {
+    let drop = |height: &str| {
+        let ball = ["drop", "--ball", "lead", "--diameter", "10 mm", "--on", "steel-wear-450", "--from", height];
+        Desk::with("").ends(&ball, 0).0
+    };
+    assert!(drop("1 m").lines().next().unwrap().contains("(outside the law)"));
+    assert!(!drop("1 cm").contains("(outside the law)"));
+}
+
 #[test]
 fn a_wrong_option_is_refused_with_the_way_out() {
     let desk = Desk::with("");

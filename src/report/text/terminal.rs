@@ -52,10 +52,16 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     for line in &mut lines {
         name_flat(line, single);
     }
-    if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
+    mark_outside(&mut lines, single);
+    aligned(&lines, |_| true)
+}
+
+/// A restitution outside of what the law holds for is marked as that.
+fn mark_outside(lines: &mut [Line], single: &Single) {
+    let is_outside = single.impact.is_outside_law;
+    if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| is_outside && name == "restitution") {
         value.push_str(" (outside the law)");
     }
-    aligned(&lines, |_| true)
 }
 
 /// A line for the restitution with its band, and for each of the other results of a brief answer that has a value.
@@ -63,6 +69,7 @@ fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
     let first: Vec<_> =
         results.iter().filter(|result| ["restitution", "restitution_band"].contains(&result.name)).copied().collect();
     let mut lines = lines(&first, single);
+    mark_outside(&mut lines, single);
     lines.extend(BRIEF.into_iter().filter_map(|name| {
         let Reported { label, shown, value, .. } = results.iter().find(|result| result.name == name)?;
         let text = text(*shown, &value(single)?)?;
