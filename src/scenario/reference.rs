@@ -6,6 +6,7 @@ use crate::contact::law::LawChoice;
 use crate::scenario::scene::key::{AnyKey, Form, Words};
 use crate::scenario::scene::keys::varied;
 use crate::scenario::scene::quantity::Quantity;
+use crate::scenario::scene::results::impact::results;
 use crate::scenario::scene::tables::{POINT, pair_example};
 use crate::scenario::scene::written::pattern;
 use crate::scenario::scene::{EVERY_KEY, Key};
@@ -65,6 +66,11 @@ pub fn about_keys(text: &str) -> Option<String> {
         }
     }
     (!found.is_empty()).then_some(all)
+}
+
+/// The meaning of a result of an impact; `None` if there is none of this name.
+pub fn about_result(name: &str) -> Option<&'static str> {
+    results().into_iter().find(|result| result.name == name).map(|result| result.about)
 }
 
 /// The table that a key stands in, and its name there; `sweep` and `monte_carlo` are tables themselves.

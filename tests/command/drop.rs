@@ -117,6 +117,10 @@ fn a_wrong_option_is_refused_with_the_way_out() {
         (&["drop", "--ball", "lead", "--diameter", "1 kg", "--on", "lead", "--from", "1 m"][..], "diameter"),
         (&["drop", "--ball", "lead", "--diameter", "1 mm", "--on", "lead"][..], "--from"),
         (&["keys", "impact.angel"][..], "impact.angle"),
+        (
+            &["keys", "rebound_height_m"][..],
+            "\"rebound_height_m\" is a result, not a key: Height to which the sphere rises",
+        ),
         (&["materials", "unobtainium"][..], "unknown material"),
     ] {
         let (_, said) = desk.ends(arguments, 2);

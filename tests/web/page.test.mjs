@@ -232,7 +232,7 @@ test("a link has the keys without the comments of the first scenarios, which a r
 test("guide, citation, source and licences are beside the page, and every link of theirs leads somewhere", async () => {
   await open();
   const links = await page.value('[...document.querySelectorAll("nav a")].map((one) => one.getAttribute("href"))');
-  assert.equal(links.length, 6);
+  assert.equal(links.length, 8);
   const seen = new Set();
   const follow = async (address) => {
     const [path, anchor] = address.split("#");

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scenario::reference::about_keys;
+use plm_impact::scenario::reference::{about_keys, about_result};
 use plm_impact::scenario::scene::EVERY_KEY;
 use plm_impact::units::names::did_you_mean;
 
@@ -19,6 +19,9 @@ pub struct Arguments {
 
 pub fn keys(Arguments { key }: &Arguments) -> Result<(), Error> {
     let text = about_keys(key).ok_or_else(|| {
+        if let Some(about) = about_result(key) {
+            return Error::input(format!("\"{key}\" is a result, not a key: {about}"));
+        }
         let known = "`plm-impact keys` prints all";
         let names = EVERY_KEY.iter().map(|known| known.path);
         Error::input(format!("unknown key \"{key}\"{}", did_you_mean(key, names, '"', known)))
