@@ -11,10 +11,9 @@
 //! energy; it has no restitution.
 //!
 //! Under gravity alone peak and rebound follow from the energy ([`super::closed_form`]). In other cases the energy balance
-//! is the check: kinetic + stored + plastic + damping − m g δ = ½ m v². The largest error measured is 10 tolerances. Three of
-//! 150 000 random scenes exceeded this, by at most 60 tolerances. All three had a
-//! tolerance above 1e-4 and a weight above the force at first yield: such a weight takes a slow sphere to hundreds of times its
-//! speed, and the error of the first step grows with it.
+//! is the check: kinetic + stored + plastic + damping − m g δ = ½ m v². The largest error measured is 10 tolerances; at
+//! tolerances above 1e-4 under a weight above the force at first yield it is 60, as such a weight takes a slow sphere to hundreds
+//! of times its speed, and the error of the first step grows with it.
 
 use super::plate::Plate;
 use super::scales::ACCELERATION;

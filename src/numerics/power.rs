@@ -170,11 +170,6 @@ fn power_turn_with_weight(stiffness: f64, exponent: f64, of_rest: f64, weight: f
     })
 }
 
-/// The number that is farther from zero; NaN if either is NaN.
-pub(crate) fn farther_or_nan(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a.abs() >= b.abs() { a } else { b }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

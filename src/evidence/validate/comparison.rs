@@ -1,7 +1,6 @@
 //! A number of a reference beside that of the law.
 
 use crate::contact::law::UnloadingExponent;
-use crate::numerics::power::farther_or_nan;
 
 /// The exponents that are compared, with their names in tables and pictures.
 pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
@@ -58,7 +57,7 @@ pub fn deviation(reference: f64, law: f64) -> f64 {
 
 /// The deviation farthest from zero; NaN if any is NaN.
 pub fn largest(deviations: impl IntoIterator<Item = f64>) -> f64 {
-    deviations.into_iter().fold(0.0, farther_or_nan)
+    deviations.into_iter().fold(0.0, |a: f64, b: f64| if a.is_nan() || a.abs() >= b.abs() { a } else { b })
 }
 
 pub fn mean(values: &[f64]) -> f64 {

@@ -39,9 +39,7 @@ const MOST_ROUNDS: u32 = 3;
 ///
 /// The pair estimates the error by e5²/e3, which assumes that both errors have the same leading terms. Near r = 0 this does
 /// not hold: a weak pull or drag enters with a low power of r, which order 3 misses, and the force with the ninth power,
-/// which both miss.
-/// Without a least share the error was up to 3000 times the estimate there, and the ledger of one impact in 10⁵ closed to
-/// 40 times the tolerance. This share goes with the square of the step, as e5²/e3 does on a smooth motion, so that the steps
+/// which both miss. This share goes with the square of the step, as e5²/e3 does on a smooth motion, so that the steps
 /// of smooth motions stay as they are.
 fn least_share(tolerance: f64) -> f64 {
     2.0 * (PART * tolerance).sqrt().sqrt()
