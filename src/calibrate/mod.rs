@@ -253,7 +253,7 @@ fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<Strin
     let problem = &fit.problem;
     if let Some([low, high]) = fit.plateau() {
         let free = problem.free[0];
-        let [low, high] = [low, high].map(|share| free.say(free.at(share), 4));
+        let [low, high] = [low, high].map(|share| free.text(free.at(share), 4));
         return Some(format!(
             "every {} from {low} to {high} gives the same, as these impacts stay elastic there: measure faster impacts",
             free.key.path

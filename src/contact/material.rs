@@ -200,7 +200,7 @@ pub struct Flow {
     pub flat_share: f64,
 }
 
-/// What an impact leaves behind: a dent in the half-space, a flat on the sphere, or both. It takes the share of the flat.
+/// The mark that an impact leaves: a dent in the half-space, a flat on the sphere, or both. It takes the share of the flat.
 pub fn left_behind(flat_share: f64) -> &'static str {
     match flat_share {
         share if share >= 1.0 => "flat",

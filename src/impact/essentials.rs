@@ -170,7 +170,7 @@ impl Essentials {
         self.flat_depth > 0.0
     }
 
-    /// What the impact left behind: `dent`, `flat`, or `dent and flat`.
+    /// The mark that the impact left: `dent`, `flat`, or `dent and flat`.
     pub fn left_behind(&self) -> &'static str {
         left_behind(self.flat_depth / self.residual_indentation)
     }

@@ -9,9 +9,10 @@ use super::scales::ACCELERATION;
 use crate::contact::law::{Branch, ContactState};
 use crate::numerics::integrate::State;
 
+/// A row of the trace of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceRow {
-    /// Since first touch \[s\].
+    /// Time since first touch \[s\].
     pub time: f64,
     /// δ \[m\].
     pub indentation: f64,
@@ -29,7 +30,7 @@ pub struct TraceRow {
     pub elastic_force: Option<f64>,
     pub branch: Branch,
     /// Friction, in an oblique impact.
-    pub rubbing: Option<FrictionState>,
+    pub friction: Option<FrictionState>,
     pub event: Option<Event>,
     /// (kinetic + stored + lost)/(½ m v²) − 1.
     pub energy_drift: f64,
@@ -86,6 +87,7 @@ impl<'a> Ledger<'a> {
         self.drift(0.0, self.case.ground.work_to(peak), 0.0, peak.indentation)
     }
 
+    /// The row of the trace at a point of the motion.
     pub(super) fn row(&self, point: &Point) -> TraceRow {
         let Point { at: State { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
         let ContactState { indentation: x, force, elastic_approach } = state;
@@ -113,7 +115,7 @@ impl<'a> Ledger<'a> {
             force: total_force * scales.force,
             elastic_force: self.contact.forces().damping.map(|_| force * scales.force),
             branch,
-            rubbing: None,
+            friction: None,
             event,
             energy_drift: self.drift(speed, potential, loss / ACCELERATION, x),
         }

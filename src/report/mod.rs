@@ -1,4 +1,5 @@
-//! From a result to its files: what a kind of scene computes and writes, its texts, and its pictures.
+//! From a result to its files. `run` has a file for each kind of scene, which computes it and collects its files; `text` makes
+//! summaries, tables and lines for the terminal; `plot` makes pictures.
 
 pub mod plot;
 pub mod run;

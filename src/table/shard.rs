@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 
-/// Part `index` of `count`.
+/// One of `count` shards of a table, which computes the parts `index`, `index` + `count`, `index` + 2 `count` and so on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// Counted from 0.

@@ -96,8 +96,8 @@ fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
         let before = indentation;
         indentation += dt * speed;
         force = contact.force(indentation, &mut memory);
-        let rub = FrictionStep { before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
-        contact.friction(friction, &rub, &memory, &mut history);
+        let step = FrictionStep { before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
+        contact.friction(friction, &step, &memory, &mut history);
         speed -= 0.5 * dt * force / mass;
         moving += 0.5 * dt * j / mass * history[0];
     }
@@ -178,13 +178,13 @@ fn limits_without_friction_without_slip_and_without_anything() {
     let (straight, nothing) = impact(&contact, exact, Some(10));
     assert_eq!((nothing.tangential_speed, nothing.spin, nothing.angle), (0.0, 0.0, 0.0));
     assert!(nothing.tangential_restitution.is_nan() && nothing.contact_point_restitution.is_nan());
-    assert!(straight.trace.iter().all(|row| row.rubbing.unwrap().friction_force == 0.0));
+    assert!(straight.trace.iter().all(|row| row.friction.unwrap().friction_force == 0.0));
     let (_, rolled) = impact(&contact, approach(3.9, 20.0, 0.3, rolling), None);
     assert_abs_diff_eq!(rolled.tangential_restitution, 1.0, epsilon = 1e-12);
     // all else is the impact at the normal speed, and without an angle nothing is added
     let normal = contact.impact(3.9, &Solver::default(), Some(10)).unwrap();
     assert!(normal.rebound.is_none() && normal.oblique.is_none());
-    assert!(normal.trace.iter().all(|row| row.rubbing.is_none()));
+    assert!(normal.trace.iter().all(|row| row.friction.is_none()));
     assert_eq!((normal.restitution, normal.contact_time), (straight.restitution, straight.contact_time));
     // a body with the moment of inertia of a solid sphere is one
     let mass = contact.mass();
@@ -213,8 +213,8 @@ fn every_law_has_its_friction() {
             assert!(rebound.error < 1e-5, "{name} at {degrees}: {rebound:?}");
             // friction is at most mu F on every row; it is a straight line between the steps of the run
             for row in &impact.trace {
-                let rubbing = row.rubbing.unwrap();
-                assert!(rubbing.friction_force.abs() <= 0.2 * row.force + 1e-3 * impact.peak_force, "{name} {row:?}");
+                let friction = row.friction.unwrap();
+                assert!(friction.friction_force.abs() <= 0.2 * row.force + 1e-3 * impact.peak_force, "{name} {row:?}");
             }
         }
     }
@@ -256,7 +256,7 @@ proptest! {
         balances(&impact)?;
         prop_assert!(rebound.impulse_ratio.abs() <= mu * (1.0 + 1e-5), "{:?} {}", rebound, mu);
         // the trace begins and ends as the results say
-        let ends = [0, impact.trace.len() - 1].map(|row| impact.trace[row].rubbing.unwrap());
+        let ends = [0, impact.trace.len() - 1].map(|row| impact.trace[row].friction.unwrap());
         let size = approach.speed + rebound.tangential_speed.abs();
         prop_assert!((ends[0].tangential_speed - approach.components()[1]).abs() <= 1e-12 * size);
         prop_assert!((ends[1].tangential_speed - rebound.tangential_speed).abs() <= 1e-9 * size);
@@ -319,7 +319,7 @@ fn a_sphere_that_rolls_does_not_slip() {
         let (impact, rebound) = impact(&contact, approach, Some(20));
         assert!(rebound.psi == 0.0 && rebound.contact_point_restitution.is_nan(), "{degrees}: {rebound:?}");
         assert_eq!((rebound.tangential_speed, rebound.impulse_ratio, rebound.loss_fraction), (tangential, 0.0, 0.0));
-        assert!(impact.trace.iter().all(|row| row.rubbing.unwrap().friction_force == 0.0));
+        assert!(impact.trace.iter().all(|row| row.friction.unwrap().friction_force == 0.0));
     }
 }
 

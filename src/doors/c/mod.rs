@@ -153,12 +153,12 @@ pub unsafe extern "C" fn plm_contact_friction(
     else {
         return;
     };
-    let rub = FrictionStep { before, indentation, force, slip: *slip };
+    let step = FrictionStep { before, indentation, force, slip: *slip };
     // SAFETY: as the caller promises
     let friction = unsafe {
         read(contact, memory, *history, |contact, memory| {
             let mut after = *history;
-            contact.friction(coefficient, &rub, memory, &mut after);
+            contact.friction(coefficient, &step, memory, &mut after);
             after
         })
     };

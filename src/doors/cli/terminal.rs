@@ -30,7 +30,7 @@ impl ErrorFormat {
 /// Writes the error that ends the program; gives the exit code.
 pub fn error(error: &Error) -> u8 {
     let exit_code = error.exit_code();
-    tell("error", Some(AnsiColor::Red), Some(exit_code), error.to_string(), (*error.details).clone());
+    write_line("error", Some(AnsiColor::Red), Some(exit_code), error.to_string(), (*error.details).clone());
     exit_code
 }
 
@@ -41,12 +41,12 @@ pub fn other<E: Display>(what: impl Display) -> impl FnOnce(E) -> Error {
 
 /// Writes a warning.
 pub fn warning(text: impl Display) {
-    tell("warning", Some(AnsiColor::Yellow), None, text.to_string(), Details::default());
+    write_line("warning", Some(AnsiColor::Yellow), None, text.to_string(), Details::default());
 }
 
 /// Writes a note.
 pub fn note(text: impl Display) {
-    tell("note", None, None, text.to_string(), Details::default());
+    write_line("note", None, None, text.to_string(), Details::default());
 }
 
 pub fn is_json() -> bool {
@@ -65,7 +65,7 @@ struct Said<'a> {
 
 /// A line to standard error, which begins with the level if that has a colour; or an object for a program, with `text` where
 /// the details have no message. A line that nobody reads (`2>&1 | head`) is no failure.
-fn tell(level: &str, color: Option<AnsiColor>, exit_code: Option<u8>, text: String, mut details: Details) {
+fn write_line(level: &str, color: Option<AnsiColor>, exit_code: Option<u8>, text: String, mut details: Details) {
     if is_json() {
         details.message.get_or_insert(text);
         // texts and numbers are always JSON

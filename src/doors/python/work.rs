@@ -1,5 +1,5 @@
-//! Computations of many values run on threads of the module, where Ctrl-C stops them; those of few values in the calling
-//! thread. Meanwhile the interpreter is free.
+//! Computations for Python. Many values are computed on threads of the module, where Ctrl-C stops them; few values are computed in
+//! the calling thread. Meanwhile the interpreter is free.
 
 use std::mem;
 use std::ops::Range;
@@ -15,7 +15,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::files::progress::Counter;
 use crate::table::ordered::in_order;
 
-/// Number of rows that a thread computes at a time, and of slow ones, between which Ctrl-C is to be heard.
+/// Number of rows that a thread computes at a time: of usual rows, and of slow ones. Ctrl-C stops a computation between them.
 const TOGETHER: [usize; 2] = [1024, 16];
 /// With so few rows the calling thread is done before another has begun.
 const FEW: usize = 1000;

@@ -19,20 +19,20 @@ pub fn serves(method: Method, problem: &Problem) -> bool {
 }
 
 /// The settings of a method, from coarse to fine.
-fn rungs(method: Method, is_quick: bool) -> Vec<Rung> {
-    let thinned = |rungs: Vec<Rung>| if is_quick { rungs.into_iter().step_by(3).collect() } else { rungs };
+fn settings_of(method: Method, is_quick: bool) -> Vec<Setting> {
+    let thinned = |settings: Vec<Setting>| if is_quick { settings.into_iter().step_by(3).collect() } else { settings };
     match method {
-        Method::ClosedForm => vec![Rung::Exact],
+        Method::ClosedForm => vec![Setting::Exact],
         Method::Verlet => {
             let steps = [10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000, 2000, 5000, 10_000, 100_000];
-            thinned(steps.map(Rung::Steps).to_vec())
+            thinned(steps.map(Setting::Steps).to_vec())
         }
-        _ => thinned((2..=26).map(|half| Rung::Tolerance(pow(10f64, -0.5 * f64::from(half)))).collect()),
+        _ => thinned((2..=26).map(|half| Setting::Tolerance(pow(10f64, -0.5 * f64::from(half)))).collect()),
     }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Rung {
+pub enum Setting {
     Tolerance(f64),
     /// Steps over the exact contact time T. In a DEM code a contact seldom lasts a whole number of steps. So five step
     /// sizes T/(steps + phase) are tried, and the largest error counts.
@@ -41,14 +41,14 @@ pub enum Rung {
     Exact,
 }
 
-/// The phases of [`Rung::Steps`].
+/// The phases of [`Setting::Steps`].
 const PHASES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
 /// The measured error and time of a method with one setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measurement {
     pub method: Method,
-    pub rung: Rung,
+    pub setting: Setting,
     /// |e/e_exact − 1|.
     pub restitution_error: f64,
     /// The relative error of the contact time, which a fixed step interpolates within its last step.
@@ -70,7 +70,7 @@ impl Measurement {
     }
 }
 
-impl Rung {
+impl Setting {
     /// One impact with its cost. Fixed steps have a phase.
     fn run(self, method: Method, phase: f64, problem: &Problem) -> Result<Computed, IntegrationError> {
         let (law, speed, forces) = (black_box(&problem.law), black_box(problem.speed), &problem.forces);
@@ -109,7 +109,7 @@ impl Rung {
         };
         Some(Measurement {
             method,
-            rung: self,
+            setting: self,
             restitution_error: worst(&|run| relative(run.outcome.restitution, exact.restitution)),
             contact_time_error: worst(&|run| relative(run.outcome.contact_time, exact.contact_time)),
             separation_error: worst(&|run| relative(seen(run), exact.contact_time)),
@@ -122,17 +122,22 @@ impl Rung {
 
 /// The errors and the cost of three methods at the default tolerance on a hard case. They are not timed.
 pub fn measure_hard(case: &Problem) -> Vec<Measurement> {
-    let rung = Rung::Tolerance(Solver::default().tolerance);
-    [Method::Rk8, Method::Dop853, Method::Dopri5].into_iter().filter_map(|method| rung.measured(method, case)).collect()
+    let setting = Setting::Tolerance(Solver::default().tolerance);
+    [Method::Rk8, Method::Dop853, Method::Dopri5]
+        .into_iter()
+        .filter_map(|method| setting.measured(method, case))
+        .collect()
 }
 
 /// Measures every method on a problem, with all settings that do not fail. Each round times every setting for about `burst`.
 pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Measurement> {
     let methods = METHODS.into_iter().filter(|method| serves(*method, problem));
-    let settings = methods.flat_map(|method| rungs(method, is_quick).into_iter().map(move |rung| (method, rung)));
-    let mut all: Vec<Measurement> = settings.filter_map(|(method, rung)| rung.measured(method, problem)).collect();
+    let settings =
+        methods.flat_map(|method| settings_of(method, is_quick).into_iter().map(move |setting| (method, setting)));
+    let mut all: Vec<Measurement> =
+        settings.filter_map(|(method, setting)| setting.measured(method, problem)).collect();
     let time = |measurement: &Measurement, repetitions: u32| {
-        let ((), ns) = timed(|| (0..repetitions).for_each(|_| measurement.rung.spend(measurement.method, problem)));
+        let ((), ns) = timed(|| (0..repetitions).for_each(|_| measurement.setting.spend(measurement.method, problem)));
         ns / f64::from(repetitions)
     };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]

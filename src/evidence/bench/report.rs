@@ -2,7 +2,7 @@
 //! in Markdown with one table.
 
 use super::laws::Rate;
-use super::measure::{METHODS, Measurement, Rung, serves};
+use super::measure::{METHODS, Measurement, Setting, serves};
 use super::problems::Problem;
 use crate::error::Error;
 use crate::files::OutputFile;
@@ -23,7 +23,7 @@ type Column = (&'static str, fn(&Measurement) -> String);
 /// The columns behind that of the problem.
 const COLUMNS: [Column; 9] = [
     ("method", |m| m.method.name().to_owned()),
-    ("tolerance", |m| if let Rung::Tolerance(tolerance) = m.rung { error(tolerance) } else { String::new() }),
+    ("tolerance", |m| if let Setting::Tolerance(tolerance) = m.setting { error(tolerance) } else { String::new() }),
     ("restitution_error", |m| error(m.restitution_error)),
     ("contact_time_error", |m| error(m.contact_time_error)),
     ("separation_error", |m| error(m.separation_error)),
@@ -181,8 +181,9 @@ fn time_table(all: &[Measured]) -> String {
 
 /// Steps per contact from which on velocity Verlet keeps e within 1 %. A number of steps serves if all finer settings do too.
 fn steps_of_verlet(measurements: &[Measurement]) -> String {
-    let ladder =
-        || measurements.iter().filter_map(|m| if let Rung::Steps(steps) = m.rung { Some((steps, m)) } else { None });
+    let ladder = || {
+        measurements.iter().filter_map(|m| if let Setting::Steps(steps) = m.setting { Some((steps, m)) } else { None })
+    };
     let last_bad = ladder().filter(|(_, m)| m.restitution_error > 1e-2).map(|(steps, _)| steps).max().unwrap_or(0);
     let needed = ladder().map(|(steps, _)| steps).filter(|steps| *steps > last_bad).min();
     needed.map_or_else(|| format!("more than {last_bad}"), |steps| steps.to_string())

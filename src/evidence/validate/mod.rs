@@ -1,7 +1,7 @@
 //! Compares the law with finite elements and with measurements. The number of the reference comes from a table of
 //! `src/impact/reference`, never from the law.
 //!
-//! Comparisons of the program with exact arithmetic and closed forms are no part of this, but tests of the program.
+//! Comparisons with exact arithmetic and closed forms are not here: they are tests of the program.
 
 mod bounces;
 pub mod cases;
@@ -27,7 +27,7 @@ pub use pictures::pictures;
 /// A function that compares the law with one kind of reference.
 type Source = fn(&PlmCoefficients) -> Result<Vec<Comparison>, Error>;
 
-/// All of them, in the order of the table.
+/// All these functions, in the order of the table in the report.
 const SOURCES: &[Source] = &[
     quasi_static::loading,
     quasi_static::cycles,

@@ -109,9 +109,9 @@ fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
 const SHOWN: usize = 4;
 
 /// An indentation: its name, its value in the reference, and its value in the law.
-type Share = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);
+type IndentationPart = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);
 
-const SHARES: [Share; 3] = [
+const INDENTATIONS: [IndentationPart; 3] = [
     ("approach δ", |sample| sample.indentation, |row| row.indentation),
     ("sphere δₛ", |sample| sample.sphere_indentation, |row| row.sphere_indentation),
     ("half-space δₕ", |sample| sample.half_space_indentation, |row| row.half_space_indentation),
@@ -120,7 +120,7 @@ const SHARES: [Share; 3] = [
 /// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
 fn impact(case: &dynamic::Case) -> Picture {
     let (mut series, mut of_sphere) = (Vec::new(), Vec::new());
-    for (i, (name, of_sample, of_row)) in SHARES.into_iter().enumerate() {
+    for (i, (name, of_sample, of_row)) in INDENTATIONS.into_iter().enumerate() {
         let points = case.samples.iter().step_by(SHOWN).map(|sample| (of_sample(sample), sample.force));
         let mut drawn = vec![Series::points(name, points.collect()).styled(i)];
         for (which, impact) in case.impacts.iter().enumerate() {

@@ -157,7 +157,7 @@ impl Sequence {
         self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
     }
 
-    /// What the first impact left behind: `dent`, `flat`, or `dent and flat`.
+    /// The mark that the first impact left: `dent`, `flat`, or `dent and flat`.
     pub fn left_behind(&self) -> &'static str {
         self.hits.first().map_or("dent", |hit| hit.left_behind())
     }

@@ -54,13 +54,13 @@ fn is_wide(points: &[(f64, f64)]) -> bool {
 }
 
 /// The quantity on the horizontal axis: the only key that changes, the indentation of a curve, or the prediction.
-enum Over {
+enum Abscissa {
     Key(&'static Key),
     Indentation,
     Prediction,
 }
 
-impl Over {
+impl Abscissa {
     fn new(data: &Data) -> Self {
         match data.keys[..] {
             _ if data.is_curve() => Self::Indentation,
@@ -105,7 +105,7 @@ fn shown(calibration: &Calibration, quantity: Measured) -> Vec<usize> {
 struct FittedQuantity<'a> {
     calibration: &'a Calibration<'a>,
     quantity: Measured,
-    over: Over,
+    abscissa: Abscissa,
     shown: Vec<usize>,
     points: Points,
     axes: [Axis; 2],
@@ -114,22 +114,22 @@ struct FittedQuantity<'a> {
 impl<'a> FittedQuantity<'a> {
     fn new(calibration: &'a Calibration, quantity: Measured) -> Self {
         let data = calibration.fit.problem.data;
-        let (over, shown) = (Over::new(data), shown(calibration, quantity));
+        let (abscissa, shown) = (Abscissa::new(data), shown(calibration, quantity));
         let points: Points =
-            shown.iter().map(|value| (over.at(calibration, *value), data.values[*value].value)).collect();
-        let [x, y] = [over.axis(quantity, &points), of_quantity(quantity, "")];
+            shown.iter().map(|value| (abscissa.at(calibration, *value), data.values[*value].value)).collect();
+        let [x, y] = [abscissa.axis(quantity, &points), of_quantity(quantity, "")];
         // small values stay visible where both quantities go over decades
         let is_logarithmic =
             x.scale == Scale::Log && is_wide(&points.iter().map(|(x, y)| (*y, *x)).collect::<Points>());
         let axes = [x, if is_logarithmic { y.logarithmic() } else { y }];
-        Self { calibration, quantity, over, shown, points, axes }
+        Self { calibration, quantity, abscissa, shown, points, axes }
     }
 
     fn fitted(self) -> Chart {
         let Self { calibration, quantity, shown, points, .. } = &self;
         let has_bars = shown.len() <= MOST_BARS && !calibration.fit.has_no_noise();
         let bars = shown.iter().zip(points).map(|(value, (x, y))| (*x, *y, calibration.fit.problem.deviations[*value]));
-        let line = if let Over::Prediction = self.over {
+        let line = if let Abscissa::Prediction = self.abscissa {
             let (low, high) = extremes(points.iter().map(|point| point.0));
             vec![(low, low), (high, high)]
         } else {
@@ -146,8 +146,8 @@ impl<'a> FittedQuantity<'a> {
         };
         series.push(Series::points(measured, points.clone()).styled(0));
         let notes = calibration.keys.iter().flat_map(|KeyEstimate { free, estimate, sd, .. }| {
-            let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.say(sd, 2)));
-            [title_of(free.key.path), free.say(*estimate, 4) + &sd]
+            let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.text(sd, 2)));
+            [title_of(free.key.path), free.text(*estimate, 4) + &sd]
         });
         let title = format!("{} and the fitted law", title_of(quantity.name()));
         Chart::new(title, self.axes.clone(), series).with_notes(notes)
@@ -165,10 +165,10 @@ impl<'a> FittedQuantity<'a> {
     /// The predictions of a law with its best keys.
     fn line(&self, fit: &Fit) -> Points {
         let shares = &fit.best().shares;
-        let along = match self.over {
-            Over::Key(key) => Some(self.along(key)),
-            Over::Indentation => Some(self.between_points()),
-            Over::Prediction => None,
+        let along = match self.abscissa {
+            Abscissa::Key(key) => Some(self.along(key)),
+            Abscissa::Indentation => Some(self.between_points()),
+            Abscissa::Prediction => None,
         };
         if let Some((data, at)) = along {
             let predicted = fit.problem.predicting(&data).predict(shares).unwrap_or_default();
@@ -180,7 +180,7 @@ impl<'a> FittedQuantity<'a> {
 
     /// The outline of the 95 % band around the fitted line over a key, which is linear in the keys.
     fn band(&self) -> Option<Points> {
-        let Over::Key(key) = self.over else { return None };
+        let Abscissa::Key(key) = self.abscissa else { return None };
         let (data, at) = self.along(key);
         let fit = &self.calibration.fit;
         let (line, shares) = (fit.problem.predicting(&data), &fit.best().shares);
@@ -226,16 +226,17 @@ fn residuals(calibration: &Calibration) -> Chart {
     let data = calibration.fit.problem.data;
     let measured = data.measured();
     // predictions of several quantities have no common axis
-    let over = Some(Over::new(data)).filter(|over| !matches!(over, Over::Prediction) || measured.len() == 1);
+    let abscissa =
+        Some(Abscissa::new(data)).filter(|abscissa| !matches!(abscissa, Abscissa::Prediction) || measured.len() == 1);
     #[allow(clippy::cast_precision_loss)] // counts of measurements
-    let at = |value: usize| over.as_ref().map_or(value as f64 + 1.0, |over| over.at(calibration, value));
+    let at = |value: usize| abscissa.as_ref().map_or(value as f64 + 1.0, |abscissa| abscissa.at(calibration, value));
     let points = |quantity: Measured| {
         shown(calibration, quantity).into_iter().map(|value| (at(value), calibration.residuals[value])).collect()
     };
     let series: Vec<Series> =
         measured.iter().map(|quantity| Series::points(title_of(quantity.name()), points(*quantity))).collect();
     let all: Points = series.iter().flat_map(|one| one.points.clone()).collect();
-    let x = over.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
+    let x = abscissa.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
     let level = half_width(LEVELS[1], None);
     let guides = [(0.0, "law"), (level, "± 1.96"), (-level, "± 1.96")];
     let largest = calibration.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);

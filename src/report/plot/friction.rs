@@ -12,7 +12,7 @@ use crate::units::{Dimension, quantity};
 /// The picture of friction; `None` for an impact without an angle, a spin, or a trace.
 pub fn friction(impact: &Impact) -> Option<Chart> {
     let rows: Vec<(f64, FrictionState)> =
-        impact.trace.iter().filter_map(|row| Some((row.time, row.rubbing?))).collect();
+        impact.trace.iter().filter_map(|row| Some((row.time, row.friction?))).collect();
     let (_, last) = rows.last()?;
     let panel = |name: &str, unit: &str, number: usize, value: fn(&FrictionState) -> f64, note: Option<String>| {
         let points: Vec<(f64, f64)> = rows.iter().map(|(time, row)| (*time, value(row))).collect();

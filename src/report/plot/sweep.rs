@@ -54,9 +54,9 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
     let evaluator = &Evaluator::new(plan);
     let is_drawn = |name| plan.pictures.as_deref().unwrap_or(&[RESTITUTION]).contains(&name);
     let drawn = columns().into_iter().filter(|column| is_drawn(column.name)).flat_map(|result| {
-        let over = Over { plan, evaluator, axes, along, result };
-        let lines = if along.is_some() { over.curves() } else { over.columns() };
-        let map = has_map.then(|| (format!("{}_map", result.name), over.map()));
+        let picture = ResultPicture { plan, evaluator, axes, along, result };
+        let lines = if along.is_some() { picture.curves() } else { picture.columns() };
+        let map = has_map.then(|| (format!("{}_map", result.name), picture.map()));
         [(result.name.to_owned(), lines)].into_iter().chain(map)
     });
     drawn.collect()
@@ -145,8 +145,8 @@ fn curve_of(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
     Series { look, ..Series::line(name, points) }
 }
 
-/// A result over one or two axes of a grid.
-struct Over<'a> {
+/// A picture of one result over one or two axes of a grid.
+struct ResultPicture<'a> {
     plan: &'a Plan,
     evaluator: &'a Evaluator<'a>,
     axes: &'a [Axis],
@@ -155,7 +155,7 @@ struct Over<'a> {
     result: Column,
 }
 
-impl Over<'_> {
+impl ResultPicture<'_> {
     /// The result of the case at these places of the first axes; not a number if the case has none.
     fn value(&self, places: &[u64]) -> f64 {
         let row = row(self.evaluator, self.axes, places);

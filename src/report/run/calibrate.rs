@@ -71,13 +71,13 @@ fn warnings(found: &Calibration) -> Vec<String> {
 
 /// Doubts a strength or a hardness that is far from that of the material that the body names.
 fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
-    let taken = input.materials().iter().find(|taken| key.free.key.path.starts_with(taken.body.table()))?;
-    let hardness = taken.material.get(Property::Hardness)?.used.value;
-    let keys = taken.body.strength_keys();
+    let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table()))?;
+    let hardness = choice.material.get(Property::Hardness)?.used.value;
+    let keys = choice.body.strength_keys();
     let usual = match key.free.key.path {
         path if path == keys.hardness.path() => hardness,
-        path if path == keys.yield_strength.path() && input.flow_curve(taken.body).is_none() => {
-            taken.material.flow_stress(hardness)
+        path if path == keys.yield_strength.path() && input.flow_curve(choice.body).is_none() => {
+            choice.material.flow_stress(hardness)
         }
         _ => return None,
     };
@@ -87,8 +87,8 @@ fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
             "{}: {} times the {} of {}: check the units of the data and of the scenario",
             key.free.key.path,
             four_digits(ratio),
-            key.free.say(usual, 4),
-            taken.material.name
+            key.free.text(usual, 4),
+            choice.material.name
         )
     })
 }

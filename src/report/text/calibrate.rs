@@ -260,10 +260,10 @@ fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
         Ok(fit) => {
             // where the law does not know the keys, rounding alone is left of their information
             let is_known = fit.covariance.as_ref().is_some_and(|all| all.diagonal().iter().all(|square| *square < 1.0));
-            let say = |(value, found): (f64, &KeyEstimate)| {
-                if is_known { found.free.say(value, 4) } else { "not determined".to_owned() }
+            let text = |(value, found): (f64, &KeyEstimate)| {
+                if is_known { found.free.text(value, 4) } else { "not determined".to_owned() }
             };
-            let values = fit.values().into_iter().zip(&calibration.keys).map(say);
+            let values = fit.values().into_iter().zip(&calibration.keys).map(text);
             let numbers = [fit.aic, fit.aic - calibration.least_aic()].map(|number| format!("{number:.2}"));
             [law.clone()].into_iter().chain(numbers).chain(values).collect()
         }
@@ -279,18 +279,18 @@ pub fn table(calibration: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for found in &calibration.keys {
-        let say = |value: f64| found.free.say(value, 4);
+        let text = |value: f64| found.free.text(value, 4);
         let sd = found
             .sd
-            .map_or_else(String::new, |sd| format!("   sd {}", found.free.say_deviation(found.estimate, sd, 2)));
-        row(found.free.key.path, say(found.estimate) + &sd);
+            .map_or_else(String::new, |sd| format!("   sd {}", found.free.deviation_text(found.estimate, sd, 2)));
+        row(found.free.key.path, text(found.estimate) + &sd);
         for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
             row(
                 name,
                 match *ends {
-                    [Some(low), Some(high)] => format!("{} to {}", say(low), say(high)),
-                    [Some(low), None] => format!("{} and more, {UNBOUNDED}", say(low)),
-                    [None, Some(high)] => format!("{} and less, {UNBOUNDED}", say(high)),
+                    [Some(low), Some(high)] => format!("{} to {}", text(low), text(high)),
+                    [Some(low), None] => format!("{} and more, {UNBOUNDED}", text(low)),
+                    [None, Some(high)] => format!("{} and less, {UNBOUNDED}", text(high)),
                     [None, None] => UNBOUNDED.to_owned(),
                 },
             );
@@ -334,7 +334,7 @@ pub fn table(calibration: &Calibration) -> String {
     if calibration.fit.minima.len() > 1 && calibration.refusal.is_none() {
         let second = &calibration.fit.minima[1];
         let values = calibration.fit.problem.values(&second.shares);
-        let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.say(value, 4));
+        let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.text(value, 4));
         let excess = four_digits(second.sum - calibration.fit.best().sum);
         row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
     }

@@ -46,9 +46,9 @@ pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
         rows.extend(impact.trace.iter().map(|row| TraceRow {
             impact: i + 1,
             time: hit.time.unwrap_or(0.0) + row.time,
-            position: row.rubbing.map(|rubbing| {
+            position: row.friction.map(|friction| {
                 // by the trapezoidal rule along the contact
-                let (time, speed) = (row.time, rubbing.tangential_speed);
+                let (time, speed) = (row.time, friction.tangential_speed);
                 let moved =
                     at.map_or(hit.position, |(before, place, was)| place + 0.5 * (was + speed) * (time - before));
                 at = Some((time, moved, speed));
@@ -136,14 +136,14 @@ pub fn repeat_lines(repeat: &Repeat) -> String {
         }
         Drive::Shots(speeds) => {
             let _ = writeln!(text, "{} shots, {place}, at", speeds.len());
-            let say = |speed: &f64| quantity(*speed, Dimension::Speed);
+            let shown = |speed: &f64| quantity(*speed, Dimension::Speed);
             let is_one = speeds.iter().all(|speed| *speed == speeds[0]);
             let list = if is_one {
-                say(&speeds[0])
+                shown(&speeds[0])
             } else if speeds.len() <= MOST_LISTED {
-                speeds.iter().map(say).collect::<Vec<_>>().join(", ")
+                speeds.iter().map(shown).collect::<Vec<_>>().join(", ")
             } else {
-                format!("{}, {} ... {}", say(&speeds[0]), say(&speeds[1]), say(&speeds[speeds.len() - 1]))
+                format!("{}, {} ... {}", shown(&speeds[0]), shown(&speeds[1]), shown(&speeds[speeds.len() - 1]))
             };
             let _ = writeln!(text, "  {list}");
         }

@@ -40,7 +40,7 @@ impl Free {
     }
 
     /// A value of the key with so many digits in a fitting unit; a hardness on its scale, with the pressure beside it.
-    pub fn say(&self, value: f64, digits: usize) -> String {
+    pub fn text(&self, value: f64, digits: usize) -> String {
         let pressure = human(rounded(value, digits), self.key.quantity.dimension);
         match self.on_scale(value) {
             Some((value, scale)) => format!("{} {} ({pressure})", number(rounded(value, digits)), scale.name()),
@@ -49,7 +49,7 @@ impl Free {
     }
 
     /// The standard deviation of a value, with so many digits.
-    pub fn say_deviation(&self, value: f64, deviation: f64, digits: usize) -> String {
+    pub fn deviation_text(&self, value: f64, deviation: f64, digits: usize) -> String {
         match self.on_scale(value).zip(self.on_scale(value + deviation)) {
             Some(((value, scale), (more, _))) => format!("{} {}", number(rounded(more - value, digits)), scale.name()),
             None => human(rounded(deviation, digits), self.key.quantity.dimension),

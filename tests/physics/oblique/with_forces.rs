@@ -61,8 +61,8 @@ fn friction_goes_with_gravity_and_damping() {
             balances(&impact).unwrap();
             assert!(rebound.impulse_ratio <= 0.15 * (1.0 + 1e-6), "{settings:?} {rebound:?}");
             for row in &impact.trace {
-                let rubbing = row.rubbing.unwrap();
-                assert!(rubbing.friction_force.abs() <= 0.15 * row.force + 2e-3 * impact.peak_force, "{row:?}");
+                let friction = row.friction.unwrap();
+                assert!(friction.friction_force.abs() <= 0.15 * row.force + 2e-3 * impact.peak_force, "{row:?}");
             }
             let of_table = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
             assert_abs_diff_eq!(of_table.contact_point_restitution, rebound.contact_point_restitution, epsilon = 1e-5);

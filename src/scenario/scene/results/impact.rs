@@ -333,13 +333,13 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         /// Force of the contact law alone.
         "elastic_force_N" in Force if DAMPING: row.elastic_force;
         /// Slip speed of the contact point: speed of the centre along the half-space less radius times spin.
-        "slip_speed_m_per_s" in Speed if OBLIQUE: rubbing(row, |friction| friction.slip_speed);
+        "slip_speed_m_per_s" in Speed if OBLIQUE: of_friction(row, |friction| friction.slip_speed);
         /// Friction on the sphere; negative against its path.
-        "friction_force_N" in Force if OBLIQUE: rubbing(row, |friction| friction.friction_force);
+        "friction_force_N" in Force if OBLIQUE: of_friction(row, |friction| friction.friction_force);
         /// Speed of the centre along the half-space.
-        "tangential_speed_m_per_s" in Speed if OBLIQUE: rubbing(row, |friction| friction.tangential_speed);
+        "tangential_speed_m_per_s" in Speed if OBLIQUE: of_friction(row, |friction| friction.tangential_speed);
         /// Spin; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed if OBLIQUE: rubbing(row, |friction| friction.spin);
+        "spin_rad_per_s" in AngularSpeed if OBLIQUE: of_friction(row, |friction| friction.spin);
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
         /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `relaxation` of a
@@ -350,8 +350,8 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
 }
 
 /// A value of friction, if the sphere came in at an angle, or spinning.
-fn rubbing(row: &TraceRow, value: fn(&FrictionState) -> f64) -> Option<f64> {
-    row.rubbing.as_ref().map(value)
+fn of_friction(row: &TraceRow, value: fn(&FrictionState) -> f64) -> Option<f64> {
+    row.friction.as_ref().map(value)
 }
 
 /// The word for an event; empty for an ordinary row.
