@@ -9,13 +9,13 @@ use plm_impact::impact::oblique::motion::TangentialMotion;
 
 use crate::common::reference::rows;
 
-/// The tolerance of a step in a run by itself, and in a table.
-const OF_RUNS: f64 = 1e-9;
-const OF_ROWS: f64 = 1e-7;
+/// The accuracy of a run by itself, and of one in a table.
+const OF_RUNS: f64 = 2e-8;
+const OF_ROWS: f64 = 1e-5;
 
 /// s_1/s_0 of an elastic impact.
-fn elastic_ratio(psi: f64, chi: f64, tolerance: f64) -> f64 {
-    TangentialMotion::elastic().unwrap().ratio(psi, chi, tolerance).unwrap()
+fn elastic_ratio(psi: f64, chi: f64, accuracy: f64) -> f64 {
+    TangentialMotion::elastic().unwrap().ratio(psi, chi, accuracy).unwrap()
 }
 
 /// The alumina sphere on glass of Kharaz, Gorham and Salman (2001).
@@ -191,7 +191,8 @@ fn limits_without_friction_without_slip_and_without_anything() {
     let same = alumina_on_glass().with_moment_of_inertia(0.4 * mass * 2.5e-3 * 2.5e-3);
     let at = approach(3.9, 15.0, 0.092, 0.0);
     let (given, own) = (impact(&same, at, None).1, impact(&contact, at, None).1);
-    assert_relative_eq!(given.spin, own.spin, max_relative = 1e-12);
+    // rounding changes the lengths of the steps
+    assert_relative_eq!(given.spin, own.spin, max_relative = 1e-9);
     // mirrored: forward becomes backward
     let (back, forth) = (approach(3.9, 0.0, 0.1, -90.0), approach(3.9, 0.0, 0.1, 90.0));
     let [back, forth] = [back, forth].map(|approach| impact(&contact, approach, None).1);
@@ -264,7 +265,7 @@ proptest! {
         // a row of a table is the impact by a run with a looser tolerance
         let row = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
         let off = (row.contact_point_restitution - rebound.contact_point_restitution).abs();
-        prop_assert!(off <= 3e-5, "off by {:e} at {:?}", off, rebound);
+        prop_assert!(off <= 1e-5, "off by {:e} at {:?}", off, rebound);
     }
 }
 

@@ -244,8 +244,8 @@ impl Unloading {
     /// Radius of the contact as far as friction goes, in units of that at x = 1: f_m/ε_m where unloading begins, then in
     /// proportion to the stiffness.
     pub(crate) fn radius_ratio(&self, recovered: f64) -> f64 {
-        let ContactState { force, elastic_approach, .. } = self.peak;
-        force / elastic_approach * self.slope_of(recovered.max(0.0)) / self.slope_of(elastic_approach)
+        let (ContactState { force, elastic_approach, .. }, branch) = (self.peak, self.branch());
+        force / elastic_approach * branch.slope_beyond(recovered.max(0.0)) / branch.slope_beyond(elastic_approach)
     }
 
     /// Returns x − x_r where the force is `force`; from f_m on it is ε_m.

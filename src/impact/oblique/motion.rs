@@ -17,6 +17,8 @@ pub struct TangentialMotion<'a> {
     track: Track<'a>,
     /// The times of the joints of the law, of the peak and of the end; each stretch between two of them is smooth.
     pub(super) ends: Vec<f64>,
+    /// Whether the stops jump at joints: viscous damping goes with the root of the slope.
+    pub(super) jumps: bool,
     /// Time of compression, and from first touch to the end.
     pub(super) durations: [f64; 2],
 }
@@ -29,7 +31,7 @@ impl<'a> TangentialMotion<'a> {
         let outcome = course::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
         let track = recorder.track(ground, outcome.unloading, forces.drag);
         let durations = [outcome.loading_time, outcome.contact_time];
-        Ok(Self { ends: track.ends().collect(), durations, track })
+        Ok(Self { ends: track.ends().collect(), jumps: forces.drag.eta != 0.0, durations, track })
     }
 
     /// The motion of an elastic impact. It is one for all of them in units of its own peak and speed.

@@ -64,6 +64,11 @@ impl Profile {
         Self { knots: vec![Knot::default()], shift: 0.0, spare: Vec::new() }
     }
 
+    /// The stretch of the spring in the middle, less the shift.
+    pub(super) fn middle(&self) -> f64 {
+        self.knots.first().map_or(0.0, |knot| knot.stretch)
+    }
+
     /// Shifts all springs, lets springs enter or leave up to the new rim, clips them at their stops, and gives the friction T.
     /// The stretch of the springs that enter is curved by `bend`.
     pub(super) fn advance(&mut self, to: &Rim, shift: f64, bend: f64) -> f64 {
@@ -78,11 +83,14 @@ impl Profile {
             return 0.0;
         }
         let fall = to.stop / rim;
-        for side in [1.0, -1.0] {
-            let (level, shift) = (to.stop, self.shift);
-            let is_beyond = |knot: &Knot| side * (knot.stretch + shift) > level - fall * knot.square;
-            if let Some(first) = self.knots.iter().position(is_beyond) {
-                self.clip(first.saturating_sub(1), level, fall, side);
+        let (level, shift) = (to.stop, self.shift);
+        let is_beyond = |knot: &Knot| (knot.stretch + shift).abs() > level - fall * knot.square;
+        if let Some(first) = self.knots.iter().position(is_beyond) {
+            let (side, from) = ((self.knots[first].stretch + shift).signum(), first.saturating_sub(1));
+            self.clip(from, level, fall, side);
+            let is_beyond = |knot: &Knot| -side * (knot.stretch + shift) > level - fall * knot.square;
+            if self.knots[from..].iter().any(is_beyond) {
+                self.clip(from, level, fall, -side);
             }
         }
         self.knots.last().map_or(0.0, |last| -(last.integral + self.shift * last.radius))
@@ -147,7 +155,11 @@ impl Profile {
                     self.push(square, on_stop(square), if was_beyond { 0.0 } else { knot.bend });
                 }
             }
-            if !is_beyond {
+            if let Some((before, _)) = last.filter(|_| !was_beyond && !is_beyond) {
+                // the piece is as it was
+                let moved = self.knots.last().map_or(0.0, |last| last.integral - before.integral);
+                self.knots.push(Knot { integral: knot.integral + moved, ..knot });
+            } else if !is_beyond {
                 self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
             } else if !was_beyond || old.get(i + 1).is_none_or(|next| gap(next) >= 0.0) {
                 // a knot between two others beyond the stop is no end of a piece

@@ -202,11 +202,8 @@ impl Plan {
     /// About how many microseconds a row takes on one core, under the slowest of its methods.
     pub fn microseconds(&self) -> f64 {
         let of_case = |input: &Input| {
-            let friction = match input.incidence() {
-                None => 0.0,
-                Some(_) if input.can_yield() => 1500.0,
-                Some(_) => 1.0,
-            };
+            // with partial slip
+            let friction = input.incidence().map_or(0.0, |_| 100.0);
             let solver = input.solver();
             friction
                 + match solver.method {
