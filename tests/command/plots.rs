@@ -52,6 +52,21 @@ fn force_against_indentation_shows_loops_that_fill_the_axes() {
 }
 
 #[test]
+fn history_shows_force_indentations_and_speed_one_below_the_other() {
+    for impact in scenes() {
+        let drawn = Drawn::of(&plot::history(&impact).unwrap());
+        let boxes = drawn.boxes();
+        assert_eq!(boxes.len(), 3);
+        for (color, at) in [(PURPLE, 0), (BLUE, 1), (VERMILLION, 1), (GREEN, 1), (ORANGE, 2)] {
+            let [left, top, right, bottom] = boxes[at];
+            let curve = drawn.lines(color).concat();
+            let inside: Vec<_> = curve.iter().filter(|(x, _)| (left..=right).contains(x)).collect();
+            assert!(inside.len() > 100 && inside.iter().all(|(_, y)| (top..=bottom).contains(y)), "{color}");
+        }
+    }
+}
+
+#[test]
 fn an_impact_without_trace_makes_no_picture() {
     let mut impact = impact(210e9, None, 3.0);
     impact.trace.clear();
