@@ -221,7 +221,7 @@ impl Flow {
         };
         let alone = ((ratio - 1.0) / 0.25).min(1.0);
         let of_harder = (1.0 - alone) * harder;
-        let kept = if ratio < 2.0 { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
+        let remaining = if ratio < 2.0 { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
         Self {
             ratio,
             is_sphere,
@@ -229,7 +229,7 @@ impl Flow {
             elastic_share: alone * harder,
             plastic_share: softer + of_harder,
             sphere_share: if is_sphere { 1.0 - of_harder } else { of_harder },
-            flat_share: if is_sphere { 1.0 - kept } else { kept },
+            flat_share: if is_sphere { 1.0 - remaining } else { remaining },
         }
     }
 

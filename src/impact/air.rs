@@ -182,23 +182,26 @@ impl Flying {
 
     /// The speed upwards \[m/s\] some time \[s\] after a take-off with `speed`; negative on the way down.
     pub fn speed_after(&self, speed: f64, time: f64) -> f64 {
-        let left = self.rise_time(speed) - time;
+        let to_top = self.rise_time(speed) - time;
         match self.drag {
             Drag::None => speed - self.pull * time,
             Drag::Constant(k) => {
-                let (angle, terminal) = ((k * self.pull).sqrt() * left, self.terminal_speed());
+                let (angle, terminal) = ((k * self.pull).sqrt() * to_top, self.terminal_speed());
                 let (sin, cos) = sin_cos(angle.max(0.0));
                 terminal * if angle > 0.0 { sin / cos } else { tanh(angle) }
             }
-            Drag::Sphere { .. } if left >= 0.0 => {
+            Drag::Sphere { .. } if to_top >= 0.0 => {
                 let slope = |v: f64| 1.0 / -(self.pull + self.deceleration(v));
-                bracketed((0.0, speed), self.pull * left, is_near, |v| (left - self.risen(0.0, v, |_| 1.0), slope(v)))
+                bracketed((0.0, speed), self.pull * to_top, is_near, |v| {
+                    (to_top - self.risen(0.0, v, |_| 1.0), slope(v))
+                })
             }
             Drag::Sphere { terminal, .. } => {
                 let rate = |depth: f64| -self.falling(depth.min(DEEPEST)).1;
-                let first = (-left * self.pull / terminal).min(DEEPEST);
-                let depth =
-                    bracketed((0.0, 50.0), first, is_near, |depth| (-left - self.fallen(depth, |_| 1.0), rate(depth)));
+                let first = (-to_top * self.pull / terminal).min(DEEPEST);
+                let depth = bracketed((0.0, 50.0), first, is_near, |depth| {
+                    (-to_top - self.fallen(depth, |_| 1.0), rate(depth))
+                });
                 terminal * exp_m1(-depth)
             }
         }
@@ -235,14 +238,14 @@ impl Flying {
         let Drag::Sphere { a, b, c, turn, terminal } = self.drag else { return (f64::NAN, f64::NAN) };
         let (v, short) = (terminal * -exp_m1(-depth), exp(-depth));
         // g' − d(v) without the difference of two nearly equal numbers
-        let left = if terminal <= turn {
+        let net = if terminal <= turn {
             a * terminal * short - b * pow(terminal, 1.687) * exp_m1(1.687 * ln_1p(-short))
         } else if v > turn {
             c * terminal * terminal * short * (2.0 - short)
         } else {
             self.pull - self.deceleration(v)
         };
-        (v, terminal * short / left)
+        (v, terminal * short / net)
     }
 
     /// ∫ part du/(g' − d) from rest to the speed v_t (1 − e^(−depth)).

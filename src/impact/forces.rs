@@ -100,10 +100,10 @@ impl ScaledForces {
 
     /// True if a sphere that came at q = v/V stays in its dent. It is for impacts without damping.
     pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
-        let held = (unloading.exponent + 1.0) * self.weight;
+        let largest = (unloading.exponent + 1.0) * self.weight;
         // an elastic contact gives back what it took, but for rounding
-        let held = if unloading.peak.residual() > 0.0 { held } else { held * (1.0 - GRAZING) };
-        self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= held)
+        let largest = if unloading.peak.residual() > 0.0 { largest } else { largest * (1.0 - GRAZING) };
+        self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= largest)
     }
 
     /// The whole way from first touch to where an impact of energy `kinetic` (in units of Φ L) turns without damping.

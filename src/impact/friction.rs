@@ -47,11 +47,11 @@ impl Contact {
     /// Its torque about the centre is that of T at the contact point, and a step should be short against the contact time.
     pub fn friction(&self, coefficient: f64, rub: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) {
         let [old, radius] = [rub.before, rub.indentation].map(|indentation| self.friction_radius(indentation, memory));
-        let kept = if radius < old { radius / old } else { 1.0 };
+        let share = if radius < old { radius / old } else { 1.0 };
         let stiffness = 8.0 * self.shear_ratio() * self.pair().effective_modulus * radius;
         let mut sum = 0.0;
         for (force, slip) in history.iter_mut().zip(rub.slip) {
-            *force = *force * kept - stiffness * slip;
+            *force = *force * share - stiffness * slip;
             sum += *force * *force;
         }
         let (size, most) = (sum.sqrt(), coefficient * rub.force.max(0.0));

@@ -38,9 +38,9 @@ fn yielding(pair: &Pair) -> usize {
 impl Contact {
     /// Returns this contact of bodies whose strengths rise with the rate of strain, those of sphere and half-space under this law.
     #[must_use]
-    pub fn with_rates(mut self, of: [Option<Rate>; 2], law: &LawChoice) -> Self {
-        let has_rate = of.iter().any(Option::is_some) && self.pair().yield_point.is_some();
-        self.rates = has_rate.then(|| Arc::new(Rates { of, law: law.clone() }));
+    pub fn with_rates(mut self, of_bodies: [Option<Rate>; 2], law: &LawChoice) -> Self {
+        let has_rate = of_bodies.iter().any(Option::is_some) && self.pair().yield_point.is_some();
+        self.rates = has_rate.then(|| Arc::new(Rates { of_bodies, law: law.clone() }));
         self
     }
 
@@ -76,7 +76,7 @@ impl Contact {
         let (w, [loading, turn]) = self.factors(rates, speed)?;
         let raised = self.raised(rates, loading)?;
         let body = yielding(raised.pair());
-        let (factor, factor_at_turn, rate) = (loading[body], turn[body], rates.of[body]);
+        let (factor, factor_at_turn, rate) = (loading[body], turn[body], rates.of_bodies[body]);
         let rated = Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn, rate };
         let ratio = factor_at_turn / factor;
         let mut contact = if turn == loading { raised } else { raised.relaxing_to(self.raised(rates, turn)?, ratio) };
@@ -86,7 +86,7 @@ impl Contact {
 
     /// w, and the factors of sphere and half-space while the sphere goes in and where it turns.
     fn factors(&self, rates: &Rates, speed: f64) -> Result<(f64, [[f64; 2]; 2]), ImpactError> {
-        let at = |rate: f64| rates.of.map(|of| of.map_or(1.0, |of| of.factor(rate)));
+        let at = |rate: f64| rates.of_bodies.map(|of_body| of_body.map_or(1.0, |rise| rise.factor(rate)));
         let mut factors = [1.0; 2];
         for _ in 0..MOST_ROUNDS {
             let depth = self.depth(rates, factors, speed)?;

@@ -7,7 +7,7 @@ use crate::contact::strength::rate::Rate;
 #[derive(Debug, Clone)]
 pub(super) struct Rates {
     /// The rise of the sphere's strength and that of the half-space.
-    pub(super) of: [Option<Rate>; 2],
+    pub(super) of_bodies: [Option<Rate>; 2],
     pub(super) law: LawChoice,
 }
 

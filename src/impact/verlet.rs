@@ -87,10 +87,10 @@ impl<'a> Remembering<'a> {
             force + of_damping > 0.0
         };
         let (gone, _) = halved(since_dent, step, |since| !is_pushed(since));
-        let left = flown_back(gone);
-        let (force, of_damping, _) = self.at(left.distance, left.speed);
+        let separated = flown_back(gone);
+        let (force, of_damping, _) = self.at(separated.distance, separated.speed);
         let of_damping = max_or_nan(of_damping, -force);
-        State { loss: before.loss + ACCELERATION * of_damping * left.speed * (step - gone), ..left }
+        State { loss: before.loss + ACCELERATION * of_damping * separated.speed * (step - gone), ..separated }
     }
 }
 

@@ -155,8 +155,8 @@ fn indentation_obeys_the_same_rule() {
     let (bodies, law) = (Bodies::new(contact.pair()).unwrap(), self::steel(1.4).law());
     let depth = |x: f64| Target::Indentation(x * bodies.yield_point.indentation);
     let done = contact.indent(&[depth(1.05), depth(0.0), depth(1.1), depth(0.0), depth(1.15)], Some(20)).unwrap();
-    assert_eq!(done.doubts.iter().map(|doubt| doubt.step).collect::<Vec<_>>(), [1, 3, 5]);
-    assert!(done.doubts.iter().all(|doubt| doubt.warning.kind == WarningKind::RaisedExponent));
+    assert_eq!(done.warnings.iter().map(|warning| warning.step).collect::<Vec<_>>(), [1, 3, 5]);
+    assert!(done.warnings.iter().all(|one| one.warning.kind == WarningKind::RaisedExponent));
     for step in &done.steps {
         assert_eq!(step.plastic_work, 0.0);
         let x = step.memory.indentation / bodies.yield_point.indentation;

@@ -1,7 +1,7 @@
 //! Slow indentation: closed forms of the loops, memory, and random steps.
 
 use Target::{Indentation as To, Load};
-use plm_impact::impact::indentation::{Doubt, Step, Target};
+use plm_impact::impact::indentation::{Step, StepWarning, Target};
 
 use crate::common::prelude::*;
 
@@ -125,15 +125,15 @@ fn doubts_are_raised_once_by_the_step_that_gives_them() {
     let half_space = alloy(77e9, Some(630e6));
     let plm = Plm { flow: [None, Some(FlowCurve::Power { exponent: 0.01 })], ..Plm::default() };
     let contact = StaticContact::try_new(strong, &half_space, &plm).unwrap();
-    let doubts = |targets: &[Target]| contact.indent(targets, None).unwrap().doubts;
-    assert!(doubts(&[Load(1.0), Load(0.0)]).is_empty());
-    let found = doubts(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);
+    let warnings = |targets: &[Target]| contact.indent(targets, None).unwrap().warnings;
+    assert!(warnings(&[Load(1.0), Load(0.0)]).is_empty());
+    let found = warnings(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);
     assert!(
         matches!(
             found[..],
             [
-                Doubt { step: 2, warning: Warning { kind: WarningKind::DeepDent, .. } },
-                Doubt { step: 2, warning: Warning { kind: WarningKind::SphereYields, .. } }
+                StepWarning { step: 2, warning: Warning { kind: WarningKind::DeepDent, .. } },
+                StepWarning { step: 2, warning: Warning { kind: WarningKind::SphereYields, .. } }
             ]
         ),
         "{found:?}"

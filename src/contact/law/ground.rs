@@ -176,16 +176,16 @@ impl<'a> Ground<'a> {
     /// less that of the weight is convex, and not above the energy before the peak.
     #[inline(always)]
     pub(crate) fn turn(&self, kinetic: f64, weight: f64) -> (usize, f64) {
-        let left = |index: usize| {
+        let remaining = |index: usize| {
             let sunk = if weight == 0.0 { 0.0 } else { weight * (self.piece(index).start - self.touch()) };
             kinetic + sunk - self.work_before(index)
         };
         let last = match self.dent {
             None if weight == 0.0 => self.law.loading.index_at_work(kinetic),
             Some(_) if self.stays_on_branch(kinetic, weight) => 0,
-            _ => (1..self.count()).take_while(|index| left(*index) >= 0.0).last().unwrap_or(0),
+            _ => (1..self.count()).take_while(|index| remaining(*index) >= 0.0).last().unwrap_or(0),
         };
-        (last, self.piece(last).way_to_turn(max_or_nan(left(last), 0.0), weight))
+        (last, self.piece(last).way_to_turn(max_or_nan(remaining(last), 0.0), weight))
     }
 
     /// The x at which the force is `force` ≥ 0 on the way in.

@@ -54,15 +54,15 @@ impl PeakState {
         let branch =
             |elastic_approach| Unloading::new(ContactState { indentation, force, elastic_approach }, raw.shape);
         let approach = raw.elastic_approach;
-        let within = if approach > 0.0 { approach.min(indentation) } else { indentation };
-        let most = (branch(within).exponent + 1.0) * spent / force;
-        let bounded = within.min(most);
+        let reachable = if approach > 0.0 { approach.min(indentation) } else { indentation };
+        let most = (branch(reachable).exponent + 1.0) * spent / force;
+        let bounded = reachable.min(most);
         let problem = match () {
             () if approach.is_nan() || approach <= 0.0 => {
                 Some("its residual indentation is the whole indentation or more")
             }
             () if approach > (1.0 + LARGEST_CUT) * indentation => Some("its residual indentation is negative"),
-            () if within > (1.0 + LARGEST_CUT) * most => Some("it gives back more energy than was spent"),
+            () if reachable > (1.0 + LARGEST_CUT) * most => Some("it gives back more energy than was spent"),
             () => None,
         };
         (branch(if bounded < (1.0 - NO_DENT) * indentation { bounded } else { indentation }), problem)

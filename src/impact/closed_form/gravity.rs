@@ -27,10 +27,10 @@ pub(super) fn solve(
     let is_captured = forces.captures(&unloading, q);
     // the sphere leaves at the end of the branch, or its run ends at the static indentation
     let at_end = if is_captured { unloading.recovered_at(forces.weight) } else { 0.0 };
-    let way = (unloading.peak.elastic_approach - at_end).max(0.0);
-    let left = unloading.capacity() - unloading.stored_of(at_end) - forces.weight * way;
+    let springback = (unloading.peak.elastic_approach - at_end).max(0.0);
+    let energy = unloading.capacity() - unloading.stored_of(at_end) - forces.weight * springback;
     let is_even = !is_captured && forces.is_even(ground, &unloading);
-    let speed = if is_even { q } else { (2.0 * ACCELERATION * left).max(0.0).sqrt() };
+    let speed = if is_even { q } else { (2.0 * ACCELERATION * energy).max(0.0).sqrt() };
     let run = course::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
     Ok(Outcome {
         unloading,

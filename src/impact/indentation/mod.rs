@@ -70,7 +70,7 @@ pub enum IndentationError {
 /// A warning about a step.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("step {step}: {warning}")]
-pub struct Doubt {
+pub struct StepWarning {
     pub step: usize,
     pub warning: Warning,
 }
@@ -134,7 +134,7 @@ pub struct Indentation {
     pub steps: Vec<Step>,
     /// The trace; empty if none was asked for.
     pub trace: Vec<IndentationRow>,
-    pub doubts: Vec<Doubt>,
+    pub warnings: Vec<StepWarning>,
 }
 
 /// The sphere that indents. It needs no mass.
@@ -191,7 +191,7 @@ impl StaticContact {
     pub fn indent(&self, targets: &[Target], samples: Option<usize>) -> Result<Indentation, IndentationError> {
         let Units { length, force, .. } = self.units;
         let mut machine = Machine::new(&self.law);
-        let (mut steps, mut trace, mut doubts) = (Vec::with_capacity(targets.len()), Vec::new(), Vec::new());
+        let (mut steps, mut trace, mut warnings) = (Vec::with_capacity(targets.len()), Vec::new(), Vec::new());
         for (number, target) in (1..).zip(targets) {
             let goal = match *target {
                 Target::Load(load) => machine.indentation_at_force(load / force),
@@ -213,13 +213,13 @@ impl StaticContact {
                 return Err(IndentationError::TooWide { step: number, contact_radius, radius });
             }
             if stroke.is_new_peak() {
-                let warnings = of_peak((&self.law).into(), peak).chain(of_exponent((&self.law).into(), &stroke.memory));
-                doubts.extend(warnings.map(|warning| Doubt { step: number, warning }));
+                let new = of_peak((&self.law).into(), peak).chain(of_exponent((&self.law).into(), &stroke.memory));
+                warnings.extend(new.map(|warning| StepWarning { step: number, warning }));
             }
-            self.doubt(number, &step, steps.last(), &mut doubts);
+            self.warn(number, &step, steps.last(), &mut warnings);
             steps.push(step);
         }
-        Ok(Indentation { steps, trace, doubts })
+        Ok(Indentation { steps, trace, warnings })
     }
 
     fn row(&self, step: usize, stroke: &Stroke, (state, branch): (ContactState, Branch)) -> IndentationRow {
@@ -270,7 +270,7 @@ impl StaticContact {
     }
 
     /// Adds the warnings that no step before this one had.
-    fn doubt(&self, number: usize, step: &Step, before: Option<&Step>, doubts: &mut Vec<Doubt>) {
+    fn warn(&self, number: usize, step: &Step, before: Option<&Step>, warnings: &mut Vec<StepWarning>) {
         let radius = self.pair.smaller_radius;
         let left_out = left_out(&self.pair, &self.law, [self.indenter.yield_strength, self.strength]);
         let of_step = |step: &Step| {
@@ -287,6 +287,6 @@ impl StaticContact {
             Warning::new(WarningKind::EnergyGain, 0.0, text)
         });
         let new = of_step(step).filter(|warning| !known.contains(&warning.kind)).chain(gain);
-        doubts.extend(new.map(|warning| Doubt { step: number, warning }));
+        warnings.extend(new.map(|warning| StepWarning { step: number, warning }));
     }
 }

@@ -40,7 +40,7 @@ impl Flight {
     /// ```
     pub fn between(flying: Flying, begin: f64, from: f64, speed: f64, to: f64) -> Option<Self> {
         let gravity = flying.gravity;
-        let way = |[duration, landing_speed]: [f64; 2]| Self {
+        let flight = |[duration, landing_speed]: [f64; 2]| Self {
             begin,
             duration,
             height: -from,
@@ -53,14 +53,14 @@ impl Flight {
         if flying.is_in_air() {
             let fall = flying.rise(speed) - (from - to);
             return (fall > 0.0)
-                .then(|| way([flying.rise_time(speed) + flying.fall_time(fall), flying.landing_speed(fall)]));
+                .then(|| flight([flying.rise_time(speed) + flying.fall_time(fall), flying.landing_speed(fall)]));
         }
         let square = speed * speed - 2.0 * gravity * (from - to);
         let reaches = square > 0.0 || (from == to && speed > 0.0);
         reaches.then(|| {
             // there and back to the same height: the same speed, to the last bit
             let landing_speed = if from == to { speed } else { square.sqrt() };
-            way([(speed + landing_speed) / gravity, landing_speed])
+            flight([(speed + landing_speed) / gravity, landing_speed])
         })
     }
 

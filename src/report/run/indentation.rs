@@ -21,18 +21,18 @@ pub fn compute(
     let scene = scenario.indentation()?;
     let mut warnings = texts(&scene.warnings);
     let Indenter { radius, material, yield_strength } = scene.indenter;
-    warnings.extend(of_sphere(radius, &material, yield_strength, None).map(|doubt| doubt.to_string()));
+    warnings.extend(of_sphere(radius, &material, yield_strength, None).map(|warning| warning.to_string()));
     let mut tested = Vec::new();
     for specimen in &scene.specimens {
         let name = specimen.name.as_deref();
         let contact = StaticContact::try_new(scene.indenter, &specimen.half_space, scene.law.get());
         let contact = contact.map_err(|reason| refused(scenario, None, reason))?;
         let indentation = contact.indent(&scene.targets, samples).map_err(|reason| refused(scenario, name, reason))?;
-        let named = |doubt: &dyn Display| {
-            specimen.name.as_ref().map_or_else(|| doubt.to_string(), |name| format!("{name}, {doubt}"))
+        let named = |warning: &dyn Display| {
+            specimen.name.as_ref().map_or_else(|| warning.to_string(), |name| format!("{name}, {warning}"))
         };
-        warnings.extend(of_half_space(&specimen.half_space).map(|doubt| named(&doubt)));
-        warnings.extend(indentation.doubts.iter().map(|doubt| named(doubt)));
+        warnings.extend(of_half_space(&specimen.half_space).map(|warning| named(&warning)));
+        warnings.extend(indentation.warnings.iter().map(|warning| named(warning)));
         let (pair, can_yield) = (*contact.pair(), contact.can_yield());
         tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation });
     }
