@@ -203,7 +203,7 @@ impl Plan {
     pub fn microseconds(&self) -> f64 {
         let of_case = |input: &Input| {
             // with partial slip
-            let friction = input.incidence().map_or(0.0, |_| 100.0);
+            let friction = input.incidence().map_or(0.0, |_| 150.0);
             let solver = input.solver();
             friction
                 + match solver.method {
