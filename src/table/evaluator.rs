@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::contact::law::LawChoice;
+use crate::contact::material::{HalfSpace, Sphere};
 use crate::impact::{Contact, Essentials, ImpactError};
 use crate::numerics::integrate::IntegrationError;
 use crate::scenario::plan::axis::Axis;
@@ -100,6 +101,18 @@ struct RowContact {
     uncertainty: Option<Uncertainty>,
 }
 
+impl RowContact {
+    fn new(
+        input: &Input,
+        (sphere, half_space): (Sphere, HalfSpace),
+        contact: Result<Contact, Failure>,
+        has_band: bool,
+    ) -> Self {
+        let uncertainty = if has_band { Uncertainty::new(input) } else { None };
+        Self { strengths: [sphere.yield_strength, half_space.yield_strength], contact, uncertainty }
+    }
+}
+
 /// The law of the rows, which share it and the loading curve that it has computed. If the law changes from row to row, every row
 /// reads its own.
 struct RowLaw {
@@ -118,10 +131,9 @@ impl RowLaw {
         if self.changes {
             self.law = input.law();
         }
-        let (sphere, half_space) = input.bodies(&self.law);
-        let contact = input.pair(sphere, half_space, &self.law).map_err(Failure::from);
-        let uncertainty = if self.has_band { Uncertainty::new(input) } else { None };
-        RowContact { strengths: [sphere.yield_strength, half_space.yield_strength], contact, uncertainty }
+        let bodies = input.bodies(&self.law);
+        let contact = input.pair(bodies.0, bodies.1, &self.law).map_err(Failure::from);
+        RowContact::new(input, bodies, contact, self.has_band)
     }
 }
 
@@ -176,27 +188,23 @@ impl<'a> Evaluator<'a> {
         };
         let contacts =
             if combinations <= MOST_CONTACTS { (0..combinations).map(combination).collect() } else { Vec::new() };
-        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), has_band, contacts, strides }
+        Self::with_contacts(plan, has_band, contacts, strides)
     }
 
     /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
     /// changes it.
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
-        let (sphere, half_space) = plan.input.bodies(&plan.input.law());
-        let strengths = [sphere.yield_strength, half_space.yield_strength];
+        let input = &plan.input;
         let has_band = shows_band(plan);
         let known = |contact: &Contact| {
-            let uncertainty = if has_band { Uncertainty::new(&plan.input) } else { None };
-            (plan.input.clone(), RowContact { strengths, contact: Ok(contact.clone()), uncertainty })
+            let bodies = input.bodies(&input.law());
+            (input.clone(), RowContact::new(input, bodies, Ok(contact.clone()), has_band))
         };
-        let contacts = contact.map(known).into_iter().collect();
-        Self {
-            plan,
-            derives: Body::ALL.map(|body| plan.derives_strength(body)),
-            has_band,
-            contacts,
-            strides: Vec::new(),
-        }
+        Self::with_contacts(plan, has_band, contact.map(known).into_iter().collect(), Vec::new())
+    }
+
+    fn with_contacts(plan: &'a Plan, has_band: bool, contacts: Vec<(Input, RowContact)>, strides: Vec<u64>) -> Self {
+        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), has_band, contacts, strides }
     }
 
     /// The number of swept values of a row.

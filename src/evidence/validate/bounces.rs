@@ -4,6 +4,7 @@
 use super::comparison::{Comparison, Group, mean};
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
+use crate::impact::STANDARD_GRAVITY;
 use crate::impact::air::{Flying, Medium};
 use crate::impact::reference::measured::{Click, clicks};
 
@@ -15,7 +16,6 @@ const IN_VACUUM: Group =
 /// The ball and the air of `scenarios/bouncing-clicks.toml`.
 const RADIUS: f64 = 0.02;
 const MASS: f64 = 2.7e-3;
-const GRAVITY: f64 = 9.806_65;
 const AIR: Medium = Medium { density: 1.2, drag: Some(0.5), viscosity: f64::NAN };
 
 /// The restitution of the bounces between these intervals: the speed of each take-off over that of the landing before it. A contact
@@ -33,9 +33,10 @@ pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let drops: Vec<&[Click]> = clicks.chunk_by(|_, next| next.height.is_none()).collect();
     let Some((lowest, higher)) = drops.split_first() else { return Ok(Vec::new()) };
     let mut compared = Vec::new();
-    for (group, flying) in
-        [(IN_AIR, Flying::in_air(GRAVITY, &AIR, RADIUS, MASS)), (IN_VACUUM, Flying::in_vacuum(GRAVITY))]
-    {
+    for (group, flying) in [
+        (IN_AIR, Flying::in_air(STANDARD_GRAVITY, &AIR, RADIUS, MASS)),
+        (IN_VACUUM, Flying::in_vacuum(STANDARD_GRAVITY)),
+    ] {
         let reference = restitution(lowest, &flying);
         for drop in higher {
             let height = drop.first().and_then(|click| click.height).unwrap_or(f64::NAN);

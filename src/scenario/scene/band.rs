@@ -41,6 +41,7 @@ pub fn ranges(input: &Input) -> impl Iterator<Item = (Body, At<NUMBER>, &'static
 #[derive(Debug)]
 pub struct Uncertainty {
     error: f64,
+    /// At most one a body.
     hardness: Vec<(Body, &'static Known, [Contact; 2])>,
 }
 
@@ -66,21 +67,20 @@ impl Uncertainty {
     ///
     /// At both ends of the range of the material's hardness e is computed anew; its distance and the error of the law are added
     /// as squares, because they are independent.
-    fn ends(&self, approach: Approach, row: &Essentials) -> Option<([f64; 2], Vec<bool>)> {
+    fn ends(&self, approach: Approach, row: &Essentials) -> Option<([f64; 2], [bool; 2])> {
         let restitution = row.restitution;
         if !(row.has_dent() && restitution > 0.0 && restitution < 1.0) {
             return None;
         }
-        let (mut squares, mut counts) = ([powi(self.error * restitution, 2); 2], Vec::new());
-        for (.., contacts) in &self.hardness {
+        let (mut squares, mut counts) = ([powi(self.error * restitution, 2); 2], [false; 2]);
+        for ((.., contacts), is_part) in self.hardness.iter().zip(&mut counts) {
             let [low, high] = contacts.each_ref().map(|contact| contact.row(approach, &Solver::AUTO));
             let ends = [low.ok()?.restitution, high.ok()?.restitution];
             // a body that does not flow leaves e as it is
-            let is_part = ends.iter().any(|end| (end - restitution).abs() > LEAST * restitution);
-            if is_part {
+            *is_part = ends.iter().any(|end| (end - restitution).abs() > LEAST * restitution);
+            if *is_part {
                 squares.iter_mut().zip(ends).for_each(|(sum, end)| *sum += powi(end - restitution, 2));
             }
-            counts.push(is_part);
         }
         let [below, above] = squares.map(f64::sqrt);
         Some(([(restitution - below).max(0.0), (restitution + above).min(1.0)], counts))
