@@ -173,11 +173,8 @@ pub fn table(tested: &[Tested]) -> String {
             text.push('\n');
         }
         let mut rows = terminal::columns(&step(), &stepped(one));
-        let flow = one.pair.yield_point.map(|point| point.flow);
-        if let Some(flow) = flow
-            && let Some(name) = rows.iter_mut().flatten().find(|name| *name == "dent depth")
-        {
-            *name = format!("{} depth", left_behind(flow.flat_share));
+        if let Some(point) = one.pair.yield_point {
+            terminal::rename_dent(rows.iter_mut().flatten(), left_behind(point.flow.flat_share));
         }
         text.push_str(&aligned(&rows, |_| true));
     }

@@ -101,14 +101,8 @@ pub fn table(series: &Series, detail: Detail) -> String {
     let mut about = results::results();
     about.retain(|result| detail == Detail::Whole || result.name != "energy.drift");
     let mut lines = terminal::lines(&about, series);
-    let what = series.sequence.left_behind();
-    for name in lines.iter_mut().flatten().chain(rows.iter_mut().flatten()) {
-        match name.as_str() {
-            "deepest dent" => *name = format!("deepest {what}"),
-            "dent" => what.clone_into(name),
-            _ => {}
-        }
-    }
+    let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
+    terminal::rename_dent(texts, series.sequence.left_behind());
     aligned(&lines, |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 

@@ -49,9 +49,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     results.retain(|result| !is_idle(result.name));
     let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()]];
     lines.extend(self::lines(&results, single));
-    for line in &mut lines {
-        name_flat(line, single);
-    }
+    rename_dent(lines.iter_mut().flatten(), impact.left_behind());
     mark_outside(&mut lines, single);
     aligned(&lines, |_| true)
 }
@@ -73,20 +71,21 @@ fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
     lines.extend(BRIEF.into_iter().filter_map(|name| {
         let Reported { label, shown, value, .. } = results.iter().find(|result| result.name == name)?;
         let text = text(*shown, &value(single)?)?;
-        let mut line = [label.split('{').next()?.trim_end().to_owned(), text, String::new()];
-        name_flat(&mut line, single);
-        Some(line)
+        Some([label.split('{').next()?.trim_end().to_owned(), text, String::new()])
     }));
+    rename_dent(lines.iter_mut().flatten(), single.impact.left_behind());
     aligned(&lines, |_| true)
 }
 
-/// Renames the dent where the sphere flows too: the residual indentation is then the sum of a dent and a flat on the sphere.
-fn name_flat([name, _, remarks]: &mut Line, single: &Single) {
-    let what = single.impact.left_behind();
-    if name == "dent depth" {
-        *name = format!("{what} depth");
+/// Puts what an impact left behind in the place of the dent, in names and remarks: where the sphere flows too, the residual
+/// indentation is the sum of a dent and a flat on the sphere.
+pub(super) fn rename_dent<'t>(texts: impl Iterator<Item = &'t mut String>, left_behind: &str) {
+    for text in texts {
+        if ["dent", "dent depth", "deepest dent"].contains(&text.as_str()) {
+            *text = text.replace("dent", left_behind);
+        }
+        *text = text.replace("into the dent", &format!("into the {left_behind}"));
     }
-    *remarks = remarks.replace("into the dent", &format!("into the {what}"));
 }
 
 /// A name, a value and remarks.
