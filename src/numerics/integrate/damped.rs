@@ -8,11 +8,11 @@
 //! a little behind it is taken in place of this one.
 
 use super::dop853::{self, CONTINUOUS_EVALUATIONS, Continuous, EVALUATIONS};
-use super::event::{DenseStep, has_crested};
+use super::event::{DenseStep, Landed, has_crested};
 use super::oscillation::Oscillation;
 use super::piece::power::DraggedHertz;
 use super::piece::straight::DraggedStraight;
-use super::piece::{AnyDragged, Dragged, DraggedState};
+use super::piece::{AnyDragged, Dragged, DraggedState, Motion};
 use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
@@ -31,9 +31,9 @@ const LONGEST: f64 = 2.0;
 /// How far beyond the end of a leg, as far as it is known, a step goes.
 const BEYOND: f64 = 1.005;
 /// Up to here in a step (0 ≤ θ ≤ 1) its continuous solution may have a larger error than the step.
-const WELL_INSIDE: f64 = 0.98;
+pub(super) const WELL_INSIDE: f64 = 0.98;
 /// How often the step to an event is taken again.
-const MOST_ROUNDS: u32 = 3;
+pub(super) const MOST_ROUNDS: u32 = 3;
 
 /// The least share of the error of order 5 that counts as the error of a step.
 ///
@@ -114,43 +114,29 @@ impl DragStepper {
             let mut landed = None;
             if may_end::<P>(path, end, &node, &next.node) {
                 let solution = *solved.get_or_insert_with(solve);
-                let stretch = DenseStep { path, end, solution };
-                landed = stretch.first_event::<P>().map(|(landing, theta)| {
-                    let mut to = solution.at(theta);
-                    match landing {
-                        Landing::End => to[0] = end,
-                        Landing::Turning => to[1] = 0.0,
-                        Landing::LiftOff | Landing::Rest => {}
-                    }
-                    (landing, theta, to)
-                });
+                landed = DenseStep { path, end, solution }.landed::<P>();
             }
             // an event well inside of the step is located again, on a step that ends a little behind it
-            if let Some((.., theta, _)) = landed
+            if let Some(Landed { theta, .. }) = landed
                 && theta < WELL_INSIDE
                 && rounds < MOST_ROUNDS
             {
                 rounds += 1;
                 self.work.force_evaluations += CONTINUOUS_EVALUATIONS;
-                h *= theta * BEYOND;
+                h = step_beyond(h * theta);
                 continue;
             }
-            if let Some((landing, _, to)) = landed
-                && (landing == Landing::Turning || landing == Landing::End && sign * to[1] <= 0.0)
-                && sign * piece.rates(to[0], 0.0)[1] > 0.0
-            {
-                // a sphere at rest there would be pushed on: under strong drag a creep is slower than the error that a loose
-                // tolerance allows, and a step may end with a speed of the wrong sign
+            if landed.is_some_and(|landed| is_false_turn(piece, path, &landed)) {
                 self.work.force_evaluations += CONTINUOUS_EVALUATIONS;
                 self.work.rejected += 1;
                 h *= 0.5;
                 continue;
             }
             (self.work.steps, rounds) = (self.work.steps + 1, 0);
-            let to = landed.map_or(next.node, |(.., to)| to);
+            let to = landed.map_or(next.node, |landed| landed.node);
             if !is_falling && has_crested::<P>(path, &to) {
                 is_falling = true;
-                let limit = landed.map_or(1.0, |(_, theta, _)| theta);
+                let limit = landed.map_or(1.0, |landed| landed.theta);
                 let solution = *solved.get_or_insert_with(solve);
                 largest = DenseStep { path, end, solution }.crest::<P>(limit);
             }
@@ -158,7 +144,7 @@ impl DragStepper {
             if let Some(track) = track.as_deref_mut() {
                 track.push(segment(solved.unwrap_or_else(solve), to[2], P::distance_at));
             }
-            if let Some((landing, ..)) = landed {
+            if let Some(Landed { landing, .. }) = landed {
                 let distance = path.landed_at(landing, P::distance_at(to[0]));
                 *state = State { time: to[2], distance, speed: to[1], loss: to[3] };
                 let largest_force = max_or_nan(largest, path.larger_force(&begun, state));
@@ -208,7 +194,8 @@ impl DragStepper {
     }
 }
 
-fn out_of_steps(path: &Path) -> IntegrationError {
+/// Why a leg did not end.
+pub(super) fn out_of_steps(path: &Path) -> IntegrationError {
     let steps = MOST_STEPS;
     if path.drag == Drag::NONE {
         IntegrationError::TooManySteps { steps }
@@ -217,12 +204,25 @@ fn out_of_steps(path: &Path) -> IntegrationError {
     }
 }
 
+/// A step that ends a little behind this one.
+pub(super) fn step_beyond(step: f64) -> f64 {
+    BEYOND * step
+}
+
+/// True if a sphere at rest where it landed would be pushed on: under strong drag a creep is slower than the error that a loose
+/// tolerance allows, and a step may end with a speed of the wrong sign.
+pub(super) fn is_false_turn<M: Motion>(motion: M, path: &Path, landed: &Landed) -> bool {
+    let (Landed { landing, node, .. }, sign) = (landed, path.leg.direction());
+    let is_turn = *landing == Landing::Turning || *landing == Landing::End && sign * node[1] <= 0.0;
+    is_turn && sign * motion.rates(node[0], 0.0)[1] > 0.0
+}
+
 /// The step that goes a little beyond this distance, for a speed and its rate of change; infinite if they do not lead there.
-fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
+pub(super) fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
     let square = speed * speed + 2.0 * rate * distance;
     let pace = speed + square.sqrt();
     if distance > 0.0 && distance.is_finite() && square >= 0.0 && pace > 0.0 {
-        BEYOND * 2.0 * distance / pace
+        step_beyond(2.0 * distance / pace)
     } else {
         f64::INFINITY
     }
@@ -230,7 +230,7 @@ fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
 
 /// True if a step to this node may have passed an event.
 #[inline]
-fn may_end<P: Dragged>(path: &Path, end: f64, from: &DraggedState, to: &DraggedState) -> bool {
+pub(super) fn may_end<P: Dragged>(path: &Path, end: f64, from: &DraggedState, to: &DraggedState) -> bool {
     let sign = path.leg.direction();
     if sign * to[1] <= 0.0 || sign * (end - to[0]) <= 0.0 || path.is_at_rest(P::distance_at(to[0]), to[1]) {
         return true;
@@ -242,7 +242,7 @@ fn may_end<P: Dragged>(path: &Path, end: f64, from: &DraggedState, to: &DraggedS
 }
 
 /// The continuous solution of a step as a function of the time.
-fn segment(solution: Continuous, end: f64, distance_at: fn(f64) -> f64) -> Segment {
+pub(super) fn segment(solution: Continuous, end: f64, distance_at: fn(f64) -> f64) -> Segment {
     Segment::new(end, move |time| {
         let miss = |theta| {
             let (at, rate) = solution.part(2, theta);

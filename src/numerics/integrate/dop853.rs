@@ -224,6 +224,11 @@ impl Continuous {
 }
 
 impl Step {
+    /// The step with another node at its end, at which the motion has these rates.
+    pub(super) fn ending_at(self, node: DraggedState, rates: DraggedState) -> Self {
+        Self { node, rates, ..self }
+    }
+
     /// The continuous solution of this step of length h from `node`.
     pub(super) fn continuous<M: Motion>(&self, motion: M, node: &DraggedState, h: f64) -> Continuous {
         let [k1, k6, k7, k8, k9, k10, k11, k12] = &self.stages;

@@ -5,6 +5,16 @@ use super::piece::{Dragged, DraggedState};
 use super::{Landing, Path};
 use crate::numerics::root::{bracketed, falls_through};
 
+/// The event that ends a leg within a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Landed {
+    pub landing: Landing,
+    /// Where in the step, 0 ≤ θ ≤ 1.
+    pub theta: f64,
+    /// The state there, exactly at the end of the leg or without speed.
+    pub node: DraggedState,
+}
+
 /// A step with its continuous solution, on a leg with its piece.
 pub(super) struct DenseStep<'a> {
     pub path: &'a Path<'a>,
@@ -14,8 +24,20 @@ pub(super) struct DenseStep<'a> {
 }
 
 impl DenseStep<'_> {
+    /// The event that ends the leg within the step; `None` if none does.
+    pub fn landed<P: Dragged>(&self) -> Option<Landed> {
+        let (landing, theta) = self.first_event::<P>()?;
+        let mut node = self.solution.at(theta);
+        match landing {
+            Landing::End => node[0] = self.end,
+            Landing::Turning => node[1] = 0.0,
+            Landing::LiftOff | Landing::Rest => {}
+        }
+        Some(Landed { landing, theta, node })
+    }
+
     /// Where in the step (0 ≤ θ ≤ 1) the leg ends, and how; `None` if it does not.
-    pub fn first_event<P: Dragged>(&self) -> Option<(Landing, f64)> {
+    fn first_event<P: Dragged>(&self) -> Option<(Landing, f64)> {
         let sign = self.path.leg.direction();
         let mut first = None;
         let mut limit = 1.0;
