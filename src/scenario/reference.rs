@@ -57,7 +57,7 @@ pub fn about_keys(text: &str) -> Option<String> {
     let found = if exact.is_empty() { some } else { exact };
     let mut all = String::new();
     for AnyKey { path, form, default, about, .. } in &found {
-        let _ = writeln!(all, "{path}\n  {about}\n  value: {}", written(form).replace('`', ""));
+        let _ = writeln!(all, "{path}\n  {about}\n  value: {}", in_plain_text(form));
         if !default.is_empty() {
             let _ = writeln!(all, "  default: {default}");
         }
@@ -110,8 +110,25 @@ pub fn written(form: &Form) -> String {
     }
 }
 
+/// The values that a key may have, without marks and links.
+fn in_plain_text(form: &Form) -> String {
+    let named = |words: &Words| match words.several {
+        "materials" => "materials, which `plm-impact materials` lists".to_owned(),
+        several => several.to_owned(),
+    };
+    match form {
+        Form::Word(words) if is_long(words) => format!("one of the {}", named(words)),
+        Form::Words(words) if is_long(words) => format!("a list of {}", named(words)),
+        form => written(form).replace('`', ""),
+    }
+}
+
+fn is_long(words: &Words) -> bool {
+    (words.known)().len() > MOST_WORDS
+}
+
 fn one_of(words: &Words) -> String {
-    if (words.known)().len() <= MOST_WORDS {
+    if !is_long(words) {
         return quoted(&(words.known)());
     }
     // the list of materials ends the page of keys; results have a page of their own
@@ -128,7 +145,7 @@ pub(super) fn allowed(key: &str) -> Option<String> {
     match form_of(varied(key))? {
         Form::Axes | Form::Variables | Form::Free => None,
         Form::Word(words) => Some((words.known)().join(", ")),
-        form => Some(written(&form).replace('`', "")),
+        form => Some(in_plain_text(&form)),
     }
 }
 

@@ -138,6 +138,10 @@ fn keys_and_materials_are_found_by_a_part_of_their_names() {
     );
     let (all, _) = desk.ends(&["keys"], 0);
     assert!(EVERY_KEY.iter().all(|key| all.contains(key.path)));
+    assert!(
+        all.contains("which `plm-impact materials` lists") && !all.contains("]("),
+        "a terminal has no links: {all}"
+    );
     for (text, name) in [("304", "steel-304-annealed"), ("100cr6", "steel-52100-hardened"), ("1.4301", "steel-304")] {
         let (found, _) = desk.ends(&["materials", text], 0);
         assert!(found.contains(name) && !found.contains("nylon"), "{text}: {found}");
