@@ -16,12 +16,10 @@
 //! Lines that begin with `#` are comments.
 
 use crate::error::Error;
-use crate::scenario::scene::measured::Measured;
-use crate::scenario::scene::quantity::{INDENTATION, LOAD, Quantity};
-use crate::scenario::scene::{KEYS, Key};
+use crate::scenario::scene::quantity::{INDENTATION, LOAD};
+use crate::scenario::scene::{KEYS, Key, Measured, Quantity};
 use crate::units::csv_text::{CsvText, refused};
-use crate::units::names::did_you_mean;
-use crate::units::{Dimension, parse};
+use crate::units::{Dimension, did_you_mean, parse};
 
 /// A measured value.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,7 +9,7 @@ use super::data::{Data, Value};
 use super::minimum::ParameterPoint;
 use super::problem::Problem;
 use crate::numerics::functions::{exp, ln};
-use crate::scenario::scene::measured::Measured;
+use crate::scenario::scene::Measured;
 use crate::units::{four_digits, percent};
 
 /// Usual error of a law, as a share of a prediction.

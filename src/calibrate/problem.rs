@@ -6,12 +6,12 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::data::{Data, Row, Value};
-use crate::files::progress::Counter;
+use crate::files::Counter;
 use crate::impact::ImpactError;
 use crate::impact::air::Flying;
 use crate::impact::indentation::{IndentationError, Indenter, StaticContact, Target};
 use crate::numerics::functions::{ln, ln_1p};
-use crate::scenario::plan::free::Free;
+use crate::scenario::plan::Free;
 use crate::scenario::scene::Input;
 
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -7,7 +7,7 @@ use super::identify::{Identifiability, LAW};
 use super::problem::NoAnswer;
 use super::profile::Ends;
 use super::statistics::{Runs, p_of_chi_square};
-use crate::scenario::plan::free::Free;
+use crate::scenario::plan::Free;
 use crate::units::{four_digits, percent};
 
 /// With `robust`, residuals of more than this many standard deviations are outliers.

@@ -22,6 +22,8 @@ use crate::error::{Error, ErrorKind};
 pub use new_file::{
     NewFile, after_changes, create, folder, refuse_special, remove, remove_folder, remove_stale, replace, sync_folder,
 };
+pub use progress::Counter;
+pub use provenance::{FORMAT, LawOf, MethodOf, NUMBERS, PROGRAM, Provenance, VERSION, hex};
 
 /// The name of the summary of any run.
 pub const SUMMARY: &str = "summary.json";

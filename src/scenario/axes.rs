@@ -8,16 +8,13 @@ use crate::contact::law::LawChoice;
 use crate::contact::materials;
 use crate::contact::strength::hardness;
 use crate::impact::Method;
-use crate::scenario::plan::axis::{Axis, Values, Word};
-use crate::scenario::plan::free::Free;
-use crate::scenario::plan::random::{Distribution, Variable};
-use crate::scenario::scene::body_material::{Body, BodyMaterial};
-use crate::scenario::scene::quantity::{POINTS, Quantity, SAMPLED, SEED, positive_of};
+use crate::scenario::plan::{Axis, Distribution, Free, Values, Variable, Word};
+use crate::scenario::scene::quantity::{POINTS, SAMPLED, SEED, positive_of};
 use crate::scenario::scene::read::{Fault, Reader, count, items, list, named, number, word};
 use crate::scenario::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
 use crate::scenario::scene::written::{Name, Node, described};
-use crate::scenario::scene::{KEYS, Key};
-use crate::units::names::did_you_mean;
+use crate::scenario::scene::{Body, BodyMaterial, KEYS, Key, Quantity};
+use crate::units::did_you_mean;
 
 /// The keys that are axes of words.
 pub(super) const METHOD: &str = "solver.method";

@@ -7,14 +7,9 @@ use crate::contact::law::plm::hardness::pressure;
 use crate::contact::strength::hardness::{self, Scale};
 use crate::error::Error;
 use crate::impact::Method;
-use crate::scenario::plan::axis::{Axis, Values};
-use crate::scenario::plan::free::Free;
-use crate::scenario::plan::{Cases, HARDNESS, Plan, YIELD_STRENGTH};
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::body_material::{Body, BodyMaterial};
-use crate::scenario::scene::keys::{BODIES, NEEDED};
+use crate::scenario::plan::{Axis, Cases, Free, HARDNESS, Plan, Values, YIELD_STRENGTH};
 use crate::scenario::scene::words::STUDENT_T;
-use crate::scenario::scene::{Input, Key};
+use crate::scenario::scene::{BODIES, Body, BodyMaterial, Input, Key, NEEDED, at};
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {

@@ -5,9 +5,8 @@ use super::Scenario;
 use crate::error::Error;
 use crate::impact::air::Flying;
 use crate::impact::{ImpactError, PlateError};
-use crate::scenario::scene::at::at;
 use crate::scenario::scene::tables::is_at_or_below;
-use crate::scenario::scene::{EITHER, Input, KEYS};
+use crate::scenario::scene::{EITHER, Input, KEYS, at};
 use crate::units::four_digits;
 
 /// A rule that refuses keys because of other keys.

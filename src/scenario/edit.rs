@@ -6,9 +6,9 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use crate::scenario::scene::keys::{NEEDED, partner};
 use crate::scenario::scene::tables::is_known;
 use crate::scenario::scene::written::{COMBINED, below, pattern};
+use crate::scenario::scene::{NEEDED, partner};
 
 /// Why a text cannot be changed: it is no TOML.
 pub type NotToml = toml_edit::TomlError;

@@ -4,10 +4,8 @@ use super::Scenario;
 use crate::contact::law::LawChoice;
 use crate::contact::strength::flow::FlowCurve;
 use crate::error::Error;
-use crate::scenario::scene::at::At;
-use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::tables::names;
-use crate::scenario::scene::{EVERY_KEY, Input, Key};
+use crate::scenario::scene::{At, Body, EVERY_KEY, Input, Key};
 use crate::units::{Dimension, quantity};
 
 /// The four ways to write a curve.

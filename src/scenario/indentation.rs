@@ -6,8 +6,7 @@ use crate::contact::material::{HalfSpace, Material};
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::impact::indentation::{Indenter, Specimen, Target};
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::{Input, Purpose, key};
+use crate::scenario::scene::{Input, Purpose, at, key};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;

@@ -2,7 +2,7 @@
 
 use super::Scenario;
 use crate::error::Error;
-use crate::units::names::named;
+use crate::units::named;
 
 named! {
     /// The kinds of scene, each with its own way to be run. Every kind but the first has a table of its name.

@@ -6,14 +6,8 @@ use super::varied::Varied;
 use crate::contact::law::LawChoice;
 use crate::contact::materials::{self, Known, MaterialEntry};
 use crate::error::Error;
-use crate::scenario::plan::axis::{Axis, Word};
-use crate::scenario::plan::random::{Distribution, Variable};
-use crate::scenario::plan::{HARDNESS, YIELD_STRENGTH};
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::body_material::{Body, BodyMaterial};
-use crate::scenario::scene::key::Part;
-use crate::scenario::scene::keys::partner;
-use crate::scenario::scene::{Input, Key};
+use crate::scenario::plan::{Axis, Distribution, HARDNESS, Variable, Word, YIELD_STRENGTH};
+use crate::scenario::scene::{Body, BodyMaterial, Input, Key, Part, at, partner};
 
 impl Varied {
     /// Finds what the bodies take from the materials that they name: the values that the scenario leaves to them. A material that

@@ -48,12 +48,12 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 use crate::impact::Warning;
-use crate::scenario::plan::axis::Setting;
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::body_material::{Body, BodyMaterial};
-use crate::scenario::scene::keys::{BODIES, NEEDED, SPHERE, partner, varied as varied_key};
+use crate::scenario::plan::Setting;
 use crate::scenario::scene::read::{Reader, items};
-use crate::scenario::scene::{EITHER, EVERY_KEY, Input, Purpose, without_effect};
+use crate::scenario::scene::{
+    BODIES, Body, BodyMaterial, EITHER, EVERY_KEY, Input, NEEDED, Purpose, SPHERE, at, partner, varied as varied_key,
+    without_effect,
+};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
 pub use kind::{Kind, TEMPLATES};
 pub use source::Source;

@@ -5,8 +5,7 @@ use super::material::asks_material;
 use crate::contact::law::LawChoice;
 use crate::contact::materials::{Property, all};
 use crate::error::Error;
-use crate::scenario::scene::Input;
-use crate::scenario::scene::body_material::Body;
+use crate::scenario::scene::{Body, Input};
 use crate::units::number;
 
 /// How a rise may be written.

@@ -3,13 +3,10 @@
 use std::fmt::Write as _;
 
 use crate::contact::law::LawChoice;
-use crate::scenario::scene::key::{AnyKey, Form, Words};
-use crate::scenario::scene::keys::varied;
-use crate::scenario::scene::quantity::Quantity;
 use crate::scenario::scene::results::impact::results;
 use crate::scenario::scene::tables::{POINT, pair_example};
 use crate::scenario::scene::written::pattern;
-use crate::scenario::scene::{EVERY_KEY, Key};
+use crate::scenario::scene::{AnyKey, EVERY_KEY, Form, Key, Quantity, Words, varied};
 
 /// All keys as Markdown, a table for every table of a scenario: first those that a user sets, then those for experts.
 pub fn keys() -> String {

@@ -3,8 +3,7 @@
 use super::Scenario;
 use crate::error::Error;
 use crate::impact::repeat::{Drive, MOST_IMPACTS, Place, Repeat};
-use crate::scenario::scene::Input;
-use crate::scenario::scene::at::at;
+use crate::scenario::scene::{Input, at};
 
 const SPOTS: &str =
     "write \"same\" (the dent is what the sphere meets next) or \"fresh\" (every impact on new surface)";

@@ -6,12 +6,9 @@ use serde_json::{Value, json};
 
 use super::Kind;
 use crate::contact::law::LawChoice;
-use crate::scenario::scene::body_material::Body;
-use crate::scenario::scene::key::{Form, Words};
-use crate::scenario::scene::quantity::Quantity;
 use crate::scenario::scene::tables::POINT;
 use crate::scenario::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
-use crate::scenario::scene::{EITHER, EVERY_KEY, KEYS};
+use crate::scenario::scene::{Body, EITHER, EVERY_KEY, Form, KEYS, Quantity, Words};
 
 /// The schema (draft 2020-12). It describes the forms, the words, the ranges of numbers, which keys exclude each other, and
 /// that an impact needs a speed. Of texts with a unit it refuses those of another dimension; the program itself checks more.

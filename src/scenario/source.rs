@@ -8,8 +8,8 @@ use sha2::{Digest, Sha256};
 
 use super::{DATA, Scenario};
 use crate::error::Error;
-use crate::files::provenance::{FORMAT, Provenance, VERSION, hex};
-use crate::scenario::scene::at::at;
+use crate::files::{FORMAT, Provenance, VERSION, hex};
+use crate::scenario::scene::at;
 
 /// All that a result depends on, as text: it is hashed, and kept beside tables so that another machine reads the same plan again.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]

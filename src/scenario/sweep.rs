@@ -5,9 +5,8 @@ use super::axes::{METHOD, RandomKeys};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
 use crate::scenario::plan::{Cases, MOST_CASES, Plan};
-use crate::scenario::scene::Purpose;
-use crate::scenario::scene::at::{At, OTHER, at};
 use crate::scenario::scene::results::{Column, columns};
+use crate::scenario::scene::{At, OTHER, Purpose, at};
 
 impl Scenario {
     /// The table that the scenario asks for.

@@ -3,8 +3,7 @@
 use toml::de::{DeTable, DeValue};
 
 use super::axes::{self, RandomKeys};
-use crate::scenario::plan::axis::Axis;
-use crate::scenario::plan::free::Free;
+use crate::scenario::plan::{Axis, Free};
 use crate::scenario::scene::read::Reader;
 
 /// The keys that vary. In most scenarios there are none.

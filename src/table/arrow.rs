@@ -8,7 +8,7 @@ use arrow_schema::ArrowError;
 
 use super::column::Column;
 use super::count::OK;
-use super::evaluator::{Failure, Rows};
+use super::{Failure, Rows};
 use crate::impact::Essentials;
 
 /// The number of a failure: its index in the words of the column `status`. A row with results has 0.

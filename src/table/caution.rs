@@ -6,9 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
 use crate::impact::{Contact, Impact, Method, Solver, Warning};
-use crate::scenario::plan::axis::{Axis, Setting, Values, Word};
-use crate::scenario::plan::random::Variable;
-use crate::scenario::plan::{Cases, Plan, put};
+use crate::scenario::plan::{Axis, Cases, Plan, Setting, Values, Variable, Word, put};
 use crate::scenario::scene::Input;
 
 /// Up to this number, which thirteen axes of numbers have, all corners are computed. If there are more, a sample of this size is.

@@ -1,7 +1,6 @@
 //! The columns of a table in any format: where the values of each column come from.
 
-use crate::scenario::plan::axis::{Setting, Values, Word};
-use crate::scenario::plan::{Cases, Plan};
+use crate::scenario::plan::{Cases, Plan, Setting, Values, Word};
 use crate::scenario::scene::results::Column as ResultColumn;
 
 /// Where the values of a column come from.

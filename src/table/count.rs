@@ -1,6 +1,6 @@
 //! How rows are counted: as results, as rows outside the range of a law, or as failures.
 
-use super::evaluator::Failure;
+use super::Failure;
 use super::statistics::Statistics;
 use crate::impact::Essentials;
 use crate::scenario::plan::Plan;

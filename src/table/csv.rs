@@ -4,13 +4,12 @@ use std::fs::File;
 use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::path::Path;
 
+use super::Rows;
 use super::column::{Column, columns};
 use super::count::{Count, status, written};
-use super::evaluator::Rows;
 use super::form::{Form, Found};
 use crate::files::NewFile;
-use crate::scenario::plan::Plan;
-use crate::scenario::plan::axis::Values;
+use crate::scenario::plan::{Plan, Values};
 
 /// Writes rows as lines of text.
 #[derive(Debug)]

@@ -6,15 +6,10 @@ use crate::contact::law::LawChoice;
 use crate::contact::material::{HalfSpace, Sphere};
 use crate::impact::{Contact, Essentials, ImpactError};
 use crate::numerics::integrate::IntegrationError;
-use crate::scenario::plan::axis::Axis;
-use crate::scenario::plan::random::{Draws, Variable};
-use crate::scenario::plan::{Cases, Plan, places};
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::band::Uncertainty;
-use crate::scenario::scene::body_material::Body;
+use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
 use crate::scenario::scene::results::Needs;
-use crate::scenario::scene::{Input, Key};
-use crate::units::names::named;
+use crate::scenario::scene::{Body, Input, Key, Uncertainty, at};
+use crate::units::named;
 
 named! {
     /// The reason why a row has no numbers, with its name in the column `status`.

@@ -6,10 +6,10 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::Rows;
 use super::count::Count;
-use super::evaluator::Rows;
 use crate::files::NewFile;
-use crate::units::names::named;
+use crate::units::named;
 
 named! {
     /// The file format of a table; its name is the extension, and the word on the command line.

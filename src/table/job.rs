@@ -8,17 +8,15 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::count::{Count, Tally, count};
+use super::count::Count;
 use super::csv::Csv;
-use super::evaluator::{Evaluator, Rows};
 use super::form::{Form, Format, Found};
 use super::ordered::in_order;
-use super::parts::{Identity, JOINED, Layout, ONE_FILE, PARTS};
+use super::parts::{Identity, JOINED, ONE_FILE, PARTS};
 use super::shard::Shard;
-use super::{file, unwritable};
+use super::{Evaluator, Layout, Rows, Tally, count, file, unwritable};
 use crate::error::{Error, ErrorKind};
-use crate::files::progress::Counter;
-use crate::files::{NewFile, OutputDirectory, remove, remove_folder, remove_stale};
+use crate::files::{Counter, NewFile, OutputDirectory, remove, remove_folder, remove_stale};
 use crate::scenario::Source;
 use crate::scenario::plan::Plan;
 

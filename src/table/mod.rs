@@ -21,8 +21,11 @@ pub mod parts;
 pub mod shard;
 pub mod statistics;
 
+pub use count::{Tally, count};
+pub use evaluator::{Evaluator, Failure, Rows};
 pub use form::Format;
 pub use job::{Job, Written};
+pub use parts::Layout;
 pub use shard::Shard;
 
 use std::io;

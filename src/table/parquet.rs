@@ -16,13 +16,11 @@ use parquet::errors::ParquetError;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::ColumnPath;
 
-use super::arrow;
 use super::column::{Column, columns};
 use super::count::{Count, written};
-use super::evaluator::Rows;
 use super::form::{Form, Found};
-use crate::files::NewFile;
-use crate::files::provenance::PROGRAM;
+use super::{Rows, arrow};
+use crate::files::{NewFile, PROGRAM};
 use crate::scenario::plan::Plan;
 
 /// Rows encoded at a time, and of a page: few enough for the cache.

@@ -1,10 +1,9 @@
 //! How a table is divided into parts, and the file that says to which table the parts in a folder belong.
 
 use std::ffi::{OsStr, OsString};
-use std::fs;
-use std::io;
 use std::ops::Range;
 use std::path::Path;
+use std::{fs, io};
 
 use serde::Serialize;
 use serde_json::Value;
@@ -13,8 +12,7 @@ use super::form::Format;
 use super::shard::Shard;
 use super::{file, refused};
 use crate::error::Error;
-use crate::files::provenance::{FORMAT, NUMBERS, VERSION};
-use crate::files::{OutputDirectory, create, remove, remove_folder};
+use crate::files::{FORMAT, NUMBERS, OutputDirectory, VERSION, create, remove, remove_folder};
 use crate::scenario::Source;
 use crate::scenario::plan::Plan;
 

@@ -16,6 +16,9 @@ mod parse;
 pub(crate) mod rounded;
 mod table;
 
+pub(crate) use aligned::{aligned, markdown};
 pub use dimension::Dimension;
 pub use format::{capital, describe, exact, four_digits, human, number, percent, quantity, si};
+pub use names::did_you_mean;
+pub(crate) use names::named;
 pub use parse::{parse, parse_as};

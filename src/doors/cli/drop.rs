@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
 use plm_impact::error::Error;
-use plm_impact::files::progress::Counter;
+use plm_impact::files::Counter;
 use plm_impact::report::plot::Pictures;
 use plm_impact::report::run::{RunOptions, refuse_warnings};
 use plm_impact::report::text::Detail;

@@ -4,7 +4,7 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::reference::{about_keys, about_result};
 use plm_impact::scenario::scene::EVERY_KEY;
-use plm_impact::units::names::did_you_mean;
+use plm_impact::units::did_you_mean;
 
 /// Print what a key of a scenario is: its meaning, its unit and range, and its default
 #[derive(Debug, Args)]

@@ -7,7 +7,7 @@ use clap::{Arg, Args, Command};
 use plm_impact::contact::materials::{MaterialEntry, all, find};
 use plm_impact::error::Error;
 use plm_impact::report::text::materials::{data, has, list, one};
-use plm_impact::units::names::did_you_mean;
+use plm_impact::units::did_you_mean;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
 #[derive(Debug, Args)]

@@ -4,7 +4,7 @@ use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 use plm_impact::error::Error;
-use plm_impact::units::names::did_you_mean;
+use plm_impact::units::did_you_mean;
 
 /// Print the completions of a shell
 #[derive(Debug, Args)]

@@ -5,13 +5,10 @@ use std::time::Duration;
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::report::run::refuse_warnings;
-use plm_impact::report::run::table;
+use plm_impact::report::run::{refuse_warnings, table};
 use plm_impact::report::text;
 use plm_impact::scenario::Scenario;
-use plm_impact::table::count::Tally;
-use plm_impact::table::parts::Layout;
-use plm_impact::table::{Format, Job, Shard};
+use plm_impact::table::{Format, Job, Layout, Shard, Tally};
 
 use super::output::{Output, one_of, say_replaced, warn};
 use super::watched::{Signals, Watch};

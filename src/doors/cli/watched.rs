@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::{Error, ErrorKind};
-use plm_impact::files::progress::Counter;
+use plm_impact::files::Counter;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 

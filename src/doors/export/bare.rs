@@ -5,8 +5,7 @@ use crate::contact::material::Hold;
 use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
 use crate::numerics::functions::cos;
-use crate::scenario::scene::Input;
-use crate::scenario::scene::at::at;
+use crate::scenario::scene::{Input, at};
 use crate::scenario::{Kind, Scenario};
 
 /// The contact of a scenario without the motion around it.

@@ -5,13 +5,12 @@ use std::fmt::Write as _;
 use super::bare::Bare;
 use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
-use crate::files::provenance::PROGRAM;
+use crate::files::PROGRAM;
 use crate::impact::air::Flying;
 use crate::impact::{Essentials, Impact, Rated, STANDARD_GRAVITY};
 use crate::numerics::functions::{atan, pow};
 use crate::scenario::Scenario;
-use crate::units::names::named;
-use crate::units::{Dimension, four_digits, human};
+use crate::units::{Dimension, four_digits, human, named};
 
 named! {
     /// Which code the lines are for.

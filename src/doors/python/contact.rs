@@ -18,15 +18,12 @@ use crate::report::plot;
 use crate::report::run::{at_speed_of, no_result, texts};
 use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
-use crate::scenario::Source;
-use crate::scenario::scene::Purpose;
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::band::band;
 use crate::scenario::scene::quantity::SAMPLES;
 use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::impact::{Band, Single, results};
-use crate::scenario::{Kind, Scenario};
-use crate::units::names::did_you_mean;
+use crate::scenario::scene::{Purpose, at, band};
+use crate::scenario::{Kind, Scenario, Source};
+use crate::units::did_you_mean;
 
 /// The name of the contact in messages.
 const NAME: &str = "Contact";

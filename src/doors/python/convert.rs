@@ -10,8 +10,7 @@ use pyo3::types::{PyBytes, PyFloat, PyInt, PyMapping, PyType};
 use serde_json::Value;
 
 use crate::error::{Details, Error};
-use crate::scenario::Scenario;
-use crate::scenario::Source;
+use crate::scenario::{Scenario, Source};
 
 /// The return value of `__reduce__`, by which Python pickles an object: a function, and the arguments with which this function
 /// makes the object again.

@@ -27,7 +27,7 @@ mod _core {
         table::{Column, arrow_stream, table_of_csv},
     };
     use crate::contact::law::LawChoice;
-    use crate::files::provenance::VERSION;
+    use crate::files::VERSION;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -6,9 +6,8 @@ use super::work;
 use crate::impact::{Contact, Method};
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::Key;
-use crate::table::arrow;
 use crate::table::column::{Column, columns};
-use crate::table::evaluator::{Evaluator, Failure, Rows};
+use crate::table::{Evaluator, Failure, Rows, arrow};
 
 /// The columns of a table, and their names. The last is the status.
 pub type Named = Vec<(String, Column)>;

@@ -12,7 +12,7 @@ use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::files::progress::Counter;
+use crate::files::Counter;
 use crate::table::ordered::in_order;
 
 /// Number of rows that a thread computes at a time: of usual rows, and of slow ones. Ctrl-C stops a computation between them.

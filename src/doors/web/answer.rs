@@ -4,19 +4,17 @@
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;
-use crate::files::OutputFile;
-use crate::files::progress::Counter;
+use crate::files::{Counter, OutputFile};
 use crate::numerics::functions::log10;
 use crate::report::plot::sweep::pictures;
 use crate::report::plot::{Pictures, Series, Style};
 use crate::report::run::{Outcome, RunOptions, at_once, impact, table};
 use crate::report::text::Detail;
 use crate::scenario::plan::Plan;
-use crate::scenario::scene::at::at;
+use crate::scenario::scene::at;
 use crate::scenario::{Kind, Scenario};
-use crate::table::count::Tally;
 use crate::table::csv::Csv;
-use crate::table::evaluator::Rows;
+use crate::table::{Rows, Tally};
 use crate::units::four_digits;
 
 /// The most rows of a table, which is held in memory.

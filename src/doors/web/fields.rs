@@ -3,12 +3,10 @@
 use serde_json::{Map, Value, json};
 
 use crate::contact::materials::{MaterialEntry, Property, all};
-use crate::report::plot::caption::title_of;
+use crate::report::plot::title_of;
 use crate::report::text::materials::one;
-use crate::scenario::scene::body_material::Body;
-use crate::scenario::scene::key::{Form, Words};
 use crate::scenario::scene::words::LAWS;
-use crate::scenario::scene::{EITHER, EVERY_KEY};
+use crate::scenario::scene::{Body, EITHER, EVERY_KEY, Form, Words};
 
 /// The keys whose value is a number or a word: path, title, meaning, default, an example, the unit of a number that is written
 /// without one, the words that may be chosen, and the key in whose place it may stand.

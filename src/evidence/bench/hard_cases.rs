@@ -6,8 +6,7 @@
 use crate::contact::law::{Law, Plm};
 use crate::contact::material::{HalfSpace, Material, Sphere};
 use crate::evidence::bench::problems::{Problem, kinked_law, steel_speed_ratio, stiff_law};
-use crate::impact::closed_form;
-use crate::impact::{Contact, ImpactError, Outcome, ScaledForces};
+use crate::impact::{Contact, ImpactError, Outcome, ScaledForces, closed_form};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{pow, powi};
 

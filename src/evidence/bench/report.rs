@@ -8,11 +8,9 @@ use crate::error::Error;
 use crate::files::OutputFile;
 use crate::impact::Method;
 use crate::numerics::power::max_or_nan;
-use crate::report::plot::PlotError;
-use crate::report::plot::axis::Axis;
-use crate::report::plot::{Chart, Series};
+use crate::report::plot::{Axis, Chart, PlotError, Series};
 use crate::report::text::files::written;
-use crate::units::aligned::markdown;
+use crate::units::markdown;
 
 /// A problem with all that was measured on it.
 pub type Measured = (Problem, Vec<Measurement>);

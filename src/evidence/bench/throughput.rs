@@ -6,13 +6,10 @@ use std::time::Instant;
 use rayon::prelude::*;
 
 use crate::error::Error;
-use crate::files::progress::Counter;
-use crate::files::{Origin, OutputDirectory};
+use crate::files::{Counter, Origin, OutputDirectory};
 use crate::scenario::Source;
 use crate::scenario::plan::Plan;
-use crate::table::evaluator::{Evaluator, Rows};
-use crate::table::parts::Layout;
-use crate::table::{Format, Job};
+use crate::table::{Evaluator, Format, Job, Layout, Rows};
 
 /// Rows computed at a time.
 const LONGEST: u64 = 4096;

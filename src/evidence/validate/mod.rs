@@ -20,7 +20,7 @@ mod yielding;
 
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
-use crate::files::progress::Counter;
+use crate::files::Counter;
 pub use comparison::{Comparison, Group};
 pub use pictures::pictures;
 

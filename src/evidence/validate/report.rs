@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::comparison::{Comparison, largest, mean, rms};
 use super::laws::LawDeviations;
-use crate::units::aligned::{aligned, markdown};
+use crate::units::{aligned, markdown};
 
 /// The text of `validation.csv`. Deviations are shares, not per cent.
 pub fn csv(compared: &[Comparison]) -> Result<Vec<u8>, csv::Error> {

@@ -1,17 +1,12 @@
 //! Pictures of a calibration: measurements with the fitted law, residuals, posterior of two keys, and a comparison of
 //! laws.
 
-use super::axis::extremes;
-use super::caption::{axis_of, title_of};
-use super::caption::{caption, captioned};
-use super::style::Style;
-use super::{Axis, Chart, Scale, Series, posterior};
+use super::{Axis, Chart, Scale, Series, Style, axis_of, caption, captioned, extremes, posterior, title_of};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::statistics::{LEVELS, half_width};
 use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
-use crate::scenario::plan::free::Free;
-use crate::scenario::scene::Key;
-use crate::scenario::scene::measured::Measured;
+use crate::scenario::plan::Free;
+use crate::scenario::scene::{Key, Measured};
 use crate::units::four_digits;
 
 /// Largest number of points in a picture: the eye cannot separate more.

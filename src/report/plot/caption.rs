@@ -5,8 +5,7 @@ use super::{Axis, Chart};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::material::Material;
 use crate::scenario::indentation::IndentationScene;
-use crate::scenario::scene::body_material::Body;
-use crate::scenario::scene::{Input, Key};
+use crate::scenario::scene::{Body, Input, Key};
 use crate::units::{Dimension, capital, quantity};
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
@@ -78,7 +77,7 @@ fn line(parts: &[(&str, &[Option<String>])]) -> String {
 }
 
 /// The path of a key in words, such as "half-space Young's modulus".
-pub(super) fn words_of(path: &str) -> String {
+pub(crate) fn words_of(path: &str) -> String {
     let words = path.replace(['.', '_'], " ").replace("half space", "half-space");
     words.replace("youngs", "Young's").replace("poissons", "Poisson's")
 }
@@ -88,7 +87,7 @@ pub fn title_of(path: &str) -> String {
     capital(&words_of(path.trim_start_matches("impact.")))
 }
 
-pub(super) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
+pub(crate) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
     let (title, unit) = (title_of(key.path), key.quantity.dimension.si_unit());
     let axis = Axis::engineering(&title, unit);
     if is_logarithmic { axis.logarithmic() } else { axis }

@@ -4,13 +4,10 @@
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
-use super::axis::Axis;
 use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP, draw_titles};
 use super::key::{Key, MARGIN};
 use super::pen::{self, Pen, Point};
-use super::series::{Look, Series};
-use super::style::{GREY, Style};
-use super::{PlotError, SIZE};
+use super::{Axis, GREY, Look, PlotError, SIZE, Series, Style};
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;

@@ -1,12 +1,7 @@
 //! Force against the approach, and against the indentations of sphere and half-space, during loading and unloading: the
 //! loops of Xie et al. (2024), Figs. 8 and 12.
 
-use super::PlotError;
-use super::axis::Axis;
-use super::chart::Chart;
-use super::loops;
-use super::series::Series;
-use super::style::{DOTTED, GREY, INK, Mark, Style};
+use super::{Axis, Chart, DOTTED, GREY, INK, Mark, PlotError, Series, Style, loops};
 use crate::impact::{Event, Impact, TraceRow};
 use crate::numerics::functions::atan2;
 use crate::units::{Dimension, four_digits, quantity};

@@ -2,11 +2,11 @@
 
 use plotters::prelude::DrawingBackend;
 
-use super::PlotError;
 use super::axis::FittedAxis;
 use super::pen::{Anchor, Pen, Point};
-use super::style::{AXIS_SIZE, GREY, GRID, INK, LABEL_SIZE, Mark, PAPER, Style, TITLE_SIZE};
+use super::style::{AXIS_SIZE, LABEL_SIZE, TITLE_SIZE};
 use super::text::text_width;
+use super::{GREY, GRID, INK, Mark, PAPER, PlotError, Style};
 
 /// Margins around the boxes for labels and titles \[px\].
 pub const LEFT: f64 = 165.0;

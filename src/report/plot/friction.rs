@@ -1,10 +1,7 @@
 //! Friction force, slip speed and spin of an oblique impact against time, in three boxes one above the other.
 
-use super::axis::{Axis, extremes};
-use super::chart::{Chart, Panel};
 use super::force_indentation::title;
-use super::series::Series;
-use super::style::{GREY, INK, Style};
+use super::{Axis, Chart, GREY, INK, Panel, Series, Style, extremes};
 use crate::impact::Impact;
 use crate::impact::oblique::FrictionState;
 use crate::units::{Dimension, quantity};

@@ -3,9 +3,7 @@
 use plotters::style::RGBColor;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 
-use super::axis::{Axis, extremes};
-use super::chart::{Cell, Chart};
-use super::style::GRID;
+use super::{Axis, Cell, Chart, GRID, extremes};
 
 /// A map of values on a grid. Along each axis the places rise or fall. A `value` (of column, row) that is not finite is
 /// drawn in grey. The cells fill the box, so the ranges of `x` and `y` are ignored; the range of `color` is that of the

@@ -1,9 +1,6 @@
 //! A histogram: an area as high as the counts, with lines for mean and quantiles.
 
-use super::axis::Axis;
-use super::chart::Chart;
-use super::series::Series;
-use super::style::{PALETTE, Style};
+use super::{Axis, Chart, PALETTE, Series, Style};
 
 /// A histogram of counts in bars of one width from `low` to `high`. `lines` are vertical lines, such as mean and quantiles,
 /// with their labels in the key.

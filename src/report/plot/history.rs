@@ -1,12 +1,7 @@
 //! Force, indentation and speed against time, in three boxes one above the other.
 
-use super::PlotError;
-use super::axis::{Axis, extremes};
-use super::chart::{Chart, Panel};
 use super::force_indentation::{force_at_peak, indentations, is_damped, peak_name, title};
-use super::loops;
-use super::series::Series;
-use super::style::{DASHED, GREY, INK, Style};
+use super::{Axis, Chart, DASHED, GREY, INK, Panel, PlotError, Series, Style, extremes, loops};
 use crate::impact::{Impact, TraceRow};
 use crate::units::{Dimension, quantity};
 

@@ -1,11 +1,7 @@
 //! Force against indentation of slow contacts. For one half-space: the approach, and the indentations of sphere and
 //! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13.
 
-use super::axis::Axis;
-use super::chart::Chart;
-use super::loops;
-use super::series::Series;
-use super::style::Style;
+use super::{Axis, Chart, Series, Style, loops};
 use crate::contact::law::Branch;
 use crate::impact::indentation::{IndentationRow, Tested};
 use crate::units::{Dimension, quantity};

@@ -3,12 +3,11 @@
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
-use super::PlotError;
 use super::frame::{Bounds, Frame};
 use super::pen::{Anchor, Pen, Point};
-use super::series::{Look, Series};
-use super::style::{GREY, INK, LABEL_SIZE, PAPER, Style};
+use super::style::LABEL_SIZE;
 use super::text::{text_width, wrapped};
+use super::{GREY, INK, Look, PAPER, PlotError, Series, Style};
 
 /// Width of the sample of a line or marker \[px\].
 const SAMPLE: f64 = 56.0;

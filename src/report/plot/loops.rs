@@ -1,9 +1,6 @@
 //! Loops of force against indentation: solid where the contact loads, dashed where it unloads.
 
-use super::axis::Axis;
-use super::chart::Chart;
-use super::series::Series;
-use super::style::Style;
+use super::{Axis, Chart, Series, Style};
 use crate::impact::{Event, Impact, TraceRow};
 
 type Points = Vec<(f64, f64)>;

@@ -31,7 +31,10 @@ mod text;
 
 use crate::error::{Error, ErrorKind};
 
-pub use axis::{Axis, Scale};
+pub use axis::{Axis, Scale, extremes};
+pub(crate) use caption::{axis_of, words_of};
+pub use caption::{caption, captioned, title_of};
+pub(crate) use chart::Cell;
 pub use chart::{Chart, Panel};
 pub use force_indentation::force_indentation;
 pub use friction::friction;
@@ -41,6 +44,7 @@ pub use history::history;
 pub use indentation::indentation;
 pub use pictures::Pictures;
 pub use series::{Look, Series};
+pub(crate) use style::{DASHED, DOTTED, GREY, GRID, INK, MARK, PALETTE, PAPER, SOLID};
 pub use style::{Mark, Style};
 
 /// Size of every picture \[px\].

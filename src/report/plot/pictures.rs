@@ -2,7 +2,7 @@
 
 use super::{Chart, PlotError};
 use crate::files::OutputFile;
-use crate::units::names::named;
+use crate::units::named;
 
 named! {
     /// The file format of pictures.

@@ -1,10 +1,6 @@
 //! The regions of two keys together in which their true values lie with 68 % and 95 %.
 
-use super::axis::{Axis, extremes};
-use super::caption::axis_of;
-use super::chart::Chart;
-use super::series::Series;
-use super::style::{DASHED, Mark, PALETTE, SOLID, Style};
+use super::{Axis, Chart, DASHED, Mark, PALETTE, SOLID, Series, Style, axis_of, extremes};
 use crate::calibrate::statistics::LEVELS;
 use crate::calibrate::{Calibration, KeyEstimate};
 

@@ -1,12 +1,7 @@
 //! Pictures of repeated impacts: height and dents against time, the loops of all impacts, and e and dents against the
 //! number of the impact.
 
-use super::PlotError;
-use super::axis::Axis;
-use super::chart::{Chart, Panel};
-use super::loops;
-use super::series::Series;
-use super::style::{GREY, Style};
+use super::{Axis, Chart, GREY, Panel, PlotError, Series, Style, loops};
 use crate::impact::Impact;
 use crate::impact::repeat::flight::Flight;
 use crate::impact::repeat::{Hit, Place, Repeat, Sequence};

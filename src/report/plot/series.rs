@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 
 use super::frame::Frame;
-use super::style::{Dash, GREY, MARK, Mark, Style};
+use super::style::Dash;
+use super::{GREY, MARK, Mark, Style};
 
 /// Named points on two axes.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,21 +1,16 @@
 //! Pictures of a sweep: e, or other results, along an axis of numbers, in columns by words, and as a map over two long axes;
 //! or a histogram of e of random cases.
 
-use super::axis::extremes;
-use super::caption::{caption, captioned};
-use super::caption::{title_of, words_of};
-use super::style::Style;
+use super::{Style, caption, captioned, extremes, title_of, words_of};
 use crate::contact::law::Bodies;
 use crate::contact::strength::hardness::vickers;
 use crate::impact::reference::quasi_static;
 use crate::impact::{Essentials, Rebound};
 use crate::report::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
-use crate::scenario::plan::axis::{Axis, Setting, Word};
-use crate::scenario::plan::{Cases, Plan};
+use crate::scenario::plan::{Axis, Cases, Plan, Setting, Word};
 use crate::scenario::scene::results::impact::results;
 use crate::scenario::scene::results::{Column, Shown, columns};
-use crate::table::count::{Tally, count};
-use crate::table::evaluator::{Evaluator, Failure, Rows};
+use crate::table::{Evaluator, Failure, Rows, Tally, count};
 use crate::units::{Dimension, capital, four_digits, quantity};
 
 /// Largest number of points of a curve: more than the pixels of a picture.

@@ -2,18 +2,17 @@
 
 use super::outcome::{self, Outcome, RunOptions, file, no_result, texts, with_summary};
 use crate::error::Error;
-use crate::files::provenance::{MethodOf, Provenance};
+use crate::files::{MethodOf, Provenance};
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::report::plot;
-use crate::report::plot::caption::{caption, captioned};
+use crate::report::plot::{caption, captioned};
 use crate::report::text::checked::of_contact;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
 use crate::report::text::{summary, table, trace};
 use crate::scenario::Scenario;
-use crate::scenario::scene::band::band;
 use crate::scenario::scene::results::impact::Single;
-use crate::scenario::scene::{Input, Purpose};
+use crate::scenario::scene::{Input, Purpose, band};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
 /// to be one.

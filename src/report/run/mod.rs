@@ -9,8 +9,7 @@ pub mod table;
 
 use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Forces};
-use crate::scenario::scene::Input;
-use crate::scenario::scene::at::at;
+use crate::scenario::scene::{Input, at};
 use crate::scenario::{Kind, Scenario};
 pub use outcome::{Outcome, RunOptions, no_result, texts};
 

@@ -4,9 +4,7 @@ use serde_json::{Map, Value};
 
 use crate::contact::law::{LawChoice, OutsideLaw};
 use crate::error::{Error, ErrorKind};
-use crate::files::progress::Counter;
-use crate::files::provenance::{LawOf, Provenance};
-use crate::files::{OutputFile, SUMMARY};
+use crate::files::{Counter, LawOf, OutputFile, Provenance, SUMMARY};
 use crate::impact::{ImpactError, Warning};
 use crate::numerics::integrate::IntegrationError;
 use crate::report::plot::Pictures;

@@ -3,11 +3,11 @@
 use super::impact::{can_be_traced, prepare, provenance};
 use super::outcome::{Outcome, RunOptions, file, no_result, texts, with_summary};
 use crate::error::{Error, ErrorKind};
-use crate::files::progress::Counter;
+use crate::files::Counter;
 use crate::impact::repeat::Repeat;
 use crate::impact::{Contact, Method};
 use crate::report::plot;
-use crate::report::plot::caption::{caption, captioned};
+use crate::report::plot::{caption, captioned};
 use crate::report::text::checked::of_contact;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;

@@ -2,9 +2,7 @@
 
 use super::outcome::{Outcome, RunOptions, no_result, texts, with_summary};
 use crate::error::{Error, ErrorKind};
-use crate::files::OutputFile;
-use crate::files::progress::Counter;
-use crate::files::provenance::Provenance;
+use crate::files::{Counter, OutputFile, Provenance};
 use crate::impact::Contact;
 use crate::report::plot::Pictures;
 use crate::report::plot::sweep::pictures;
@@ -15,9 +13,8 @@ use crate::report::text::sweep::{lines, summary};
 use crate::scenario::Scenario;
 use crate::scenario::plan::Plan;
 use crate::table::caution::at_corners;
-use crate::table::count::{Tally, count};
-use crate::table::evaluator::{Evaluator, Rows};
 use crate::table::ordered::in_order;
+use crate::table::{Evaluator, Rows, Tally, count};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;

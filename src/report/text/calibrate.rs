@@ -10,13 +10,10 @@ use crate::calibrate::minimum::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
-use crate::files::provenance::Provenance;
-use crate::scenario::scene::body_material::Body;
-use crate::scenario::scene::measured::Measured;
-use crate::scenario::scene::results::entry::{file, results};
-use crate::scenario::scene::results::{Reported, fields};
-use crate::units::aligned::aligned;
-use crate::units::{four_digits, percent};
+use crate::files::Provenance;
+use crate::scenario::scene::results::{Reported, fields, file, results};
+use crate::scenario::scene::{Body, Measured};
+use crate::units::{aligned, four_digits, percent};
 
 /// The note on an interval with an end outside of the range of the key.
 const UNBOUNDED: &str = "not bounded by these data";

@@ -7,8 +7,7 @@ use crate::error::Error;
 use crate::impact::Contact;
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::Input;
-use crate::scenario::scene::results::entry::{file, results};
-use crate::scenario::scene::results::{Reported, fields};
+use crate::scenario::scene::results::{Reported, fields, file, results};
 
 /// The numbers of a contact at which no sphere has arrived.
 pub(super) fn contact() -> Vec<Reported<Contact>> {

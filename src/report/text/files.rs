@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
 use crate::error::Error;
-use crate::files::provenance::Provenance;
+use crate::files::Provenance;
 use crate::impact::Impact;
 use crate::scenario::scene::results::impact::Single;
 use crate::scenario::scene::results::{Reported, fields, impact};

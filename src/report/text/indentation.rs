@@ -7,18 +7,13 @@ use super::inputs::Inputs;
 use super::{overview, terminal};
 use crate::contact::material::left_behind;
 use crate::error::Error;
-use crate::files::provenance::Provenance;
+use crate::files::Provenance;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
-use crate::scenario::scene::EVERY_KEY;
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::body_material::Body;
-use crate::scenario::scene::key::Part;
-use crate::scenario::scene::results::entry::{file, results};
-use crate::scenario::scene::results::{Reported, fields, lists};
-use crate::units::aligned::aligned;
-use crate::units::{self, Dimension, describe};
+use crate::scenario::scene::results::{Reported, fields, file, lists, results};
+use crate::scenario::scene::{Body, EVERY_KEY, Part, at};
+use crate::units::{self, Dimension, aligned, describe};
 
 /// The results of one half-space, in the order of `summary.json`.
 pub(super) fn half_space() -> Vec<Reported<Tested>> {

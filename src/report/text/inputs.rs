@@ -5,15 +5,9 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::contact::law::plm::hardness::flow_stress;
 use crate::impact::Method;
-use crate::scenario::plan::Plan;
-use crate::scenario::plan::axis::{Axis, Word};
-use crate::scenario::scene::Input;
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::body_material::Body;
-use crate::scenario::scene::input::KeyValue;
-use crate::scenario::scene::key::Part;
-use crate::scenario::scene::keys::partner;
+use crate::scenario::plan::{Axis, Plan, Word};
 use crate::scenario::scene::quantity::FACTOR;
+use crate::scenario::scene::{Body, Input, KeyValue, Part, at, partner};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]

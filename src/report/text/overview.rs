@@ -9,10 +9,8 @@ use crate::contact::material::{Flow, Pair};
 use crate::contact::materials::Property;
 use crate::contact::strength::hardness;
 use crate::impact::Contact;
-use crate::scenario::scene::Input;
-use crate::scenario::scene::body_material::Body;
-use crate::units::aligned::aligned;
-use crate::units::{Dimension, describe, four_digits, human, percent};
+use crate::scenario::scene::{Body, Input};
+use crate::units::{Dimension, aligned, describe, four_digits, human, percent};
 
 /// A name and a value.
 type Row = [String; 2];

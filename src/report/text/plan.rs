@@ -2,9 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::scenario::plan::axis::{Axis, Setting, Values};
-use crate::scenario::plan::random::{Distribution, Variable};
-use crate::scenario::plan::{Cases, Plan};
+use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Setting, Values, Variable};
 use crate::units::percent;
 
 /// An axis with at most so many values is listed value by value.

@@ -4,7 +4,7 @@
 use super::{calibrate, checked, indentation, series, sweep};
 use crate::scenario::reference::keys;
 use crate::scenario::scene::results::impact;
-use crate::units::aligned::markdown;
+use crate::units::markdown;
 
 /// A part of a page that the program writes: its name, and its text.
 type Part = (&'static str, fn() -> String);

@@ -7,13 +7,12 @@ use super::inputs::Inputs;
 use super::series::{self as results, Series, TraceRow};
 use super::terminal::{self, Detail};
 use crate::error::Error;
-use crate::files::provenance::Provenance;
+use crate::files::Provenance;
 use crate::impact::repeat::flight::Flight;
 use crate::impact::repeat::{Drive, Hit, Place, Repeat, Sequence};
 use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::impact::event_name;
-use crate::units::aligned::aligned;
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, aligned, quantity};
 
 /// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.
 const LISTED: usize = 1000;

@@ -3,8 +3,7 @@
 use crate::impact::Contact;
 use crate::impact::repeat::{Drive, End, Hit, Repeat, Sequence};
 use crate::numerics::power::max_or_nan;
-use crate::scenario::scene::results::Reported;
-use crate::scenario::scene::results::entry::{file, results};
+use crate::scenario::scene::results::{Reported, file, results};
 use crate::units::{Dimension, quantity};
 
 /// A series of impacts.

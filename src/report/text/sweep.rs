@@ -4,12 +4,10 @@ use std::fmt::Write as _;
 
 use super::inputs::Inputs;
 use crate::error::Error;
-use crate::files::provenance::Provenance;
-use crate::scenario::plan::random::Variable;
-use crate::scenario::plan::{Cases, Plan};
-use crate::scenario::scene::results::entry::{file, results};
-use crate::scenario::scene::results::{Reported, fields, lists};
-use crate::table::count::Tally;
+use crate::files::Provenance;
+use crate::scenario::plan::{Cases, Plan, Variable};
+use crate::scenario::scene::results::{Reported, fields, file, lists, results};
+use crate::table::Tally;
 use crate::table::statistics::Distribution;
 
 /// Counts of the rows of a table; if the cases are random, the statistics of their restitutions.

@@ -4,8 +4,7 @@ use serde_json::Value;
 
 use crate::scenario::scene::results::impact::{Single, results};
 use crate::scenario::scene::results::{Reported, Shown};
-use crate::units::aligned::aligned;
-use crate::units::{Dimension, four_digits, percent, quantity};
+use crate::units::{Dimension, aligned, four_digits, percent, quantity};
 
 /// How much the terminal shows of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

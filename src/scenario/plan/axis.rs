@@ -3,10 +3,7 @@
 use crate::contact::law::LawChoice;
 use crate::impact::Method;
 use crate::numerics::functions::{log10, pow};
-use crate::scenario::scene::at::at;
-use crate::scenario::scene::body_material::BodyMaterial;
-use crate::scenario::scene::key::Part;
-use crate::scenario::scene::{EVERY_KEY, Input, Key};
+use crate::scenario::scene::{BodyMaterial, EVERY_KEY, Input, Key, Part, at};
 
 /// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
 const TABULATED: u64 = 1 << 19;

@@ -5,13 +5,11 @@ pub mod free;
 pub(crate) mod random;
 
 use crate::impact::{Method, Warning};
-use crate::scenario::scene::at::{At, NUMBER, at};
-use crate::scenario::scene::band::{ranges, stated_error};
-use crate::scenario::scene::body_material::Body;
 use crate::scenario::scene::results::{Column, Needs, columns};
-use crate::scenario::scene::{Input, Key, Purpose, without_effect};
-use axis::{Axis, Word};
-use random::Variable;
+use crate::scenario::scene::{At, Body, Input, Key, NUMBER, Purpose, at, ranges, stated_error, without_effect};
+pub(crate) use axis::{Axis, Setting, Values, Word};
+pub use free::Free;
+pub(crate) use random::{Distribution, Draws, Variable};
 
 /// Where the cases come from.
 #[derive(Debug, Clone)]

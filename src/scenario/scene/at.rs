@@ -1,7 +1,6 @@
 //! Keys that the source names: the compiler looks their paths up, `at!("sphere.radius")`.
 
-use super::key::Form;
-use super::list::EVERY_KEY;
+use super::{EVERY_KEY, Form};
 
 /// The place of a key in the list, with the kind of its value as a type, so that it is not asked for a value of another kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

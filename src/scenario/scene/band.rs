@@ -1,9 +1,7 @@
 //! The band of e: how far the hardness of a material by name, and the error of the law, leave it open.
 
-use super::at::{At, NUMBER};
-use super::body_material::Body;
-use super::input::Input;
 use super::results::impact::Band;
+use super::{At, Body, Input, NUMBER};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::materials::Known;
 use crate::impact::{Approach, Contact, Essentials, Solver};

@@ -1,6 +1,6 @@
 //! The values that the bodies of a scene take from named materials, where the scenario does not give them itself.
 
-use super::at::{At, WORD, at};
+use super::{At, WORD, at};
 use crate::contact::materials::{Known, MaterialEntry, Property};
 
 /// A body that may name its material.

@@ -1,8 +1,6 @@
 //! Finds keys that are given, and have no effect on what is computed.
 
-use super::Input;
-use super::at::at;
-use super::body_material::Body;
+use super::{Body, Input, at};
 use crate::impact::Method;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,11 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::at::{At, COUNT, NUMBER, OTHER, WORD};
-use super::body_material::BodyMaterial;
-use super::key::{AnyKey, Form, Part};
-use super::list::EVERY_KEY;
-use super::quantity::Quantity;
+use super::{AnyKey, At, BodyMaterial, COUNT, EVERY_KEY, Form, NUMBER, OTHER, Part, Quantity, WORD};
 use crate::contact::law::{LawChoice, PlmCoefficients};
 use crate::contact::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};

@@ -1,6 +1,6 @@
 //! A key of a scenario: where it stands, what may be written there, and its meaning.
 
-use super::quantity::Quantity;
+use super::Quantity;
 
 #[derive(Debug, Clone, Copy)]
 pub struct AnyKey {

@@ -3,11 +3,7 @@
 
 use std::sync::LazyLock;
 
-use super::at::{At, NUMBER};
-use super::input::Input;
-use super::key::Part;
-use super::list::EVERY_KEY;
-use super::quantity::Quantity;
+use super::{At, EVERY_KEY, Input, NUMBER, Part, Quantity};
 
 /// A numeric key of the scene of an impact, which may vary: an axis, a random variable, or found from measurements.
 #[derive(Debug, PartialEq)]

@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use super::at::{At, NUMBER, at};
-use super::body_material::Body;
-use super::input::{Input, Value};
+use super::{At, Body, Input, NUMBER, Value, at};
 use crate::contact::law::catalogue::jackson_green::Hardness;
 use crate::contact::law::{LawChoice, UnloadingExponent};
 

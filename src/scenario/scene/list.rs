@@ -4,7 +4,6 @@
 use super::key::Form::{
     Axes, Count, File, Free, Number, NumberOr, Numbers, Points, Text, Variables, Word, WordOrTable, Words,
 };
-use super::key::{AnyKey, Part};
 use super::quantity::{
     ACCELERATION, ANGLE, AREA_FACTOR, CURVATURE, DENSITY, DEVIATION, DRAG, DROP_HEIGHT, EXPONENT, FACTOR, FORCE,
     FRICTION, HARDENING_EXPONENT, HARDENING_RATE, HARDENING_SLOPE, HARDNESS, HUNT_CROSSLEY, IMPACTS, INDENTATION, LEEB,
@@ -15,6 +14,7 @@ use super::quantity::{
 use super::words::{
     COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, RATES, ROBUSTS, SPOTS, UNLOADINGS,
 };
+use super::{AnyKey, Part};
 
 macro_rules! keys {
     // the keys of a table

@@ -1,11 +1,10 @@
 //! The quantities that can be measured, and how each follows from a computed impact. Keys of `[calibrate]` are named by them.
 
-use super::Input;
-use super::at::at;
-use super::quantity::{FORCE, LEEB, LENGTH, Quantity, RESTITUTION, SPEED, TIME};
+use super::quantity::{FORCE, LEEB, LENGTH, RESTITUTION, SPEED, TIME};
+use super::{Input, Quantity, at};
 use crate::impact::Essentials;
 use crate::impact::air::Flying;
-use crate::units::names::named;
+use crate::units::named;
 
 named! {
     /// A measured quantity.

@@ -19,7 +19,13 @@ pub(crate) mod tables;
 pub mod words;
 pub(crate) mod written;
 
+pub(crate) use at::{At, COUNT, NUMBER, OTHER, WORD, at, known};
+pub use band::{Uncertainty, band, ranges, stated_error};
+pub(crate) use body_material::{Body, BodyMaterial};
 pub use effect::{Purpose, without_effect};
-pub use input::Input;
-pub use keys::{EITHER, KEYS, Key};
+pub use input::{Input, KeyValue, Value};
+pub use key::{AnyKey, Form, Part, Words};
+pub use keys::{BODIES, EITHER, KEYS, Key, NEEDED, SPHERE, partner, varied};
 pub use list::EVERY_KEY;
+pub use measured::Measured;
+pub use quantity::Quantity;

@@ -4,10 +4,9 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::key::Words;
-use super::quantity::Quantity;
 use super::written::{Name, Node, below, described, pattern, whole_number};
-use crate::units::names::did_you_mean;
+use super::{Quantity, Words};
+use crate::units::did_you_mean;
 
 /// A value that is refused: where it stands, and why.
 #[derive(Debug, Clone)]

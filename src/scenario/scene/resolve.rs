@@ -3,11 +3,7 @@
 
 use std::sync::Arc;
 
-use super::at::at;
-use super::body_material::{Body, BodyMaterial};
-use super::input::{Input, Value};
-use super::key::Part;
-use super::keys::Key;
+use super::{Body, BodyMaterial, Input, Key, Part, Value, at};
 use crate::contact::law::LawChoice;
 use crate::contact::material::{HalfSpace, Hold, Sphere, sphere_volume};
 use crate::contact::materials::all;

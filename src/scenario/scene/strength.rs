@@ -1,8 +1,6 @@
 //! The strength of a body: the keys that give it, which are the same for sphere and half-space, and what follows from them.
 
-use super::at::{At, NUMBER, OTHER, known};
-use super::body_material::Body;
-use super::input::{Input, Value};
+use super::{At, Body, Input, NUMBER, OTHER, Value, known};
 use crate::contact::law::plm::hardness::strength_of_hardness;
 use crate::contact::material::Material;
 use crate::contact::strength::flow::FlowCurve;

@@ -4,12 +4,11 @@ use std::sync::Arc;
 
 use toml::de::{DeTable, DeValue};
 
-use super::input::{Input, Value};
-use super::key::{Form, LISTS, List};
-use super::list::EVERY_KEY;
-use super::quantity::{Quantity, STRAIN, STRENGTH};
+use super::key::{LISTS, List};
+use super::quantity::{STRAIN, STRENGTH};
 use super::read::{Fault, Reader, count, items, list, number, pair, text, word};
 use super::written::{COMBINED, Node, below};
+use super::{EVERY_KEY, Form, Input, Quantity, Value};
 use crate::contact::law::{LawChoice, PlmCoefficients};
 use crate::contact::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::csv_text::{CsvText, Refusal};

@@ -1,6 +1,6 @@
 //! The words that keys take in place of numbers.
 
-use super::key::Words;
+use super::Words;
 use super::results::columns;
 use crate::contact::law::LawChoice;
 use crate::contact::law::catalogue::jackson_green::Hardness;

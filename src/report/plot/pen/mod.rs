@@ -10,9 +10,8 @@ use plotters::prelude::{DrawingBackend, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
-use super::PlotError;
-use super::style::{Mark, PAPER, Style};
 use super::text::{fitting, text_width};
+use super::{Mark, PAPER, PlotError, Style};
 use crate::numerics::functions::hypot;
 
 /// A place on the picture \[px\], measured from its upper left corner.

@@ -7,8 +7,7 @@ use plotters::style::{FontStyle, register_font};
 use png::{BitDepth, ColorType, Encoder};
 
 use super::{Format, Pen, failed};
-use crate::report::plot::style::PAPER;
-use crate::report::plot::{PlotError, SIZE};
+use crate::report::plot::{PAPER, PlotError, SIZE};
 
 /// The pixels of a PNG are means of 2 × 2 drawn pixels.
 const OVERSAMPLING: u32 = 2;

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::entry::{Needs, Reported, file, results};
+use super::{Needs, Reported, file, results};
 use crate::contact::material::Flow;
 use crate::impact::air::Flying;
 use crate::impact::{
