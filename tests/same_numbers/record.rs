@@ -1,7 +1,8 @@
 //! The record: the size of every column of every run, from which a moved number is seen.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+
+use serde::{Deserialize, Serialize};
 
 use super::numbers::{Cell, Columns, Place};
 
@@ -18,7 +19,8 @@ const LOOSE: [(&str, f64); 3] =
 const SHARES: [&str; 4] = ["drift", "error", "deviation", "drift_at_end"];
 
 /// What is recorded of a column.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
 pub enum Summary {
     /// The value of a column with one row.
     One(Cell),
@@ -83,7 +85,8 @@ fn weight(row: u64) -> f64 {
 
 /// A number from 1 to 2 for a word or an empty cell.
 fn of_text(cell: &Cell) -> f64 {
-    1.0 + f64::from(crc32fast::hash(written(cell).as_bytes())) / f64::from(u32::MAX)
+    let text = if let Cell::Word(word) = cell { word } else { "(empty)" };
+    1.0 + f64::from(crc32fast::hash(text.as_bytes())) / f64::from(u32::MAX)
 }
 
 /// Neumaier's sum, whose error does not grow with the number of terms.
@@ -129,9 +132,7 @@ fn moved(before: &Summary, after: &Column, tolerance: f64) -> Option<String> {
     };
     match (before, &after.summary) {
         (Summary::One(Cell::Number(was)), Summary::One(Cell::Number(is))) => apart(*was, *is, after.scale),
-        (Summary::One(was), Summary::One(is)) => {
-            (was != is).then(|| format!("\"{}\" instead of \"{}\"", written(is), written(was)))
-        }
+        (Summary::One(was), Summary::One(is)) => (was != is).then(|| format!("{is:?} instead of {was:?}")),
         (
             Summary::Many { rows, mean, weighted },
             Summary::Many { rows: rows_now, mean: mean_now, weighted: weighted_now },
@@ -152,83 +153,24 @@ impl Summary {
             Self::Many { rows, .. } => *rows,
         }
     }
-
-    /// As it stands in the record.
-    fn written(&self) -> String {
-        match self {
-            Self::One(cell) => written(cell),
-            Self::Many { rows, mean, weighted } => format!("{rows} {} {}", digits(*mean), digits(*weighted)),
-        }
-    }
-
-    fn read(text: &str) -> Self {
-        let words: Vec<_> = text.split(' ').collect();
-        if let [rows, mean, weighted] = words[..] {
-            let number = |text: &str| text.parse().unwrap();
-            return Self::Many { rows: rows.parse().unwrap(), mean: number(mean), weighted: number(weighted) };
-        }
-        Self::One(match text {
-            "(text)" => Cell::Text,
-            "(empty)" => Cell::Empty,
-            _ => text.parse().map_or_else(|_| Cell::Word(text.to_owned()), Cell::Number),
-        })
-    }
 }
 
-fn written(cell: &Cell) -> String {
-    match cell {
-        Cell::Number(number) => digits(*number),
-        Cell::Word(word) => word.clone(),
-        Cell::Text => "(text)".to_owned(),
-        Cell::Empty => "(empty)".to_owned(),
-    }
-}
-
-/// The shortest text of a number that is right to 16 digits.
-fn digits(number: f64) -> String {
-    let rounded: f64 = format!("{number:.15e}").parse().unwrap();
-    let [plain, short] = [format!("{rounded}"), format!("{rounded:e}")];
-    if plain.len() <= short.len() { plain } else { short }
-}
-
-/// Reads the record. A line that begins with "file" names the columns of the lines that follow it; an empty place is a
-/// column that the run does not have.
-pub fn read(path: &Path) -> Record {
+/// Reads the record.
+pub fn read(text: &str) -> Record {
     let mut record = Record::new();
-    let mut head = csv::StringRecord::new();
-    for line in csv::ReaderBuilder::new().has_headers(false).flexible(true).from_path(path).unwrap().records() {
-        let line = line.unwrap();
-        if line[0].starts_with("file ") {
-            head = line;
-            continue;
-        }
-        let file = &head[0]["file ".len()..];
-        let columns = record.entry(line[0].to_owned()).or_default();
-        for (column, text) in head.iter().zip(&line).skip(1).filter(|(_, text)| !text.is_empty()) {
-            columns.insert((file.to_owned(), column.to_owned()), Summary::read(text));
-        }
+    for (run, file, column, summary) in serde_json::from_str::<Vec<(String, _, _, _)>>(text).unwrap() {
+        record.entry(run).or_default().insert((file, column), summary);
     }
     record
 }
 
-/// Writes the record, file by file.
-pub fn write(path: &Path, runs: &Runs) {
-    let mut files: BTreeMap<&str, BTreeMap<&str, BTreeMap<&str, String>>> = BTreeMap::new();
+/// The text of the record, with a line for each column.
+pub fn written(runs: &Runs) -> String {
+    let mut lines = Vec::new();
     for (run, columns) in runs {
         for ((file, name), column) in columns {
-            files.entry(file).or_default().entry(run).or_default().insert(name, column.summary.written());
+            lines.push(serde_json::to_string(&(run, file, name, &column.summary)).unwrap());
         }
     }
-    let mut writer = csv::WriterBuilder::new().flexible(true).from_path(path).unwrap();
-    for (file, runs) in files {
-        let mut names: Vec<_> = runs.values().flat_map(BTreeMap::keys).copied().collect();
-        names.sort_unstable();
-        names.dedup();
-        writer.write_record([&format!("file {file}")[..]].iter().chain(&names)).unwrap();
-        for (run, columns) in runs {
-            let of = |name: &&str| columns.get(*name).map_or("", String::as_str);
-            writer.write_record([run].into_iter().chain(names.iter().map(of))).unwrap();
-        }
-    }
-    writer.flush().unwrap();
+    format!("[\n{}\n]\n", lines.join(",\n"))
 }
