@@ -13,6 +13,7 @@ pub const VERMILLION: &str = "#D55E00";
 pub const GREEN: &str = "#009E73";
 pub const PURPLE: &str = "#CC79A7";
 pub const ORANGE: &str = "#E69F00";
+pub const BLACK: &str = "#000000";
 pub const INK: &str = "#222222";
 
 /// A picture that was read back from its SVG.
@@ -60,6 +61,46 @@ impl Drawn {
         lines.flatten().map(share).filter(|(x, _)| (-1e-3..=1.0 + 1e-3).contains(x)).collect()
     }
 
+    /// The corners of the areas of this colour.
+    pub fn areas(&self, color: &str) -> Vec<Vec<(f64, f64)>> {
+        let document = self.document();
+        let areas =
+            document.descendants().filter(|node| node.has_tag_name("polygon") && node.attribute("fill") == Some(color));
+        areas.map(points).collect()
+    }
+
+    /// The centres of the discs, squares, triangles and diamonds of this colour.
+    pub fn marks(&self, color: &str) -> Vec<(f64, f64)> {
+        let document = self.document();
+        let centre = |node: Node| match node.tag_name().name() {
+            "circle" => Some((number(node, "cx"), number(node, "cy"))),
+            "rect" => {
+                let middle = |at: &str, length: &str| number(node, at) + 0.5 * number(node, length);
+                Some((middle("x", "width"), middle("y", "height")))
+            }
+            // three fifths of the way from the tip of a triangle to its base; half-way between the corners of a diamond
+            "polygon" => {
+                let (corners, share) = (points(node), if points(node).len() == 3 { 0.6 } else { 0.5 });
+                let (tip, other) = (corners[0], corners[corners.len() / 2]);
+                Some((tip.0, tip.1 + share * (other.1 - tip.1)))
+            }
+            _ => None,
+        };
+        document.descendants().filter(|node| node.attribute("fill") == Some(color)).filter_map(centre).collect()
+    }
+
+    /// Whether a place lies in a box, and not in the key, which stands on the last white rectangle that is no marker.
+    pub fn is_in(&self, panel: usize) -> impl Fn((f64, f64)) -> bool + use<> {
+        let near = |[left, top, right, bottom]: [f64; 4], (x, y): (f64, f64)| {
+            (left - 5.0..=right + 5.0).contains(&x) && (top - 5.0..=bottom + 5.0).contains(&y)
+        };
+        let is_white = |(ends, color): &([f64; 4], [u8; 3])| *color == [255; 3] && ends[2] - ends[0] > 30.0 * UNITS;
+        // the first is the sheet
+        let key = self.rectangles().into_iter().filter(is_white).skip(1).last();
+        let own = self.boxes()[panel];
+        move |at| near(own, at) && !key.is_some_and(|(ends, _)| near(ends, at))
+    }
+
     pub fn shares(&self, color: &str) -> Vec<(f64, f64)> {
         self.shares_of(color, 0)
     }
@@ -70,35 +111,73 @@ impl Drawn {
         texts.map(|node| node.text().unwrap().trim().to_owned()).collect()
     }
 
-    /// The scales of a box, which a reader takes from the labels of its axes. They stand left of it, and below the lowest box.
+    /// The scales of a box, which a reader takes from the labels of its axes.
     pub fn scales(&self, panel: usize) -> [Scale; 2] {
-        let document = self.document();
-        let nodes = || document.descendants().filter(|node| node.has_tag_name("text"));
-        let place = |node: Node| (number(node, "x"), number(node, "y"));
-        let words = |node: Node| node.text().unwrap().trim().to_owned();
-        let [left, top, right, bottom] = self.boxes()[panel];
-        let lowest = self.boxes().iter().map(|ends| ends[3]).fold(0.0, f64::max);
-        let is_anchored = |node: &Node, at: &str| node.attribute("text-anchor") == Some(at);
-        // the first row below the box has the labels, and the second the title
-        let below = || {
-            nodes()
-                .filter(|node| is_anchored(node, "middle") && node.attribute("transform").is_none())
-                .filter(move |node| (left..=right).contains(&place(*node).0) && place(*node).1 > lowest)
-        };
-        let labels_at = below().map(|node| place(node).1).fold(f64::INFINITY, f64::min);
-        let (labels, titles): (Vec<Node>, Vec<Node>) = below().partition(|node| place(*node).1 == labels_at);
-        let across: Vec<(f64, String)> = labels.iter().map(|node| (place(*node).0, words(*node))).collect();
-        // boxes side by side share the labels of the first
-        let first = self.boxes().iter().filter(|ends| ends[1] == top).map(|ends| ends[0]).fold(left, f64::min);
-        let is_beside =
-            |node: &Node| is_anchored(node, "end") && (first - 50.0 * UNITS..first).contains(&place(*node).0);
-        let is_level = |node: &Node| (top..bottom + 10.0 * UNITS).contains(&place(*node).1);
-        // letters stand a little below their tick
-        let upward = nodes().filter(|node| is_beside(node) && is_level(node));
-        let upward: Vec<(f64, String)> = upward.map(|node| (place(node).1 - 2.0 * UNITS, words(node))).collect();
-        let mut turned = nodes().filter(|node| node.attribute("transform").is_some() && is_level(node));
-        [Scale::of(&across, &words(titles[0])), Scale::of(&upward, &words(turned.next().unwrap()))]
+        [self.across(panel), self.upward(panel)]
     }
+
+    /// The horizontal scale, whose labels stand below the lowest box.
+    pub fn across(&self, panel: usize) -> Scale {
+        let document = self.document();
+        let nodes = document.descendants().filter(|node| node.has_tag_name("text"));
+        let [left, _, right, _] = self.boxes()[panel];
+        let lowest = self.boxes().iter().map(|ends| ends[3]).fold(0.0, f64::max);
+        // the first row below the box has the labels, and the second the title
+        let below: Vec<Node> = nodes
+            .filter(|node| node.attribute("text-anchor") == Some("middle") && node.attribute("transform").is_none())
+            .filter(|node| (left..=right).contains(&number(*node, "x")) && number(*node, "y") > lowest)
+            .collect();
+        let labels_at = below.iter().map(|node| number(*node, "y")).fold(f64::INFINITY, f64::min);
+        let (labels, titles): (Vec<Node>, Vec<Node>) = below.iter().partition(|node| number(**node, "y") == labels_at);
+        let labels: Vec<(f64, String)> = labels.iter().map(|node| (number(*node, "x"), words(*node))).collect();
+        Scale::of(&labels, &words(titles[0]))
+    }
+
+    /// The vertical scale, whose labels stand left of the box, or left of the box that is beside it.
+    pub fn upward(&self, panel: usize) -> Scale {
+        let document = self.document();
+        let [left, top, _, bottom] = self.boxes()[panel];
+        let is_level = |node: &Node| (top..bottom + 10.0 * UNITS).contains(&number(*node, "y"));
+        let nodes: Vec<Node> =
+            document.descendants().filter(|node| node.has_tag_name("text")).filter(is_level).collect();
+        let beside = |left: f64| -> Vec<(f64, String)> {
+            let is_beside = |node: &&Node| {
+                node.attribute("text-anchor") == Some("end")
+                    && (left - 50.0 * UNITS..left).contains(&number(**node, "x"))
+            };
+            // letters stand a little below their tick
+            nodes.iter().filter(is_beside).map(|node| (number(*node, "y") - 2.0 * UNITS, words(*node))).collect()
+        };
+        let first = self.boxes().iter().filter(|ends| ends[1] == top).map(|ends| ends[0]).fold(left, f64::min);
+        let labels = [left, first].map(beside).into_iter().find(|labels| !labels.is_empty()).unwrap();
+        let turned = nodes.iter().filter(|node| node.attribute("transform").is_some() && number(**node, "x") < left);
+        let title = turned.max_by(|a, b| number(**a, "x").total_cmp(&number(**b, "x"))).unwrap();
+        Scale::of(&labels, &words(*title))
+    }
+
+    /// The fill of the topmost rectangle at a place.
+    pub fn fill_at(&self, (x, y): (f64, f64)) -> [u8; 3] {
+        let rectangles = self.rectangles();
+        let is_there =
+            |[left, top, right, bottom]: &[f64; 4]| (*left..=*right).contains(&x) && (*top..=*bottom).contains(&y);
+        rectangles.iter().rev().find(|(ends, _)| is_there(ends)).unwrap().1
+    }
+
+    /// The filled rectangles: left, top, right, bottom, and the colour.
+    pub fn rectangles(&self) -> Vec<([f64; 4], [u8; 3])> {
+        let document = self.document();
+        let rectangles = document.descendants().filter(|node| node.has_tag_name("rect")).map(|node| {
+            let [x, y, width, height] = ["x", "y", "width", "height"].map(|name| number(node, name));
+            let fill = node.attribute("fill").unwrap();
+            let part = |at: usize| u8::from_str_radix(&fill[at..at + 2], 16).unwrap();
+            ([x, y, x + width, y + height], [1, 3, 5].map(part))
+        });
+        rectangles.collect()
+    }
+}
+
+fn words(node: Node) -> String {
+    node.text().unwrap().trim().to_owned()
 }
 
 /// The values along an axis, in SI units.
@@ -119,6 +198,13 @@ impl Scale {
         let chosen = [false, true].map(with).into_iter().find(|scale| off(scale) < UNITS);
         assert!(labels.len() > 2, "{title}: {labels:?}");
         chosen.unwrap_or_else(|| panic!("{title}: {labels:?}"))
+    }
+
+    /// The value at a place in units of the drawing.
+    pub fn value(&self, place: f64) -> f64 {
+        let [(from, low), (to, high)] = self.ends;
+        let share = (place - from) / (to - from);
+        if self.is_logarithmic { low * (high / low).powf(share) } else { low + share * (high - low) }
     }
 
     /// Where a value stands, in units of the drawing.

@@ -1,60 +1,84 @@
-//! Curves in pictures are read back as a reader does, by the labels of the axes, and are the numbers of the table beside them.
+//! Pictures are read back as a reader does, by the labels of the axes: lines, markers and areas are the numbers of the tables
+//! beside them, or of the references. Every function of the program that makes a picture is named here.
+
+mod calibrated;
+mod kinds;
+mod runs;
+mod validated;
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use super::drawn::*;
 use crate::common::prelude::*;
 
-/// One curve: the scenario that draws it, its picture, box and colour, and its table and columns.
-struct Curve {
-    scenario: String,
-    picture: &'static str,
-    panel: usize,
-    color: &'static str,
-    table: &'static str,
-    columns: [&'static str; 2],
+type Points = Vec<(f64, f64)>;
+type TableRow = BTreeMap<String, String>;
+
+/// How numbers are drawn, and in which colour.
+#[derive(Debug, Clone, Copy)]
+enum Form {
+    /// A line from row to row.
+    Line(&'static str),
+    /// A line through all rows, which has more points than they.
+    Through(&'static str),
+    /// A marker on every row, and no other.
+    Marks(&'static str),
+    /// The outline of an area.
+    Area(&'static str),
 }
 
-fn curves() -> Vec<Curve> {
-    let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
-    let sweep = format!("{STEEL}[sweep]\n\"impact.speed\" = {{ logspace = [0.01, 10], points = 9 }}\n");
-    let friction = "[friction]\ncoefficient = 0.1\n";
-    let angle = STEEL.replace("3 m/s\"", "3 m/s\"\nangle = \"30 deg\"") + friction;
-    let angles =
-        format!("{STEEL}{friction}[sweep]\n\"impact.angle\" = {{ linspace = [\"5 deg\", \"85 deg\"], points = 17 }}\n");
-    let shots = format!("{still}[repeat]\nspeeds = [1, 2, 5, 3]\nspot = \"fresh\"\n");
-    let cycles = format!(
-        "{still}[indentation]\nsteps = [{{ load = 100 }}, {{ load = 20 }}, {{ load = 150 }}, {{ load = 0 }}]\n"
-    );
-    let drops = still.replace("yield_strength = \"345 MPa\"\n", "")
-        + "[calibrate]\ndata = \"d.csv\"\n[calibrate.free]\n\"half_space.yield_strength\" = { from = \"100 MPa\", to = \"1 GPa\" }\n";
-    let curve = |scenario: &str, picture, panel, color, table, columns| Curve {
-        scenario: scenario.to_owned(),
-        picture,
-        panel,
-        color,
-        table,
-        columns,
-    };
-    vec![
-        curve(&sweep, "restitution", 0, BLUE, "table", ["impact_speed_m_per_s", "restitution"]),
-        curve(&angles, "rebound", 0, BLUE, "table", ["impact_angle_rad", "rebound_angle_deg"]),
-        curve(&angles, "rebound", 1, BLUE, "table", ["impact_angle_rad", "rebound_spin_rad_per_s"]),
-        curve(&shots, "impacts", 0, ORANGE, "impacts", ["impact", "impact_speed_m_per_s"]),
-        curve(&shots, "impacts", 1, BLUE, "impacts", ["impact", "restitution"]),
-        curve(&shots, "impacts", 2, VERMILLION, "impacts", ["impact", "residual_indentation_m"]),
-        curve(STEEL, "force_indentation", 0, BLUE, "trace", ["indentation_m", "force_N"]),
-        curve(STEEL, "force_indentation", 0, GREEN, "trace", ["half_space_indentation_m", "force_N"]),
-        curve(STEEL, "force_indentation", 1, VERMILLION, "trace", ["sphere_indentation_m", "force_N"]),
-        curve(STEEL, "history", 0, PURPLE, "trace", ["time_s", "force_N"]),
-        curve(STEEL, "history", 1, BLUE, "trace", ["time_s", "indentation_m"]),
-        curve(STEEL, "history", 1, VERMILLION, "trace", ["time_s", "sphere_indentation_m"]),
-        curve(STEEL, "history", 1, GREEN, "trace", ["time_s", "half_space_indentation_m"]),
-        curve(STEEL, "history", 2, ORANGE, "trace", ["time_s", "speed_m_per_s"]),
-        curve(&angle, "friction", 0, PURPLE, "trace", ["time_s", "friction_force_N"]),
-        curve(&angle, "friction", 1, VERMILLION, "trace", ["time_s", "slip_speed_m_per_s"]),
-        curve(&angle, "friction", 2, GREEN, "trace", ["time_s", "spin_rad_per_s"]),
-        curve(&cycles, "force_indentation", 0, BLUE, "trace", ["indentation_m", "force_N"]),
-        curve(&drops, "fit_restitution", 0, VERMILLION, "residuals", ["impact_speed_m_per_s", "predicted"]),
-    ]
+use Form::{Area, Line, Marks, Through};
+
+/// What a picture shows in one of its boxes.
+struct Shown {
+    /// File and function that make the picture.
+    kind: &'static str,
+    picture: &'static str,
+    panel: usize,
+    form: Form,
+    /// The places of the rows, from the folder of the run, in SI units.
+    rows: Box<dyn Fn(&Desk) -> Points + Send + Sync>,
+}
+
+/// A run, and what its pictures show.
+struct Drawing {
+    desk: Desk,
+    shown: Vec<Shown>,
+}
+
+fn shown(
+    kind: &'static str,
+    picture: &'static str,
+    panel: usize,
+    form: Form,
+    rows: impl Fn(&Desk) -> Points + Send + Sync + 'static,
+) -> Shown {
+    Shown { kind, picture, panel, form, rows: Box::new(rows) }
+}
+
+/// The rows of a table of a run, or of a reference, that have these words in these columns.
+fn table(desk: &Desk, name: &str, only: &[(&str, &str)]) -> Vec<TableRow> {
+    let reference = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/impact/reference/{name}.csv"));
+    let text = fs::read_to_string(reference).unwrap_or_else(|_| desk.read(&format!("out/{name}.csv")));
+    let mut rows = records::<TableRow>(&text);
+    rows.retain(|row| only.iter().all(|(column, word)| row[*column] == *word));
+    rows
+}
+
+/// A number of a row, with angles in degrees as pictures have them.
+fn cell(row: &TableRow, column: &str) -> f64 {
+    let in_degrees = if column.ends_with("_rad") { 180.0 / std::f64::consts::PI } else { 1.0 };
+    in_degrees * row[column].parse::<f64>().unwrap_or(f64::NAN)
+}
+
+/// Two columns of a table.
+fn columns(
+    name: &'static str,
+    only: &'static [(&'static str, &'static str)],
+    [x, y]: [&'static str; 2],
+) -> impl Fn(&Desk) -> Points + Send + Sync {
+    move |desk| table(desk, name, only).iter().map(|row| (cell(row, x), cell(row, y))).collect()
 }
 
 /// How far a place is from a line through places.
@@ -68,37 +92,53 @@ fn distance((x, y): (f64, f64), line: &[(f64, f64)]) -> f64 {
     line.windows(2).map(|pair| from(pair[0], pair[1])).fold(f64::INFINITY, f64::min)
 }
 
-#[test]
-fn curves_show_the_numbers_of_their_tables() {
-    let mut wrong = Vec::new();
-    for Curve { scenario, picture, panel, color, table, columns } in curves() {
-        let desk = Desk::with(scenario);
-        desk.put("d.csv", "speed_m_per_s,restitution\n0.5,0.72\n1,0.63\n2,0.55\n4,0.47\n");
-        desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
-        let drawn = Drawn(desk.read(&format!("out/{picture}.svg")));
-        let scales = drawn.scales(panel);
-        let text = desk.read(&format!("out/{table}.csv"));
-        let [across, upward] = [0, 1].map(|axis| -> Vec<f64> {
-            let in_degrees = if columns[axis].ends_with("_rad") { 180.0 / std::f64::consts::PI } else { 1.0 };
-            numbers(&text, columns[axis]).iter().map(|value| scales[axis].place(value * in_degrees)).collect()
-        });
-        let rows: Vec<(f64, f64)> = across.into_iter().zip(upward).collect();
-        let [left, top, right, bottom] = drawn.boxes()[panel];
-        let curve: Vec<(f64, f64)> = drawn
-            .shares_of(color, panel)
-            .into_iter()
-            .map(|(x, y)| (left + x * (right - left), bottom - y * (bottom - top)))
-            .filter(|(_, y)| (top - 1.0..bottom + 1.0).contains(y))
-            .collect();
-        assert!(rows.len() > 3 && curve.len() > 3, "{picture} {panel} {columns:?}: {} {}", rows.len(), curve.len());
-        // every row is on the curve; the law of a calibration has more points than the data
-        let far =
-            |rows: &[(f64, f64)], line: &[(f64, f64)]| rows.iter().map(|at| distance(*at, line)).fold(0.0, max_or_nan);
-        let off = if table == "residuals" { far(&rows, &curve) } else { far(&rows, &curve).max(far(&curve, &rows)) };
-        // two pixels of 750
-        wrong.extend((off >= 2.0 * UNITS).then(|| format!("{picture} {panel} {columns:?}: {off}")));
-    }
-    assert!(wrong.is_empty(), "{wrong:#?}");
+/// How far a place is from the nearest of these.
+fn nearest((x, y): (f64, f64), marks: &[(f64, f64)]) -> f64 {
+    marks.iter().map(|at| (at.0 - x).hypot(at.1 - y)).fold(f64::INFINITY, f64::min)
+}
+
+/// What is wrong with what a picture shows.
+fn fault(desk: &Desk, Shown { picture, panel, form, rows, .. }: &Shown) -> Option<String> {
+    let drawn = Drawn(desk.read(&format!("out/{picture}.svg")));
+    let (scales, panel) = (drawn.scales(*panel), *panel);
+    // what lies beyond the axes is not drawn
+    let is_in = drawn.is_in(panel);
+    let seen = |points: Points| points.into_iter().filter(|at| is_in(*at)).collect::<Points>();
+    let rows = seen(rows(desk).into_iter().map(|(x, y)| (scales[0].place(x), scales[1].place(y))).collect());
+    let far =
+        |points: &Points, from: &dyn Fn((f64, f64)) -> f64| points.iter().map(|at| from(*at)).fold(0.0, max_or_nan);
+    let (drawn, off) = match *form {
+        Line(color) | Through(color) => {
+            let line = seen(drawn.lines(color).concat());
+            let back = if matches!(form, Line(_)) { far(&line, &|at| distance(at, &rows)) } else { 0.0 };
+            (line.len(), far(&rows, &|at| distance(at, &line)).max(back))
+        }
+        Marks(color) => {
+            let marks = seen(drawn.marks(color));
+            (marks.len(), far(&rows, &|at| nearest(at, &marks)).max(far(&marks, &|at| nearest(at, &rows))))
+        }
+        Area(color) => {
+            let outline = drawn.areas(color).concat();
+            (outline.len(), far(&rows, &|at| distance(at, &outline)))
+        }
+    };
+    // two pixels of 750
+    let is_right = !rows.is_empty() && drawn > 0 && off < 2.0 * UNITS;
+    (!is_right).then(|| format!("{picture} {panel} {form:?}: {} rows, {drawn} drawn, off by {off}", rows.len()))
+}
+
+/// Runs a scenario, with its pictures as SVG, in a folder that has the data of a calibration.
+fn drawing(scenario: impl AsRef<[u8]>, shown: Vec<Shown>) -> Drawing {
+    let desk = Desk::with(scenario);
+    desk.put("d.csv", calibrated::DATA);
+    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
+    Drawing { desk, shown }
+}
+
+fn check(drawings: &[Drawing]) {
+    let faults = drawings.iter().flat_map(|Drawing { desk, shown }| shown.iter().filter_map(|one| fault(desk, one)));
+    let faults: Vec<String> = faults.collect();
+    assert!(faults.is_empty(), "{faults:#?}");
 }
 
 /// An oblique impact has the whole speed and the angle in the titles of all its pictures.
