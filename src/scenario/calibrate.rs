@@ -64,7 +64,7 @@ impl Scenario {
         let hardens = Body::ALL.into_iter().find(|body| input.flow_curve(*body).is_some());
         let has_others = laws.iter().any(|law| law.name() != input.named_law.name());
         if let Some(body) = hardens.filter(|_| has_others) {
-            let table = body.strength_keys().flow_stress;
+            let table = body.flow_stress();
             let message = format!("only the law plm has hardening: leave out {table}, or the other laws");
             return Err(self.document.refuse("calibrate.laws", message));
         }

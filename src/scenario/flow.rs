@@ -5,7 +5,7 @@ use crate::contact::law::LawChoice;
 use crate::contact::strength::flow::FlowCurve;
 use crate::error::Error;
 use crate::scenario::scene::tables::names;
-use crate::scenario::scene::{At, Body, EVERY_KEY, Input, Key};
+use crate::scenario::scene::{Body, EVERY_KEY, Input, Key};
 use crate::units::{Dimension, quantity};
 
 /// The four ways to write a curve.
@@ -14,7 +14,7 @@ const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, ra
 impl Scenario {
     /// Refuses two forms of a flow curve, none, and one that lacks a number.
     pub(super) fn check_flow(&self, input: &Input) -> Result<(), Error> {
-        Body::ALL.into_iter().try_for_each(|body| self.check_curve(input, body.strength_keys().flow_stress))
+        Body::ALL.into_iter().try_for_each(|body| self.check_curve(input, body.flow_stress()))
     }
 
     fn check_curve(&self, input: &Input, table: &str) -> Result<(), Error> {
@@ -52,8 +52,7 @@ impl Scenario {
 
     fn check_strength_of(&self, input: &Input, body: Body) -> Result<(), Error> {
         let varies = |key: &str| self.varies(key);
-        let keys = body.strength_keys();
-        let [yield_strength, hardness] = [keys.yield_strength, keys.hardness].map(At::path);
+        let (yield_strength, hardness) = (body.yield_strength(), body.hardness());
         let (sphere, half_space) = input.bodies(&input.law());
         let strength = body.pick([sphere.yield_strength, half_space.yield_strength]);
         if strength.is_some_and(f64::is_nan) && !varies(hardness) {
@@ -64,7 +63,7 @@ impl Scenario {
             return Err(self.document.refuse(hardness, message));
         }
         let Some(flow) = input.flow_curve(body) else { return Ok(()) };
-        let refuse = |message: &str| Err(self.document.refuse(keys.flow_stress, message));
+        let refuse = |message: &str| Err(self.document.refuse(body.flow_stress(), message));
         if !matches!(input.named_law, LawChoice::Plm(_)) {
             let name = input.named_law.name();
             return refuse(&format!("the law {name} has no hardening: leave the table out, or take the law plm"));

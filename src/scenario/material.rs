@@ -4,10 +4,12 @@ use super::Scenario;
 use super::document::Document;
 use super::varied::Varied;
 use crate::contact::law::LawChoice;
-use crate::contact::materials::{self, Known, MaterialEntry};
+use crate::contact::materials::{Known, MaterialEntry};
 use crate::error::Error;
 use crate::scenario::plan::{Axis, Distribution, HARDNESS, Variable, Word, YIELD_STRENGTH};
-use crate::scenario::scene::{Body, BodyMaterial, Input, Key, Part, at, partner};
+use crate::scenario::scene::{
+    AnyKey, At, Body, BodyMaterial, EVERY_KEY, Input, Key, NUMBER, Part, at, key_of, partner,
+};
 
 impl Varied {
     /// Finds what the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
@@ -27,8 +29,8 @@ impl Varied {
                     "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
                 )));
             };
-            let is_left = |path| Key::find(path).is_some_and(|key| self.is_left(input, document, body, key));
-            let defaults = body.defaults().iter().copied().filter(|(path, _)| is_left(path)).collect();
+            let is_left = |at: At<NUMBER>| self.is_left(input, document, body, &EVERY_KEY[at.place()]);
+            let defaults = body.defaults().into_iter().filter(|(at, _)| is_left(*at)).collect();
             let choice = BodyMaterial { body, material, defaults };
             for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
                 if let Word::Material(other) = word
@@ -67,13 +69,12 @@ impl Varied {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
             Some([Word::Material(first), ..]) => Some(first.material),
-            // the file of materials is read only for a body that names one
-            _ => input.word(body.material_key()).and_then(|place| materials::all().get(place)),
+            _ => input.named_material(body),
         }
     }
 
     /// True if a key takes its value from the material: it has a use, and neither the key nor another in its place is given.
-    fn is_left(&self, input: &Input, document: &Document, body: Body, key: &Key) -> bool {
+    fn is_left(&self, input: &Input, document: &Document, body: Body, key: &AnyKey) -> bool {
         let has = |path: &str| document.has(path);
         let varied = self.paths();
         let is_given = |path: &str| {
@@ -91,8 +92,7 @@ impl Varied {
             // no other law has hardening, and a curve needs its own yield strength, or the hardness
             Part::Flow => {
                 let is_plm = matches!(input.named_law, LawChoice::Plm(_)) && !varied.contains(&"law");
-                let keys = body.strength_keys();
-                is_plm && !is_given(keys.yield_strength.path()) && !is_given(keys.flow_stress)
+                is_plm && !is_given(body.yield_strength()) && !is_given(body.flow_stress())
             }
             // a rate is never taken in silence
             Part::Rate => asks_material(input, body),
@@ -104,7 +104,7 @@ impl Varied {
 
 /// True if the scenario says `rate = "material"` of a body.
 pub(super) fn asks_material(input: &Input, body: Body) -> bool {
-    input.text(body.rate_keys().word).is_some()
+    input.text(key_of!(body, "rate")).is_some()
 }
 
 /// The values of a material as random keys: even between the ends of their ranges.
@@ -124,9 +124,7 @@ impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
     pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
-            Word::Material(choice) => {
-                choice.defaults.iter().any(|(path, _)| *path == HARDNESS).then_some(choice.material)
-            }
+            Word::Material(choice) => choice.values().any(|(path, _)| path == HARDNESS).then_some(choice.material),
             _ => None,
         });
         let (metals, others): (Vec<&MaterialEntry>, Vec<&MaterialEntry>) =

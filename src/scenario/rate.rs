@@ -14,12 +14,12 @@ const EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { rate =
 impl Scenario {
     /// Refuses two forms of a rise, none, one that lacks a number, one that makes no strength, and what cannot stand beside it.
     pub(super) fn check_rates(&self, input: &Input) -> Result<(), Error> {
-        let mut given = Body::ALL.into_iter().filter(|body| self.gives(body.rate_keys().table));
+        let mut given = Body::ALL.into_iter().filter(|body| self.gives(body.rate_table()));
         given.try_for_each(|body| self.check_rate(input, body))
     }
 
     fn check_rate(&self, input: &Input, body: Body) -> Result<(), Error> {
-        let table = body.rate_keys().table;
+        let table = body.rate_table();
         let of_body = table.trim_end_matches(".rate");
         let refuse = |message: String| Err(self.refuse_varied(table, message));
         if asks_material(input, body) && input.rate(body).is_none() {

@@ -6,7 +6,7 @@ use crate::contact::materials::{MaterialEntry, Property, all};
 use crate::report::plot::title_of;
 use crate::report::text::materials::one;
 use crate::scenario::scene::words::LAWS;
-use crate::scenario::scene::{Body, EITHER, EVERY_KEY, Form, Words};
+use crate::scenario::scene::{At, Body, EITHER, EVERY_KEY, Form, NUMBER, Words};
 
 /// The keys whose value is a number or a word: path, title, meaning, default, an example, the unit of a number that is written
 /// without one, the words that may be chosen, and the key in whose place it may stand.
@@ -39,8 +39,9 @@ pub fn fields() -> Value {
 pub fn materials() -> Value {
     let entry = |entry: &MaterialEntry| {
         let defaults = Body::ALL.into_iter().flat_map(Body::defaults);
-        let written =
-            |(key, property): &(&str, Property)| Some(((*key).to_owned(), json!(entry.get(*property)?.used.text)));
+        let written = |(at, property): (At<NUMBER>, Property)| {
+            Some((at.path().to_owned(), json!(entry.get(property)?.used.text)))
+        };
         let values: Map<_, _> = defaults.filter_map(written).collect();
         json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
     };

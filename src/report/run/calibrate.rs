@@ -71,10 +71,9 @@ fn warnings(found: &Calibration) -> Vec<String> {
 fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
     let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table()))?;
     let hardness = choice.material.get(Property::Hardness)?.used.value;
-    let keys = choice.body.strength_keys();
     let usual = match key.free.key.path {
-        path if path == keys.hardness.path() => hardness,
-        path if path == keys.yield_strength.path() && input.flow_curve(choice.body).is_none() => {
+        path if path == choice.body.hardness() => hardness,
+        path if path == choice.body.yield_strength() && input.flow_curve(choice.body).is_none() => {
             choice.material.flow_stress(hardness)
         }
         _ => return None,

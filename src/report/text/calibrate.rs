@@ -12,7 +12,7 @@ use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
 use crate::files::Provenance;
 use crate::scenario::scene::results::{Reported, fields, file, results};
-use crate::scenario::scene::{Body, Measured};
+use crate::scenario::scene::{Body, Measured, key_of};
 use crate::units::{aligned, four_digits, percent};
 
 /// The note on an interval with an end outside of the range of the key.
@@ -208,9 +208,9 @@ pub(super) fn inputs(measured: &Measurements, calibration: &Calibration) -> Inpu
     // a strength that follows from a hardness changes with it
     let changing: Vec<String> = Body::ALL
         .into_iter()
-        .filter(|body| input.number(body.strength_keys().hardness).is_some())
+        .filter(|body| input.number(key_of!(body, "hardness")).is_some())
         .filter(|body| body.strength_numbers().into_iter().any(|number| varies(number.path())))
-        .flat_map(|body| [body.strength_keys().yield_strength.path().to_owned(), constraint(body)])
+        .flat_map(|body| [body.yield_strength().to_owned(), constraint(body)])
         .collect();
     inputs.0.retain(|entry| !varies(&entry.path) && !changing.contains(&entry.path));
     inputs

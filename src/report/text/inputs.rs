@@ -7,7 +7,7 @@ use crate::contact::law::plm::hardness::flow_stress;
 use crate::impact::Method;
 use crate::scenario::plan::{Axis, Plan, Word};
 use crate::scenario::scene::quantity::FACTOR;
-use crate::scenario::scene::{Body, Input, KeyValue, Part, at, partner};
+use crate::scenario::scene::{Body, Input, KeyValue, Part, at, key_of, partner};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,8 +31,7 @@ impl Inputs {
         };
         let mut entries: Vec<KeyValue> = input.filled().key_values().into_iter().filter(is_used).collect();
         for body in Body::ALL {
-            let keys = body.strength_keys();
-            let Some(mean_pressure) = input.number(keys.hardness) else { continue };
+            let Some(mean_pressure) = input.number(key_of!(body, "hardness")) else { continue };
             let rule = if input.flow_curve(body).is_some() { "hardness and flow_stress" } else { "hardness" };
             entries.push(KeyValue::word(&strength_from(body), Part::Flow, rule));
             let ratio = mean_pressure / flow_stress(mean_pressure, &input.material(body));
@@ -70,7 +69,7 @@ impl Inputs {
         let mut changing: Vec<String> = Vec::new();
         for body in Body::ALL {
             if plan.derives_strength(body) {
-                changing.extend([body.strength_keys().yield_strength.path().to_owned(), constraint(body)]);
+                changing.extend([body.yield_strength().to_owned(), constraint(body)]);
             }
             if varies(body.material()) {
                 changing.push(strength_from(body));
@@ -92,10 +91,10 @@ impl Inputs {
 
 /// The mean pressure of the hardness of a body over its flow stress at a plastic strain of 0.08.
 pub(super) fn constraint(body: Body) -> String {
-    format!("{}_over_flow_stress", body.strength_keys().hardness.path())
+    format!("{}_over_flow_stress", body.hardness())
 }
 
 /// The name under which a summary says where the yield strength of a body comes from.
 fn strength_from(body: Body) -> String {
-    format!("{}_from", body.strength_keys().yield_strength.path())
+    format!("{}_from", body.yield_strength())
 }

@@ -9,7 +9,7 @@ use crate::contact::material::{Flow, Pair};
 use crate::contact::materials::Property;
 use crate::contact::strength::hardness;
 use crate::impact::Contact;
-use crate::scenario::scene::{Body, Input};
+use crate::scenario::scene::{Body, Input, key_of};
 use crate::units::{Dimension, aligned, describe, four_digits, human, percent};
 
 /// A name and a value.
@@ -33,8 +33,7 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
                 rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
             }
             _ => {
-                let hardness =
-                    Body::ALL.into_iter().map(|body| body.strength_keys().hardness).find(|at| at.path() == key);
+                let hardness = Body::ALL.into_iter().map(|body| key_of!(body, "hardness")).find(|at| at.path() == key);
                 let vickers = hardness.and_then(|at| input.number(at)).map(hardness::vickers);
                 let vickers = vickers.map_or_else(String::new, |vickers| format!(", {} HV", four_digits(vickers)));
                 rows.push([key, text + &vickers]);
@@ -105,7 +104,7 @@ fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
         return None;
     }
     let mut raised = input.clone();
-    raised.set(body.rate_keys().c, Some(c));
+    raised.set(key_of!(body, "rate.johnson_cook.c"), Some(c));
     let e = |contact: &Contact| Some(contact.row(speed, &input.solver()).ok()?.restitution);
     let higher = e(&raised.contact().ok()?)? / e(contact)? - 1.0;
     (higher > 0.0).then(|| {
@@ -113,7 +112,7 @@ fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
             "\nWith the strain rate of {}, c = {c}, e is {} higher: {} = \"material\"\n",
             choice.material.name,
             percent(higher),
-            body.rate_keys().table
+            body.rate_table()
         )
     })
 }

@@ -6,7 +6,7 @@ pub(crate) mod random;
 
 use crate::impact::{Method, Warning};
 use crate::scenario::scene::results::{Column, Needs, columns};
-use crate::scenario::scene::{At, Body, Input, Key, NUMBER, Purpose, at, ranges, stated_error, without_effect};
+use crate::scenario::scene::{At, Body, Input, Key, NUMBER, Purpose, at, key_of, ranges, stated_error, without_effect};
 pub(crate) use axis::{Axis, Setting, Values, Word};
 pub use free::Free;
 pub(crate) use random::{Distribution, Draws, Variable};
@@ -73,7 +73,7 @@ impl Plan {
 
     /// The columns of the swept values, and of yield strengths that follow from them.
     pub fn columns(&self) -> Vec<String> {
-        let derived = self.derived().map(|body| body.strength_keys().yield_strength.path());
+        let derived = self.derived().map(Body::yield_strength);
         let column = |path: &str| Key::find(path).map_or_else(|| path.replace('.', "_"), Key::column);
         self.paths().into_iter().chain(derived).map(column).collect()
     }
@@ -88,7 +88,7 @@ impl Plan {
     pub fn derives_strength(&self, body: Body) -> bool {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
-        self.input.number(body.strength_keys().hardness).is_some()
+        self.input.number(key_of!(body, "hardness")).is_some()
             && (varies(body.material()) || body.strength_numbers().into_iter().any(|number| varies(number.path())))
     }
 

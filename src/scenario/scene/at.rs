@@ -65,3 +65,14 @@ macro_rules! at {
     };
 }
 pub(crate) use at;
+
+/// The place of a key that sphere and half-space have, by the name behind that of the body: `key_of!(body, "hardness")`.
+macro_rules! key_of {
+    ($body:expr, $name:literal) => {
+        $body.pick([
+            const { $crate::scenario::scene::known(concat!("sphere.", $name)) },
+            const { $crate::scenario::scene::known(concat!("half_space.", $name)) },
+        ])
+    };
+}
+pub(crate) use key_of;

@@ -1,7 +1,7 @@
 //! The band of e: how far the hardness of a material by name, and the error of the law, leave it open.
 
 use super::results::impact::Band;
-use super::{At, Body, Input, NUMBER};
+use super::{At, Body, Input, NUMBER, key_of};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::materials::Known;
 use crate::impact::{Approach, Contact, Essentials, Solver};
@@ -28,7 +28,7 @@ pub fn stated_error(law: &LawChoice) -> Option<f64> {
 /// The hardnesses that the bodies take from materials by name.
 pub fn ranges(input: &Input) -> impl Iterator<Item = (Body, At<NUMBER>, &'static Known)> {
     input.materials().iter().filter_map(|material| {
-        let at = material.body.strength_keys().hardness;
+        let at = key_of!(material.body, "hardness");
         let (_, known) = material.values().find(|(key, _)| *key == at.path())?;
         (input.number(at) == Some(known.used.value)).then_some((material.body, at, known))
     })

@@ -1,6 +1,6 @@
 //! The values that the bodies of a scene take from named materials, where the scenario does not give them itself.
 
-use super::{At, WORD, at};
+use super::{At, NUMBER, key_of};
 use crate::contact::materials::{Known, MaterialEntry, Property};
 
 /// A body that may name its material.
@@ -14,6 +14,7 @@ impl Body {
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
     /// Chooses what belongs to this body from a pair of sphere and half-space.
+    #[inline]
     pub fn pick<T>(self, [sphere, half_space]: [T; 2]) -> T {
         match self {
             Self::Sphere => sphere,
@@ -31,35 +32,21 @@ impl Body {
         self.pick(["sphere.material", "half_space.material"])
     }
 
-    pub fn material_key(self) -> At<WORD> {
-        self.pick([at!("sphere.material"), at!("half_space.material")])
-    }
-
     /// The body whose material a key names.
     pub fn of_key(path: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|body| body.material() == path)
     }
 
     /// The keys that a material gives the body values for, each with the property that gives it.
-    pub fn defaults(self) -> &'static [(&'static str, Property)] {
-        match self {
-            Self::Sphere => &[
-                ("sphere.density", Property::Density),
-                ("sphere.youngs_modulus", Property::YoungsModulus),
-                ("sphere.poissons_ratio", Property::PoissonsRatio),
-                ("sphere.hardness", Property::Hardness),
-                ("sphere.flow_stress.power.exponent", Property::HardeningExponent),
-                ("sphere.rate.johnson_cook.c", Property::RateSensitivity),
-            ],
-            Self::HalfSpace => &[
-                ("half_space.density", Property::Density),
-                ("half_space.youngs_modulus", Property::YoungsModulus),
-                ("half_space.poissons_ratio", Property::PoissonsRatio),
-                ("half_space.hardness", Property::Hardness),
-                ("half_space.flow_stress.power.exponent", Property::HardeningExponent),
-                ("half_space.rate.johnson_cook.c", Property::RateSensitivity),
-            ],
-        }
+    pub fn defaults(self) -> [(At<NUMBER>, Property); 6] {
+        [
+            (key_of!(self, "density"), Property::Density),
+            (key_of!(self, "youngs_modulus"), Property::YoungsModulus),
+            (key_of!(self, "poissons_ratio"), Property::PoissonsRatio),
+            (key_of!(self, "hardness"), Property::Hardness),
+            (key_of!(self, "flow_stress.power.exponent"), Property::HardeningExponent),
+            (key_of!(self, "rate.johnson_cook.c"), Property::RateSensitivity),
+        ]
     }
 }
 
@@ -69,14 +56,14 @@ pub struct BodyMaterial {
     pub body: Body,
     pub material: &'static MaterialEntry,
     /// The keys that the scenario leaves to the material.
-    pub defaults: Vec<(&'static str, Property)>,
+    pub defaults: Vec<(At<NUMBER>, Property)>,
 }
 
 impl BodyMaterial {
     /// The keys that take a value, each with what is known of the property.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
         let material = self.material;
-        self.defaults.iter().filter_map(move |(key, property)| Some((*key, material.get(*property)?)))
+        self.defaults.iter().filter_map(move |(key, property)| Some((key.path(), material.get(*property)?)))
     }
 
     /// The taken values for a summary, each with its name: the value as it is written, its range, and the kind of number.

@@ -19,7 +19,7 @@ pub(crate) mod tables;
 pub mod words;
 pub(crate) mod written;
 
-pub(crate) use at::{At, COUNT, NUMBER, OTHER, WORD, at, known};
+pub(crate) use at::{At, COUNT, NUMBER, OTHER, WORD, at, key_of, known};
 pub use band::{Uncertainty, band, ranges, stated_error};
 pub(crate) use body_material::{Body, BodyMaterial};
 pub use effect::{Purpose, without_effect};

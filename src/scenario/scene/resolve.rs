@@ -3,10 +3,10 @@
 
 use std::sync::Arc;
 
-use super::{Body, BodyMaterial, Input, Key, Part, Value, at};
+use super::{Body, BodyMaterial, Input, Key, Part, Value, at, key_of};
 use crate::contact::law::LawChoice;
 use crate::contact::material::{HalfSpace, Hold, Sphere, sphere_volume};
-use crate::contact::materials::all;
+use crate::contact::materials::{MaterialEntry, all};
 use crate::impact::air::{Flying, Medium};
 use crate::impact::{
     Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
@@ -55,7 +55,7 @@ impl Input {
     /// True if the flow stress of a body is described by more than a yield strength, or if the law does not use it.
     pub fn has_flow(&self, body: Body) -> bool {
         let law = self.law();
-        let is_hard = self.number(body.strength_keys().hardness).is_some();
+        let is_hard = self.number(key_of!(body, "hardness")).is_some();
         is_hard || body.pick(law.flow()).is_some() || matches!(law, LawChoice::Hertz(_))
     }
 
@@ -169,11 +169,10 @@ impl Input {
         if let Some(moment) = self.number(at!("sphere.moment_of_inertia")) {
             contact = contact.with_moment_of_inertia(moment);
         }
-        let [sphere, half_space] =
-            Body::ALL.map(|body| self.word(body.material_key()).and_then(|place| all().get(place)));
+        let [sphere, half_space] = Body::ALL.map(|body| self.named_material(body));
         let flow = law.flow();
         let is_by_hardness =
-            Body::ALL.map(|body| self.number(body.strength_keys().hardness).is_some() && body.pick(flow).is_none());
+            Body::ALL.map(|body| self.number(key_of!(body, "hardness")).is_some() && body.pick(flow).is_none());
         let named = Named { sphere, half_space, is_by_hardness };
         Ok(contact.of_materials(named).with_rates(self.rates(), law))
     }
@@ -250,18 +249,24 @@ impl Input {
         self.number(at!("sphere.radius")).or_else(of_diameter)
     }
 
+    /// The material that a body names.
+    pub fn named_material(&self, body: Body) -> Option<&'static MaterialEntry> {
+        // the file of materials is read only for a body that names one
+        self.word(key_of!(body, "material")).and_then(|place| all().get(place))
+    }
+
     /// Puts what a body takes from its material in the place of what it took from another.
     pub fn take(&mut self, choice: &BodyMaterial) {
-        self.choose(choice.body.material_key(), all().iter().position(|known| known.name == choice.material.name));
+        self.choose(
+            key_of!(choice.body, "material"),
+            all().iter().position(|known| known.name == choice.material.name),
+        );
         if !self.materials().contains(choice) {
             let others = self.materials().iter().filter(|other| other.body != choice.body);
             self.set_materials(others.chain([choice]).cloned().collect());
         }
-        for &(path, property) in &choice.defaults {
-            let number = choice.material.get(property).map(|known| known.used.value);
-            if let Some(key) = Key::find(path) {
-                key.set(self, number);
-            }
+        for &(at, property) in &choice.defaults {
+            self.set(at, choice.material.get(property).map(|known| known.used.value));
         }
     }
 
@@ -272,7 +277,7 @@ impl Input {
         input.set(at!("sphere.radius"), self.radius());
         input.set(at!("sphere.diameter"), None);
         for body in Body::ALL {
-            input.choose(body.material_key(), None);
+            input.choose(key_of!(body, "material"), None);
         }
         let (sphere, half_space) = self.bodies(&self.law());
         input.fill_strength(Body::Sphere, sphere.yield_strength);
@@ -286,7 +291,7 @@ impl Input {
         let is_on_plate = self.forces().plate.is_some();
         let rates = self.rates();
         let is_raised = |path: &str| {
-            Body::ALL.iter().zip(rates).any(|(body, rate)| path.starts_with(body.rate_keys().table) && rate.is_some())
+            Body::ALL.iter().zip(rates).any(|(body, rate)| path.starts_with(body.rate_table()) && rate.is_some())
         };
         let has_reference = |path: &str| {
             !path.ends_with(".reference")
