@@ -108,9 +108,6 @@ impl Data {
     }
 
     /// Reads measurements from a text. Messages use `name` for the file.
-    ///
-    /// # Errors
-    /// [`Error`] with the line, what is wrong and what is allowed.
     pub fn parse(name: &str, text: &str) -> Result<Self, Error> {
         let refused = refused(name);
         let table = CsvText::new(text).map_err(refused)?;

@@ -62,9 +62,6 @@ pub struct Fit<'a> {
 
 impl<'a> Fit<'a> {
     /// Finds the best values of the keys.
-    ///
-    /// # Errors
-    /// [`NoAnswer`] if the law gives no result anywhere in the ranges.
     pub fn new(mut problem: Problem<'a>, noise_model: &NoiseModel) -> Result<Self, NoAnswer> {
         let (values, keys, is_estimated) = (problem.counted.len(), problem.free.len(), noise_model.is_estimated);
         let is_robust = problem.is_robust && !(is_estimated && values <= keys);
@@ -123,7 +120,6 @@ impl<'a> Fit<'a> {
         let Some(best) = found.first() else {
             return Err(problem.predict(&vec![0.5; keys]).err().unwrap_or(NoAnswer::Captured));
         };
-        #[allow(clippy::cast_precision_loss)] // a few keys
         let parameters = (keys + usize::from(is_estimated)) as f64;
         let aic = problem.full(best.sum) + 2.0 * parameters;
         let covariance = problem.jacobian(&best.shares).ok().and_then(|matrix| covariance(&problem, &matrix));
@@ -163,7 +159,6 @@ impl<'a> Fit<'a> {
 
 impl Noise {
     fn estimated(problem: &Problem, scale: f64) -> Self {
-        #[allow(clippy::cast_precision_loss)] // counts of measurements
         let freedom = (problem.counted.len() - problem.free.len()) as f64;
         let is_share = problem.data.values.iter().all(|value| value.deviation.is_none());
         Self::Estimated { freedom, share: is_share.then_some(scale) }
@@ -171,7 +166,6 @@ impl Noise {
 }
 
 /// The scale of residuals about a law with so many keys.
-#[allow(clippy::cast_precision_loss)] // counts of measurements
 fn scatter(residuals: &[f64], keys: usize, is_robust: bool) -> f64 {
     let (count, freedom) = (residuals.len() as f64, (residuals.len() - keys) as f64);
     if is_robust {

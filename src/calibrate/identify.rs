@@ -67,7 +67,6 @@ pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiabi
         return None;
     }
     let matrix = by_logarithms(problem, place)?;
-    #[allow(clippy::cast_precision_loss)] // counts of measurements
     let root = (problem.counted.len() as f64).sqrt();
     let sizes = Measured::ALL.map(|quantity| size(problem, quantity));
     let mut relative = matrix.clone();

@@ -125,7 +125,6 @@ fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> V
     found.sort_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
     let mut apart: Vec<(usize, ParameterPoint)> = Vec::new();
     for (at, place) in found {
-        #[allow(clippy::cast_precision_loss)] // counts of measurements
         let least = place.sum + RISE * place.sum / whole.counted.len() as f64 + f64::MIN_POSITIVE.sqrt();
         let is_apart = |(other, _): &(usize, ParameterPoint)| {
             sums[(*other).min(at)..=(*other).max(at)].iter().copied().fold(0.0, f64::max) > least

@@ -125,9 +125,6 @@ impl<'a> Problem<'a> {
     }
 
     /// The prediction for every value of the data; NaN for values that are not used.
-    ///
-    /// # Errors
-    /// [`NoAnswer`] if a row has no result, or the calibration was stopped.
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
         let mut input = self.filled.clone();
         for (free, share) in self.free.iter().zip(shares) {
@@ -235,9 +232,6 @@ impl<'a> Problem<'a> {
     }
 
     /// The residual of every value that is used: measured minus predicted, over the standard deviation.
-    ///
-    /// # Errors
-    /// [`NoAnswer`] if a row has no result.
     pub fn residuals(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
         let predicted = self.predict(shares)?;
         let residual = |at: &usize| (self.data.values[*at].value - predicted[*at]) / self.deviations[*at];
@@ -266,9 +260,6 @@ impl<'a> Problem<'a> {
 
     /// Derivatives of the predictions, over the standard deviations, by the shares: a row for every value that is used,
     /// a column for every key.
-    ///
-    /// # Errors
-    /// [`NoAnswer`] if a row has no result.
     pub fn jacobian(&self, shares: &[f64]) -> Result<DMatrix<f64>, NoAnswer> {
         let column = |i: usize| {
             let moved = |by: f64| {

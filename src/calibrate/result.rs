@@ -108,7 +108,6 @@ impl Calibration<'_> {
     pub fn verdict(&self) -> Verdict {
         let values = self.residuals.len();
         let law = self.fit.problem.input.named_law.name();
-        #[allow(clippy::cast_precision_loss)] // counts of measurements
         if self.outliers as f64 > MOST_OUTLIERS * values as f64 {
             return Verdict::Contradicted(format!(
                 "the law {law} does not fit: {} of {values} values are more than {OUTLIER} standard deviations from it; outliers are fewer",

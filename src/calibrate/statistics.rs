@@ -27,7 +27,6 @@ pub fn half_width(level: f64, freedom: Option<f64>) -> f64 {
 
 /// Probability of this chi-square or a larger one; `None` without a degree of freedom.
 pub fn p_of_chi_square(chi_square: f64, freedom: usize) -> Option<f64> {
-    #[allow(clippy::cast_precision_loss)] // counts of measurements
     ChiSquared::new(freedom as f64).ok().map(|distribution| to_twelve_digits(distribution.sf(chi_square)))
 }
 

@@ -179,9 +179,6 @@ impl OutputDirectory {
 
     /// True if a file of this name may be written. Where no summary says that the results there are of the same scenario, a file
     /// gives way only to one that begins with the same line, as a table does to another of the same columns.
-    ///
-    /// # Errors
-    /// [`Error`] if not, and for what is no ordinary file.
     pub fn may_replace(&self, name: &str, new: &[u8]) -> Result<(), Error> {
         let place = self.path.join(name);
         refuse_special(&place).map_err(unwritable(&place))?;

@@ -45,9 +45,6 @@ const RANGE: [f64; 2] = [1e-5, 0.1];
 
 impl Scenario {
     /// The calibration that the scenario asks for.
-    ///
-    /// # Errors
-    /// [`Error`] where keys contradict each other or something is missing.
     pub fn wanted(&self) -> Result<Wanted, Error> {
         self.refuse_columns("a calibration")?;
         if !self.has("calibrate") {

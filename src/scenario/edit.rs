@@ -25,9 +25,6 @@ pub struct Change {
 impl Change {
     /// Reads `key=value`. A value that is no TOML is a word, whose quotes the shell has removed; the word `none` takes the key
     /// away.
-    ///
-    /// # Errors
-    /// [`NotToml`]
     pub fn parse(key: &str, value: &str) -> Result<Self, NotToml> {
         let as_word = || format!("{key}={}", toml::Value::from(value.trim()));
         let document = parsed(&format!("{key}={value}")).or_else(|_| as_word().parse())?;
@@ -50,9 +47,6 @@ impl Change {
 const NONE: &str = "none";
 
 /// The text with these changes, one after the other. A key in place of another takes its place, unless a change gave that.
-///
-/// # Errors
-/// [`NotToml`]
 pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) -> Result<String, NotToml> {
     let mut document = parsed(text)?;
     let mut given: Vec<String> = Vec::new();
@@ -98,9 +92,6 @@ fn replaced(path: &[&str], key: &str, value: &Value) -> Vec<&'static str> {
 const SHIELD: char = '\u{e000}';
 
 /// The text as a document that can be changed. [`written`] is the way back.
-///
-/// # Errors
-/// [`NotToml`]
 pub fn parsed(text: &str) -> Result<DocumentMut, NotToml> {
     shielded(text).parse()
 }
@@ -137,9 +128,6 @@ fn add_large(value: &DeValue, span: Range<usize>, into: &mut Vec<Range<usize>>) 
 
 /// The text with another value of a key, or of the law. The value is given as on the command line: a number, a word, or a number
 /// with its unit; nothing takes the key away.
-///
-/// # Errors
-/// [`NotToml`]
 pub fn edited(text: &str, path: &str, given: &str) -> Result<String, NotToml> {
     let given = Some(given.trim()).filter(|given| !given.is_empty());
     let value = given.map(|given| given.parse().unwrap_or_else(|_| given.into()));
@@ -152,9 +140,6 @@ fn parts(path: &str) -> Vec<&str> {
 }
 
 /// The keys that a text gives, and their values as they are given on the command line; and the name of the law.
-///
-/// # Errors
-/// [`NotToml`]
 pub fn given(text: &str) -> Result<Vec<(String, String)>, NotToml> {
     let document = parsed(text)?;
     let mut all = Vec::new();

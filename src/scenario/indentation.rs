@@ -33,9 +33,6 @@ const SPECIMENS: &str = "indentation.half_space";
 
 impl Scenario {
     /// The scene of an indentation.
-    ///
-    /// # Errors
-    /// [`Error`] where keys contradict each other, something is missing, or the file of coefficients is bad.
     pub fn indentation(&self) -> Result<IndentationScene, Error> {
         self.refuse_columns("an indentation")?;
         if !self.has("indentation") {

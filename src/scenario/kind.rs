@@ -58,9 +58,6 @@ impl Kind {
 
 impl Scenario {
     /// The kind follows from the tables.
-    ///
-    /// # Errors
-    /// [`Error`] for tables of two kinds.
     pub fn kind(&self) -> Result<Kind, Error> {
         let mut given = Kind::ALL[1..].iter().filter(|kind| self.has(kind.name()));
         match (given.next(), given.next()) {

@@ -82,9 +82,6 @@ const DATA: &str = "calibrate.data";
 
 impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
-    ///
-    /// # Errors
-    /// [`Error`], naming file, line, value, allowed range.
     pub fn load(path: &Path, overrides: &[String]) -> Result<Self, Error> {
         let text = document::read_text(path, LARGEST_SCENARIO)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
@@ -92,17 +89,11 @@ impl Scenario {
     }
 
     /// Reads a scenario from a text; `name` stands for the file in messages.
-    ///
-    /// # Errors
-    /// [`Error`], naming line, value, allowed range.
     pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, Error> {
         Self::in_directory(name, text, overrides, PathBuf::new())
     }
 
     /// Reads a scenario from a text whose files are relative to a directory.
-    ///
-    /// # Errors
-    /// [`Error`], naming line, value, allowed range.
     pub fn in_directory(name: &str, text: &str, overrides: &[String], directory: PathBuf) -> Result<Self, Error> {
         Self::new(name.to_owned(), text.to_owned(), overrides, directory, BTreeMap::new())
     }
@@ -211,19 +202,12 @@ impl Scenario {
     }
 
     /// The input of the first impact, with which all is given that an impact needs.
-    ///
-    /// # Errors
-    /// [`Error`] where keys contradict each other, what an impact needs is missing, or the file of coefficients is
-    /// bad.
     pub fn resolve(&self) -> Result<Input, Error> {
         self.check_speeds()?;
         self.checked(if self.speeds().is_some() { NEEDED.len() - 1 } else { NEEDED.len() })
     }
 
     /// The input of a scenario that needs no impact: its speed is not a number where none is given.
-    ///
-    /// # Errors
-    /// [`Error`] as of [`Scenario::resolve`].
     pub fn resolve_bodies(&self) -> Result<Input, Error> {
         self.checked(NEEDED.len() - 1)
     }

@@ -29,9 +29,6 @@ impl Scenario {
     }
 
     /// The series of `[repeat]`; `first` is the input of the first impact.
-    ///
-    /// # Errors
-    /// [`Error`] where the table or keys are missing or contradict each other.
     pub fn repeat(&self, first: &Input) -> Result<Repeat, Error> {
         if !self.has("repeat") {
             return Err(Error::input("the scenario has no [repeat]"));

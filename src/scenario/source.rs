@@ -50,9 +50,6 @@ impl Scenario {
     }
 
     /// Reads a scenario from its texts; `name` stands for the file in messages.
-    ///
-    /// # Errors
-    /// [`Error`], naming line, value, allowed range.
     pub fn from_source(name: &str, source: &Source) -> Result<Self, Error> {
         Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), source.files.clone())
     }

@@ -33,7 +33,7 @@ impl Column {
     }
 
     /// The values of these rows: NaN where there is none, and of a word its place among the words.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)] // whole numbers
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole numbers
     pub(crate) fn values(&self, rows: &Rows) -> Vec<f64> {
         let n_swept = rows.swept.len().checked_div(rows.results.len()).unwrap_or(0).max(1);
         let swept = |place: usize| rows.swept.chunks_exact(n_swept).map(move |row| row[place]);

@@ -253,7 +253,6 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Appends the rows of a grid.
-    #[allow(clippy::cast_precision_loss)]
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = places(axes, cases.start);
         let mut input = self.plan.input_at(&places);

@@ -46,7 +46,6 @@ impl Layout {
         let at_most = 65_536.0 / plan.microseconds();
         // a power of two
         let mut rows_per_part = LONGEST;
-        #[allow(clippy::cast_precision_loss)] // a small number
         while rows_per_part > 16 && rows_per_part as f64 > at_most {
             rows_per_part /= 2;
         }
@@ -85,9 +84,6 @@ fn is_part(name: impl AsRef<OsStr>) -> bool {
 }
 
 /// Makes way for other results where a table was begun in parts. Its parts are refused, or removed by force.
-///
-/// # Errors
-/// [`Error`] if there are parts, and for files that cannot be removed.
 pub fn make_way(directory: &OutputDirectory) -> Result<(), Error> {
     let (folder, identity) = (directory.path().join(PARTS), directory.path().join(IDENTITY));
     let names = names_in(&folder)?;
@@ -135,9 +131,6 @@ impl Identity {
 
     /// True if the table was begun in parts here, perhaps by another process. Parts of another table are refused, or removed
     /// by force.
-    ///
-    /// # Errors
-    /// [`Error`] that says in what the other table differs.
     pub fn is_in(&self, directory: &OutputDirectory) -> Result<bool, Error> {
         let (path, folder) = (directory.path().join(IDENTITY), directory.path().join(PARTS));
         let there = fs::read_to_string(&path);

@@ -41,7 +41,6 @@ fn bin(value: f64) -> usize {
 
 impl Statistics {
     /// Adds one value of e (Welford 1962).
-    #[allow(clippy::cast_precision_loss)]
     pub fn push(&mut self, value: f64) {
         self.count += 1;
         let from_old = value - self.mean;
@@ -61,7 +60,6 @@ impl Statistics {
     }
 
     /// The summary; `None` without samples.
-    #[allow(clippy::cast_precision_loss)]
     pub fn distribution(&self) -> Option<Distribution> {
         let mut sorted = self.values.clone();
         sorted.sort_by(f64::total_cmp);
@@ -77,7 +75,6 @@ impl Statistics {
         })
     }
 
-    #[allow(clippy::cast_precision_loss)]
     fn of_bins(&self, share: f64) -> f64 {
         let wanted = share * self.count as f64;
         let mut below = 0.0;
@@ -92,7 +89,7 @@ impl Statistics {
     }
 
     /// Counts of e in `n` even bins from the smallest to the largest value, with the edges of the first and last bin.
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn histogram(&self, n: usize) -> Option<(f64, f64, Vec<u64>)> {
         let fine: Vec<(f64, u64)> = if self.bins.is_empty() {
             self.values.iter().map(|value| (*value, 1)).collect()
@@ -116,7 +113,7 @@ impl Statistics {
 }
 
 /// Linear interpolation between order statistics at (n − 1) × share (Hyndman and Fan 1996, type 7).
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn of_sorted(sorted: &[f64], share: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };
     let at = share * last as f64;

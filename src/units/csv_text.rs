@@ -33,9 +33,6 @@ pub struct CsvText<'t> {
 
 impl<'t> CsvText<'t> {
     /// Reads the names of the columns.
-    ///
-    /// # Errors
-    /// [`Refusal`] if the names cannot be read.
     pub fn new(text: &'t str) -> Result<Self, Refusal> {
         let text = without_mark(text);
         let separator = separator(text);

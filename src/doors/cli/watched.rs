@@ -39,9 +39,6 @@ pub struct Signals {
 
 impl Signals {
     /// Listens from now on. This comes before anything is written, so that a signal never leaves an empty folder.
-    ///
-    /// # Errors
-    /// [`Error`] where the system gives no signals.
     pub fn listen() -> Result<Self, Error> {
         let (is_set, code, is_off) = (Arc::default(), Arc::default(), Arc::new(AtomicBool::new(true)));
         for signal in [SIGINT, SIGTERM] {

@@ -109,7 +109,6 @@ impl Contact {
     fn impact(slf: &Bound<'_, Self>, speed: Option<&Bound<'_, PyAny>>, samples: Option<i64>) -> PyResult<Impact> {
         let speed = slf.get().speed(speed)?;
         if let Some(samples) = samples {
-            #[allow(clippy::cast_precision_loss)]
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
         let samples = samples.and_then(|samples| samples.try_into().ok());

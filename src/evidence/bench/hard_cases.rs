@@ -68,9 +68,6 @@ fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
 }
 
 /// All hard cases. Each names the source of its restitution in its description.
-///
-/// # Errors
-/// [`ImpactError`], which none of their numbers is near.
 pub fn hard_cases() -> Result<Vec<Problem>, ImpactError> {
     let (steel, _) = STEEL.law()?;
     let (hertz, stiffest, as_stiff) = (Law::hertz(), stiff_law(1e12), stiff_law(1.0));

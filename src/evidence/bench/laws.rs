@@ -33,9 +33,6 @@ const CONTACTS: u32 = 20;
 
 /// Times every law that loads, a steel ball of 5 mm on steel of 345 MPa; the PLM also with the other exponent of unloading and
 /// on a half-space that hardens, and at an angle. The laws take turns.
-///
-/// # Errors
-/// [`ImpactError`], which none of the numbers is near.
 pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
     let shaped = Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() };
     let hardened = Plm { flow: [None, Some(FlowCurve::Power { exponent: 0.2 })], ..Plm::default() };

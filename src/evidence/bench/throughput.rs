@@ -34,7 +34,6 @@ pub fn throughput(plan: &Plan, directory: &Path, rounds: u32) -> Result<[f64; 3]
 }
 
 /// Rows per second of computing only.
-#[allow(clippy::cast_precision_loss)]
 pub fn compute_rate(plan: &Plan) -> f64 {
     let total = plan.count();
     let started = Instant::now();
@@ -52,7 +51,6 @@ pub fn compute_rate(plan: &Plan) -> f64 {
 }
 
 /// Rows per second of computing and writing a file.
-#[allow(clippy::cast_precision_loss)]
 fn write_rate(plan: &Plan, directory: &OutputDirectory, format: Format) -> Result<f64, Error> {
     let started = Instant::now();
     let job = Job {

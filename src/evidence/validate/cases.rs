@@ -56,9 +56,6 @@ impl Case {
 }
 
 /// The five cases.
-///
-/// # Errors
-/// [`Error`] if a table is damaged.
 pub fn cases() -> Result<Vec<Case>, Error> {
     let (rows, points) = (unloading::unloadings()?, unloading::points()?);
     let cycle = |row: &UnloadingRow, kappa: f64| {

@@ -61,7 +61,6 @@ pub fn largest(deviations: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 pub fn mean(values: &[f64]) -> f64 {
-    #[allow(clippy::cast_precision_loss)]
     let n = values.len() as f64;
     values.iter().sum::<f64>() / n
 }

@@ -171,7 +171,6 @@ impl FittedAxis {
         let mut ticks = Vec::new();
         for values in of_log.chain(of_linear) {
             ticks = self.inside(values);
-            #[allow(clippy::cast_precision_loss)] // a handful
             if ticks.iter().filter(|tick| tick.label.is_some()).count() as f64 >= FEWEST {
                 break;
             }

@@ -223,7 +223,6 @@ fn residuals(calibration: &Calibration) -> Chart {
     // predictions of several quantities have no common axis
     let abscissa =
         Some(Abscissa::new(data)).filter(|abscissa| !matches!(abscissa, Abscissa::Prediction) || measured.len() == 1);
-    #[allow(clippy::cast_precision_loss)] // counts of measurements
     let at = |value: usize| abscissa.as_ref().map_or(value as f64 + 1.0, |abscissa| abscissa.at(calibration, value));
     let points = |quantity: Measured| {
         shown(calibration, quantity).into_iter().map(|value| (at(value), calibration.residuals[value])).collect()

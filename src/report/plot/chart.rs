@@ -218,7 +218,6 @@ impl Chart {
     /// The boxes in this room; a box at the side is the last.
     fn frames(&self, all: Bounds) -> Vec<Frame> {
         let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
-        #[allow(clippy::cast_precision_loss)] // a handful
         let room = all.bottom - all.top - GAP * (self.panels.len() - 1) as f64;
         let shares: f64 = self.panels.iter().map(|panel| panel.share).sum();
         let mut bottom = all.top - GAP;

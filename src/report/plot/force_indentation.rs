@@ -12,9 +12,6 @@ pub(super) fn indentations(row: &TraceRow) -> [f64; 3] {
 }
 
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
-///
-/// # Errors
-/// [`PlotError::Data`] for an impact without a trace.
 pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let trace = &impact.trace;
     let peak = (impact.peak_indentation, impact.force_at_peak_indentation);

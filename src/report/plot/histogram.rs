@@ -4,7 +4,6 @@ use super::{Axis, Chart, PALETTE, Series, Style};
 
 /// A histogram of counts in bars of one width from `low` to `high`. `lines` are vertical lines, such as mean and quantiles,
 /// with their labels in the key.
-#[allow(clippy::cast_precision_loss)] // heights and numbers of bars
 pub fn histogram(
     title: &str,
     x: Axis,

@@ -6,9 +6,6 @@ use crate::impact::{Impact, TraceRow};
 use crate::units::{Dimension, quantity};
 
 /// The history of an impact. A trace of some hundred samples gives smooth curves.
-///
-/// # Errors
-/// [`PlotError::Data`] for an impact without a trace.
 pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
     if impact.trace.is_empty() {
         return Err(PlotError::Data("a history needs a trace: run the impact with samples".into()));

@@ -47,7 +47,6 @@ impl LegendEntry {
         if self.sample == [None; 2] { 0.0 } else { SAMPLE + GAP }
     }
 
-    #[allow(clippy::cast_precision_loss)] // a picture has no more
     fn height(&self) -> f64 {
         self.lines.len() as f64 * LINE_HEIGHT + ENTRY_GAP
     }

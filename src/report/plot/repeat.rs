@@ -93,13 +93,11 @@ fn title(repeat: &Repeat, sequence: &Sequence) -> String {
 
 /// Impact speed, e, and the depth of the dent against the number of the impact.
 pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
-    #[allow(clippy::cast_precision_loss)] // at most a million
     let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&Hit) -> f64| {
         let points = sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
         let series = Series::marked_line(name, points.collect()).styled(Style::new(style).solid());
         Panel::new(y.between(0.0, highest), vec![series])
     };
-    #[allow(clippy::cast_precision_loss)]
     let last = sequence.hits.len() as f64;
     let fastest = sequence.hits.iter().map(|hit| hit.speed).fold(0.0, f64::max);
     let largest = sequence.hits.iter().map(|hit| hit.measured_restitution()).fold(0.0, f64::max);
@@ -132,9 +130,6 @@ const WIDE: f64 = 20.0;
 const DRAWN: usize = 300;
 
 /// Force against approach of all traced impacts, for loading and unloading.
-///
-/// # Errors
-/// [`PlotError::Data`] for a series without traces; other [`PlotError`]s from drawing.
 pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     let traced = &sequence.traced;
     if traced.is_empty() {
@@ -186,7 +181,6 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
     Ok(Chart::new(title(repeat, sequence), axes, series).with_branches(&["loading", "unloading"]))
 }
 
-#[allow(clippy::cast_precision_loss)] // a handful
 fn width(index: usize, count: usize) -> f64 {
     if count < 2 { 4.0 } else { 8.0 - 5.5 * index as f64 / (count - 1) as f64 }
 }
@@ -196,7 +190,7 @@ fn spread(count: usize, wanted: usize) -> Vec<usize> {
     if count <= wanted {
         return (0..count).collect();
     }
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below a million
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below a million
     let at = |i: usize| (pow(count as f64, i as f64 / (wanted - 1) as f64).round() as usize).clamp(1, count) - 1;
     let mut indices: Vec<usize> = (0..wanted).map(at).collect();
     indices.dedup();

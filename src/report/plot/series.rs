@@ -125,7 +125,6 @@ impl Series {
 
     /// The points with a marker, and its radius. Points that are close together have smaller markers or none.
     pub(super) fn marks(&self, frame: &Frame, style: Style) -> (&[(f64, f64)], f64) {
-        #[allow(clippy::cast_precision_loss)] // counts of points
         let room = (frame.bounds.right - frame.bounds.left) / self.points.len().max(1) as f64;
         match self.look {
             Look::MarkedLine if room <= 4.0 => (&[], 0.0),

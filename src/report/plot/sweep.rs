@@ -228,7 +228,6 @@ impl ResultPicture<'_> {
     }
 
     /// A column for each word of the first axis, such as a law or a material, with its value in the key.
-    #[allow(clippy::cast_precision_loss)] // a handful of words
     fn columns(&self) -> Chart {
         let (name, y) = self.axis();
         let column = |(number, place): (usize, u64)| {

@@ -80,9 +80,6 @@ pub fn contact_of_one_strength(scenario: &Scenario) -> Result<Contact, Error> {
 }
 
 /// The contact with the strength of the speed of the scenario; `None` where it does not depend on a speed.
-///
-/// # Errors
-/// [`Error`] where the scenario gives no speed.
 pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Result<Option<Contact>, Error> {
     if !contact.has_rate() {
         return Ok(None);

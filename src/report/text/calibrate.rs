@@ -165,7 +165,6 @@ pub fn files() -> String {
     file("Calibrations: `summary.json`", &results()) + &file("Calibrations: every key in `summary.json`", &key())
 }
 
-#[allow(clippy::cast_precision_loss)] // counts of measurements
 fn per_degree(calibration: &Calibration) -> Option<f64> {
     (calibration.freedom > 0).then_some(calibration.chi_square / calibration.freedom as f64)
 }

@@ -68,7 +68,6 @@ pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
 
 /// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
 /// sphere, where the first fall begins, is a row of the flight.
-#[allow(clippy::cast_precision_loss)]
 fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<TraceRow>) {
     rows.extend((usize::from(impact > 0)..=samples).map(|i| {
         let time = flight.duration * i as f64 / (samples + 1) as f64;

@@ -37,7 +37,7 @@ impl Values {
     }
 
     /// Value `i`; the ends are exact.
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // 2^53 points and more are no table
+    #[allow(clippy::cast_possible_truncation)] // 2^53 points and more are no table
     pub fn at(&self, i: u64) -> f64 {
         match *self {
             Self::List(ref values) => values[i as usize],
@@ -172,7 +172,6 @@ impl Axis {
     }
 
     /// Value `i`; for a word, its place in the list.
-    #[allow(clippy::cast_precision_loss)]
     pub fn number(&self, i: u64) -> f64 {
         match &self.setting {
             Setting::Number { values, .. } => values.at(i),

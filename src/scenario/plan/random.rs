@@ -136,7 +136,6 @@ impl<'a> Draws<'a> {
     }
 
     /// The value of the next case.
-    #[allow(clippy::cast_precision_loss)] // 53 bits
     pub fn next_value(&mut self) -> f64 {
         const STEP: f64 = 1.0 / (1u64 << 53) as f64;
         // the middle of one of 2^53 equal steps: never 0, never 1

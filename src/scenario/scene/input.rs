@@ -90,7 +90,6 @@ impl Input {
     }
 
     /// Puts a word there, by its place in the list of the words that the key takes, or takes it away.
-    #[allow(clippy::cast_precision_loss)] // lists of words are short
     pub fn choose(&mut self, at: At<WORD>, word: Option<usize>) {
         self.numbers[at.place()] = word.map_or(f64::NAN, |place| place as f64);
     }
@@ -153,7 +152,6 @@ impl Input {
     }
 
     /// Gives the keys that `is_used` names their default values, where they have some, and are not given.
-    #[allow(clippy::cast_precision_loss)] // lists of words are short
     pub(super) fn fill(&mut self, is_used: impl Fn(&AnyKey) -> bool) {
         for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| is_used(key)) {
             let default = key.default.trim_matches('"');

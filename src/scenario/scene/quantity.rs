@@ -212,9 +212,6 @@ impl Quantity {
 
     /// Checks a number that stands without quotes, in SI. An angle needs a unit, as degrees and radians are mistaken for each
     /// other.
-    ///
-    /// # Errors
-    /// As for [`Quantity::check`].
     pub fn plain(&self, value: f64) -> Result<f64, String> {
         if self.dimension == Dimension::Angle {
             return Err(format!("{} has no unit; write {} such as {}", units::number(value), self.name, self.example));
@@ -223,9 +220,6 @@ impl Quantity {
     }
 
     /// Reads a text such as "5 mm", and checks the value.
-    ///
-    /// # Errors
-    /// As for [`Quantity::check`], or what is wrong with number or unit.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let value = match hardness::written(text).filter(|_| self.is_hardness) {
             Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string())?,

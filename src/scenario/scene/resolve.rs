@@ -158,9 +158,6 @@ impl Input {
     }
 
     /// Pairs these bodies under this law.
-    ///
-    /// # Errors
-    /// [`ImpactError`] as of [`Input::contact`].
     pub fn pair(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
         let mut contact = Contact::try_new(sphere, half_space, law.get())?.with_forces(self.forces());
         if self.number(at!("sphere.mass")).is_some() {

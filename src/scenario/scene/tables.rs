@@ -37,7 +37,6 @@ impl Input {
     }
 
     fn take_value(&mut self, place: usize, node: &Node, reader: &mut Reader) -> Result<(), Fault> {
-        #[allow(clippy::cast_precision_loss)] // counts are checked by their quantities, and lists of words are short
         let number = match EVERY_KEY[place].form {
             Form::Number(quantity) => number(quantity, None, node)?,
             Form::NumberOr(quantity, word) => number(quantity, Some(word), node)?,

@@ -59,7 +59,6 @@ pub fn described(node: &Node) -> String {
 }
 
 /// An integer as a floating number. Digits of another base are not read as decimal ones, however many they are.
-#[allow(clippy::cast_precision_loss)] // as if it had been written with a decimal point
 pub fn whole_number(digits: &DeInteger) -> Option<f64> {
     let (text, radix) = (digits.as_str(), digits.radix());
     if radix == 10 { text.parse().ok() } else { u128::from_str_radix(text, radix).ok().map(|number| number as f64) }
