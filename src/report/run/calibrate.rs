@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::files::{Counter, OutputFile, PROGRAM};
 use crate::report::plot::calibrate::pictures;
 use crate::report::text::calibrate as report;
+use crate::report::text::checked::of_inputs;
 use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
 use crate::scenario::edit::{parsed, set, written};
@@ -23,7 +24,8 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let found = measured.calibrate(options.map_or(&unwatched, |options| options.progress))?;
     let contradiction = found.verdict().contradiction();
     let Some(options) = options else {
-        let checked = report::found(&measured, &found)?;
+        let mut checked = report::found(&measured, &found);
+        checked.extend(of_inputs(&report::inputs(&measured, &found))?);
         let text = of_calibration(&measured, &found);
         return Ok(Outcome { contradiction, ..Outcome::checked(warnings(&found), text, checked) });
     };
@@ -44,7 +46,7 @@ fn files(
         files.push(file("calibrated.toml", calibrated(scenario, measured, found)));
     }
     files.extend(options.pictures.files(|| Ok(pictures(found)))?);
-    with_summary(files, provenance, |provenance| report::summary(measured, found, provenance))
+    with_summary(files, provenance, report::found(measured, found), &report::inputs(measured, found))
 }
 
 fn warnings(found: &Calibration) -> Vec<String> {

@@ -9,9 +9,10 @@ use crate::report::plot::{caption, captioned};
 use crate::report::text::checked::of_contact;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
-use crate::report::text::{summary, table, trace};
+use crate::report::text::{table, trace};
 use crate::scenario::Scenario;
-use crate::scenario::scene::results::impact::Single;
+use crate::scenario::scene::results::fields;
+use crate::scenario::scene::results::impact::{Single, results};
 use crate::scenario::scene::{Input, Purpose, band};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
@@ -65,6 +66,6 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     })?);
     let band = band(&input, impact.speed, &impact.essentials);
     let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };
-    let files = with_summary(files, provenance, |provenance| summary(&single, &Inputs::new(&input), provenance))?;
+    let files = with_summary(files, provenance, fields(&results(), &single), &Inputs::new(&input))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&single, options.detail), files))
 }

@@ -53,7 +53,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         let drawn = plot::indentation(&tested).with_caption(of_indentation(&scene));
         Ok(vec![("force_indentation", drawn)])
     })?);
-    let files = with_summary(files, provenance, |provenance| report::summary(&tested, &warnings, &inputs, provenance))?;
+    let files = with_summary(files, provenance, report::found(&tested, &warnings), &inputs)?;
     Ok(Outcome::done(warnings, report::table(&tested), files))
 }
 

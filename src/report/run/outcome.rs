@@ -9,6 +9,8 @@ use crate::impact::{ImpactError, Warning};
 use crate::numerics::integrate::IntegrationError;
 use crate::report::plot::Pictures;
 use crate::report::text::Detail;
+use crate::report::text::files::summary;
+use crate::report::text::inputs::Inputs;
 use crate::scenario::Scenario;
 
 /// The options of a run, besides its scenario.
@@ -58,15 +60,15 @@ pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
     OutputFile { name: name.to_owned(), bytes: bytes.into() }
 }
 
-/// All files: the summary, which lists the others, and these.
+/// All files: the summary with these results and inputs, which lists the others, and these.
 pub(super) fn with_summary(
     files: Vec<OutputFile>,
-    provenance: Provenance,
-    summary: impl FnOnce(&Provenance) -> Result<String, Error>,
+    mut provenance: Provenance,
+    results: Map<String, Value>,
+    inputs: &Inputs,
 ) -> Result<Vec<OutputFile>, Error> {
-    let names = files.iter().map(|file| file.name.clone());
-    let provenance = Provenance { files: provenance.files.iter().cloned().chain(names).collect(), ..provenance };
-    let mut all = vec![file(SUMMARY, summary(&provenance)?)];
+    provenance.files.extend(files.iter().map(|file| file.name.clone()));
+    let mut all = vec![file(SUMMARY, summary(results, inputs, &provenance)?)];
     all.extend(files);
     Ok(all)
 }

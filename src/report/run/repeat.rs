@@ -56,8 +56,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
         Ok(captioned(drawn, &caption(&input, &["impact.speed"])))
     })?);
-    let files =
-        with_summary(files, provenance, |provenance| report::summary(&series, &Inputs::new(&input), provenance))?;
+    let files = with_summary(files, provenance, report::found(&series), &Inputs::new(&input))?;
     let text = report::table(&series, options.detail);
     Ok(Outcome::done(warnings, text, files))
 }

@@ -7,9 +7,10 @@ use crate::impact::Contact;
 use crate::report::plot::Pictures;
 use crate::report::plot::sweep::pictures;
 use crate::report::text::checked::of_plan;
+use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
-use crate::report::text::sweep::{lines, summary};
+use crate::report::text::sweep::{found, lines};
 use crate::scenario::Scenario;
 use crate::scenario::plan::Plan;
 use crate::table::caution::at_corners;
@@ -90,5 +91,5 @@ pub fn files(
     format: Pictures,
 ) -> Result<Vec<OutputFile>, Error> {
     let pictures = format.files(|| Ok(pictures(plan, tally)))?;
-    with_summary(pictures, provenance, |provenance| summary(plan, tally, warnings, provenance))
+    with_summary(pictures, provenance, found(plan, tally, warnings), &Inputs::of_plan(plan))
 }

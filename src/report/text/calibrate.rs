@@ -4,13 +4,12 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use super::files::{summary_of, written};
+use super::files::written;
 use super::inputs::{Inputs, constraint};
 use crate::calibrate::minimum::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
-use crate::files::Provenance;
 use crate::scenario::scene::results::{Reported, fields, file, results};
 use crate::scenario::scene::{Body, Measured, key_of};
 use crate::units::{aligned, four_digits, percent};
@@ -182,20 +181,13 @@ fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
     }
 }
 
-/// `summary.json`.
-pub fn summary(measured: &Measurements, calibration: &Calibration, provenance: &Provenance) -> Result<String, Error> {
-    summary_of(fields(&results(), &Calibrated { measured, calibration }), &inputs(measured, calibration), provenance)
-}
-
-/// The results and inputs alone, for a check.
-pub fn found(measured: &Measurements, calibration: &Calibration) -> Result<Map<String, Value>, Error> {
-    let mut all = fields(&results(), &Calibrated { measured, calibration });
-    all.extend(super::checked::of_inputs(&inputs(measured, calibration))?);
-    Ok(all)
+/// The results by their names.
+pub fn found(measured: &Measurements, calibration: &Calibration) -> Map<String, Value> {
+    fields(&results(), &Calibrated { measured, calibration })
 }
 
 /// The inputs that neither the data give nor the calibration finds.
-pub(super) fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
+pub fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
     let varies = |key: &str| {
         calibration.keys.iter().any(|found| found.free.key.path == key)
             || measured.data.keys.iter().any(|column| column.path == key)

@@ -7,19 +7,13 @@ use super::inputs::Inputs;
 use crate::error::Error;
 use crate::files::Provenance;
 use crate::impact::Impact;
-use crate::scenario::scene::results::impact::Single;
-use crate::scenario::scene::results::{Reported, fields, impact};
+use crate::scenario::scene::results::{Reported, impact};
 
 /// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
-pub fn summary_of(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+pub fn summary(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
     results.insert("inputs".to_owned(), serde_json::to_value(inputs)?);
     results.insert("provenance".to_owned(), serde_json::to_value(provenance)?);
     Ok(serde_json::to_string_pretty(&results)? + "\n")
-}
-
-/// `summary.json` of one impact.
-pub fn summary(single: &Single, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    summary_of(fields(&impact::results(), single), inputs, provenance)
 }
 
 /// The rows as CSV with a header line. A column with a condition is written if any row has a

@@ -2,12 +2,11 @@
 
 use serde_json::{Map, Value};
 
-use super::files::{csv, summary_of};
+use super::files::csv;
 use super::inputs::Inputs;
 use super::{overview, terminal};
 use crate::contact::material::left_behind;
 use crate::error::Error;
-use crate::files::Provenance;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
@@ -132,21 +131,15 @@ pub(super) fn files() -> String {
         + &file("Indentation: `trace.csv`", &columns())
 }
 
-/// `summary.json`.
-pub fn summary(
-    tested: &[Tested],
-    warnings: &[String],
-    inputs: &Inputs,
-    provenance: &Provenance,
-) -> Result<String, Error> {
+/// The results by their names.
+pub fn found(tested: &[Tested], warnings: &[String]) -> Map<String, Value> {
     let of_half_space = |one| {
         let mut half_space = fields(&half_space(), one);
         half_space.insert("steps".to_owned(), lists(&step(), &stepped(one)));
         half_space
     };
     let half_spaces = tested.iter().map(of_half_space).collect();
-    let all = [("half_spaces".to_owned(), half_spaces), ("warnings".to_owned(), warnings.into())];
-    summary_of(Map::from_iter(all), inputs, provenance)
+    Map::from_iter([("half_spaces".to_owned(), half_spaces), ("warnings".to_owned(), warnings.into())])
 }
 
 /// `trace.csv`.

@@ -15,5 +15,5 @@ pub(crate) mod series;
 pub mod sweep;
 mod terminal;
 
-pub use files::{summary, trace};
+pub use files::trace;
 pub use terminal::{Detail, impact as table};

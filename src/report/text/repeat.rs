@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use super::files::{csv, summary_of};
-use super::inputs::Inputs;
+use serde_json::{Map, Value};
+
+use super::files::csv;
 use super::series::{self as results, Series, TraceRow};
 use super::terminal::{self, Detail};
 use crate::error::Error;
-use crate::files::Provenance;
 use crate::impact::repeat::flight::Flight;
 use crate::impact::repeat::{Drive, Hit, Place, Repeat, Sequence};
 use crate::scenario::scene::results::fields;
@@ -17,15 +17,15 @@ use crate::units::{Dimension, aligned, quantity};
 /// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.
 const LISTED: usize = 1000;
 
-/// `summary.json`.
-pub fn summary(series: &Series, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
+/// The results by their names.
+pub fn found(series: &Series) -> Map<String, Value> {
     let mut results = fields(&results::results(), series);
     if let Drive::Shots(speeds) = &series.repeat.drive
         && speeds.len() <= LISTED
     {
         results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
     }
-    summary_of(results, inputs, provenance)
+    results
 }
 
 /// `impacts.csv`: one row per impact.

@@ -2,9 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::inputs::Inputs;
-use crate::error::Error;
-use crate::files::Provenance;
+use serde_json::{Map, Value};
+
 use crate::scenario::plan::{Cases, Plan, Variable};
 use crate::scenario::scene::results::{Reported, fields, file, lists, results};
 use crate::table::Tally;
@@ -60,15 +59,15 @@ pub(super) fn files() -> String {
     file("Tables: `summary.json`", &totals()) + &file("Tables: every random key in `summary.json`", &drawn())
 }
 
-/// `summary.json`. The warnings are about the scene; of those about rows the worst of each kind.
-pub fn summary(plan: &Plan, tally: &Tally, warnings: &[String], provenance: &Provenance) -> Result<String, Error> {
+/// The results by their names. The warnings are about the scene; of those about rows the worst of each kind.
+pub fn found(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Value> {
     let mut results = fields(&totals(), &(tally, tally.statistics.distribution()));
     if let Cases::MonteCarlo { seed, variables, .. } = &plan.cases {
         results.insert("random".to_owned(), lists(&drawn(), variables));
         results.insert("seed".to_owned(), (*seed).into());
     }
     results.insert("warnings".to_owned(), warnings.into());
-    super::files::summary_of(results, &Inputs::of_plan(plan), provenance)
+    results
 }
 
 /// The lines about a finished table, for the terminal.
