@@ -24,7 +24,6 @@ use crate::units::{Dimension, did_you_mean, parse};
 /// A measured value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Value {
-    /// The row of the value.
     pub row: usize,
     /// The kind of measurement.
     pub quantity: Measured,
@@ -50,9 +49,7 @@ pub struct Row {
 /// The measurements.
 #[derive(Debug, Clone, Default)]
 pub struct Data {
-    /// The name of the file.
     pub name: String,
-    /// The keys that are columns.
     pub keys: Vec<&'static Key>,
     /// The rows in the order of the file.
     pub rows: Vec<Row>,

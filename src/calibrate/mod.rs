@@ -52,7 +52,6 @@ const LEAST_DEVIATION: f64 = 1e-9;
 pub struct Measurements {
     /// The request of the scenario.
     pub wanted: Wanted,
-    /// The measurements.
     pub data: Data,
     /// SHA-256 of the file; `None` if the measurements are in the scenario.
     pub sha256: Option<String>,

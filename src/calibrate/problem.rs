@@ -40,13 +40,11 @@ const CHUNK: usize = 512;
 /// shares: 0 is the lower end of a range and 1 the upper end.
 #[derive(Debug, Clone)]
 pub struct Problem<'a> {
-    /// The input, with its law.
     pub input: Input,
     /// The input in which the keys that are wanted, and those of the data, have a place.
     filled: Input,
     /// The keys that are wanted.
     pub free: &'a [Free],
-    /// The measurements.
     pub data: &'a Data,
     /// Standard deviation of each value of the data.
     pub deviations: Vec<f64>,

@@ -17,7 +17,6 @@ const MOST_OUTLIERS: f64 = 0.2;
 /// The law is rejected if the measurements have a smaller probability than this.
 const REJECTED: f64 = 0.01;
 
-/// The fit of a law, by the name of the law.
 pub type LawFit<'a> = (String, Result<Fit<'a>, NoAnswer>);
 
 /// The result for one key.
@@ -39,7 +38,6 @@ pub struct KeyEstimate {
 pub struct Calibration<'a> {
     /// The best keys under the law of the scenario.
     pub fit: Fit<'a>,
-    /// The result for each key.
     pub keys: Vec<KeyEstimate>,
     /// The prediction for every value.
     pub predicted: Vec<f64>,

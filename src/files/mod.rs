@@ -147,7 +147,6 @@ impl OutputDirectory {
         Err(Error::in_file(ErrorKind::Input, &self.path.display().to_string(), reason))
     }
 
-    /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path
     }

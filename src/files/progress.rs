@@ -7,7 +7,6 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 /// How far a computation is, in pieces of work, and whether it has to stop.
 #[derive(Debug, Default)]
 pub struct Counter {
-    /// Pieces that are done.
     done: AtomicU64,
     /// All of them; 0 where that is not known.
     total: AtomicU64,
@@ -37,7 +36,6 @@ impl Counter {
         self.total.store(total, Ordering::Relaxed);
     }
 
-    /// Has the computation stop.
     pub fn stop(&self) {
         self.stop.store(true, Ordering::Relaxed);
     }

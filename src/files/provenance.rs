@@ -40,7 +40,6 @@ pub struct Provenance {
     pub scenario_from_here: Option<String>,
     /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.
     pub scenario_sha256: String,
-    /// The command line.
     pub command: String,
     /// The files beside the summary.
     pub files: Vec<String>,

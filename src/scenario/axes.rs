@@ -23,7 +23,6 @@ pub(super) const LAW: &str = "law";
 /// The table `[monte_carlo]`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct RandomKeys {
-    /// Number of samples.
     pub(super) samples: u64,
     /// Seed of the random numbers; 0 if not given.
     pub(super) seed: u64,

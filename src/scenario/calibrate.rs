@@ -26,7 +26,6 @@ pub struct Wanted {
     pub input: Input,
     /// The keys to find: one or two, or none where measurements are only compared.
     pub free: Vec<Free>,
-    /// The measurements.
     pub source: Source,
     /// Standard deviations by the name of the measurement.
     pub deviations: Vec<(String, f64)>,

@@ -11,7 +11,6 @@ use crate::units::four_digits;
 
 /// A rule that refuses keys because of other keys.
 struct KeyRule {
-    /// The keys that are refused.
     keys: &'static [&'static str],
     /// They are refused if any of these is given too. An empty list refuses them always.
     others: &'static [&'static str],
@@ -21,7 +20,6 @@ struct KeyRule {
     why: &'static str,
 }
 
-/// The keys need one of the others.
 const fn needs(keys: &'static [&'static str], needed: &'static [&'static str], why: &'static str) -> KeyRule {
     KeyRule { keys, others: &[], unless: needed, why }
 }

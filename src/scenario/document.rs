@@ -89,7 +89,6 @@ impl Override {
 /// The places of the values of a text, by their keys.
 type Places = BTreeMap<String, Range<usize>>;
 
-/// The places of a text, which is a scenario.
 fn places(text: &str) -> Result<Places, toml::de::Error> {
     let mut places = Places::new();
     let root = DeTable::parse(text)?;
@@ -105,7 +104,6 @@ pub struct Document {
     overrides: Vec<Override>,
     /// The text with the changes of the command line, which is what is read.
     edited: String,
-    /// The places in that text.
     places: Places,
     /// The places in the text of the file.
     in_file: Places,
@@ -133,7 +131,6 @@ impl Document {
         Ok(document)
     }
 
-    /// The tables that are read.
     pub(super) fn tables(&self) -> Result<Node<'_>, Error> {
         let root = DeTable::parse(&self.edited).map_err(|error| self.error_at(None, "", error.message()))?;
         Ok(Spanned::new(0..0, DeValue::Table(root.into_inner())))
@@ -144,7 +141,6 @@ impl Document {
         &self.name
     }
 
-    /// The text of the file.
     pub fn text(&self) -> &str {
         &self.text
     }

@@ -96,7 +96,6 @@ pub fn parsed(text: &str) -> Result<DocumentMut, NotToml> {
     shielded(text).parse()
 }
 
-/// The text of a document.
 pub fn written(document: &DocumentMut) -> String {
     let [begin, end] = [format!("\"{SHIELD}"), format!("{SHIELD}\"")];
     document.to_string().replace(&begin, "").replace(&end, "")
@@ -134,7 +133,6 @@ pub fn edited(text: &str, path: &str, given: &str) -> Result<String, NotToml> {
     changed(text, [&Change { path: path.split('.').map(str::to_owned).collect(), value }])
 }
 
-/// The names in a path.
 fn parts(path: &str) -> Vec<&str> {
     path.split('.').collect()
 }

@@ -14,11 +14,9 @@ const MOST_ROWS: usize = 1_000_000;
 /// An indentation, as `[indentation]` describes it. All numbers are in SI, and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationScene {
-    /// The sphere.
     pub indenter: Indenter,
     /// The half-spaces that it is pressed into; at least one.
     pub specimens: Vec<Specimen>,
-    /// The law, with its parameters.
     pub law: LawChoice,
     /// The ends of the steps; at least one.
     pub targets: Vec<Target>,
@@ -32,7 +30,6 @@ const STEPS: &str = "indentation.steps";
 const SPECIMENS: &str = "indentation.half_space";
 
 impl Scenario {
-    /// The scene of an indentation.
     pub fn indentation(&self) -> Result<IndentationScene, Error> {
         self.refuse_columns("an indentation")?;
         if !self.has("indentation") {

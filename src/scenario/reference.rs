@@ -35,7 +35,6 @@ fn is_of_experts(table: &str) -> bool {
     table == "solver" || table.starts_with("law.") && table != "law.plm"
 }
 
-/// The keys of one table.
 fn table(name: &str) -> String {
     let mut text = format!("### {}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", heading(name));
     for key in EVERY_KEY.iter().filter(|key| place(key).0 == name) {

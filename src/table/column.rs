@@ -6,7 +6,6 @@ use crate::scenario::scene::results::Column as ResultColumn;
 /// Where the values of a column come from.
 #[derive(Debug, Clone)]
 pub(crate) enum Column {
-    /// The case number.
     Case,
     /// A random or derived number, written as it is: its place among the swept values of a row.
     Plain(usize),

@@ -25,7 +25,6 @@ pub(super) fn written(status: &str, restitution: Option<f64>) -> Option<Count> {
 /// The status of a row with a result.
 pub(super) const OK: &str = "ok";
 
-/// The status of a row.
 pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
     result.as_ref().map_or_else(|failure| failure.name(), |_| OK)
 }

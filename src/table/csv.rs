@@ -35,7 +35,6 @@ fn rendered(column: &Column) -> Vec<Vec<u8>> {
 }
 
 impl Csv {
-    /// The table of a plan.
     pub fn new(plan: &Plan) -> Self {
         let names = plan.column_names();
         let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);

@@ -63,7 +63,6 @@ pub struct Rows {
     /// Swept values, case after case. On a grid it is the place of each value on its axis, not the value. Yield strengths that
     /// follow from the swept values ([`Plan::derives_strength`]) are the last values of a case.
     pub swept: Vec<f64>,
-    /// The result of each case.
     pub results: Vec<Result<Essentials, Failure>>,
 }
 

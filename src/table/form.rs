@@ -48,7 +48,6 @@ pub(super) trait Form: Sync + Send {
     /// Encodes rows; many threads do so at a time.
     fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
 
-    /// Begins a file.
     fn begin(&self, file: NewFile) -> io::Result<Self::Writer>;
 
     /// Appends the next rows.

@@ -26,7 +26,6 @@ pub struct Job<'a> {
     pub plan: &'a Plan,
     /// The shard to compute; `None` for the whole table.
     pub shard: Option<Shard>,
-    /// The format of the table.
     pub format: Format,
     pub layout: Layout,
     /// The directory that the table is written to.
@@ -110,7 +109,6 @@ struct Table<'a, F> {
     form: &'a F,
     evaluator: &'a Evaluator<'a>,
     layout: Layout,
-    /// Its name as one file.
     name: String,
 }
 

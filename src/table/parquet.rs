@@ -34,13 +34,11 @@ const WRITE: usize = 1 << 18;
 #[derive(Debug)]
 pub(super) struct Parquet {
     columns: Vec<Column>,
-    /// The words of the columns that have words.
     words: Vec<Option<Arc<StringArray>>>,
     schema: SchemaRef,
 }
 
 impl Parquet {
-    /// The table of a plan.
     pub(super) fn new(plan: &Plan) -> Result<Self, ParquetError> {
         let columns = columns(plan);
         let words = columns.iter().map(|column| Some(Arc::new(StringArray::from(column.words()?)))).collect();

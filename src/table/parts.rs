@@ -33,7 +33,6 @@ const MOST_PARTS: u64 = 1 << 16;
 /// The parts of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
-    /// Rows of the table.
     pub rows: u64,
     /// Rows of a part; the last part may have fewer.
     pub rows_per_part: u64,

@@ -3,7 +3,6 @@
 
 /// Up to this number of samples the quantiles are exact; with more samples they come from bins.
 const EXACT: usize = 1_000_000;
-/// Width of a bin of e.
 const BIN: f64 = 1e-6;
 /// The bins cover e from 0 to 1.25. Above 1, e is possible only for a sphere that falls into its own dent.
 const BINS: usize = 1_250_000;

@@ -9,7 +9,6 @@ use crate::error::{Details, Error};
 /// The line, counted from 1, and what is wrong there.
 pub type Refusal = (Option<u64>, String);
 
-/// The error of a refusal in the file of this name.
 pub(crate) fn refused(name: &str) -> impl Fn(Refusal) -> Error + Copy {
     move |(line, message)| {
         let at = line.map(|line| format!(":{line}")).unwrap_or_default();

@@ -5,9 +5,7 @@ use super::Dimension;
 /// The size of a unit in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Scale {
-    /// A power of ten.
     Ten(i32),
-    /// A factor.
     Times(f64),
     /// A divisor, which is exact where the factor is not.
     Over(f64),
@@ -18,7 +16,6 @@ pub(super) struct Unit {
     pub(super) name: &'static str,
     pub(super) dimension: Dimension,
     pub(super) scale: Scale,
-    /// Values are shown in it.
     pub(super) is_shown: bool,
 }
 

@@ -55,7 +55,6 @@ pub(super) struct Head<'a> {
     pub impact: &'a Impact,
     /// The restitution that belongs into the code: with elastic waves, if the half-space has a density and is no plate.
     pub e: f64,
-    /// The command line.
     pub command: &'a str,
 }
 

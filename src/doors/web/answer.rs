@@ -19,7 +19,6 @@ use crate::units::four_digits;
 
 /// The most rows of a table, which is held in memory.
 const MOST_ROWS: u64 = 100_000;
-/// Points of the curve.
 const POINTS: usize = 601;
 /// The curve goes so many decades below the power of ten at or below the impact, and as many above it.
 const DECADES: f64 = 2.0;

@@ -37,7 +37,6 @@ const STEEL: Extreme = Extreme {
 };
 
 impl Extreme {
-    /// Its law and q.
     fn law(&self) -> Result<(Law, f64), ImpactError> {
         let [of_sphere, of_half_space] =
             [0, 1].map(|i| Material { youngs_modulus: self.youngs_moduli[i], poissons_ratio: self.poissons_ratios[i] });

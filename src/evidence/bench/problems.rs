@@ -120,7 +120,6 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
     Ok([hardened, damped, Problem { name: "plate", about, law, speed, forces, exact }])
 }
 
-/// All problems.
 pub fn problems() -> Result<Vec<Problem>, ImpactError> {
     let p2 = kinked_law();
     let p3 = Law::new(Curve::clone(&p2.loading).then_straight(60.0, 0.75), p2.limits, p2.rule.clone());

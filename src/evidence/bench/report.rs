@@ -12,7 +12,6 @@ use crate::report::plot::{Axis, Chart, PlotError, Series};
 use crate::report::text::files::written;
 use crate::units::markdown;
 
-/// A problem with all that was measured on it.
 pub type Measured = (Problem, Vec<Measurement>);
 
 /// A column of `speed_vs_error.csv`: its name and its text.

@@ -55,7 +55,6 @@ impl Case {
     }
 }
 
-/// The five cases.
 pub fn cases() -> Result<Vec<Case>, Error> {
     let (rows, points) = (unloading::unloadings()?, unloading::points()?);
     let cycle = |row: &UnloadingRow, kappa: f64| {

@@ -29,7 +29,6 @@ impl Group {
         Self { is_difference: true, ..Self::new(quantity, source, unit) }
     }
 
-    /// The comparison of one case. The numbers are that of the reference and that of the law.
     pub fn compared(self, case: String, [reference, law]: [f64; 2]) -> Comparison {
         let deviation = if self.is_difference { law - reference } else { deviation(reference, law) };
         Comparison { group: self, case, reference, law, deviation, of_built_in: None }

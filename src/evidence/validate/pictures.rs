@@ -87,7 +87,6 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
     ("error-restitution".to_owned(), chart.with_caption(CASES))
 }
 
-/// The restitution of one case.
 fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.row.x);
     let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.row.x, cycle.row.restitution?)));

@@ -47,7 +47,6 @@ fn rate(row: &RatedRow) -> Option<Rate> {
     Some(Rate { form, tested_at: row.tested_at })
 }
 
-/// The impact of a row by the law.
 fn impact(row: &RatedRow, coefficients: &Arc<PlmCoefficients>) -> Result<Impact, Error> {
     let material = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
     let of_sphere = material(row.sphere_modulus, row.sphere_poissons_ratio);

@@ -21,7 +21,6 @@ pub fn csv(compared: &[Comparison]) -> Result<Vec<u8>, csv::Error> {
     writer.into_inner().map_err(|error| error.into_error().into())
 }
 
-/// The comparisons of each quantity.
 fn groups(compared: &[Comparison]) -> impl Iterator<Item = &[Comparison]> {
     compared.chunk_by(|a, b| a.group.quantity == b.group.quantity)
 }

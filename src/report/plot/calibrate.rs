@@ -74,7 +74,6 @@ impl Abscissa {
         }
     }
 
-    /// The axis for these points of a quantity.
     fn axis(&self, quantity: Measured, points: &[(f64, f64)]) -> Axis {
         match self {
             Self::Key(key) => axis_of(key, is_wide(points)),

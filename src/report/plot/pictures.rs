@@ -7,7 +7,6 @@ use crate::units::named;
 named! {
     /// The file format of pictures.
     pub enum Pictures {
-        /// PNG: pixels.
         Png = "png",
         /// SVG: shapes and text, which stay sharp at any size.
         Svg = "svg",

@@ -8,7 +8,6 @@ use crate::impact::repeat::{Hit, Place, Repeat, Sequence};
 use crate::numerics::functions::pow;
 use crate::units::{Dimension, capital, four_digits, quantity};
 
-/// Largest number of points of one flight.
 const FLIGHT_POINTS: u32 = 48;
 /// Points of all flights together; more are not needed for a picture of 1600 px.
 const MOST_POINTS: usize = 200_000;

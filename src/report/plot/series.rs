@@ -58,7 +58,6 @@ impl Series {
         Self::line("", values.flat_map(|(x, y, sd)| [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]).collect())
     }
 
-    /// Texts in the key.
     pub fn text(text: impl Into<String>) -> Self {
         Self::new(text, Vec::new(), Look::Text)
     }

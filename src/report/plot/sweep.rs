@@ -27,7 +27,6 @@ const MOST_CELLS: u64 = 200;
 const LONG: u64 = 8;
 /// The result that is drawn unless the scenario names others.
 const RESTITUTION: &str = "restitution";
-/// Number of bars of a histogram.
 const BARS: usize = 60;
 
 /// The pictures of a plan with their names.
@@ -64,7 +63,6 @@ fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
 }
 
-/// The row of that case.
 fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<Essentials, Failure>> {
     let case = axes
         .iter()

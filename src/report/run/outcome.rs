@@ -20,7 +20,6 @@ pub struct RunOptions<'a> {
     pub command: &'a str,
     /// How much the text says of an impact.
     pub detail: Detail,
-    /// The format of the pictures.
     pub pictures: Pictures,
     /// Counts how far the run is.
     pub progress: &'a Counter,
@@ -31,7 +30,6 @@ pub struct RunOptions<'a> {
 pub struct Outcome {
     /// Warnings about scene, model or run.
     pub warnings: Vec<String>,
-    /// The text for the terminal.
     pub text: String,
     /// The files for the output directory; empty for a check.
     pub files: Vec<OutputFile>,

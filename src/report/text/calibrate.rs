@@ -262,7 +262,6 @@ fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
     [header].into_iter().chain(calibration.laws.iter().map(row)).collect()
 }
 
-/// The table for the terminal.
 pub fn table(calibration: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);

@@ -55,7 +55,6 @@ pub(super) struct Stepped<'a> {
     tested: &'a Tested,
 }
 
-/// The results of one step.
 pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
     results! { |row: Stepped<'a>|
         /// Number of the step, from 1.

@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 use crate::contact::law::catalogue::not_public;
 use crate::contact::law::{About, LawChoice};
 
-/// All of this as JSON.
 pub fn data() -> Value {
     let laws: Vec<&About> = LawChoice::all().iter().map(LawChoice::about).collect();
     let missing = not_public().map(|(title, reason)| json!({ "title": title, "reason": reason }));

@@ -26,7 +26,6 @@ pub fn renewed(page: &str) -> (String, usize) {
     (PARTS.iter().fold(page.to_owned(), write), count)
 }
 
-/// All materials as Markdown.
 fn materials() -> String {
     markdown(&super::materials::rows("")) + "\n"
 }

@@ -13,7 +13,6 @@ pub enum Detail {
     Brief,
     /// All results but how exact the integration was.
     Usual,
-    /// All results.
     Whole,
 }
 
@@ -29,7 +28,6 @@ const BRIEF: [&str; 8] = [
     "contact_time_s",
 ];
 
-/// The text of an impact.
 pub fn impact(single: &Single, detail: Detail) -> String {
     let impact = single.impact;
     let is_of_the_integrator =

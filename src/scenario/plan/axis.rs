@@ -23,7 +23,6 @@ pub enum Values {
 }
 
 impl Values {
-    /// The number of values.
     pub fn len(&self) -> u64 {
         match self {
             Self::List(values) => values.len() as u64,
@@ -60,8 +59,10 @@ impl Values {
 /// The key that an axis changes, and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Setting {
-    /// A numeric key.
-    Number { key: &'static Key, values: Values },
+    Number {
+        key: &'static Key,
+        values: Values,
+    },
     /// A key that takes words.
     Words {
         path: &'static str,
@@ -104,7 +105,6 @@ impl Axis {
         Self { setting: Setting::Number { key, values: values.tabulated() }, part: key.part, is_logarithmic }
     }
 
-    /// An axis of words.
     pub fn of_words(path: &'static str, words: Vec<Word>) -> Self {
         // the axis of laws is no key, but a table
         let key = EVERY_KEY.iter().find(|key| key.path == path);

@@ -16,8 +16,11 @@ pub(crate) use random::{Distribution, Draws, Variable};
 pub enum Cases {
     /// All combinations of the axes; the first varies slowest.
     Grid(Vec<Axis>),
-    /// Random samples.
-    MonteCarlo { samples: u64, seed: u64, variables: Vec<Variable> },
+    MonteCarlo {
+        samples: u64,
+        seed: u64,
+        variables: Vec<Variable>,
+    },
 }
 
 /// A sweep: an input and what is changed in it.
@@ -36,7 +39,6 @@ pub struct Plan {
 
 /// The key of the yield strength, which may follow from a hardness.
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
-/// The key of that hardness.
 pub const HARDNESS: &str = "half_space.hardness";
 
 /// The largest number of cases. Any tool can hold so large a case number.
@@ -92,7 +94,6 @@ impl Plan {
             && (varies(body.material()) || body.strength_numbers().into_iter().any(|number| varies(number.path())))
     }
 
-    /// The results that the table has.
     pub fn results(&self) -> Vec<Column> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
         let all = columns().into_iter();
@@ -139,7 +140,6 @@ impl Plan {
         self.with_words().iter().any(|input| stated_error(&input.law()).is_some() && has_range(input))
     }
 
-    /// The names of all columns of the table.
     pub fn column_names(&self) -> Vec<String> {
         let results = self.results().into_iter().map(|column| column.name.to_owned());
         std::iter::once("case".to_owned()).chain(self.columns()).chain(results).chain(["status".to_owned()]).collect()
@@ -181,7 +181,6 @@ impl Plan {
         all
     }
 
-    /// The methods of the cases.
     fn methods(&self) -> Vec<Method> {
         self.with_words().iter().map(|input| input.solver().method).collect()
     }

@@ -15,7 +15,6 @@ use crate::scenario::scene::Key;
 pub enum Distribution {
     /// Even between two ends.
     Uniform { from: f64, to: f64 },
-    /// A normal distribution.
     Normal {
         /// Mean before truncation.
         mean: f64,
@@ -135,7 +134,6 @@ impl<'a> Draws<'a> {
         Self { variable, generator }
     }
 
-    /// The value of the next case.
     pub fn next_value(&mut self) -> f64 {
         const STEP: f64 = 1.0 / (1u64 << 53) as f64;
         // the middle of one of 2^53 equal steps: never 0, never 1

@@ -22,7 +22,6 @@ impl Body {
         }
     }
 
-    /// Its table.
     pub fn table(self) -> &'static str {
         self.pick(["sphere", "half_space"])
     }

@@ -5,11 +5,8 @@ use crate::impact::Method;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
-    /// The rows of a table.
     Rows,
-    /// An impact, or several.
     Impact,
-    /// A slow indentation.
     Indentation,
 }
 

@@ -17,7 +17,6 @@ pub enum Value {
     Text(String),
     /// A flow curve through points, which stand in a list or in a file.
     Curve(FlowCurve),
-    /// Coefficients of a file.
     Coefficients(Arc<PlmCoefficients>),
 }
 
@@ -117,12 +116,10 @@ impl Input {
         Arc::make_mut(&mut self.others).values.insert(place, value);
     }
 
-    /// The words of a list.
     pub fn words(&self, at: At<OTHER>) -> Option<&[String]> {
         if let Some(Value::Words(words)) = self.value(at) { Some(words) } else { None }
     }
 
-    /// The numbers of a list.
     pub fn numbers(&self, at: At<OTHER>) -> Option<&[f64]> {
         if let Some(Value::Numbers(numbers)) = self.value(at) { Some(numbers) } else { None }
     }

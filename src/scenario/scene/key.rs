@@ -58,15 +58,12 @@ impl Part {
 pub enum Form {
     /// A number in SI, or a text with a unit.
     Number(&'static Quantity),
-    /// A number, or this word.
     NumberOr(&'static Quantity, &'static str),
     /// A whole number.
     Count(&'static Quantity),
-    /// A list of numbers.
     Numbers(&'static Quantity),
     /// A list of points of a flow curve.
     Points,
-    /// One of some words.
     Word(&'static Words),
     /// A list of such words.
     Words(&'static Words),

@@ -57,7 +57,6 @@ impl Key {
         format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
     }
 
-    /// The key of that path.
     pub fn find(path: &str) -> Option<&'static Self> {
         KEYS.iter().find(|key| key.path == path)
     }

@@ -147,7 +147,6 @@ const HALF_SPACE: [AnyKey; 9] = keys! {
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
 };
 
-/// All else.
 const OTHERS: [AnyKey; 70] = keys! {
     /// Speed of the sphere at first touch, towards the half-space.
     "impact.speed" of Approach: Number(&SPEED);

@@ -22,7 +22,6 @@ named! {
         DentDiameter = "dent_diameter",
         DentDepth = "dent_depth",
         ContactTime = "contact_time",
-        /// Largest force.
         PeakForce = "peak_force",
         /// Force of an indentation curve.
         Force = "force",

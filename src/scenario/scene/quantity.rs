@@ -88,17 +88,14 @@ pub const HARDENING_RATE: Quantity = number("a rate of hardening", Excluded(0.0)
 pub const HARDENING_SLOPE: Quantity = not_negative("a slope of hardening", Dimension::Pressure, "\"4.2 GPa\"");
 /// c of Johnson and Cook's rate factor: metals have 0.001 to 0.06.
 pub const RATE_SENSITIVITY: Quantity = number("a rate sensitivity", Included(0.0), Included(0.5), "0.014");
-/// A rate of strain.
 pub const STRAIN_RATE: Quantity = positive("a strain rate", Dimension::StrainRate, "\"1 1/s\"");
 /// q of Cowper and Symonds' rate factor.
 pub const RATE_EXPONENT: Quantity = number("a rate exponent", Included(1.0), Included(100.0), "3.91");
 pub const STRAIN: Quantity = number("a plastic strain", Included(0.0), Included(10.0), "0.002");
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
-/// An impact speed.
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
 /// A load that an indentation goes to.
 pub const LOAD: Quantity = not_negative("a load", Dimension::Force, "\"200 N\"");
-/// An indentation that it goes to.
 pub const INDENTATION: Quantity = not_negative("an indentation", Dimension::Length, "\"12 um\"");
 /// Poisson's ratio of a stable isotropic material.
 pub const POISSONS_RATIO: Quantity = Quantity {
@@ -127,7 +124,6 @@ pub const SAMPLES: Quantity = Quantity {
 /// Steps of the fixed-step method: at least one, at most what takes seconds to compute.
 pub const STEPS: Quantity = number("a number of steps", Included(1.0), Included(1e8), "50");
 
-/// Gravity.
 pub const ACCELERATION: Quantity = Quantity {
     too_low: "to do without gravity leave the table out",
     ..positive("an acceleration", Dimension::Acceleration, "\"9.81 m/s^2\"")
@@ -144,12 +140,10 @@ pub const VISCOUS: Quantity = Quantity {
     ..number("a fraction of critical damping", Included(0.0), Included(1000.0), "0.05")
 };
 
-/// The speed of one shot of a list.
 pub const SHOT_SPEED: Quantity = Quantity { too_low: "a shot without speed does not touch: leave it out", ..SPEED };
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
 pub const IMPACTS: Quantity = number("a number of impacts", Included(1.0), Included(1e6), "20");
 
-/// A measured restitution.
 pub const RESTITUTION: Quantity = number("a restitution", Excluded(0.0), Included(1.0), "0.49");
 /// A measured rebound hardness: 1000 times the restitution.
 pub const LEEB: Quantity = number("a Leeb hardness", Excluded(0.0), Included(1000.0), "760");
@@ -163,7 +157,6 @@ pub const SPIN: Quantity =
     number_in("a spin", Dimension::AngularSpeed, Included(-1e12), Included(1e12), "\"100 rad/s\"");
 pub const MOMENT_OF_INERTIA: Quantity = positive("a moment of inertia", Dimension::MomentOfInertia, "\"1e-6 kg m^2\"");
 pub const FRICTION: Quantity = not_negative("a coefficient of friction", Dimension::Ratio, "0.1");
-/// A drag coefficient.
 pub const DRAG: Quantity = Quantity {
     too_high: "it is about 0.5 for a sphere",
     ..number("a drag coefficient", Included(0.0), Included(100.0), "0.5")
@@ -171,14 +164,12 @@ pub const DRAG: Quantity = Quantity {
 /// The viscosity of air.
 pub const VISCOSITY: Quantity = positive("a viscosity", Dimension::Viscosity, "\"1.8e-5 Pa s\"");
 pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
-/// The standard deviation of a plain number.
 pub const DEVIATION: Quantity = positive("a standard deviation", Dimension::Ratio, "0.01");
 /// The error of the law as a share of what it predicts.
 pub const MODEL_ERROR: Quantity = number("a share", Included(0.0), Excluded(1.0), "0.02");
 
 /// Random cases of a table.
 pub const SAMPLED: Quantity = number("a number of samples", Included(1.0), Excluded(f64::INFINITY), "100000");
-/// The seed of random numbers.
 pub const SEED: Quantity = number("a seed", Included(0.0), Excluded(f64::INFINITY), "7");
 /// Values of an axis.
 pub const POINTS: Quantity = Quantity {

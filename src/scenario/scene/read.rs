@@ -130,7 +130,6 @@ pub fn pair(quantities: [&Quantity; 2], node: &Node) -> Result<[f64; 2], Fault> 
     }
 }
 
-/// The items of a list.
 pub fn list<'n, 't>(node: &'n Node<'t>, example: &str) -> Result<&'n [Node<'t>], Fault> {
     match node.get_ref() {
         DeValue::Array(items) => Ok(items),

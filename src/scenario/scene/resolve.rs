@@ -246,7 +246,6 @@ impl Input {
         self.number(at!("sphere.radius")).or_else(of_diameter)
     }
 
-    /// The material that a body names.
     pub fn named_material(&self, body: Body) -> Option<&'static MaterialEntry> {
         // the file of materials is read only for a body that names one
         self.word(key_of!(body, "material")).and_then(|place| all().get(place))

@@ -21,9 +21,7 @@ pub static AXIS_OF_LAWS: Words =
     words("law", "laws (or \"loading + unloading\" such as \"jackson_green + brake\")", || {
         laws(LawChoice::has_loading)
     });
-/// Names of laws that load.
 pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
-/// Names of laws that unload.
 pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
 /// Spots of repeated impacts.
 pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
@@ -40,7 +38,6 @@ pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "
 /// The place of `student-t` among them.
 pub const STUDENT_T: usize = 0;
 pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
-/// Theories of plates.
 pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL.map(PlateTheory::name)));
 /// Distributions of a material within its ranges.
 pub static DRAWN: Words = words("word", "words here", || texts(["uniform"]));

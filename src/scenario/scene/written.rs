@@ -8,7 +8,6 @@ use toml::de::{DeInteger, DeString, DeValue};
 
 /// A key, with its place in bytes.
 pub type Name<'t> = Spanned<DeString<'t>>;
-/// A value, with its place.
 pub type Node<'t> = Spanned<DeValue<'t>>;
 
 /// The law of two halves.

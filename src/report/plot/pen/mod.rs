@@ -138,7 +138,6 @@ impl<B: DrawingBackend> Pen<'_, B> {
         self.backend.draw_circle(centre, radius, &color.filled(), true).map_err(failed)
     }
 
-    /// The marker of a style.
     pub fn mark(&mut self, (x, y): Point, style: Style) -> Result<(), PlotError> {
         let Style { mark, radius: r, color, .. } = style;
         let stroke = Style::line(color, 4.0);
@@ -224,7 +223,6 @@ fn thinned(points: &[Point]) -> Vec<Point> {
     finite
 }
 
-/// The dashes of a line.
 fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     if pattern.is_empty() {
         return vec![points.to_vec()];

@@ -29,7 +29,6 @@ pub struct Reported<T> {
 /// How the terminal shows a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
-    /// As it is.
     Plain,
     /// In this unit, with a prefix. The name of the result ends in the unit.
     In(Dimension),
@@ -67,7 +66,6 @@ pub enum Needs {
     Flat,
     /// The density of a half-space that is no plate: without it nothing is known of elastic waves.
     Density,
-    /// The thickness of a plate.
     Thickness,
     /// An angle or a spin: without them nothing slides.
     Incidence,
