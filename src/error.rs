@@ -130,18 +130,14 @@ impl Error {
     }
 
     /// Returns the error with the file that it is about.
-    #[must_use]
     pub fn about(self, file: impl Display) -> Self {
         self.with(Details { file: Some(file.to_string()), ..Details::default() })
     }
-
-    #[must_use]
     pub fn with(self, details: Details) -> Self {
         Self { details: details.into(), ..self }
     }
 
     /// Adds the key that has to be given too, if there is one.
-    #[must_use]
     pub fn needing(mut self, key: Option<&str>) -> Self {
         self.details.needs = key.map(str::to_owned);
         self

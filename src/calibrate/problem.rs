@@ -79,19 +79,16 @@ impl<'a> Problem<'a> {
     }
 
     /// Returns this problem, which gives no answer any more once `progress` is asked to stop.
-    #[must_use]
     pub fn watched(self, progress: &'a Counter) -> Self {
         Self { progress: Some(progress), ..self }
     }
 
     /// Replaces the data, to predict them by the same keys and law: every standard deviation is 1.
-    #[must_use]
     pub fn predicting<'b>(&'b self, data: &'b Data) -> Problem<'b> {
         Problem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
     }
 
     /// Leaves at most `most` impacts, at even steps through the data. A curve keeps all points.
-    #[must_use]
     pub fn thinned(&self, most: usize) -> Self {
         let step = if self.data.is_curve() { 1 } else { self.data.rows.len().div_ceil(most) };
         self.clone().of_rows((0..self.data.rows.len()).step_by(step))

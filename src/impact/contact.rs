@@ -136,7 +136,6 @@ impl Contact {
     }
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].
-    #[must_use]
     #[inline]
     pub fn with_moment_of_inertia(mut self, moment: f64) -> Self {
         self.moment_of_inertia = Some(moment);
@@ -149,7 +148,6 @@ impl Contact {
     }
 
     /// Returns this contact with gravity and damping, or on a plate.
-    #[must_use]
     #[inline]
     pub fn with_forces(mut self, forces: Forces) -> Self {
         self.under = forces.plate.map(|plate| match forces.damping {
@@ -162,7 +160,6 @@ impl Contact {
     }
 
     /// Returns this contact with the names of its materials, by which the results are judged.
-    #[must_use]
     #[inline]
     pub fn of_materials(mut self, named: Named) -> Self {
         self.named = named;

@@ -37,7 +37,6 @@ fn yielding(pair: &Pair) -> usize {
 
 impl Contact {
     /// Returns this contact of bodies whose strengths rise with the rate of strain, those of sphere and half-space under this law.
-    #[must_use]
     pub fn with_rates(mut self, of_bodies: [Option<Rate>; 2], law: &LawChoice) -> Self {
         let has_rate = of_bodies.iter().any(Option::is_some) && self.pair().yield_point.is_some();
         self.rates = has_rate.then(|| Arc::new(Rates { of_bodies, law: law.clone() }));

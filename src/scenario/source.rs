@@ -55,7 +55,6 @@ impl Scenario {
     }
 
     /// Takes measurements that are known without the file `calibrate.data`.
-    #[must_use]
     pub fn with_data(mut self, csv: String) -> Self {
         let name = self.input.text(at!("calibrate.data")).unwrap_or_default();
         self.files.insert(DATA.to_owned(), (name.into(), csv));

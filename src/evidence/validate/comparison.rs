@@ -35,6 +35,17 @@ impl Group {
     }
 }
 
+/// A quantity of a case, and the numbers of reference and law; `None` if the reference has no such number.
+pub type Quantity<T> = (Group, fn(&T) -> Option<[f64; 2]>);
+
+/// Compares these quantities of these cases, one quantity after the other.
+pub fn compared<T>(quantities: &[Quantity<T>], cases: &[T], name: impl Fn(&T) -> String) -> Vec<Comparison> {
+    let of_quantity = |(group, numbers): &Quantity<T>| -> Vec<Comparison> {
+        cases.iter().filter_map(|case| Some(group.compared(name(case), numbers(case)?))).collect()
+    };
+    quantities.iter().flat_map(of_quantity).collect()
+}
+
 /// One number of a reference, and that of the law.
 #[derive(Debug, Clone)]
 pub struct Comparison {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::comparison::{Comparison, EXPONENTS, Group};
+use super::comparison::{Comparison, EXPONENTS, Group, Quantity, compared};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::error::Error;
 use crate::impact::Impact;
@@ -11,10 +11,7 @@ use crate::impact::reference::{self, DYNAMIC};
 use crate::scenario::Scenario;
 use crate::scenario::scene::Input;
 
-/// A quantity of an impact, and the numbers of reference and law.
-type ImpactQuantity = (Group, fn(&Case) -> Option<[f64; 2]>);
-
-const QUANTITIES: [ImpactQuantity; 8] = [
+const QUANTITIES: [Quantity<Case>; 8] = [
     (Group::new("impact: restitution, exponent 3/2", DYNAMIC, ""), |case| {
         Some([case.reference.restitution, case.impacts[0].restitution])
     }),
@@ -90,10 +87,5 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> 
 }
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let cases = cases(coefficients)?;
-    let comparisons = |(group, numbers): &ImpactQuantity| -> Vec<Comparison> {
-        let of_case = |case: &Case| Some(group.compared(case.reference.case.clone(), numbers(case)?));
-        cases.iter().filter_map(of_case).collect()
-    };
-    Ok(QUANTITIES.iter().flat_map(comparisons).collect())
+    Ok(compared(&QUANTITIES, &cases(coefficients)?, |case| case.reference.case.clone()))
 }

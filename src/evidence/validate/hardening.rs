@@ -1,6 +1,6 @@
 //! A half-space that hardens: the law, loaded with the same work as the finite elements.
 
-use super::comparison::{Comparison, Group};
+use super::comparison::{Comparison, Group, Quantity, compared};
 use crate::contact::law::{ContactState, Law, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::reference::hardening::{self, Materials};
@@ -8,20 +8,19 @@ use crate::impact::reference::unloading::Unloaded;
 
 const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 
-/// A quantity of an unloading, and its number by the finite elements and by the law.
-type Quantity = (Group, fn(&Unloaded) -> f64, fn(&AtEnergy) -> f64);
+/// A load cycle by finite elements, and by the law.
+type Case = (Unloaded, AtEnergy);
 
-const QUANTITIES: [Quantity; 5] = [
-    (group("hardening: restitution, pressure-shape"), |row| row.restitution, |state| state.restitution),
-    (group("hardening: peak force"), |row| row.f, |state| state.peak.force),
-    (group("hardening: peak indentation"), |row| row.x, |state| state.peak.indentation),
+const QUANTITIES: [Quantity<Case>; 5] = [
+    (group("hardening: restitution, pressure-shape"), |(row, state)| Some([row.restitution, state.restitution])),
+    (group("hardening: peak force"), |(row, state)| Some([row.f, state.peak.force])),
+    (group("hardening: peak indentation"), |(row, state)| Some([row.x, state.peak.indentation])),
     // a shallow dent would have a large relative deviation
     (
         Group::of_differences("hardening: residual indentation, deviation over peak indentation", REFERENCE, ""),
-        |row| row.residual_share,
-        |state| state.peak.residual() / state.peak.indentation,
+        |(row, state)| Some([row.residual_share, state.peak.residual() / state.peak.indentation]),
     ),
-    (group("hardening: contact radius"), |row| row.contact_radius, |state| state.contact_radius),
+    (group("hardening: contact radius"), |(row, state)| Some([row.contact_radius, state.contact_radius])),
 ];
 
 const fn group(name: &'static str) -> Group {
@@ -57,19 +56,12 @@ pub(super) fn law(
 }
 
 pub(super) fn unloadings(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let rows = hardening::unloadings()?;
-    let mut states = Vec::with_capacity(rows.len());
-    for (materials, row) in &rows {
-        if let Some((law, yield_radius_ratio)) = law(materials, coefficients, true)? {
-            states.push((row, at_energy(&law, yield_radius_ratio, row.spent)));
+    let mut cases = Vec::new();
+    for (materials, row) in hardening::unloadings()? {
+        if let Some((law, yield_radius_ratio)) = law(&materials, coefficients, true)? {
+            let state = at_energy(&law, yield_radius_ratio, row.spent);
+            cases.push((row, state));
         }
     }
-    let mut compared = Vec::new();
-    for (group, of_reference, of_law) in QUANTITIES {
-        for (row, state) in &states {
-            let case = format!("{}, x = {}", row.material, row.x);
-            compared.push(group.compared(case, [of_reference(row), of_law(state)]));
-        }
-    }
-    Ok(compared)
+    Ok(compared(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.material, row.x)))
 }

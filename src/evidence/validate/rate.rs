@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::comparison::{Comparison, Group};
+use super::comparison::{Comparison, Group, Quantity, compared};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::contact::material::{HalfSpace, Material, Sphere};
 use crate::contact::strength::rate::{Form, Rate};
@@ -13,25 +13,25 @@ use crate::impact::{Contact, Impact};
 
 const SOURCE: &str = "explicit finite elements, src/impact/reference/fe_rate.csv";
 
-/// A quantity of an impact, and the numbers of reference and law.
-type ImpactQuantity = (Group, fn(&RatedRow, &Impact) -> Option<[f64; 2]>);
+/// An impact by finite elements, and by the law.
+type Case = (RatedRow, Impact);
 
-const QUANTITIES: [ImpactQuantity; 5] = [
-    (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |row, impact| {
+const QUANTITIES: [Quantity<Case>; 5] = [
+    (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |(row, impact)| {
         Some([row.restitution, impact.restitution_with_waves()?])
     }),
-    (Group::new("impact with strain rate: contact time", SOURCE, "s"), |row, impact| {
+    (Group::new("impact with strain rate: contact time", SOURCE, "s"), |(row, impact)| {
         Some([row.contact_time, impact.contact_time])
     }),
-    (Group::new("impact with strain rate: peak force", SOURCE, "N"), |row, impact| {
+    (Group::new("impact with strain rate: peak force", SOURCE, "N"), |(row, impact)| {
         Some([row.peak_force, impact.peak_force])
     }),
-    (Group::new("impact with strain rate: peak indentation", SOURCE, "m"), |row, impact| {
+    (Group::new("impact with strain rate: peak indentation", SOURCE, "m"), |(row, impact)| {
         Some([row.peak_indentation, impact.peak_indentation])
     }),
     (
         Group::of_differences("impact with strain rate: residual indentation over peak indentation", SOURCE, ""),
-        |row, impact| {
+        |(row, impact)| {
             Some([row.residual_indentation, impact.residual_indentation].map(|depth| depth / row.peak_indentation))
         },
     ),
@@ -63,12 +63,7 @@ fn impact(row: &RatedRow, coefficients: &Arc<PlmCoefficients>) -> Result<Impact,
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let coefficients = Arc::new(coefficients.clone());
-    let rows = impacts::rated()?;
-    let impacts: Vec<Impact> = rows.iter().map(|row| impact(row, &coefficients)).collect::<Result<_, Error>>()?;
-    let comparisons = |(group, numbers): &ImpactQuantity| -> Vec<Comparison> {
-        let compared =
-            |(row, impact): (&RatedRow, &Impact)| Some(group.compared(row.case.clone(), numbers(row, impact)?));
-        rows.iter().zip(&impacts).filter_map(compared).collect()
-    };
-    Ok(QUANTITIES.iter().flat_map(comparisons).collect())
+    let case = |row: RatedRow| impact(&row, &coefficients).map(|impact| (row, impact));
+    let cases: Vec<Case> = impacts::rated()?.into_iter().map(case).collect::<Result<_, Error>>()?;
+    Ok(compared(&QUANTITIES, &cases, |(row, _)| row.case.clone()))
 }

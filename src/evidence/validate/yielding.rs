@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::comparison::{Comparison, Group};
+use super::comparison::{self, Comparison, Group, Quantity};
 use super::hardening::{AtEnergy, at_energy};
 use crate::contact::law::{Bodies, Law, Plm, PlmCoefficients, UnloadingExponent};
 use crate::contact::material::{HalfSpace, Hold, Material, Sphere};
@@ -43,19 +43,16 @@ pub(super) fn compared(coefficients: &PlmCoefficients) -> Result<Vec<Compared>, 
     rows.filter_map(|row| Compared::new(row, coefficients).transpose()).collect()
 }
 
-/// A quantity of a cycle, and the numbers of reference and law.
-type CycleQuantity = (Group, fn(&Compared) -> [f64; 2]);
-
-const QUANTITIES: [CycleQuantity; 4] = [
+const QUANTITIES: [Quantity<Compared>; 4] = [
     (Group::new("sphere or both yield: restitution, pressure-shape", SOURCE, ""), |cycle| {
-        [cycle.row.restitution, cycle.at_energy.restitution]
+        Some([cycle.row.restitution, cycle.at_energy.restitution])
     }),
     (Group::new("sphere or both yield: force at the same depth", SOURCE, "N"), |cycle| {
-        [cycle.row.peak_force, cycle.law.loading.force(cycle.at_depth) * cycle.bodies.yield_point.force]
+        Some([cycle.row.peak_force, cycle.law.loading.force(cycle.at_depth) * cycle.bodies.yield_point.force])
     }),
     (Group::new("sphere or both yield: contact radius at the same depth", SOURCE, "R"), |cycle| {
         let radius = cycle.law.contact_radius(&cycle.law.loaded_to(cycle.at_depth));
-        [cycle.row.contact_radius, radius * cycle.bodies.yield_radius_ratio()]
+        Some([cycle.row.contact_radius, radius * cycle.bodies.yield_radius_ratio()])
     }),
     (
         Group::of_differences(
@@ -65,18 +62,14 @@ const QUANTITIES: [CycleQuantity; 4] = [
         ),
         |cycle| {
             let of_law = cycle.law.loaded_to(cycle.at_depth).residual() / cycle.at_depth;
-            [cycle.row.residual_indentation / cycle.row.peak_indentation, of_law]
+            Some([cycle.row.residual_indentation / cycle.row.peak_indentation, of_law])
         },
     ),
 ];
 
 pub(super) fn load_cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let all = compared(coefficients)?;
-    let comparisons = |(group, numbers): &CycleQuantity| -> Vec<Comparison> {
-        let name = |cycle: &Compared| format!("{}, a/R = {}", cycle.row.case, cycle.row.contact_radius);
-        all.iter().map(|cycle| group.compared(name(cycle), numbers(cycle))).collect()
-    };
-    Ok(QUANTITIES.iter().flat_map(comparisons).collect())
+    let name = |cycle: &Compared| format!("{}, a/R = {}", cycle.row.case, cycle.row.contact_radius);
+    Ok(comparison::compared(&QUANTITIES, &compared(coefficients)?, name))
 }
 
 const WEIR_TALLON: Group = Group::new(

@@ -65,7 +65,6 @@ impl Flight {
     }
 
     /// Returns the flight with the same take-off, without air.
-    #[must_use]
     pub fn without_air(&self) -> Self {
         let flying = Flying::in_vacuum(self.flying.gravity);
         let begun = if self.speed > 0.0 {
@@ -77,7 +76,6 @@ impl Flight {
     }
 
     /// Returns the flight of a ball that starts at this place along the surface, and moves along the surface at this speed.
-    #[must_use]
     pub fn along(self, position: f64, speed_along: f64) -> Self {
         Self { position, speed_along, ..self }
     }

@@ -64,13 +64,11 @@ impl Curve {
     }
 
     /// Lets the curve go on from `start` (beyond all starts so far) as a straight line.
-    #[must_use]
     pub fn then_straight(self, start: f64, slope: f64) -> Self {
         self.then_straights([(start, slope)])
     }
 
     /// Lets the curve go on as straight lines, each from its start on with its slope.
-    #[must_use]
     pub fn then_straights(mut self, lines: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let [mut force, mut work, mut from] = [0.0; 3];
         let mut before = None;
@@ -88,13 +86,11 @@ impl Curve {
     }
 
     /// Lets the curve go on from (`start`, `force`) as a straight line.
-    #[must_use]
     pub fn then_straight_from(self, start: f64, force: f64, slope: f64) -> Self {
         self.then(start, force, Shape::straight(slope))
     }
 
     /// Lets the curve go on from a point (x, f) in straight lines through others.
-    #[must_use]
     pub fn then_through(mut self, first: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Self {
         self.pieces.reserve(points.size_hint().0 + 1);
         let [mut start, mut force] = first;
@@ -109,14 +105,12 @@ impl Curve {
     }
 
     /// Lets the curve go on from `start` as k x^n.
-    #[must_use]
     pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {
         self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
     }
 
     /// Lets the curve go on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:
     /// a piece for every octave of the distance from there. The formula is also asked 3 % of that distance outside of both.
-    #[must_use]
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few octaves
     pub fn then_formula(mut self, start: f64, end: f64, pole: f64, formula: impl Fn(f64) -> f64) -> Self {
         let whole = (end - pole) / (start - pole);
@@ -136,7 +130,6 @@ impl Curve {
     }
 
     /// Gives the curve series for the time to its knots (see [`crossing::crossings`]).
-    #[must_use]
     pub(crate) fn with_crossings(mut self) -> Self {
         self.crossings = Some(Once::default());
         self
@@ -154,7 +147,6 @@ impl Curve {
     }
 
     /// Lets the curve go on from `start` along its tangent there.
-    #[must_use]
     pub fn then_tangent(self, start: f64) -> Self {
         let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));
         self.then_straight(start, slope)

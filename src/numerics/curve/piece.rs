@@ -49,7 +49,6 @@ impl Shape {
     }
 
     /// Returns this force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
-    #[must_use]
     pub(crate) fn later(&self, by: f64) -> Self {
         match self {
             Self::Power { stiffness, exponent, offset } => {

@@ -119,7 +119,6 @@ impl Poly {
     }
 
     /// Returns this force on a stretch that starts so much later.
-    #[must_use]
     pub fn later(&self, by: f64) -> Self {
         let first = self.first + by * self.scale;
         Self { first, length: self.length - by, work: quotient(&self.force, first), ..*self }

@@ -57,13 +57,11 @@ impl Axis {
     }
 
     /// Returns the axis with a logarithmic scale.
-    #[must_use]
     pub fn logarithmic(self) -> Self {
         Self { scale: Scale::Log, ..self }
     }
 
     /// Returns the axis from `low` to `high`.
-    #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
         self.range = Some((low, high));
         self

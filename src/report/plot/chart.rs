@@ -111,19 +111,16 @@ impl Chart {
     }
 
     /// Returns the picture with a line below the title that names bodies and law.
-    #[must_use]
     pub fn with_caption(self, caption: impl Into<String>) -> Self {
         Self { caption: caption.into(), ..self }
     }
 
     /// Returns the picture with these series in a box at the right of the first one.
-    #[must_use]
     pub fn with_side(self, x: Axis, series: Vec<Series>) -> Self {
         Self { side: Some(Side { x, series }), ..self }
     }
 
     /// Returns the picture with these guides in every box.
-    #[must_use]
     pub fn with_guides(mut self, guides: impl Into<Vec<Series>>) -> Self {
         let guides = guides.into();
         for panel in &mut self.panels {
@@ -133,7 +130,6 @@ impl Chart {
     }
 
     /// Returns the picture with these texts at the end of the key.
-    #[must_use]
     pub fn with_notes<T: Into<String>>(self, notes: impl IntoIterator<Item = T>) -> Self {
         self.with_entries(notes.into_iter().map(Series::text))
     }
@@ -145,7 +141,6 @@ impl Chart {
 
     /// Returns the picture with entries of the key, in grey, for what the dashes of all colours mean: the first name is that
     /// of solid lines, the second of dashed ones ([`Style::branch`]).
-    #[must_use]
     pub fn with_branches(self, names: &[&str]) -> Self {
         let entry = |(which, name): (usize, &&str)| {
             Series::line(*name, Vec::new()).styled(Style::line(GREY, 3.0).branch(which))

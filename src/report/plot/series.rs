@@ -87,20 +87,17 @@ impl Series {
     }
 
     /// Returns the series in this style; a number is a place in the cycle of styles.
-    #[must_use]
     pub fn styled(self, style: impl Into<Style>) -> Self {
         Self { style: Some(style.into()), ..self }
     }
 
     /// Returns the series in this colour, with its width and dash.
-    #[must_use]
     pub(super) fn colored(self, style: impl Into<Style>) -> Self {
         let own = self.style.unwrap_or(Style::BLACK);
         Self { style: Some(Style { color: style.into().color, ..own }), ..self }
     }
 
     /// Returns the series with one more text in the key.
-    #[must_use]
     pub fn and(mut self, text: impl Into<String>) -> Self {
         self.texts.push(text.into());
         self

@@ -84,13 +84,11 @@ impl Style {
     }
 
     /// Returns the style with a solid line.
-    #[must_use]
     pub fn solid(self) -> Self {
         self.dashed(SOLID)
     }
 
     /// Returns the style with a solid line for 0 and a dashed one for 1.
-    #[must_use]
     pub fn branch(self, which: usize) -> Self {
         self.dashed(if which == 0 { SOLID } else { DASHED })
     }
@@ -106,8 +104,6 @@ impl Style {
     pub(super) fn marker(mark: Mark, color: RGBColor) -> Self {
         Self { color, mark, ..Self::BLACK }
     }
-
-    #[must_use]
     pub fn wide(self, width: f64) -> Self {
         Self { width, ..self }
     }

@@ -267,7 +267,6 @@ impl Input {
     }
 
     /// The input with the values that follow from others, and with the defaults of the keys that are used, for reports.
-    #[must_use]
     pub fn filled(&self) -> Self {
         let mut input = self.clone();
         input.set(at!("sphere.radius"), self.radius());
