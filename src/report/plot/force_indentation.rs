@@ -2,14 +2,9 @@
 //! loops of Xie et al. (2024), Figs. 8 and 12.
 
 use super::{Axis, Chart, DOTTED, GREY, INK, Mark, PlotError, Series, Style, loops};
-use crate::impact::{Event, Impact, TraceRow};
+use crate::impact::{Event, Impact};
 use crate::numerics::functions::atan2;
 use crate::units::{Dimension, four_digits, quantity};
-
-/// The values of [`loops::INDENTATIONS`].
-pub(super) fn indentations(row: &TraceRow) -> [f64; 3] {
-    [row.indentation, row.sphere_indentation, row.half_space_indentation]
-}
 
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
@@ -18,14 +13,10 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
     let ink = |mark| Style::marker(mark, INK);
     let to_peak = Style::line(GREY, 1.5);
     let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
-    let one_loop = |i: usize| {
-        let (name, width) = loops::INDENTATIONS[i];
-        let first = Series::line(name, Vec::new());
-        loops::of_impact(impact, first, loops::style(i, width), |row| indentations(row)[i]).ok_or_else(|| {
-            PlotError::Data("force against indentation needs a trace: run the impact with samples".into())
-        })
-    };
-    let (drawn, of_sphere) = loops::arranged([one_loop(0)?, one_loop(1)?, one_loop(2)?]);
+    let branches = loops::of_impact(impact).ok_or_else(|| {
+        PlotError::Data("force against indentation needs a trace: run the impact with samples".into())
+    })?;
+    let (drawn, of_sphere) = loops::arranged(&branches);
     series.extend(drawn);
     if is_damped(impact) {
         let of_law = trace.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));

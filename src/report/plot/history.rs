@@ -1,6 +1,6 @@
 //! Force, indentation and speed against time, in three boxes one above the other.
 
-use super::force_indentation::{force_at_peak, indentations, is_damped, peak_name, title};
+use super::force_indentation::{force_at_peak, is_damped, peak_name, title};
 use super::{Axis, Chart, DASHED, GREY, INK, Panel, PlotError, Series, Style, extremes, loops};
 use crate::impact::{Impact, TraceRow};
 use crate::units::{Dimension, quantity};
@@ -20,7 +20,7 @@ pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
         .iter()
         .enumerate()
         .map(|(i, (name, width))| {
-            let points = impact.trace.iter().map(|row| (row.time, indentations(row)[i]));
+            let points = impact.trace.iter().map(|row| (row.time, loops::indentations(row)[i]));
             Series::line(*name, points.collect()).styled(loops::style(i, *width))
         })
         .collect();

@@ -1,35 +1,22 @@
 //! Force against indentation of slow contacts. For one half-space: the approach, and the indentations of sphere and
 //! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13.
 
-use super::{Axis, Chart, Series, Style, loops};
+use super::loops::{self, Branches};
+use super::{Axis, Chart, Series};
 use crate::contact::law::Branch;
 use crate::impact::indentation::{IndentationRow, Tested};
 use crate::units::{Dimension, quantity};
 
-type Quantity = fn(&IndentationRow) -> f64;
-
 pub fn indentation(tested: &[Tested]) -> Chart {
-    let mut of_sphere = Vec::new();
-    let series = match tested {
-        [one] => {
-            let quantities: [Quantity; 3] =
-                [|row| row.indentation, |row| row.sphere_indentation, |row| row.half_space_indentation];
-            let drawn = |i: usize| {
-                let (name, width) = loops::INDENTATIONS[i];
-                one_loop(name, &one.indentation.trace, quantities[i], loops::style(i, width))
-            };
-            let (drawn, aside) = loops::arranged([0, 1, 2].map(drawn));
-            of_sphere = aside;
-            drawn
-        }
+    let branches = |one: &Tested| branches(&one.indentation.trace);
+    let (series, of_sphere) = match tested {
+        [one] => loops::arranged(&branches(one)),
         several => {
-            let numbered = several.iter().enumerate();
-            numbered
-                .flat_map(|(i, one)| {
-                    let name = one.specimen.name.as_deref().unwrap_or_default();
-                    one_loop(name, &one.indentation.trace, |row| row.indentation, loops::style(i, 4.0))
-                })
-                .collect()
+            let one_loop = |(i, one): (usize, &Tested)| {
+                let name = one.specimen.name.as_deref().unwrap_or_default();
+                loops::series(name, loops::style(i, 4.0), &branches(one), 0)
+            };
+            (several.iter().enumerate().flat_map(one_loop).collect(), Vec::new())
         }
     };
     let rows = || tested.iter().flat_map(|one| &one.indentation.trace);
@@ -56,19 +43,20 @@ pub fn indentation(tested: &[Tested]) -> Chart {
     loops::with_sphere(chart, of_sphere)
 }
 
-/// The loop of the trace of one half-space, against one kind of indentation.
-fn one_loop(name: &str, rows: &[IndentationRow], quantity: Quantity, style: Style) -> Vec<Series> {
+/// The loop of the trace of one half-space.
+fn branches(rows: &[IndentationRow]) -> Branches {
     let branches = rows.chunk_by(|a, b| is_loading(a) == is_loading(b)).map(|branch| {
-        let mut points: Vec<_> = branch.iter().map(|row| (quantity(row), row.force)).collect();
+        let indentations = |row: &IndentationRow| [row.indentation, row.sphere_indentation, row.half_space_indentation];
+        let mut rows: Vec<_> = branch.iter().map(|row| (indentations(row), row.force)).collect();
         let is_loading = branch.first().is_some_and(is_loading);
         if !is_loading {
             // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the dashes
             // stay open
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            rows.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
         }
-        (is_loading, points)
+        (is_loading, rows)
     });
-    loops::series(Series::line(name, Vec::new()), style, branches)
+    branches.collect()
 }
 
 fn is_loading(row: &IndentationRow) -> bool {

@@ -9,6 +9,12 @@ type Points = Vec<(f64, f64)>;
 /// half-space lies on that of the approach; with equal elastic bodies it lies on that of the sphere.
 pub const INDENTATIONS: [(&str, f64); 3] = [("Approach δ", 7.0), ("Sphere δₛ", 5.0), ("Half-space δₕ", 3.0)];
 
+/// A row of a loop: the three indentations, and the force.
+pub type Row = ([f64; 3], f64);
+
+/// The parts of a loop in the order of time, each with whether the contact loads.
+pub type Branches = Vec<(bool, Vec<Row>)>;
+
 /// The points without those between two others without force.
 fn without_idle(points: Points) -> Points {
     let is_idle = |i: usize| points.get(i).is_none_or(|at| at.1 == 0.0);
@@ -17,42 +23,44 @@ fn without_idle(points: Points) -> Points {
     if moving.is_empty() { points } else { moving }
 }
 
-/// The series of a loop. `first` has its name and look; `branches` are its parts in the order of time, each with whether
-/// the contact loads.
-pub fn series(first: Series, style: Style, branches: impl IntoIterator<Item = (bool, Points)>) -> Vec<Series> {
-    let mut first = Some(first.styled(style));
-    let series = branches.into_iter().map(|(is_loading, points)| {
-        let drawn = style.branch(usize::from(!is_loading));
+/// The series of a loop against one of the indentations.
+pub fn series(name: impl Into<String>, style: Style, branches: &Branches, which: usize) -> Vec<Series> {
+    let mut first = Some(Series::line(name, Vec::new()).styled(style));
+    let series = branches.iter().map(|(loads, rows)| {
         // a sphere that has left the surface moves without force
-        let points = without_idle(points);
+        let points = without_idle(rows.iter().map(|(indentations, force)| (indentations[which], *force)).collect());
         match first.take() {
             Some(first) => Series { points, ..first },
-            None => Series::line("", points).styled(drawn),
+            None => Series::line("", points).styled(style.branch(usize::from(!loads))),
         }
     });
     series.collect()
 }
 
-/// The loop of an impact against a kind of indentation; `None` without a trace.
-pub fn of_impact(
-    impact: &Impact,
-    first: Series,
-    style: Style,
-    indentation: impl Fn(&TraceRow) -> f64,
-) -> Option<Vec<Series>> {
+pub fn indentations(row: &TraceRow) -> [f64; 3] {
+    [row.indentation, row.sphere_indentation, row.half_space_indentation]
+}
+
+/// The loop of an impact; `None` without a trace.
+pub fn of_impact(impact: &Impact) -> Option<Branches> {
     let trace = &impact.trace;
     // a sphere that creeps to rest has no turning point; its last row is the deepest
     let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
     let turn = turn.or_else(|| impact.captured().and_then(|_| trace.len().checked_sub(1)))?;
-    let points = |rows: &[TraceRow]| rows.iter().map(|row| (indentation(row), row.force)).collect();
-    Some(series(first, style, [(true, points(&trace[..=turn])), (false, points(&trace[turn..]))]))
+    let rows = |rows: &[TraceRow]| rows.iter().map(|row| (indentations(row), row.force)).collect();
+    Some(vec![(true, rows(&trace[..=turn])), (false, rows(&trace[turn..]))])
 }
 
 /// A sphere with less than this share of the largest indentation has a box of its own: its loop would be too narrow.
 const NARROW: f64 = 0.35;
 
 /// The loops of [`INDENTATIONS`] that share the box of the approach, and those of a box for the sphere alone.
-pub fn arranged([approach, sphere, half_space]: [Vec<Series>; 3]) -> (Vec<Series>, Vec<Series>) {
+pub fn arranged(branches: &Branches) -> (Vec<Series>, Vec<Series>) {
+    let drawn = |i: usize| {
+        let (name, width) = INDENTATIONS[i];
+        series(name, style(i, width), branches, i)
+    };
+    let [approach, sphere, half_space] = [0, 1, 2].map(drawn);
     let share = largest(&sphere) / largest(&approach);
     if share == 0.0 {
         // the half-space of a rigid sphere has the whole approach

@@ -147,7 +147,7 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
         named.sort_unstable();
     }
     let one_loop = |impact, name: String, style| {
-        loops::of_impact(impact, Series::line(name, Vec::new()), style, |row| row.indentation).unwrap_or_default()
+        loops::of_impact(impact).map(|branches| loops::series(name, style, &branches, 0)).unwrap_or_default()
     };
     let grey = Style::line(GREY, 1.5);
     let mut series: Vec<Series> =
