@@ -124,7 +124,9 @@ impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
     pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
-            Word::Material(choice) => choice.values().any(|(path, _)| path == HARDNESS).then_some(choice.material),
+            Word::Material(choice) => {
+                choice.defaults.iter().any(|(at, _)| at.path() == HARDNESS).then_some(choice.material)
+            }
             _ => None,
         });
         let (metals, others): (Vec<&MaterialEntry>, Vec<&MaterialEntry>) =

@@ -1,25 +1,4 @@
 //! Scenarios: a TOML file with units, checked while it is read.
-//!
-//! ```
-//! use plm_impact::scenario::Scenario;
-//!
-//! let text = r#"
-//!     [sphere]
-//!     radius = "5 mm"
-//!     youngs_modulus = "210 GPa"
-//!     poissons_ratio = 0.3
-//!     density = "7850 kg/m^3"
-//!     [half_space]
-//!     youngs_modulus = "210 GPa"
-//!     poissons_ratio = 0.3
-//!     yield_strength = "345 MPa"
-//!     [impact]
-//!     speed = "3 m/s"
-//! "#;
-//! let input = Scenario::from_text("steel", text, &["impact.speed=1 m/s".to_owned()])?.resolve()?;
-//! assert_eq!(input.speed(), 1.0);
-//! # Ok::<(), plm_impact::error::Error>(())
-//! ```
 
 mod axes;
 pub mod calibrate;

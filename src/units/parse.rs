@@ -25,13 +25,6 @@ fn known(unit: &str, dimension: Dimension) -> String {
 ///
 /// # Errors
 /// The text, what is wrong, and what would be understood.
-///
-/// ```
-/// use plm_impact::units::{Dimension, parse};
-/// assert_eq!(parse("5 mm", Dimension::Length)?, 0.005);
-/// assert_eq!(parse("7.85 g/cm³", Dimension::Density)?, 7850.0);
-/// # Ok::<(), plm_impact::error::Error>(())
-/// ```
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Error> {
     parse_as(text, dimension, dimension.name(), dimension.example()).map_err(Error::input)
 }

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::files::OutputFile;
 use crate::impact::Method;
 use crate::numerics::power::max_or_nan;
-use crate::report::plot::{Axis, Chart, PlotError, Series};
+use crate::report::plot::{Axis, Chart, Series};
 use crate::report::text::files::written;
 use crate::units::markdown;
 
@@ -101,7 +101,7 @@ fn sentence(table: &TableRate) -> String {
 const ROUNDING: f64 = 1e-16;
 
 /// The picture of a problem: time of one impact against the larger of its errors.
-pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, PlotError> {
+pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, Error> {
     let series = METHODS.into_iter().filter(|method| serves(*method, problem)).map(|method| {
         let points = measurements
             .iter()

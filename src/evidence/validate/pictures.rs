@@ -22,7 +22,7 @@ use crate::impact::reference::impacts::Sample;
 use crate::impact::reference::measured::{Steel, devices, rebounds, steels};
 use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
-use crate::report::plot::{Axis, Chart, Panel, Pictures, PlotError, Series, Style};
+use crate::report::plot::{Axis, Chart, Panel, Pictures, Series, Style};
 use crate::units::{Dimension, quantity};
 
 /// A picture before it is drawn, with the name of its file without the ending.
@@ -55,7 +55,7 @@ pub fn pictures(
     pictures.push(oblique()?);
     progress.expect(pictures.len() as u64);
     let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());
-    let drawn: Result<Vec<Option<OutputFile>>, PlotError> = pictures.par_iter().map(file).collect();
+    let drawn: Result<Vec<Option<OutputFile>>, Error> = pictures.par_iter().map(file).collect();
     Ok(drawn?.into_iter().flatten().collect())
 }
 

@@ -1,13 +1,14 @@
 //! The one form of every picture: boxes one above the other with a common horizontal axis, series and guides in them, a
 //! title, and a key or a colour bar beside them.
 
+use crate::error::Error;
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
 use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP, draw_titles};
 use super::key::{Key, MARGIN};
 use super::pen::{self, Pen, Point};
-use super::{Axis, GREY, Look, PlotError, SIZE, Series, Style};
+use super::{Axis, GREY, Look, SIZE, Series, Style};
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
@@ -151,26 +152,26 @@ impl Chart {
     /// The picture as PNG: pixels, with the same bytes on every machine.
     ///
     /// # Errors
-    /// [`PlotError::Font`] in a browser, where plotters draws no letters into pixels.
-    pub fn to_png(&self) -> Result<Vec<u8>, PlotError> {
+    /// [`Error`] in a browser, where plotters draws no letters into pixels.
+    pub fn to_png(&self) -> Result<Vec<u8>, Error> {
         #[cfg(not(target_arch = "wasm32"))]
         return pen::png::png(|pen| self.paint(&self.layout(false), pen));
         #[cfg(target_arch = "wasm32")]
-        Err(PlotError::Font)
+        Err(Error::failed("the built-in font cannot be used"))
     }
 
     /// The picture as SVG: shapes and text, which stay sharp at any size.
-    pub fn to_svg(&self) -> Result<Vec<u8>, PlotError> {
+    pub fn to_svg(&self) -> Result<Vec<u8>, Error> {
         self.svg(&self.layout(false))
     }
 
     /// The picture as SVG for a column of a paper or a narrow window: the axes half as wide, with letters of the same size, and
     /// the key below them.
-    pub fn to_narrow_svg(&self) -> Result<Vec<u8>, PlotError> {
+    pub fn to_narrow_svg(&self) -> Result<Vec<u8>, Error> {
         self.svg(&self.layout(true))
     }
 
-    fn svg(&self, layout: &Layout) -> Result<Vec<u8>, PlotError> {
+    fn svg(&self, layout: &Layout) -> Result<Vec<u8>, Error> {
         pen::svg(layout.sheet, |pen| self.paint(layout, pen))
     }
 
@@ -234,7 +235,7 @@ impl Chart {
         frames
     }
 
-    fn paint<B: DrawingBackend>(&self, layout: &Layout, pen: &mut Pen<B>) -> Result<(), PlotError> {
+    fn paint<B: DrawingBackend>(&self, layout: &Layout, pen: &mut Pen<B>) -> Result<(), Error> {
         let mut number = 0;
         for (i, (panel, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
             frame.draw_x(pen, i + 1 == self.panels.len())?;
@@ -284,7 +285,7 @@ impl Chart {
     }
 
     /// The colour bar of a map.
-    fn draw_colors<B: DrawingBackend>(&self, pen: &mut Pen<B>, all: Bounds) -> Result<(), PlotError> {
+    fn draw_colors<B: DrawingBackend>(&self, pen: &mut Pen<B>, all: Bounds) -> Result<(), Error> {
         let Some((axis, shade)) = &self.colors else { return Ok(()) };
         let right = all.right + RIGHT - BAR_MARGIN;
         let bounds = Bounds { left: right - BAR, right, ..all };
@@ -307,7 +308,7 @@ fn fill<B: DrawingBackend>(
     frame: &Frame,
     first: usize,
     pen: &mut Pen<B>,
-) -> Result<(), PlotError> {
+) -> Result<(), Error> {
     let series = || series.iter().enumerate().map(|(i, one)| (one, one.style(first + i)));
     for (band, style) in series().filter(|(one, _)| one.look == Look::Band) {
         let corners: Vec<_> = band.points.iter().map(|point| frame.place(*point)).collect();

@@ -1,21 +1,21 @@
 //! Force against the approach, and against the indentations of sphere and half-space, during loading and unloading: the
 //! loops of Xie et al. (2024), Figs. 8 and 12.
 
-use super::{Axis, Chart, DOTTED, GREY, INK, Mark, PlotError, Series, Style, loops};
+use super::{Axis, Chart, DOTTED, GREY, INK, Mark, Series, Style, loops};
+use crate::error::Error;
 use crate::impact::{Event, Impact};
 use crate::numerics::functions::atan2;
 use crate::units::{Dimension, four_digits, quantity};
 
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
-pub fn force_indentation(impact: &Impact) -> Result<Chart, PlotError> {
+pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     let trace = &impact.trace;
     let peak = (impact.peak_indentation, impact.force_at_peak_indentation);
     let ink = |mark| Style::marker(mark, INK);
     let to_peak = Style::line(GREY, 1.5);
     let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
-    let branches = loops::of_impact(impact).ok_or_else(|| {
-        PlotError::Data("force against indentation needs a trace: run the impact with samples".into())
-    })?;
+    let branches = loops::of_impact(impact)
+        .ok_or_else(|| Error::failed("force against indentation needs a trace: run the impact with samples"))?;
     let (drawn, of_sphere) = loops::arranged(&branches);
     series.extend(drawn);
     if is_damped(impact) {

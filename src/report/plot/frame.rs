@@ -1,12 +1,13 @@
 //! A box with two axes: draws grid, ticks and titles, and curves that are clipped to the box.
 
+use crate::error::Error;
 use plotters::prelude::DrawingBackend;
 
 use super::axis::FittedAxis;
 use super::pen::{Anchor, Pen, Point};
 use super::style::{AXIS_SIZE, LABEL_SIZE, TITLE_SIZE};
 use super::text::text_width;
-use super::{GREY, GRID, INK, Mark, PAPER, PlotError, Style};
+use super::{GREY, GRID, INK, Mark, PAPER, Style};
 
 /// Margins around the boxes for labels and titles \[px\].
 pub const LEFT: f64 = 165.0;
@@ -50,7 +51,7 @@ impl Frame {
     }
 
     /// Draws the horizontal axis. It has no labels if a box below has the same axis.
-    pub fn draw_x<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), PlotError> {
+    pub fn draw_x<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), Error> {
         let Bounds { left, top, right, bottom } = self.bounds;
         for tick in self.x.ticks((right - left) / LABEL_DISTANCE.0) {
             let x = left + tick.at * (right - left);
@@ -70,7 +71,7 @@ impl Frame {
     }
 
     /// Draws the vertical axis. It has no labels if a box at its left has the same axis.
-    pub fn draw_y<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), PlotError> {
+    pub fn draw_y<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), Error> {
         let Bounds { left, top, right, bottom } = self.bounds;
         let mut widest: f64 = 0.0;
         for tick in self.y.ticks((bottom - top) / LABEL_DISTANCE.1) {
@@ -92,19 +93,14 @@ impl Frame {
     }
 
     /// Draws the outline, over the ends of the curves.
-    pub fn draw_outline<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), PlotError> {
+    pub fn draw_outline<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), Error> {
         let Bounds { left, top, right, bottom } = self.bounds;
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
         pen.polyline(&corners, Style::line(INK, 2.0))
     }
 
     /// Draws a curve through values. Parts outside the box are cut off, and values that are not finite interrupt it.
-    pub fn curve<B: DrawingBackend>(
-        &self,
-        pen: &mut Pen<B>,
-        values: &[(f64, f64)],
-        style: Style,
-    ) -> Result<(), PlotError> {
+    pub fn curve<B: DrawingBackend>(&self, pen: &mut Pen<B>, values: &[(f64, f64)], style: Style) -> Result<(), Error> {
         let mut piece: Vec<Point> = Vec::new();
         for pair in values.windows(2) {
             let clipped = self.bounds.clipped(self.place(pair[0]), self.place(pair[1]));
@@ -118,7 +114,7 @@ impl Frame {
     }
 
     /// Draws a marker with a white rim, if it is inside the box.
-    pub fn mark<B: DrawingBackend>(&self, pen: &mut Pen<B>, value: (f64, f64), style: Style) -> Result<(), PlotError> {
+    pub fn mark<B: DrawingBackend>(&self, pen: &mut Pen<B>, value: (f64, f64), style: Style) -> Result<(), Error> {
         let at = self.place(value);
         let Bounds { left, top, right, bottom } = self.bounds;
         // half a pixel is allowed for rounding
@@ -134,7 +130,7 @@ impl Frame {
 
 /// Draws the title above the boxes, and below it in grey the caption, which names bodies and law. Long texts are drawn
 /// smaller.
-pub fn draw_titles<B: DrawingBackend>(pen: &mut Pen<B>, all: Bounds, titles: [&str; 2]) -> Result<(), PlotError> {
+pub fn draw_titles<B: DrawingBackend>(pen: &mut Pen<B>, all: Bounds, titles: [&str; 2]) -> Result<(), Error> {
     let middle = 0.5 * (all.left + all.right);
     let [title, caption] = titles;
     if caption.is_empty() {

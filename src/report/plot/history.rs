@@ -1,14 +1,15 @@
 //! Force, indentation and speed against time, in three boxes one above the other.
 
 use super::force_indentation::{force_at_peak, is_damped, peak_name, title};
-use super::{Axis, Chart, DASHED, GREY, INK, Panel, PlotError, Series, Style, extremes, loops};
+use super::{Axis, Chart, DASHED, GREY, INK, Panel, Series, Style, extremes, loops};
+use crate::error::Error;
 use crate::impact::{Impact, TraceRow};
 use crate::units::{Dimension, quantity};
 
 /// The history of an impact. A trace of some hundred samples gives smooth curves.
-pub fn history(impact: &Impact) -> Result<Chart, PlotError> {
+pub fn history(impact: &Impact) -> Result<Chart, Error> {
     if impact.trace.is_empty() {
-        return Err(PlotError::Data("a history needs a trace: run the impact with samples".into()));
+        return Err(Error::failed("a history needs a trace: run the impact with samples"));
     }
     let points = |quantity: fn(&TraceRow) -> f64| impact.trace.iter().map(|row| (row.time, quantity(row))).collect();
     let thin = |number| loops::style(number, 3.5);

@@ -1,5 +1,6 @@
 //! The key of a picture: inside the axes where it covers no data, else in a column to the right of them or below them.
 
+use crate::error::Error;
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
@@ -7,7 +8,7 @@ use super::frame::{Bounds, Frame};
 use super::pen::{Anchor, Pen, Point};
 use super::style::LABEL_SIZE;
 use super::text::{text_width, wrapped};
-use super::{GREY, INK, Look, PAPER, PlotError, Series, Style};
+use super::{GREY, INK, Look, PAPER, Series, Style};
 
 /// Width of the sample of a line or marker \[px\].
 const SAMPLE: f64 = 56.0;
@@ -137,7 +138,7 @@ impl Key {
     }
 
     /// Draws the key with this upper left corner, on white.
-    pub fn draw<B: DrawingBackend>(&self, pen: &mut Pen<B>, (left, top): Point) -> Result<(), PlotError> {
+    pub fn draw<B: DrawingBackend>(&self, pen: &mut Pen<B>, (left, top): Point) -> Result<(), Error> {
         if !self.entries.is_empty() {
             pen.rectangle((left - 4.0, top - 4.0), (left + self.width() + 4.0, top + self.height()), PAPER)?;
         }

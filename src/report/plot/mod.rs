@@ -29,8 +29,6 @@ mod style;
 pub mod sweep;
 mod text;
 
-use crate::error::{Error, ErrorKind};
-
 pub use axis::{Axis, Scale, extremes};
 pub(crate) use caption::{axis_of, words_of};
 pub use caption::{caption, captioned, title_of};
@@ -49,20 +47,3 @@ pub use style::{Mark, Style};
 
 /// Size of every picture \[px\].
 pub const SIZE: (u32, u32) = (1600, 1000);
-
-/// Why a picture could not be made.
-#[derive(Debug, thiserror::Error)]
-pub enum PlotError {
-    #[error("the built-in font cannot be used")]
-    Font,
-    #[error("drawing: {0}")]
-    Drawing(String),
-    #[error("{0}")]
-    Data(String),
-}
-
-impl From<PlotError> for Error {
-    fn from(error: PlotError) -> Self {
-        Self::caused_by(ErrorKind::Failed, &error)
-    }
-}

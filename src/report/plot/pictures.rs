@@ -1,6 +1,7 @@
 //! The file format of pictures.
 
-use super::{Chart, PlotError};
+use super::Chart;
+use crate::error::Error;
 use crate::files::OutputFile;
 use crate::units::named;
 
@@ -19,7 +20,7 @@ named! {
 
 impl Pictures {
     /// The file of a picture; `None` if no pictures are wanted.
-    pub fn file(self, name: &str, chart: &Chart) -> Result<Option<OutputFile>, PlotError> {
+    pub fn file(self, name: &str, chart: &Chart) -> Result<Option<OutputFile>, Error> {
         let (ending, bytes) = match self {
             Self::Png => ("png", chart.to_png()?),
             Self::Svg => ("svg", chart.to_svg()?),
@@ -32,8 +33,8 @@ impl Pictures {
     /// The files of pictures. If no pictures are wanted, `drawn` is not called.
     pub fn files<N: AsRef<str>>(
         self,
-        drawn: impl FnOnce() -> Result<Vec<(N, Chart)>, PlotError>,
-    ) -> Result<Vec<OutputFile>, PlotError> {
+        drawn: impl FnOnce() -> Result<Vec<(N, Chart)>, Error>,
+    ) -> Result<Vec<OutputFile>, Error> {
         if self == Self::None {
             return Ok(Vec::new());
         }

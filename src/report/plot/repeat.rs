@@ -1,7 +1,8 @@
 //! Pictures of repeated impacts: height and dents against time, the loops of all impacts, and e and dents against the
 //! number of the impact.
 
-use super::{Axis, Chart, GREY, Panel, PlotError, Series, Style, loops};
+use super::{Axis, Chart, GREY, Panel, Series, Style, loops};
+use crate::error::Error;
 use crate::impact::Impact;
 use crate::impact::repeat::flight::Flight;
 use crate::impact::repeat::{Hit, Place, Repeat, Sequence};
@@ -129,10 +130,10 @@ const WIDE: f64 = 20.0;
 const DRAWN: usize = 300;
 
 /// Force against approach of all traced impacts, for loading and unloading.
-pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, PlotError> {
+pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, Error> {
     let traced = &sequence.traced;
     if traced.is_empty() {
-        return Err(PlotError::Data("loops need traces: run the series with samples".into()));
+        return Err(Error::failed("loops need traces: run the series with samples"));
     }
     // identical impacts have one loop
     let same = |a: &Impact, b: &Impact| {

@@ -11,7 +11,8 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
 use super::text::{fitting, text_width};
-use super::{Mark, PAPER, PlotError, Style};
+use super::{Mark, PAPER, Style};
+use crate::error::Error;
 use crate::numerics::functions::hypot;
 
 /// A place on the picture \[px\], measured from its upper left corner.
@@ -49,10 +50,7 @@ const SVG: Format = Format {
 };
 
 /// The picture as SVG: shapes and text, which stay sharp at any size.
-pub fn svg(
-    sheet: (u32, u32),
-    paint: impl FnOnce(&mut Pen<SVGBackend>) -> Result<(), PlotError>,
-) -> Result<Vec<u8>, PlotError> {
+pub fn svg(sheet: (u32, u32), paint: impl FnOnce(&mut Pen<SVGBackend>) -> Result<(), Error>) -> Result<Vec<u8>, Error> {
     let [width, height] = [sheet.0, sheet.1].map(|side| side * whole_length(1.0, SVG.units));
     let mut svg = String::new();
     let mut backend = SVGBackend::with_string(&mut svg, (width, height));
@@ -87,7 +85,7 @@ pub struct Pen<'a, B: DrawingBackend> {
 
 impl<B: DrawingBackend> Pen<'_, B> {
     /// A line through points with the dashes of its style and with round joints.
-    pub fn polyline(&mut self, points: &[Point], style: Style) -> Result<(), PlotError> {
+    pub fn polyline(&mut self, points: &[Point], style: Style) -> Result<(), Error> {
         for piece in dashes(&thinned(points), style.dash).into_iter().filter(|piece| piece.len() > 1) {
             if self.format.is_raster {
                 self.pieces(&piece, style)?;
@@ -101,7 +99,7 @@ impl<B: DrawingBackend> Pen<'_, B> {
         Ok(())
     }
 
-    fn pieces(&mut self, points: &[Point], style: Style) -> Result<(), PlotError> {
+    fn pieces(&mut self, points: &[Point], style: Style) -> Result<(), Error> {
         for pair in points.windows(2) {
             let (from, to) = (pair[0], pair[1]);
             let (dx, dy) = (to.0 - from.0, to.1 - from.1);
@@ -120,25 +118,25 @@ impl<B: DrawingBackend> Pen<'_, B> {
         Ok(())
     }
 
-    pub fn polygon(&mut self, corners: &[Point], color: RGBColor) -> Result<(), PlotError> {
+    pub fn polygon(&mut self, corners: &[Point], color: RGBColor) -> Result<(), Error> {
         let corners: Vec<_> = corners.iter().map(|corner| self.device(*corner)).collect();
         self.backend.fill_polygon(corners, &color.filled()).map_err(failed)
     }
 
     /// A filled rectangle between two corners. Rectangles that share an edge have no gap between them.
-    pub fn rectangle(&mut self, from: Point, to: Point, color: RGBColor) -> Result<(), PlotError> {
+    pub fn rectangle(&mut self, from: Point, to: Point, color: RGBColor) -> Result<(), Error> {
         let more = self.format.overlap;
         let low = self.device((from.0.min(to.0) - more, from.1.min(to.1) - more));
         let high = self.device((from.0.max(to.0) + more, from.1.max(to.1) + more));
         self.backend.draw_rect(low, high, &color.filled(), true).map_err(failed)
     }
 
-    fn disc(&mut self, centre: Point, radius: f64, color: RGBColor) -> Result<(), PlotError> {
+    fn disc(&mut self, centre: Point, radius: f64, color: RGBColor) -> Result<(), Error> {
         let (centre, radius) = (self.device(centre), whole_length(radius, self.format.units));
         self.backend.draw_circle(centre, radius, &color.filled(), true).map_err(failed)
     }
 
-    pub fn mark(&mut self, (x, y): Point, style: Style) -> Result<(), PlotError> {
+    pub fn mark(&mut self, (x, y): Point, style: Style) -> Result<(), Error> {
         let Style { mark, radius: r, color, .. } = style;
         let stroke = Style::line(color, 4.0);
         match mark {
@@ -166,7 +164,7 @@ impl<B: DrawingBackend> Pen<'_, B> {
 
     /// Text whose capital letters are centred on `at`, across its direction. A text that would go beyond the picture is
     /// moved inward, and a text that is longer than the picture is made smaller.
-    pub fn text(&mut self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) -> Result<(), PlotError> {
+    pub fn text(&mut self, text: &str, at: Point, size: f64, color: RGBColor, anchor: Anchor) -> Result<(), Error> {
         let turned = |(x, y)| if anchor == Anchor::Upward { (y, x) } else { (x, y) };
         let (length_of_sheet, height_of_sheet) = turned(self.sheet);
         let (before, horizontal) = match anchor {
@@ -206,8 +204,8 @@ fn moved_inside(at: f64, before: f64, length: f64, sheet: f64) -> f64 {
     at.min(sheet - EDGE - length + before).max(EDGE + before)
 }
 
-fn failed(error: impl Display) -> PlotError {
-    PlotError::Drawing(error.to_string())
+fn failed(error: impl Display) -> Error {
+    Error::failed(format!("drawing: {error}"))
 }
 
 /// The points without those that are not finite, and without steps that are too small to see. The last point stays.

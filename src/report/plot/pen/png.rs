@@ -7,7 +7,8 @@ use plotters::style::{FontStyle, register_font};
 use png::{BitDepth, ColorType, Encoder};
 
 use super::{Format, Pen, failed};
-use crate::report::plot::{PAPER, PlotError, SIZE};
+use crate::error::Error;
+use crate::report::plot::{PAPER, SIZE};
 
 /// The pixels of a PNG are means of 2 × 2 drawn pixels.
 const OVERSAMPLING: u32 = 2;
@@ -21,11 +22,11 @@ const PNG: Format = Format {
 };
 
 /// The picture as PNG: pixels, in the built-in font, with the same bytes on every machine.
-pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), PlotError>) -> Result<Vec<u8>, PlotError> {
+pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), Error>) -> Result<Vec<u8>, Error> {
     static IS_REGISTERED: LazyLock<bool> =
         LazyLock::new(|| register_font(PNG.fonts, FontStyle::Normal, dejavu::sans::regular()).is_ok());
     if !*IS_REGISTERED {
-        return Err(PlotError::Font);
+        return Err(Error::failed("the built-in font cannot be used"));
     }
     let size = (SIZE.0 * OVERSAMPLING, SIZE.1 * OVERSAMPLING);
     let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];
@@ -35,7 +36,7 @@ pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), PlotError>)
 }
 
 /// The PNG of a buffer that has [`OVERSAMPLING`] times as many pixels in each direction.
-fn encoded(buffer: &[u8]) -> Result<Vec<u8>, PlotError> {
+fn encoded(buffer: &[u8]) -> Result<Vec<u8>, Error> {
     let n = OVERSAMPLING as usize;
     let width = SIZE.0 as usize;
     let count = OVERSAMPLING * OVERSAMPLING;
