@@ -29,6 +29,17 @@ named! {
 }
 
 impl Target {
+    /// What stands above lines that the tests of this program do not run in their code.
+    fn untested(self) -> Option<&'static str> {
+        match self {
+            Self::Lammps | Self::Csv => None,
+            Self::Liggghts | Self::Yade => Some(
+                "no test runs these lines in that code; once a ball on a wall was, with e within 1 %: compare one rebound first",
+            ),
+            Self::Mercury => Some("these lines were never run in that code: compare one rebound first"),
+        }
+    }
+
     /// True if the code reads a table e(v).
     pub(super) fn takes_table(self) -> bool {
         self == Self::Csv
@@ -127,9 +138,7 @@ impl Head<'_> {
                 "friction: Coulomb's, with a tangential spring of 2/7 of the normal one; plots/validate has what springs cost".to_owned(),
             );
         }
-        if request.target == Target::Mercury {
-            about.push("these lines were not run in that code by the authors: compare one rebound first".to_owned());
-        }
+        about.extend(request.target.untested().map(str::to_owned));
         about
     }
 
