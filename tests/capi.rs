@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use std::env::consts::DLL_SUFFIX;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -58,23 +59,23 @@ fn linked(built: &Path) -> String {
     words.next_back().unwrap_or_else(|| panic!("no library in\n{text}")).to_owned()
 }
 
-/// Makes a static library of it and returns its path. The tests of the plug-in for LAMMPS take it too.
-fn library() -> PathBuf {
+/// Makes a static and a shared library of it and returns their paths. The tests of the plug-in for LAMMPS take the first too.
+fn libraries() -> [PathBuf; 2] {
     let test = std::env::current_exe().unwrap();
     let built = test.parent().and_then(Path::parent).unwrap();
-    let (source, library) =
-        (Path::new(env!("CARGO_TARGET_TMPDIR")).join("staticlib.rs"), built.join("libplm_impact.a"));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let source = folder.join("plm_impact_c.rs");
     fs::write(&source, "pub use plm_impact::doors::c::*;").unwrap();
-    let built = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
-        .args(["--edition", "2024", "--crate-type", "staticlib", "--extern"])
+    let made = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
+        .args(["--edition", "2024", "--crate-type", "staticlib,cdylib", "--extern"])
         .arg(format!("plm_impact={}", linked(built)))
         .arg("-L")
         .arg(format!("dependency={}", built.join("deps").display()))
-        .args([Path::new("-o"), &library, &source])
+        .args([Path::new("--out-dir"), folder, &source])
         .output()
         .unwrap();
-    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
-    library
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    [".a", DLL_SUFFIX].map(|suffix| folder.join(format!("libplm_impact_c{suffix}")))
 }
 
 /// The bits of numbers as the C program prints them.
@@ -122,10 +123,18 @@ fn friction_along_the_path(contact: &Contact) -> String {
 /// A program is compiled as plots/lammps/README.md says.
 const LINKED_WITH: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
 
+/// How a C program gets the functions.
+#[derive(Clone, Copy)]
+enum Link {
+    Static,
+    Shared,
+}
+
 /// What a C program prints, which is compiled with these options and run with these scenarios.
-fn printed(source: &str, options: &[&str], scenarios: &[&Path]) -> String {
-    // one library for all tests, made by the first
-    static LIBRARY: LazyLock<PathBuf> = LazyLock::new(library);
+fn printed(source: &str, link: Link, options: &[&str], scenarios: &[&Path]) -> String {
+    // for all tests, made by the first
+    static LIBRARIES: LazyLock<[PathBuf; 2]> = LazyLock::new(libraries);
+    let library = &LIBRARIES[link as usize];
     let folder = tempfile::tempdir().unwrap();
     let program = folder.path().join("program");
     let cc = Command::new("cc")
@@ -133,7 +142,8 @@ fn printed(source: &str, options: &[&str], scenarios: &[&Path]) -> String {
         .arg(root().join("src/doors/c"))
         .args(options)
         .arg(root().join(source))
-        .arg(&*LIBRARY)
+        .arg(library)
+        .arg(format!("-Wl,-rpath,{}", library.parent().unwrap().display()))
         .args(LINKED_WITH)
         .arg("-o")
         .arg(&program)
@@ -152,7 +162,7 @@ fn the_example_prints_e_and_the_page_shows_it() {
     let line = format!("src/doors/c/drop.c target/release/libplm_impact.a {} -o drop", LINKED_WITH.join(" "));
     assert!(page.contains(&line), "{line}");
     let scenario = root().join("scenarios/steel-on-steel.toml");
-    let shown = printed("src/doors/c/drop.c", &[], &[&scenario]);
+    let shown = printed("src/doors/c/drop.c", Link::Static, &[], &[&scenario]);
     assert!(page.contains(&format!("```text\n{shown}```")), "{shown}");
     // velocity Verlet is of second order: 10 ns are a 2900th of the contact, and leave an error of some 1e-7
     let contact = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap().contact().unwrap();
@@ -167,15 +177,17 @@ fn a_c_program_has_no_leak_and_no_undefined_behaviour() {
     let scenarios = ["steel-on-steel", "alumina-on-aluminium-with-waves"];
     let [steel, waves] = scenarios.map(|name| root().join(format!("scenarios/{name}.toml")));
     let sanitized = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-    printed("src/doors/c/drop.c", &sanitized, &[&steel]);
-    printed("tests/capi/program.c", &sanitized, &[&steel, &waves]);
+    printed("src/doors/c/drop.c", Link::Static, &sanitized, &[&steel]);
+    printed("tests/capi/program.c", Link::Static, &sanitized, &[&steel, &waves]);
 }
 
 #[test]
 fn a_c_program_prints_the_bits_of_the_library() {
     let scenario = root().join("scenarios/steel-on-steel.toml");
     let with_waves = root().join("scenarios/alumina-on-aluminium-with-waves.toml");
-    let printed = printed("tests/capi/program.c", &[], &[&scenario, &with_waves]);
+    let [printed, shared] =
+        [Link::Static, Link::Shared].map(|link| printed("tests/capi/program.c", link, &[], &[&scenario, &with_waves]));
+    assert_eq!(printed, shared);
 
     let scene = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap();
     let contact = scene.contact().unwrap();
