@@ -43,7 +43,7 @@ fn swept(sweep: &str) -> String {
     pairs(&table, ["impact_speed_m_per_s", "restitution"], "speed_m_per_s,restitution")
 }
 
-const DRAWN: [&str; 2] = ["--pictures", "png"];
+const DRAWN: [&str; 2] = ["--pictures", "svg"];
 
 /// Runs a calibration of these data, which has to end with this exit code. It draws only if asked to.
 fn calibrated(scenario: &str, data: &str, more: &[&str], code: i32) -> (Desk, Value) {
@@ -141,8 +141,8 @@ fn the_posterior_of_two_keys_is_drawn_where_it_is_the_only_picture() {
     let data = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n3,0.49,1100,20\n";
     let (desk, _) = calibrated(&text, data, &DRAWN, 0);
     let files = desk.files("o");
-    let pictures = files.iter().filter(|name| name.contains(".png"));
-    assert_eq!(pictures.collect::<Vec<_>>(), ["posterior.png"]);
+    let pictures = files.iter().filter(|name| name.contains(".svg"));
+    assert_eq!(pictures.collect::<Vec<_>>(), ["posterior.svg"]);
 }
 
 #[test]
@@ -157,7 +157,7 @@ fn restitution_alone_does_not_tell_strength_and_modulus_apart() {
     // e depends on strength^5/modulus^4, and a little on the compliances of the two bodies
     let known = summary["identifiability"]["best_known_combination"].as_str().unwrap();
     assert!(known.starts_with("half_space.yield_strength x half_space.youngs_modulus^-0."), "{known}");
-    assert!(desk.path("o/posterior.png").exists());
+    assert!(desk.path("o/posterior.svg").exists());
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn data_that_contradict_the_law_end_with_code_3_and_all_files() {
     let (desk, summary) = calibrated(&text, rising, &DRAWN, 3);
     assert_eq!(summary["fits"], false);
     assert!(summary["contradiction"].as_str().unwrap().contains("chi-square"));
-    let wanted = ["calibrated.toml", "fit_restitution.png", "residuals.csv", "residuals.png", "summary.json"];
+    let wanted = ["calibrated.toml", "fit_restitution.svg", "residuals.csv", "residuals.svg", "summary.json"];
     assert_eq!(desk.files("o"), wanted);
     // no noise is given, and the law deviates much and systematically
     let rising =
@@ -338,7 +338,7 @@ fn the_law_that_made_the_data_is_ranked_first() {
     near(&laws[0]["values"][0], 345e6, 1e-6);
     let distances = laws.iter().map(|law| law["delta_aic"].as_f64().unwrap_or(f64::INFINITY));
     assert!(distances.is_sorted() && laws.len() > 9);
-    assert!(desk.path("o/laws.png").exists());
+    assert!(desk.path("o/laws.svg").exists());
 }
 
 /// The rebounds of five drops of a steel ball on 6061, heights measured in cm, with the speeds and restitutions that follow

@@ -22,29 +22,6 @@ fn several_half_spaces_are_told_apart_by_name() {
     assert!(trace.starts_with("half_space,step,indentation_m,") && trace.contains("\nTi-70Nb,2,"), "{}", &trace[..200]);
 }
 
-/// A copper ball on a steel wall keeps a flat, a harder ball makes a dent, and equal metals keep both.
-#[test]
-fn the_depth_has_the_name_of_what_stays() {
-    let scene = |sphere: &str| {
-        format!(
-            "[sphere]\nradius = \"5 mm\"\nmaterial = \"{sphere}\"\n[half_space]\nmaterial = \"steel-316l-annealed\"\n\
-             [indentation]\nsteps = [{{ load = \"50 N\" }}, {{ load = 0 }}]\n"
-        )
-    };
-    for (sphere, want) in [
-        ("lead", " flat depth "),
-        ("steel-52100-hardened", " dent depth "),
-        ("steel-316l-annealed", " dent and flat depth "),
-    ] {
-        let (table, _) = Desk::with(scene(sphere)).ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
-        let named: Vec<&str> = [" flat depth ", " dent depth ", " dent and flat depth "]
-            .into_iter()
-            .filter(|name| table.contains(&name.replacen(' ', "  ", 1)))
-            .collect();
-        assert_eq!(named, [want], "{sphere}: {table}");
-    }
-}
-
 /// Neither an elastic law nor an elastic half-space leaves a dent, and none is written.
 #[test]
 fn what_stays_elastic_has_no_dent() {

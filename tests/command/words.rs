@@ -1,5 +1,4 @@
-//! Texts for the user: warnings, refusals and the inputs in a summary, from the command as a process.
+//! Texts for the user: warnings and refusals, from the command as a process.
 
-mod inputs;
 mod types;
 mod warnings;

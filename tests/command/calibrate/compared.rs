@@ -35,7 +35,7 @@ fn measurements_stand_beside_the_law() {
     let off = |(law, (measured, _)): (&f64, (f64, f64))| (measured - law).powi(2);
     let misfit = law.iter().zip(measured).map(off).sum::<f64>() / measured.map(|one| one.0 * one.0).iter().sum::<f64>();
     near(&summary["misfit"], misfit.sqrt(), 1e-12);
-    assert_eq!(desk.files("o"), ["fit_restitution.png", "residuals.csv", "residuals.png", "summary.json"]);
+    assert_eq!(desk.files("o"), ["fit_restitution.svg", "residuals.csv", "residuals.svg", "summary.json"]);
 }
 
 /// A law that is off by many standard deviations is said to be off, with exit code 3.
@@ -76,7 +76,7 @@ fn an_indentation_curve_begins_at_zero() {
     let text = super::scenario("data = \"d.csv\"\nfree = {}\n");
     let (desk, summary) = calibrated(&text, data, &super::DRAWN, 0);
     assert!(summary["misfit"].as_f64().unwrap() < 1.0 && !desk.read("o/residuals.csv").contains("NaN"), "{summary}");
-    assert!(desk.path("o/fit_force.png").exists());
+    assert!(desk.path("o/fit_force.svg").exists());
 }
 
 /// The fitted law between two points of an unloading is the law, which bends there with its exponent, and not a chord. The key
