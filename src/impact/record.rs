@@ -128,7 +128,8 @@ impl Recorder {
             begun = track.last().map_or(begun, |last| last.end);
             let mut events = events.into_iter().peekable();
             for segment in &track {
-                while let Some(time) = times.next_if(|time| *time < segment.end) {
+                // the step before the last may go beyond the end of the leg, to which the last one comes back
+                while let Some(time) = times.next_if(|time| *time < segment.end.min(begun)) {
                     while let Some((event, at)) = events.next_if(|(_, at)| at.time <= time) {
                         points.push(point(&at, Some(event)));
                     }

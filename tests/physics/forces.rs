@@ -5,7 +5,6 @@ mod creep;
 mod error_control;
 pub mod oracle;
 mod peak_force;
-mod properties;
 
 use crate::common::prelude::*;
 use plm_impact::numerics::integrate::Drag;
@@ -220,24 +219,6 @@ fn viscous_damping_of_a_hertz_contact_does_not_know_the_speed() {
         assert!(off(slow.restitution, fast.restitution) < 1e-9, "{zeta}");
         // contact time as v^(−1/5)
         assert!(off(slow.contact_time / fast.contact_time, 1e4_f64.powf(0.2)) < 1e-9);
-    }
-}
-
-#[test]
-fn viscous_force_is_zero_at_first_touch_and_that_is_no_separation() {
-    for zeta in [1e-3, 0.05, 1.0, 5.0] {
-        let contact = under(&Scene::steel(), viscous(zeta));
-        for (method, _) in STEPPING {
-            let impact = contact.impact(3.0, &solver(method, 1e-8), Some(60)).unwrap();
-            let (first, last) = (impact.trace[0], impact.trace.last().unwrap());
-            assert_eq!((first.force, first.event, first.elastic_force), (0.0, Some(Event::Touch), Some(0.0)));
-            assert!(impact.peak_force > 1.0 && impact.trace.len() >= 60);
-            // on the way out the sphere lifts off above the dent, with zero force
-            assert_eq!(last.event, Some(Event::Separation));
-            assert!(last.indentation > impact.residual_indentation && last.speed < 0.0);
-            assert!(last.force <= 1e-6 * impact.peak_force && last.elastic_force.unwrap() > 0.0);
-            assert!(impact.trace.iter().all(|row| row.force >= 0.0), "never pulls");
-        }
     }
 }
 

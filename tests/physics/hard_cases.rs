@@ -213,3 +213,54 @@ fn shortest_and_longest_traces() {
     assert!(long.trace.windows(2).all(|pair| pair[0].time <= pair[1].time));
     assert!(long.energy.drift < 100.0 * 1e-10, "{:e}", long.energy.drift);
 }
+
+proptest! {
+    #![proptest_config(crate::common::cases(500))]
+
+    #[test]
+    fn restitution_is_continuous_in_speed_across_every_knot(scene in any_scene(), log_gap in -12.0..-3.0_f64) {
+        let contact = scene.contact();
+        let yield_speed = scene.yield_speed();
+        let gap = 10_f64.powf(log_gap);
+        let law = scene.law();
+        let knots = law.loading.pieces().iter().skip(1).map(|piece| (2.5 * piece.work).sqrt()).chain([1.0]);
+        for q in knots {
+            let at = |q: f64| held(contact.closed_form(q * yield_speed));
+            let (Ok(below), Ok(above)) = (at(q * (1.0 - gap)), at(q * (1.0 + gap))) else { break };
+            // |d ln e/d ln v| < 1/2 on every piece, |d ln T/d ln v| < 1
+            prop_assert!(off(above.restitution, below.restitution) <= gap + 1e-13, "{q}");
+            prop_assert!(off(above.contact_time, below.contact_time) <= 2.0 * gap + 1e-13, "{q}");
+            prop_assert!(off(above.peak_force, below.peak_force) <= 4.0 * gap + 1e-13, "{q}");
+        }
+    }
+}
+
+#[test]
+fn the_smallest_and_the_largest_scenes_are_computed_or_refused_by_name() {
+    let mut computed = 0;
+    for radius in [1e-300, 1e-100, 1e-30, 1e30, 1e100, 1e300] {
+        for modulus in [1e-300, 1e-30, 1e30, 1e300] {
+            for speed in [1e-300, 1.0, 1e300] {
+                let mut scene = Scene { radius, yield_strength: Some(1e-3 * modulus), ..Scene::steel() };
+                scene.sphere.youngs_modulus = modulus;
+                scene.half_space.youngs_modulus = modulus;
+                let Ok(contact) = scene.try_contact() else { continue };
+                match contact.impact(speed, &solver(Method::Rk8, 1e-10), None) {
+                    Ok(impact) => {
+                        let results = [impact.restitution, impact.contact_time, impact.loading_time, impact.peak_force];
+                        assert!(results.iter().all(|result| result.is_finite() && *result > 0.0), "{impact:?}");
+                        assert!(impact.restitution <= 1.0 + 1e-9);
+                        // of an elastic impact, (2/5) F_m δ_m = ½ m v²
+                        let stored = 0.4 * impact.peak_force * impact.peak_indentation;
+                        assert!(impact.has_dent() || off(stored, impact.kinetic_in) < 1e-9, "{impact:?}");
+                        computed += 1;
+                    }
+                    Err(ImpactError::Range(_) | ImpactError::TooDeep { .. }) => {}
+                    Err(error) => panic!("R = {radius:e}, E = {modulus:e}, v = {speed:e}: {error}"),
+                }
+            }
+        }
+    }
+    // of the others many would go deeper than the sphere
+    assert!(computed >= 5, "{computed} of 72 scenes");
+}

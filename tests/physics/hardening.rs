@@ -38,35 +38,6 @@ fn a_curve_that_does_not_rise_is_the_law_without_hardening() {
     }
 }
 
-#[test]
-fn gravity_has_its_closed_form() {
-    for exponent in EXPONENTS {
-        let contact = steel(Some(FlowCurve::Power { exponent: 0.2 }), exponent);
-        let speeds = [0.02, 0.1, 0.3, 1.0, 1.5, 3.0, 7.0, 20.0];
-        for (_, law, q) in speeds.map(|speed| contact.scaled(speed).unwrap()) {
-            let got =
-                course::integrate(law, q, &ScaledForces::NONE, &mut Rk8::new(1e-10), &mut Recorder::default()).unwrap();
-            assert!(worst(&got, &closed_form::solve(law, q)) < 1e-9);
-        }
-        if matches!(exponent, UnloadingExponent::Fixed(_)) {
-            // just past yield the work of loading limits such an exponent, and the closed form under gravity takes this
-            // as an impact without a dent
-            continue;
-        }
-        let falling = contact.clone().with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
-        for speed in speeds {
-            let exact = falling.impact(speed, &solver(Method::ClosedForm, 1e-10), None).unwrap();
-            let stepped = falling.impact(speed, &solver(Method::Rk8, 1e-12), None).unwrap();
-            assert!(
-                off(stepped.restitution, exact.restitution) < 1e-9,
-                "{speed}: {:e}",
-                off(stepped.restitution, exact.restitution)
-            );
-            assert!(off(stepped.contact_time, exact.contact_time) < 1e-9, "{speed}");
-        }
-    }
-}
-
 /// A law on a half-space of E = 200 GPa; none on one that is steeper than its elastic line. E_s/E_h is 10^`ratio`.
 fn hardening_law(
     ratio: f64,

@@ -32,7 +32,7 @@ fn law_of(law: &dyn ContactLaw) -> Law {
 }
 
 /// Every whole law, and combinations of laws that have only loading or only unloading.
-fn whole_laws() -> Vec<(String, LawChoice)> {
+pub fn whole_laws() -> Vec<(String, LawChoice)> {
     let mut laws: Vec<LawChoice> = LawChoice::all().into_iter().filter(LawChoice::has_loading).collect();
     laws.push(LawChoice::JacksonGreen(JacksonGreen { hardness: Hardness::Cosine, yield_factor: None }));
     for pair in [

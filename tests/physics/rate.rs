@@ -94,34 +94,6 @@ fn a_rise_of_nothing_changes_no_bit() {
     }
 }
 
-/// The factor is the one of the depth that it gives, over random scenes; and towards a test as fast as the impact it goes to 1.
-#[test]
-fn the_factor_is_a_fixed_point() {
-    let of = (0.0..0.05_f64, 0.1..100.0_f64, -2.0..2.0_f64, -4.0..2.0_f64, 0..2_u8, 1.0..8.0_f64, 7.5..9.5_f64);
-    let judged = checked(256, &of, |(c, reference, log_speed, log_radius, form, exponent, log_strength)| {
-        let speed = 10_f64.powf(log_speed);
-        let form = match form {
-            0 => format!("johnson_cook = {{ c = {c}, reference = {reference} }}"),
-            _ => format!("cowper_symonds = {{ rate = {}, exponent = {exponent} }}", 1e3 * reference),
-        };
-        let radius = format!("sphere.radius={}", 0.01 * 10_f64.powf(log_radius));
-        let strength = format!("half_space.yield_strength={}", 10_f64.powf(log_strength));
-        let input = rated(&form, &[&radius, &strength]);
-        let contact = input.contact().unwrap();
-        let Ok(impact) = contact.closed_form(speed) else { return Ok(false) };
-        let rated = impact.rated.unwrap();
-        let w = speed / (contact.pair().radius * impact.peak_indentation).sqrt();
-        let [_, rate] = input.rates();
-        prop_assert!(off(rated.strain_rate, 0.2 * w) < 1e-13, "{rated:?}");
-        prop_assert!(off(rated.factor, rate.unwrap().factor(0.2 * w)) < 1e-13, "{rated:?}");
-        prop_assert!(off(rated.factor_at_turn, rate.unwrap().factor(0.015 * w)) < 1e-13, "{rated:?}");
-        prop_assert!(impact.restitution <= 1.0 && impact.restitution > 0.0);
-        Ok(true)
-    });
-    // the others would go deeper than the sphere
-    assert!(judged > 128, "{judged}");
-}
-
 #[test]
 fn the_factor_goes_to_one_without_a_step() {
     let plain = scene(STEEL, NONE).contact().unwrap().closed_form(3.0).unwrap();
@@ -191,27 +163,6 @@ fn an_integrated_impact_is_that_of_the_closed_form() {
     }
 }
 
-/// Lengths, times and the reference rate scaled alike leave all that has no unit.
-#[test]
-fn rates_scale_with_the_inverse_of_time() {
-    let one = rated(COOK, &["half_space.rate.johnson_cook.reference=5", "half_space.rate.tested_at=0.01"]);
-    let one = one.contact().unwrap().closed_form(3.0).unwrap();
-    for k in [0.01, 7.0] {
-        let keys = [
-            ("sphere.radius", 5e-3 * k),
-            ("half_space.rate.johnson_cook.reference", 5.0 / k),
-            ("half_space.rate.tested_at", 0.01 / k),
-        ];
-        let keys = keys.map(|(key, value)| format!("{key}={value:e}"));
-        let keys: Vec<&str> = keys.iter().map(|key| &**key).collect();
-        let other = rated(COOK, &keys).contact().unwrap().closed_form(3.0).unwrap();
-        assert!(off(other.restitution, one.restitution) < 1e-12);
-        assert!(off(other.rated.unwrap().factor, one.rated.unwrap().factor) < 1e-12);
-        assert!(off(other.contact_time, k * one.contact_time) < 1e-12);
-        assert!(off(other.peak_force, k * k * one.peak_force) < 1e-12);
-    }
-}
-
 /// A reload goes up the branch of the old dent until that meets the loading curve of its own rate.
 #[test]
 fn a_dent_is_met_by_the_loading_of_the_new_rate() {
@@ -243,28 +194,6 @@ fn a_dent_is_met_by_the_loading_of_the_new_rate() {
             let kinetic = impact.energy.kinetic_in;
             assert!(off(impact.energy.recovered + impact.energy.plastic.unwrap(), kinetic) < 1e-11);
         }
-    }
-}
-
-/// Gravity, damping, a plate and an oblique path leave the factor of the impact without them, at the normal speed.
-#[test]
-fn the_factor_is_that_of_the_normal_speed_alone() {
-    let alone = rated(COOK, &[]).contact().unwrap().closed_form(3.0).unwrap().rated;
-    for keys in [
-        &["gravity.acceleration=9.81"][..],
-        &["damping.viscous=0.05"],
-        &["half_space.density=7850", "half_space.thickness=0.05"],
-        &["impact.angle=60 deg", "impact.speed=6", "friction.coefficient=0.2"],
-    ] {
-        let input = rated(COOK, keys);
-        let contact = input.contact().unwrap();
-        let solver = solver(Method::Rk8, 1e-11);
-        let impact = contact.impact(input.approach(), &solver, Some(50)).unwrap();
-        let [a, b] = [impact.rated.unwrap(), alone.unwrap()];
-        assert!(off(a.factor, b.factor) < 1e-12 && off(a.strain_rate, b.strain_rate) < 1e-12, "{keys:?}");
-        assert!(impact.energy.drift < 1e-9, "{keys:?}: {}", impact.energy.drift);
-        let row = contact.row(input.approach(), &solver).unwrap();
-        assert_eq!(row.restitution.to_bits(), impact.restitution.to_bits());
     }
 }
 
@@ -328,5 +257,18 @@ fn a_ball_with_a_flow_curve_has_its_rate() {
         assert!(rated.restitution > a.restitution);
         let run = rising.impact(speed, &solver(Method::Rk8, 1e-13), Some(50)).unwrap();
         assert!(apart(&run, &rated) < 1e-11 && run.energy.drift < 1e-12, "{speed}: {}", apart(&run, &rated));
+    }
+}
+
+/// A soft sphere on a metal that relaxes stays elastic a little beyond first yield. Once its dent was below zero by a rounding.
+#[test]
+fn a_dent_of_nothing_is_not_below_zero() {
+    let keys =
+        ["sphere.youngs_modulus=84 MPa", "half_space.youngs_modulus=13.2 GPa", "half_space.yield_strength=66.5 kPa"];
+    let contact = rated("johnson_cook = { c = 0.0348 }", &keys).contact().unwrap();
+    let slowest = contact.yield_speed().unwrap();
+    for i in 0..2000 {
+        let impact = contact.closed_form(slowest * (1.0 + 1e-3 * f64::from(i))).unwrap();
+        assert!(impact.residual_indentation >= 0.0, "{i}: {:e}", impact.residual_indentation);
     }
 }

@@ -55,31 +55,6 @@ fn rk8_under_drag_takes_the_steps_it_took() {
     }
 }
 
-proptest! {
-    #![proptest_config(crate::common::cases(60))]
-
-    /// To the last bit, but for the drift of the energy, which a trace follows. `work` is that of the impact: once the samples of
-    /// a trace and a second run to first yield were counted, 10 762 evaluations by dop853 in place of 797.
-    #[test]
-    fn a_trace_changes_neither_the_work_nor_the_result(scene in any_scene(), log_speed in -0.5..3.0_f64, which in 0..5_usize) {
-        let contact = scene.contact();
-        let log_speed = if which == 0 { 2.0 * log_speed - 2.0 } else { log_speed };
-        let speed = contact.yield_speed().unwrap() * 10_f64.powf(log_speed);
-        let damping = [None, None, Some(Damping::HuntCrossley(0.1 / speed)), Some(Damping::Viscous(0.1)), Some(Damping::Viscous(0.2))];
-        let forces = Forces { gravity: [1, 4].contains(&which).then_some(9.81), damping: damping[which], ..Forces::default() };
-        let contact = contact.with_forces(forces);
-        for method in [Method::Rk8, Method::Dopri5, Method::Dop853, Method::Verlet] {
-            let with = |samples| contact.impact(speed, &solver(method, 1e-8), samples).map(|mut impact| {
-                impact.energy.drift = 0.0;
-                impact.warnings.clear();
-                impact.trace.clear();
-                format!("{impact:?}")
-            });
-            prop_assert_eq!(with(Some(30)), with(None));
-        }
-    }
-}
-
 /// The continuous solution costs three evaluations a step of twelve, and no second run.
 #[test]
 fn a_damped_impact_takes_less_than_600_evaluations() {

@@ -34,8 +34,9 @@ impl Relaxed {
         let [length, force] = self.units();
         let unloading = self.law.unloading(self.law.loaded_to(x / length));
         let scaled = unloading.scaled(length, force);
-        // the depth is that of the impact, to the last bit
-        Unloading { peak: ContactState { indentation: x, ..scaled.peak }, ..scaled }
+        // the depth is that of the impact, to the last bit, and no more than that comes back
+        let elastic_approach = scaled.peak.elastic_approach.min(x);
+        Unloading { peak: ContactState { indentation: x, elastic_approach, ..scaled.peak }, ..scaled }
     }
 
     /// A branch in units of this law.

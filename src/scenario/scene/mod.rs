@@ -13,7 +13,8 @@ pub mod measured;
 pub mod quantity;
 pub(crate) mod read;
 mod resolve;
-pub(crate) mod results;
+#[doc(hidden)]
+pub mod results;
 mod strength;
 pub(crate) mod tables;
 pub mod words;

@@ -71,17 +71,3 @@ fn hunt_and_crossley_have_the_same_in_closed_form() {
         }
     }
 }
-
-/// Without damping nothing changes: the largest force is that of the deepest point.
-#[test]
-fn without_damping_it_is_the_force_at_the_deepest_point() {
-    for forces in [Forces::default(), Forces { gravity: Some(9.81), ..Forces::default() }] {
-        for speed in [1e-3, 0.5, 20.0] {
-            let contact = under(&Scene::steel(), forces);
-            for method in [Method::Rk8, Method::ClosedForm] {
-                let impact = contact.impact(speed, &solver(method, 1e-10), None).unwrap();
-                assert_eq!(impact.peak_force, impact.force_at_peak_indentation);
-            }
-        }
-    }
-}

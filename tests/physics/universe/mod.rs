@@ -1,0 +1,105 @@
+//! Random scenes of one impact: all bodies, laws, forces, methods and spots at once, and what holds for every one of them. The tests
+//! of the other files have a closed form, a reference, a published number or an edge of their own.
+
+mod alone;
+mod compared;
+mod scene;
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use crate::common::prelude::*;
+use alone::Judged;
+use scene::{Run, any_scene};
+
+/// A name, what has to hold, and the least share of the scenes \[%\] in which it can be judged.
+type Invariant = (&'static str, fn(&Run) -> Judged, usize);
+
+const ALONE: [Invariant; 9] = [
+    ("the ledger closes", alone::the_ledger_closes, 60),
+    ("the reported energies add up", alone::the_reported_energies_add_up, 70),
+    ("restitution is a ratio", alone::restitution_is_a_ratio, 60),
+    ("sizes fit together", alone::sizes_fit_together, 70),
+    ("rows are in order", alone::rows_are_in_order, 30),
+    ("the trace is that of the summary", alone::the_trace_is_that_of_the_summary, 30),
+    ("events are where the law has them", alone::events_are_where_the_law_has_them, 20),
+    ("momentum of both bodies stays", alone::momentum_of_both_bodies_stays, 5),
+    ("friction keeps its ledger", alone::friction_keeps_its_ledger, 10),
+];
+
+const COMPARED: [Invariant; 10] = [
+    ("a row has the bits of the impact", compared::a_row_has_the_bits_of_the_impact, 60),
+    ("a trace changes no bit", compared::a_trace_changes_no_bit, 50),
+    ("spot and friction leave the normal motion", compared::spot_and_friction_leave_the_normal_motion, 60),
+    ("methods agree", compared::methods_agree, 55),
+    ("samples are as good as the tolerance", compared::samples_are_as_good_as_the_tolerance, 12),
+    ("units do not matter", compared::units_do_not_matter, 50),
+    ("damping and a plate only take", compared::damping_and_a_plate_only_take, 15),
+    ("a spot remembers", compared::a_spot_remembers, 5),
+    ("the rate is that of the depth that it gives", compared::the_rate_is_that_of_the_depth_that_it_gives, 8),
+    ("the law is orderly", compared::the_law_is_orderly, 50),
+];
+
+/// What has to be among the scenes that have a result, each in a hundredth of them at least.
+const KINDS: [&str; 20] = [
+    "sphere.youngs_modulus=\"rigid\"",
+    "sphere.yield_strength",
+    "half_space.yield_strength",
+    "half_space.radius=-",
+    "half_space.mass=\"ball\"",
+    "half_space.flow_stress.power",
+    "half_space.flow_stress.voce",
+    "half_space.flow_stress.linear",
+    "half_space.flow_stress.points",
+    "half_space.rate.johnson_cook",
+    "half_space.rate.cowper_symonds",
+    "half_space.thickness",
+    "law=",
+    "law.plm.unloading_exponent=\"pressure-shape\"",
+    "law.plm.unloading_exponent=1",
+    "gravity",
+    "damping.hunt_crossley",
+    "damping.viscous",
+    "friction",
+    "earlier Some",
+];
+
+/// Whether all of this holds in so many random scenes. A scene is computed, or refused for a reason that it has.
+fn hold(count: u32, invariants: &[Invariant]) {
+    let counts = RefCell::new(BTreeMap::<&str, usize>::new());
+    let add = |name| *counts.borrow_mut().entry(name).or_default() += 1;
+    let computed = checked(count, &any_scene(), |scene| {
+        let run = match scene.run() {
+            Ok(run) => run,
+            Err(refused) => {
+                prop_assert!(scene.explains(&refused), "{:?}", refused);
+                return Ok(false);
+            }
+        };
+        let text = format!("{scene:?}");
+        KINDS.into_iter().filter(|kind| text.contains(kind)).for_each(add);
+        for (name, invariant, _) in invariants {
+            if invariant(&run).map_err(|error| TestCaseError::fail(format!("{name}: {error}")))? {
+                add(name);
+            }
+        }
+        Ok(true)
+    });
+    let (all, counts) = (cases(count).cases as usize, counts.into_inner());
+    assert!(100 * computed > 70 * all, "only {computed} of {all} scenes have a result");
+    let least = invariants.iter().map(|(name, _, share)| (*name, *share)).chain(KINDS.map(|kind| (kind, 1)));
+    for (name, share) in least {
+        let found = counts.get(name).copied().unwrap_or(0);
+        assert!(100 * found >= share * all, "{name}: {found} of {all} scenes");
+    }
+}
+
+#[test]
+fn what_holds_for_every_impact() {
+    hold(1500, &ALONE);
+}
+
+#[test]
+fn what_holds_between_an_impact_and_others() {
+    hold(1000, &COMPARED);
+}
