@@ -95,34 +95,3 @@ pub fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_unit_is_that_of_the_rounded_value() {
-        assert_eq!(human(0.999_999_9, Dimension::Length), "1 m");
-        assert_eq!(human(0.999_99, Dimension::Length), "999.99 mm");
-        assert_eq!(exact(0.999_999_9, Dimension::Length), "999.9999 mm");
-    }
-
-    #[test]
-    fn results_have_four_digits() {
-        let table = [
-            (3.6948e-5, Dimension::Length, "36.95 µm"),
-            (1105.7, Dimension::Force, "1.106 kN"),
-            (3.45e8, Dimension::Pressure, "345 MPa"),
-            (0.0, Dimension::Force, "0 N"),
-            (999.96, Dimension::Force, "1 kN"),
-            (-2.5, Dimension::Speed, "-2.5 m/s"),
-            (0.005, Dimension::Mass, "5 g"),
-            (8850.0, Dimension::Density, "8.85 g/cm^3"),
-            (1.2345e-300, Dimension::Length, "1.234e-291 nm"),
-            (f64::INFINITY, Dimension::Pressure, "inf Pa"),
-        ];
-        for (value, dimension, text) in table {
-            assert_eq!(quantity(value, dimension), text);
-        }
-    }
-}

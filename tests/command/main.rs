@@ -12,6 +12,7 @@ mod coefficients;
 mod doubts;
 mod drawn;
 mod drop;
+mod edit;
 mod export;
 mod forces_output;
 mod holds;

@@ -37,14 +37,8 @@ mod _core {
     /// The contact laws, each as a dict: name, title, source, loading, unloading, validity, confidence.
     #[pyfunction]
     fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-        let laws = LawChoice::all().into_iter().map(|law| {
-            let about = law.about();
-            json!({
-                "name": about.name, "title": about.title, "source": about.source, "loading": about.loading,
-                "unloading": about.unloading, "validity": about.validity, "confidence": about.confidence,
-            })
-        });
-        from_json(py, &laws.collect())
+        let laws: Vec<_> = LawChoice::all().iter().map(LawChoice::about).collect();
+        from_json(py, &json!(laws))
     }
 
     /// The materials that scenarios may name, each as a dict: name, title, note, and properties. Each property has the
