@@ -195,16 +195,18 @@ impl Scenario {
     fn checked(&self, needed: usize) -> Result<Input, Error> {
         self.need(&NEEDED[..needed])?;
         let input = self.first_case();
-        self.check_flow(&input)?;
-        if input.speed() == 0.0 && input.forces().gravity.is_none() {
-            return Err(self.refuse_varied("impact.drop_height", NO_FALL));
-        }
-        self.check_target(&input)?;
-        self.check_plate(&input)?;
-        self.check_air(&input)?;
-        self.check_strength(&input)?;
-        self.check_rates(&input)?;
-        Ok(input)
+        let does_not_fall = input.speed() == 0.0 && input.forces().gravity.is_none();
+        let fall = if does_not_fall { Err(self.refuse_varied("impact.drop_height", NO_FALL)) } else { Ok(()) };
+        let checked = [
+            self.check_flow(&input),
+            fall,
+            self.check_target(&input),
+            self.check_plate(&input),
+            self.check_air(&input),
+            self.check_strength(&input),
+            self.check_rates(&input),
+        ];
+        Error::all(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok(input), Err)
     }
 
     /// The input with the first value of every key that varies: of its axis or range, of a list of shots, or the median of its

@@ -83,6 +83,12 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
             assert_eq!(&said[key], value, "{key} of {arguments:?}: {said}");
         }
     }
+    // all mistakes of a file are there
+    fs::write(desk.path("two.toml"), STEEL.replace("radius =", "radus =").replace("speed =", "sped =")).unwrap();
+    let output = desk.call(&["check", "two.toml", "--error-format", "json"]);
+    let said = &objects(&output.stderr)[0];
+    assert_eq!([&said["key"], &said["others"][0]["key"]], ["sphere.radus", "impact.sped"], "{said}");
+    assert_eq!(said["others"].as_array().unwrap().len(), 1, "{said}");
     // the words of one argument are not an option
     let quoted = desk.call(&["run", "s.toml", "--nosuch", "x --error-format json"]);
     assert!(text(&quoted.stderr).starts_with("error: unexpected argument"), "{}", text(&quoted.stderr));

@@ -334,6 +334,10 @@ fn all_mistakes_of_a_file_are_told_at_once() {
     assert_eq!(error.details.others.len(), mistakes.len() - 1, "{told}");
     let keys: Vec<&str> = error.details.others.iter().filter_map(|other| other.key.as_deref()).collect();
     assert!(keys.contains(&"half_space.edge_distance") && keys.contains(&"impact.angle"), "{keys:?}");
+    // so are those that only the numbers of both bodies together show
+    let text = STEEL.replace("[impact]", "radius = 0\n[gravity]\nacceleration = 9.81\n[air]\ndensity = 1.2\n[impact]");
+    let told = resolve(&text, &[]).unwrap_err().to_string();
+    assert!(told.contains("half_space.radius: must not be 0") && told.contains("the key `drag` is missing"), "{told}");
     // what a misspelt material would have given is not told as missing
     let materials = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardend\"\n[half_space]\nmaterial = \"steel-s2355\"\n\
                      [impact]\nspeed = 1\n";

@@ -10,7 +10,7 @@ use crate::calibrate::minimum::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
-use crate::scenario::scene::results::{Reported, fields, file, results};
+use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, results};
 use crate::scenario::scene::{Body, Measured, key_of};
 use crate::units::{aligned, four_digits, percent};
 
@@ -159,9 +159,9 @@ fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
     }
 }
 
-/// The tables of these results for the reference page.
-pub fn files() -> String {
-    file("Calibrations: `summary.json`", &results()) + &file("Calibrations: every key in `summary.json`", &key())
+/// The files with these results.
+pub(super) fn files() -> Vec<FileOfResults> {
+    vec![file("Calibrations: `summary.json`", &results()), file("Calibrations: every key in `summary.json`", &key())]
 }
 
 fn per_degree(calibration: &Calibration) -> Option<f64> {

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::impact::Contact;
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::Input;
-use crate::scenario::scene::results::{Reported, fields, file, results};
+use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, results};
 
 /// The numbers of a contact at which no sphere has arrived.
 pub(super) fn contact() -> Vec<Reported<Contact>> {
@@ -35,9 +35,9 @@ pub(super) fn contact() -> Vec<Reported<Contact>> {
     }
 }
 
-/// The table of these numbers for the reference page.
-pub(super) fn files() -> String {
-    file("Checks: `contact` in `check --json`", &contact())
+/// The files with these results.
+pub(super) fn files() -> Vec<FileOfResults> {
+    vec![file("Checks: `contact` in `check --json`", &contact())]
 }
 
 /// A scenario of impacts; of a table, it is its first case.

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
-use crate::scenario::scene::results::{Reported, fields, file, lists, results};
+use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, lists, results};
 use crate::scenario::scene::{Body, EVERY_KEY, Part, at};
 use crate::units::{self, Dimension, aligned, describe};
 
@@ -123,11 +123,13 @@ pub(super) fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
     }
 }
 
-/// The files with these results, as Markdown.
-pub(super) fn files() -> String {
-    file("Indentation: every half-space in `summary.json`", &half_space())
-        + &file("Indentation: every step of a half-space", &step())
-        + &file("Indentation: `trace.csv`", &columns())
+/// The files with these results.
+pub(super) fn files() -> Vec<FileOfResults> {
+    vec![
+        file("Indentation: every half-space in `summary.json`", &half_space()),
+        file("Indentation: every step of a half-space", &step()),
+        file("Indentation: `trace.csv`", &columns()),
+    ]
 }
 
 /// The results by their names.

@@ -17,3 +17,11 @@ mod terminal;
 
 pub use files::trace;
 pub use terminal::{Detail, impact as table};
+
+use crate::scenario::scene::results::{FileOfResults, impact};
+
+/// The files of results of every kind of scene.
+fn results() -> Vec<FileOfResults> {
+    let of_kinds = [impact::files, series::files, indentation::files, sweep::files, calibrate::files, checked::files];
+    of_kinds.into_iter().flat_map(|files| files()).collect()
+}

@@ -1,9 +1,7 @@
 //! The tables of the reference pages (`scenarios/keys.md`, `results.md`, `materials.md`): every key, every result, every material.
 //! A test of the program writes them into the pages.
 
-use super::{calibrate, checked, indentation, series, sweep};
 use crate::scenario::reference::keys;
-use crate::scenario::scene::results::impact;
 use crate::units::markdown;
 
 /// A part of a page that the program writes: its name, and its text.
@@ -32,36 +30,17 @@ fn materials() -> String {
 
 /// All results as Markdown, a table for every file, or part of one, that has them.
 fn results() -> String {
-    [impact::files(), series::files(), indentation::files(), sweep::files(), calibrate::files(), checked::files()]
-        .concat()
+    super::results().into_iter().map(|(markdown, _)| markdown).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::scenario::scene::results::{Reported, Shown};
-
-    fn names<T>(results: &[Reported<T>]) -> Vec<(&'static str, Shown)> {
-        results.iter().map(|result| (result.name, result.shown)).collect()
-    }
+    use crate::scenario::scene::results::Shown;
 
     #[test]
     fn a_name_ends_in_the_unit_of_its_number_and_no_other_name_does() {
-        let all = [
-            names(&impact::results()),
-            names(&impact::trace()),
-            names(&series::results()),
-            names(&series::impacts()),
-            names(&series::trace()),
-            names(&indentation::half_space()),
-            names(&indentation::step()),
-            names(&indentation::columns()),
-            names(&sweep::totals()),
-            names(&sweep::drawn()),
-            names(&checked::contact()),
-        ]
-        .concat();
-        assert!(all.len() > 150, "{}", all.len());
+        let all: Vec<_> = super::super::results().into_iter().flat_map(|(_, names)| names).collect();
+        assert!(all.len() > 200, "{}", all.len());
         let unit_of = |shown| if let Shown::In(dimension) = shown { Some(dimension) } else { None };
         let units: Vec<_> = all.iter().filter_map(|(_, shown)| unit_of(*shown)).collect();
         for (name, shown) in all {

@@ -3,7 +3,7 @@
 use crate::impact::Contact;
 use crate::impact::repeat::{Drive, End, Hit, Repeat, Sequence};
 use crate::numerics::power::max_or_nan;
-use crate::scenario::scene::results::{Reported, file, results};
+use crate::scenario::scene::results::{FileOfResults, Reported, file, results};
 use crate::units::{Dimension, quantity};
 
 /// A series of impacts.
@@ -247,9 +247,11 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
     }
 }
 
-/// The files with these results, as Markdown.
-pub(super) fn files() -> String {
-    file("Repeated impacts: `summary.json`", &results())
-        + &file("Repeated impacts: `impacts.csv`", &impacts())
-        + &file("Repeated impacts: `trace.csv`", &trace())
+/// The files with these results.
+pub(super) fn files() -> Vec<FileOfResults> {
+    vec![
+        file("Repeated impacts: `summary.json`", &results()),
+        file("Repeated impacts: `impacts.csv`", &impacts()),
+        file("Repeated impacts: `trace.csv`", &trace()),
+    ]
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value};
 
 use crate::scenario::plan::{Cases, Plan, Variable};
-use crate::scenario::scene::results::{Reported, fields, file, lists, results};
+use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, lists, results};
 use crate::table::Tally;
 use crate::table::statistics::Distribution;
 
@@ -54,9 +54,9 @@ pub(super) fn drawn() -> Vec<Reported<Variable>> {
     }
 }
 
-/// The files with these results, as Markdown.
-pub(super) fn files() -> String {
-    file("Tables: `summary.json`", &totals()) + &file("Tables: every random key in `summary.json`", &drawn())
+/// The files with these results.
+pub(super) fn files() -> Vec<FileOfResults> {
+    vec![file("Tables: `summary.json`", &totals()), file("Tables: every random key in `summary.json`", &drawn())]
 }
 
 /// The results by their names. The warnings are about the scene; of those about rows the worst of each kind.

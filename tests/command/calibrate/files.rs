@@ -112,7 +112,8 @@ fn a_value_that_is_left_out_shifts_the_estimate_as_the_residuals_say() {
 fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
     let text = "# of a block\n".to_owned()
         + &scenario(&format!("data = \"d.csv\" # drops\n{STRENGTH}noise = {{ restitution = 0.01 }}\n"))
-            .replace("yield_strength = \"345 MPa\"", "yield_strength = \"1 GPa\" # guess");
+            .replace("yield_strength = \"345 MPa\"", "yield_strength = \"1 GPa\" # guess")
+            .replace("radius = \"5 mm\"", "radius = \"5 mm\" # not the diameter");
     let (desk, summary) =
         calibrated(&text, &restitutions(), &["--set", "law=thornton", "--set", "sphere.radius=4 mm"], 3);
     let new = desk.read("o/calibrated.toml");
@@ -123,7 +124,7 @@ fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
             && !new.contains("calibrate"),
         "{new}"
     );
-    assert!(new.contains("[law.thornton]") && new.contains("\"4 mm\""), "{new}");
+    assert!(new.contains("[law.thornton]") && new.contains("radius = \"4 mm\" # not the diameter\n"), "{new}");
     // the strength has a unit, and all digits
     let estimate = summary["keys"][0]["estimate"].as_f64().unwrap();
     let written = new.split("yield_strength = \"").nth(1).unwrap().split(" MPa\"").next().unwrap();

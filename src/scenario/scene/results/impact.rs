@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{Needs, Reported, file, results};
+use super::{FileOfResults, Needs, Reported, file, results};
 use crate::contact::material::Flow;
 use crate::impact::air::Flying;
 use crate::impact::{
@@ -368,8 +368,10 @@ pub fn event_name(event: Option<Event>) -> &'static str {
     }
 }
 
-/// The files with these results, as Markdown.
-pub(crate) fn files() -> String {
-    file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results())
-        + &file("One impact: `trace.csv`", &trace())
+/// The files with these results.
+pub(crate) fn files() -> Vec<FileOfResults> {
+    vec![
+        file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results()),
+        file("One impact: `trace.csv`", &trace()),
+    ]
 }

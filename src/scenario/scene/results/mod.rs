@@ -16,7 +16,7 @@ pub(crate) mod entry;
 pub mod impact;
 
 pub use entry::{Column, Needs, Reported, Shown, fields, lists};
-pub(crate) use entry::{file, results};
+pub(crate) use entry::{FileOfResults, file, results};
 
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn columns() -> Vec<Column> {
