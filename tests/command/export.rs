@@ -4,7 +4,6 @@
 use std::process::Output;
 
 use crate::common::prelude::*;
-use assert_cmd::Command;
 use plm_impact::doors::export::{
     E_WITHIN, Target, damped_spring, range_of_constant, spring_without_pull, steps_per_contact,
 };
@@ -12,8 +11,7 @@ use plm_impact::doors::export::{
 const STEEL: &str = "scenarios/steel-on-steel.toml";
 
 fn export(arguments: &[&str]) -> Output {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    Command::cargo_bin("plm-impact").unwrap().current_dir(root).arg("export").args(arguments).output().unwrap()
+    call(Path::new(env!("CARGO_MANIFEST_DIR")), &[&["export"], arguments].concat())
 }
 
 fn printed(arguments: &[&str]) -> String {

@@ -7,12 +7,6 @@ use crate::common::prelude::*;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_plm-impact");
 
-/// Calls the command in a directory, with a text on standard input.
-fn fed(desk: &Desk, arguments: &[&str], input: &str) -> Output {
-    let mut command = assert_cmd::Command::new(PROGRAM);
-    command.current_dir(desk.path("")).args(arguments).write_stdin(input).output().unwrap()
-}
-
 /// Runs a line in a shell in a directory, where `plm-impact` is the program.
 fn shell(desk: &Desk, line: &str) -> Output {
     let script = format!("plm-impact() {{ '{PROGRAM}' \"$@\"; }}; {line}");
@@ -111,7 +105,7 @@ fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
 fn a_dash_reads_the_scenario_from_standard_input() {
     let desk = Desk::with(STEEL);
     let run = |arguments: &[&str], input: &str| {
-        let output = fed(&desk, arguments, input);
+        let output = desk.fed(arguments, input);
         assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
         text(&output.stdout)
     };
@@ -133,10 +127,10 @@ fn a_dash_reads_the_scenario_from_standard_input() {
     let flow = STEEL.replace("[impact]", "flow_stress.table = \"flow.csv\"\n[impact]");
     run(&["check", "-"], &flow);
     // messages name standard input
-    let bad = fed(&desk, &["check", "-"], &STEEL.replace("5 mm", "5 mn"));
+    let bad = desk.fed(&["check", "-"], &STEEL.replace("5 mm", "5 mn"));
     assert_eq!(bad.status.code(), Some(2));
     assert!(text(&bad.stderr).starts_with("error: stdin:2:10: sphere.radius: "), "{}", text(&bad.stderr));
-    let endless = fed(&desk, &["check", "-"], &"# long\n".repeat(200_000));
+    let endless = desk.fed(&["check", "-"], &"# long\n".repeat(200_000));
     assert!(text(&endless.stderr).contains("stdin: is larger than 1 MiB"), "{}", text(&endless.stderr));
 }
 

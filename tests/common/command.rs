@@ -3,9 +3,8 @@
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::Output;
+use std::process::{Command, Output, Stdio};
 
-use assert_cmd::Command;
 use plm_impact::files::progress::Counter;
 use plm_impact::report::plot::Pictures;
 use plm_impact::report::run::{Outcome, RunOptions, at_once};
@@ -36,6 +35,16 @@ impl Desk {
 
     pub fn call(&self, arguments: &[&str]) -> Output {
         call(self.0.path(), arguments)
+    }
+
+    /// Calls the command with a text on standard input.
+    pub fn fed(&self, arguments: &[&str], input: &str) -> Output {
+        let mut command = command(self.0.path(), arguments);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        // a command that refuses its arguments may end before it has read all
+        let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+        child.wait_with_output().unwrap()
     }
 
     /// Calls the command, which has to end with this exit code; returns standard output and standard error.
@@ -103,8 +112,13 @@ pub fn file_of(outcome: &Outcome, name: &str) -> String {
 
 /// Calls the command in a directory.
 pub fn call(directory: &Path, arguments: &[&str]) -> Output {
+    command(directory, arguments).output().unwrap()
+}
+
+fn command(directory: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
-    command.current_dir(directory).args(arguments).output().unwrap()
+    command.current_dir(directory).args(arguments);
+    command
 }
 
 pub fn text(bytes: &[u8]) -> String {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
-use assert_cmd::Command;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use tempfile::TempDir;

@@ -166,9 +166,7 @@ fn results_of_another_file_stay_whatever_its_path_looks_like() {
     assert_eq!(run("moved/z", "../a/case.toml", ".").0, Some(0));
     // a text from standard input is of no file
     let piped = |speed: &str| {
-        let mut command = assert_cmd::Command::new(PROGRAM);
-        command.current_dir(desk.path("")).args(["run", "-", "--out", "w", "--pictures", "none"]);
-        command.write_stdin(STEEL.replace("3 m/s", speed)).output().unwrap().status.code()
+        desk.fed(&["run", "-", "--out", "w", "--pictures", "none"], &STEEL.replace("3 m/s", speed)).status.code()
     };
     assert_eq!([piped("1 m/s"), piped("1 m/s"), piped("2 m/s")], [Some(0), Some(0), Some(2)]);
 }
