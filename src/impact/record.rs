@@ -168,24 +168,28 @@ pub struct Track<'a> {
 }
 
 impl Track<'_> {
-    /// The unloading branch of the motion.
-    pub(super) fn unloading(&self) -> &Unloading {
-        &self.unloading
-    }
-
-    /// The times at which its legs end, in order.
+    /// The times at which it passes from one formula of the force to the next, in order, and that of its end.
     pub(super) fn ends(&self) -> impl Iterator<Item = f64> {
-        self.legs.iter().filter_map(|leg| leg.track.last()).map(|segment| segment.end)
+        let goes_on = |leg: Option<&Recorded>| {
+            leg.and_then(|leg| leg.piece).is_some_and(|piece| self.ground.piece(piece).is_joint)
+        };
+        let ends = self.legs.iter().enumerate().filter(move |(i, _)| !goes_on(self.legs.get(i + 1)));
+        ends.filter_map(|(_, leg)| leg.track.last()).map(|segment| segment.end)
     }
 
-    /// The point at a time between first touch and the end of the motion; at the nearest of them otherwise.
-    pub(super) fn at(&self, time: f64) -> Point {
+    /// The state at a time between first touch and the end of the motion, or at the nearest of them otherwise; and the piece of
+    /// the loading curve that it is on, `None` on the unloading branch.
+    pub(super) fn state(&self, time: f64) -> (State, Option<usize>) {
         let ends_before = |leg: &Recorded| leg.track.last().is_none_or(|segment| segment.end < time);
         let leg = self.legs.partition_point(ends_before).min(self.legs.len() - 1);
         let Recorded { piece, track, .. } = &self.legs[leg];
         let segment = track.partition_point(|segment| segment.end < time).min(track.len() - 1);
-        let time = time.min(track[segment].end);
-        point_of(self.ground, &self.unloading, self.drag, *piece, &track[segment].at(time), None)
+        (track[segment].at(time.min(track[segment].end)), *piece)
+    }
+
+    /// The point of the motion at a state on this piece of the loading curve.
+    pub(super) fn loading_point(&self, piece: usize, at: &State) -> Point {
+        point_of(self.ground, &self.unloading, self.drag, Some(piece), at, None)
     }
 }
 

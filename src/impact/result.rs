@@ -221,7 +221,8 @@ impl Impact {
         self.essentials.rebound = Some(inclined.rebound(&slip)?);
         self.oblique = Some(inclined.oblique(&slip));
         for row in &mut self.trace {
-            row.friction = Some(inclined.rubbing(&slip, row.time, row.sphere_speed.unwrap_or(row.speed), row.force));
+            row.friction =
+                Some(inclined.friction_at(&slip, row.time, row.sphere_speed.unwrap_or(row.speed), row.force));
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! Where friction has a kink inside of a step: there T goes with the root of time, which no step passes well.
+//! Where friction has a kink inside of a step: there T goes with a root of time, which no step passes well.
 //!
 //! ```text
 //! begins to stick   springs at a stop cease to slip where their stop moves away from them: first those in the middle of the
@@ -8,28 +8,50 @@
 
 use super::profile::Rim;
 
-/// The first kink of a step, as a share of it, that is not this `near` to an end of the step. The rims, and M' and M, are those
-/// at start, middle and end. `middle` is the stretch of the spring in the middle, less M, at the start.
-pub(super) fn kink(rims: [Rim; 3], motion: [[f64; 2]; 3], middle: f64, near: f64) -> Option<f64> {
-    let length = rims[2].time - rims[0].time;
-    let of_middle = slopes(rims.map(|rim| rim.stop));
-    let of_square = slopes(rims.map(|rim| rim.square));
-    let of_rim: [f64; 3] = std::array::from_fn(|i| {
-        let Rim { stop, square, .. } = rims[i];
-        if square > 0.0 { stop * of_square[i] / square } else { of_middle[i] }
-    });
+/// The first kink of a step, as a share of it, that is not this `near` to an end of the step. The rims are those at its quarters,
+/// M' and M those at start, middle and end. `middle` is the stretch of the spring in the middle, less M, at the start.
+pub(super) fn kink(rims: &[Rim; 5], motion: [[f64; 2]; 3], middle: f64, near: f64) -> Option<f64> {
+    let length = rims[4].time - rims[0].time;
+    let speeds = motion.map(|[speed, _]| speed);
     let shares = [1.0, -1.0].into_iter().flat_map(|side| {
-        let closes = |stops: [f64; 3]| std::array::from_fn(|i| side * motion[i][0] * length - stops[i]);
-        let gaps = std::array::from_fn(|i| rims[i].stop - side * (middle + motion[i][1]));
-        [closes(of_middle), closes(of_rim), gaps].map(falls_through)
+        let gaps = std::array::from_fn(|i| rims[2 * i].stop - side * (middle + motion[i][1]));
+        closings(rims, speeds, side).into_iter().chain([gaps]).map(falls_through)
     });
     let is_far = |share: &f64| share.min(1.0 - share) * length > near;
     shares.flatten().filter(is_far).min_by(f64::total_cmp)
 }
 
+/// The share of a step up to which springs that slip to this side go on slipping: 1 if they do so to its end.
+pub(super) fn sliding(rims: &[Rim; 5], speeds: [f64; 3], side: f64) -> f64 {
+    let until = |closing: [f64; 3]| {
+        let ends = closing[1] < 0.0 || closing[2] < 0.0;
+        if ends { falls_through(closing).unwrap_or(0.0) } else { 1.0 }
+    };
+    closings(rims, speeds, side).map(until).into_iter().fold(1.0, f64::min)
+}
+
+/// How much faster the springs in the middle and at the rim slip to this side than their stops move away, times the length of
+/// the step; at start, middle and end.
+fn closings(rims: &[Rim; 5], speeds: [f64; 3], side: f64) -> [[f64; 3]; 2] {
+    let length = rims[4].time - rims[0].time;
+    let of_middle = slopes_of_five(rims.map(|rim| rim.stop));
+    let of_square = slopes_of_five(rims.map(|rim| rim.square));
+    let of_rim: [f64; 3] = std::array::from_fn(|i| {
+        let Rim { stop, square, .. } = rims[2 * i];
+        if square > 0.0 { stop * of_square[i] / square } else { of_middle[i] }
+    });
+    [of_middle, of_rim].map(|stops| std::array::from_fn(|i| side * speeds[i] * length - stops[i]))
+}
+
 /// The slopes of the parabola through values at start, middle and end, over a step of length 1.
-fn slopes([a, b, c]: [f64; 3]) -> [f64; 3] {
+pub(super) fn slopes([a, b, c]: [f64; 3]) -> [f64; 3] {
     [4.0 * b - 3.0 * a - c, c - a, a - 4.0 * b + 3.0 * c]
+}
+
+/// The slopes at start, middle and end of the polynomial through values at the quarters of a step of length 1.
+fn slopes_of_five([a, b, c, d, e]: [f64; 5]) -> [f64; 3] {
+    let at_end = |a: f64, b: f64, c: f64, d: f64, e: f64| (25.0 * e - 48.0 * d + 36.0 * c - 16.0 * b + 3.0 * a) / 3.0;
+    [-at_end(e, d, c, b, a), (8.0 * (d - b) - (e - a)) / 3.0, at_end(a, b, c, d, e)]
 }
 
 /// Where values at start, middle and end of a step of length 1 fall through 0: on the parabola through them.

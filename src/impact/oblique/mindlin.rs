@@ -19,7 +19,7 @@
 //! next step. Two half steps are compared with a whole one, and the difference improves them. A step ends where T has a kink
 //! (`kink.rs`).
 
-use super::kink::kink;
+use super::kink::{kink, sliding, slopes};
 use super::motion::TangentialMotion;
 use super::profile::{Profile, Rim};
 use crate::impact::scales::ACCELERATION;
@@ -32,6 +32,10 @@ pub(super) struct Run {
     pub(super) ratio: f64,
     /// Its error: the sum of those of the steps.
     pub(super) error: f64,
+    /// True if the contact point slides all the time.
+    pub(super) is_sliding: bool,
+    /// The time of its end.
+    pub(super) end: f64,
     /// The steps, in order of time; empty unless they were asked for.
     pub(super) steps: Vec<Step>,
 }
@@ -43,28 +47,42 @@ pub(super) struct Step {
     length: f64,
     /// σ/σ_0 at the start.
     slip: f64,
-    /// T at start, middle and end.
-    friction: [f64; 3],
     /// (5/2) χ/σ_0: what T changes of σ/σ_0.
     rate: f64,
+    friction: Friction,
+}
+
+/// T during a step.
+#[derive(Debug, Clone, Copy)]
+enum Friction {
+    /// T is the contact force, against a slip to this side. The impulse is that at the start.
+    Sliding { side: f64, impulse: f64 },
+    /// T at start, middle and end, which is a parabola.
+    Partial([f64; 3]),
 }
 
 impl Step {
-    /// σ/σ_0 and T at a time of the step: T is a parabola, and σ its integral.
-    fn at(&self, time: f64) -> [f64; 2] {
-        let z = ((time - self.start) / self.length).clamp(0.0, 1.0);
-        let [a, b, c] = self.friction;
-        let (slope, curve) = (-3.0 * a + 4.0 * b - c, 2.0 * (a - 2.0 * b + c));
-        let impulse = z * (a + z * (0.5 * slope + z * curve / 3.0));
-        [self.slip + self.rate * self.length * impulse, a + z * (slope + z * curve)]
+    /// σ/σ_0 and T at a time of the step, where the contact has this force and this impulse so far.
+    fn at(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
+        match self.friction {
+            Friction::Sliding { side, impulse: before } => {
+                [self.slip - side * self.rate * (impulse - before), -side * force]
+            }
+            Friction::Partial([a, b, c]) => {
+                let z = ((time - self.start) / self.length).clamp(0.0, 1.0);
+                let (slope, curve) = (-3.0 * a + 4.0 * b - c, 2.0 * (a - 2.0 * b + c));
+                let way = z * (a + z * (0.5 * slope + z * curve / 3.0));
+                [self.slip + self.rate * self.length * way, a + z * (slope + z * curve)]
+            }
+        }
     }
 }
 
 impl Run {
-    /// σ/σ_0 and T at a time.
-    pub(super) fn at(&self, time: f64) -> [f64; 2] {
+    /// σ/σ_0 and T at a time, where the contact has this force and this impulse so far.
+    pub(super) fn at(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
         let step = self.steps.partition_point(|step| step.start <= time).saturating_sub(1);
-        self.steps.get(step).map_or([self.ratio, 0.0], |step| step.at(time))
+        self.steps.get(step).map_or([self.ratio, 0.0], |step| step.at(time, force, impulse))
     }
 }
 
@@ -93,17 +111,44 @@ impl State {
             let curved = -0.5 * (acceleration - speed * of_square / growth) / (growth * growth);
             if growth > 0.0 { curved } else { 0.0 }
         };
+        let rims = [&self.rim, &middle, &end];
+        let [stops, squares] = [rims.map(|rim| rim.stop), rims.map(|rim| rim.square)].map(slopes);
+        let fronts = |i: usize, speed: f64| {
+            let Rim { stop, square, .. } = rims[i];
+            let fall = stop / square;
+            let of_fall = (stops[i] - fall * squares[i]) / square;
+            [1.0, -1.0].map(|side| (stops[i] - side * speed * length) / of_fall)
+        };
         let way = half * (self.speed + half * (0.5 * first + half * self.jerk / 6.0));
         let bent = bend(self.rim.square, middle.square, self.speed + 0.5 * half * first, first);
-        let second = rate * self.profile.advance(&middle, way, bent);
+        let speed = self.speed + half * (first + 0.5 * half * self.jerk);
+        let second = rate * self.profile.advance([&self.rim, &middle], way, bent, fronts(1, speed));
         let whole = length * (self.speed + length * (first + 2.0 * second) / 6.0);
         let bent = bend(middle.square, end.square, self.speed + 1.5 * half * second, second);
-        let third = rate * self.profile.advance(&end, whole - way, bent);
+        let speed = self.speed + length * second;
+        let third = rate * self.profile.advance([&middle, &end], whole - way, bent, fronts(2, speed));
         self.speed += length * (first + 4.0 * second + third) / 6.0;
         self.acceleration = third;
-        self.jerk = (first - 4.0 * second + 3.0 * third) / length;
+        self.jerk = slopes([first, second, third])[2] / length;
         self.rim = end;
         [first / rate, second / rate, third / rate]
+    }
+
+    /// Slides over the middle to the end with all springs at their stops on this side, if they go on slipping there; else
+    /// gives the share of the step up to which they do. T is then the contact force, whose impulse is known.
+    fn slide(&mut self, rims: &[Rim; 5], side: f64, rate: f64, near: f64) -> f64 {
+        let ends = [rims[0], rims[2], rims[4]];
+        let speeds = ends.map(|rim| self.speed - side * rate * (rim.impulse - self.rim.impulse));
+        let (share, length) = (sliding(rims, speeds, side), rims[4].time - rims[0].time);
+        let share = if (1.0 - share) * length <= near { 1.0 } else { share };
+        if share == 1.0 {
+            self.profile.slide(&rims[4], side);
+            let friction = ends.map(|rim| -side * rate * rim.force());
+            (self.speed, self.acceleration) = (speeds[2], friction[2]);
+            self.jerk = slopes(friction)[2] / length;
+            self.rim = rims[4];
+        }
+        share
     }
 
     /// M' and M.
@@ -143,25 +188,28 @@ impl TangentialMotion<'_> {
         const FIRST: f64 = 0.01;
         /// How much of the difference to a whole step two half ones leave at most, once it has improved them: in 1500 random
         /// impacts a fifth.
-        const LEFT: f64 = 0.25;
+        const LEFT: f64 = 0.12;
         /// The share of the accuracy that every step may use up, however short it is.
         const SHARE: f64 = 0.02;
+        /// The share of the accuracy by which a piece of the profile may be off.
+        const JOINED: f64 = 0.2;
         /// Steps after which a run gives up.
         const MOST: u64 = 50_000;
         // behind a jump a step is of first order, and leaves more of the difference
-        let accuracy = if self.jumps { 0.2 * accuracy } else { accuracy };
+        let accuracy = if self.jumps || !self.is_smooth_at_touch { 0.2 * accuracy } else { accuracy };
         let rate = 1.5 * 2.0 * ACCELERATION * chi;
         let start = 1.5 * sigma;
         let rim = self.rim(0.0);
         let mut state = State { profile: Profile::new(), rim, speed: start, acceleration: 0.0, jerk: 0.0 };
         let (mut whole, mut halves) = (state.clone(), state.clone());
-        let (mut steps, mut sum) = (Vec::new(), 0.0);
+        let (mut steps, mut sum, mut is_sliding) = (Vec::new(), 0.0, true);
         let [peak, last] = self.durations;
         let duration = 0.5 * last;
         let mut length = FIRST * duration;
         // a kink so near to the end of a step costs less than it may, and so does a joint so near to the one before
         let near = 0.025 * accuracy.sqrt() * duration;
         let apart = 0.3 * accuracy.sqrt().sqrt() * duration;
+        let joined = JOINED * accuracy * start / (rate * self.rim(peak).square.sqrt() * duration);
         let mut count = 0;
         for &end in &self.ends {
             if end < peak && (end - state.rim.time).min(peak - end) < apart {
@@ -178,22 +226,42 @@ impl TangentialMotion<'_> {
                 length = if is_last { left } else { length.min(0.5 * left) };
                 let at = state.rim.time;
                 let to = if is_last { end } else { at + length };
-                let rims = [at + 0.25 * length, at + 0.5 * length, at + 0.75 * length, to].map(|time| self.rim(time));
+                let [first, second, third] = [0.25, 0.5, 0.75].map(|share| self.rim(at + share * length));
+                let rims = [state.rim, first, second, third, self.rim(to)];
+                let side =
+                    if at == 0.0 { self.is_smooth_at_touch.then_some(1.0) } else { state.profile.side(state.rim.stop) };
+                if let Some(side) = side.filter(|_| !self.jumps) {
+                    let friction = Friction::Sliding { side, impulse: state.rim.impulse };
+                    let step = Step { start: at, length, slip: state.speed / start, friction, rate: rate / start };
+                    let share = state.slide(&rims, side, rate, near);
+                    if share == 1.0 {
+                        if has_steps {
+                            steps.push(step);
+                        }
+                        length = LONGEST * duration;
+                        continue;
+                    }
+                    if share * length > near {
+                        length *= share;
+                        continue;
+                    }
+                }
+                is_sliding = false;
                 halves.clone_from_state(&state);
-                let first = halves.step(rims[0], rims[1], rate);
+                let first = halves.step(rims[1], rims[2], rate);
                 let middle = halves.motion();
-                let second = halves.step(rims[2], rims[3], rate);
+                let second = halves.step(rims[3], rims[4], rate);
                 let motion = [state.motion(), middle, halves.motion()];
-                if let Some(share) = kink([state.rim, rims[1], rims[3]], motion, state.profile.middle(), near) {
+                if let Some(share) = kink(&rims, motion, state.profile.middle(), near) {
                     length *= share;
                     continue;
                 }
                 whole.clone_from_state(&state);
-                whole.step(rims[1], rims[3], rate);
+                whole.step(rims[2], rims[4], rate);
                 let off = |part: fn(&State) -> f64| part(&halves) - part(&whole);
                 let offs = [off(|s| s.speed), off(|s| s.profile.shift), off(|s| s.acceleration)];
                 // a force that is off acts for a swing at most
-                let swing = (rate * rims[3].square.sqrt()).sqrt().recip();
+                let swing = (rate * rims[4].square.sqrt()).sqrt().recip();
                 let weights = [1.0, duration.recip(), swing.min(last - to)];
                 let error: f64 = offs.iter().zip(weights).map(|(off, weight)| off.abs() * weight).sum();
                 let error = LEFT * error / start.abs();
@@ -202,19 +270,21 @@ impl TangentialMotion<'_> {
                     if has_steps {
                         let half = |time: f64, speed: f64, friction| {
                             let slip = speed / start;
+                            let friction = Friction::Partial(friction);
                             Step { start: time, length: 0.5 * length, slip, friction, rate: rate / start }
                         };
                         steps.push(half(at, state.speed, first));
-                        steps.push(half(rims[1].time, middle[0], second));
+                        steps.push(half(rims[2].time, middle[0], second));
                     }
                     sum += error;
                     halves.improve(offs.map(|off| off / 15.0));
                     std::mem::swap(&mut state, &mut halves);
+                    state.profile.join(joined);
                 }
                 length *= (0.9 * (tolerance / error).sqrt().sqrt()).clamp(0.2, 3.0);
             }
         }
-        Ok(Run { ratio: state.speed / start, error: sum, steps })
+        Ok(Run { ratio: state.speed / start, error: sum, is_sliding, end: last, steps })
     }
 
     /// σ_1/σ_0 with one spring in place of all, as the contact of a DEM code carries it (`mindlin_rescale/force` of LAMMPS;

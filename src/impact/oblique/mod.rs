@@ -43,7 +43,7 @@ pub use approach::{Approach, Incidence};
 use mindlin::Run;
 use motion::TangentialMotion;
 
-/// What friction makes of an oblique impact: what a table holds of it. SI units.
+/// The rebound of an oblique impact, as far as a table holds it. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rebound {
     /// v_t1 \[m/s\].
@@ -62,7 +62,7 @@ pub struct Rebound {
     pub target: Option<[f64; 2]>,
     /// Energy taken by friction, over ½ m* v².
     pub loss_fraction: f64,
-    /// Whether the contact point slides all the time.
+    /// True if the contact point slides all the time.
     pub is_sliding: bool,
     /// ψ_1; infinite without friction.
     pub psi: f64,
@@ -77,12 +77,12 @@ impl Rebound {
     }
 }
 
-/// The rest of what friction makes of one impact. SI units.
+/// The energies and the momentum of an oblique impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Oblique {
     /// ½ m v_t² + ½ I ω² before the impact \[J\].
     pub kinetic_in: f64,
-    /// The same after it \[J\], with that of a second ball.
+    /// This energy after the impact \[J\], with that of a second ball.
     pub recovered: f64,
     /// Taken by friction \[J\], ½ (m*/j)(s_0² − s_1²).
     pub loss: f64,
@@ -175,7 +175,7 @@ pub(super) struct SlipChange {
 /// Accuracy of s_1/s_0 in a table: 1500 random impacts are within it.
 const OF_ROWS: f64 = 1e-5;
 /// Accuracy of a run by itself: s_1/s_0 is then within 1e-7.
-const OF_RUNS: f64 = 2e-8;
+const OF_RUNS: f64 = 5e-9;
 
 impl SlipChange {
     fn new(ratio: f64) -> Self {
@@ -218,7 +218,7 @@ impl<'a> ObliqueImpact<'a> {
         1.0 - 2.0 * self.chi * self.impulse() / self.psi.abs()
     }
 
-    /// Whether the contact point surely slides all the time, without gravity, damping and plate.
+    /// True if the contact point surely slides all the time, without gravity, damping and plate.
     ///
     /// ```text
     /// |ψ_1| ≥ max(2χ (1 + e) − e min(1, 2n − 2),  2χ + r)
@@ -265,9 +265,8 @@ impl<'a> ObliqueImpact<'a> {
         let sigma = self.psi.abs() * self.case.q;
         let accuracy = if is_followed { OF_RUNS } else { OF_ROWS };
         let run = motion.run(sigma, self.chi, accuracy, is_followed)?;
-        let (sliding, error) = (self.sliding_ratio(), run.error);
-        let is_sliding = !self.case.forces.is_none() && (run.ratio - sliding).abs() <= error;
-        let ratio = if is_sliding { sliding } else { run.ratio };
+        let Run { ratio, error, is_sliding, .. } = run;
+        let ratio = if is_sliding { self.sliding_ratio() } else { ratio };
         Ok(SlipChange { ratio, is_sliding, error, run: is_followed.then_some(run) })
     }
 
@@ -355,7 +354,7 @@ impl<'a> ObliqueImpact<'a> {
     }
 
     /// Friction at a time \[s\], where the sphere has this speed towards the half-space, and the contact this force. SI units.
-    pub(super) fn rubbing(&self, slip: &SlipChange, time: f64, speed: f64, force: f64) -> FrictionState {
+    pub(super) fn friction_at(&self, slip: &SlipChange, time: f64, speed: f64, force: f64) -> FrictionState {
         let (mu, scales) = (self.incidence.friction, &self.case.scales);
         let direction = self.slip.signum();
         let (slip_speed, friction_force) = match &slip.run {
@@ -365,8 +364,11 @@ impl<'a> ObliqueImpact<'a> {
                 let slowed = self.contact.slip_factor() * mu * (self.speeds[0] - speed);
                 (self.slip - direction * slowed, -direction * mu * force)
             }
+            Some(run) if time >= (1.0 - 1e-8) * run.end * scales.time() => (self.slip * slip.ratio, 0.0),
             Some(run) => {
-                let [share, of_force] = run.at(time / scales.time());
+                let impulse = (self.speeds[0] - speed) / scales.speed / ACCELERATION
+                    + self.case.forces.weight * time / scales.time();
+                let [share, of_force] = run.at(time / scales.time(), force / scales.force, impulse);
                 (share * self.slip, direction * mu * scales.force * of_force)
             }
         };

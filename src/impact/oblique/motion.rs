@@ -3,22 +3,33 @@
 use std::sync::LazyLock;
 
 use super::profile::Rim;
-use crate::contact::law::Ground;
+use crate::contact::law::{Ground, LoadingRule};
 use crate::impact::case::hertz;
 use crate::impact::course;
 use crate::impact::forces::ScaledForces;
-use crate::impact::record::{Recorder, Track};
+use crate::impact::record::{Point, Recorder, Track};
+use crate::impact::scales::ACCELERATION;
+use crate::numerics::curve::piece::Piece;
 use crate::numerics::integrate::IntegrationError;
 use crate::numerics::integrate::rk8::Rk8;
+use crate::numerics::power::max_or_nan;
+use crate::numerics::root::halved;
 
 /// The normal motion of an impact.
 #[derive(Debug)]
 pub struct TangentialMotion<'a> {
     track: Track<'a>,
+    /// The unloading branch, and the radius of the contact over its slope.
+    branch: (Piece, f64),
+    /// q = v/V.
+    q: f64,
+    forces: ScaledForces,
     /// The times of the joints of the law, of the peak and of the end; each stretch between two of them is smooth.
     pub(super) ends: Vec<f64>,
-    /// Whether the stops jump at joints: viscous damping goes with the root of the slope.
+    /// True if the stops jump at joints: those of some laws, and viscous damping, which goes with the root of the slope.
     pub(super) jumps: bool,
+    /// True if the stops grow in proportion to time at first.
+    pub(super) is_smooth_at_touch: bool,
     /// Time of compression, and from first touch to the end.
     pub(super) durations: [f64; 2],
 }
@@ -31,7 +42,34 @@ impl<'a> TangentialMotion<'a> {
         let outcome = course::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
         let track = recorder.track(ground, outcome.unloading, forces.drag);
         let durations = [outcome.loading_time, outcome.contact_time];
-        Ok(Self { ends: track.ends().collect(), jumps: forces.drag.eta != 0.0, durations, track })
+        let is_viscous = forces.drag.eta != 0.0;
+        let is_published = matches!(ground.law.rule, LoadingRule::Published(_));
+        let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
+        let ends = track.ends().collect();
+        let (branch, peak) = (outcome.unloading.branch(), outcome.unloading.peak);
+        let radius_per_slope = peak.force / peak.elastic_approach / branch.slope_beyond(peak.elastic_approach);
+        let (branch, forces) = ((branch, radius_per_slope), *forces);
+        let mut motion = Self { track, branch, q, forces, ends, jumps: is_viscous, is_smooth_at_touch, durations };
+        if is_published {
+            motion.jumps |= motion.ends.iter().any(|&end| motion.jumps_at(end));
+            // where the law leaves a dent from there on, the stops have a kink
+            let (without_dent, _) = halved(0.0, durations[0], |time| motion.is_elastic_at(time));
+            motion.ends.push(without_dent);
+            motion.ends.sort_by(f64::total_cmp);
+        }
+        Ok(motion)
+    }
+
+    /// True if a sphere that turned at this time would leave no dent.
+    fn is_elastic_at(&self, time: f64) -> bool {
+        let (at, piece) = self.track.state(time);
+        piece.is_some_and(|piece| self.track.loading_point(piece, &at).state.residual() <= 0.0)
+    }
+
+    /// True if the stop in the middle jumps at a time.
+    fn jumps_at(&self, time: f64) -> bool {
+        let [before, after] = [time, time + 1e-9 * self.durations[1]].map(|time| self.rim(time).stop);
+        (before - after).abs() > 1e-6 * before
     }
 
     /// The motion of an elastic impact. It is one for all of them in units of its own peak and speed.
@@ -47,18 +85,26 @@ impl<'a> TangentialMotion<'a> {
     /// α = f/ε on the way in,   α ∝ df/dx on the way out
     /// ```
     pub(super) fn rim(&self, time: f64) -> Rim {
-        let none = Rim { time, square: 0.0, stop: 0.0 };
+        let mut rim = Rim { time, square: 0.0, stop: 0.0, impulse: 0.0 };
         if time <= 0.0 {
-            return none;
+            return rim;
         }
-        let point = self.track.at(time);
-        let (force, approach) = (point.state.force, point.state.elastic_approach);
-        let radius =
-            if point.is_unloading { self.track.unloading().radius_ratio(approach.max(0.0)) } else { force / approach };
-        if radius > 0.0 {
-            Rim { square: radius * radius, stop: 1.5 * point.total_force / radius, ..none }
+        let (at, piece) = self.track.state(time);
+        let (force, total_force, radius) = if let Some(piece) = piece {
+            let Point { state, total_force, .. } = self.track.loading_point(piece, &at);
+            (state.force, total_force, state.force / state.elastic_approach)
         } else {
-            none
+            let (branch, radius_per_slope) = &self.branch;
+            let [force, slope, _] = if at.distance > 0.0 { branch.jet(at.distance) } else { [0.0; 3] };
+            let drag = self.forces.drag.at(force, || slope / ACCELERATION).0 * at.speed;
+            (force, max_or_nan(force + drag, 0.0), radius_per_slope * slope)
+        };
+        // on a plate the sphere is faster than the contact closes
+        let speed = at.speed + ACCELERATION * self.forces.drag.theta * force;
+        rim.impulse = (self.q - speed) / ACCELERATION + self.forces.weight * time;
+        if radius > 0.0 {
+            (rim.square, rim.stop) = (radius * radius, 1.5 * total_force / radius);
         }
+        rim
     }
 }

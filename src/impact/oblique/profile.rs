@@ -19,7 +19,22 @@ pub(super) struct Rim {
     pub(super) square: f64,
     /// P: the stop of the spring in the middle.
     pub(super) stop: f64,
+    /// The impulse of the contact force so far.
+    pub(super) impulse: f64,
 }
+
+impl Rim {
+    /// f: the contact force.
+    pub(super) fn force(&self) -> f64 {
+        self.stop * self.square.sqrt() / 1.5
+    }
+}
+
+/// A knot nearer to the stop than this share of it, behind one beyond the stop, lies on the stop but for rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// Room for most profiles.
+const ROOM: usize = 32;
 
 /// The end of a piece of the stretch. The piece leads there from the knot before:
 /// `ζ = straight line + bend (η − η_before)(η − η_here)`.
@@ -42,26 +57,52 @@ pub(super) struct Profile {
     knots: Vec<Knot>,
     /// The shift of all springs so far. Springs that stick keep their knots.
     pub(super) shift: f64,
+    /// The η between which springs slip to either side: those at their stops.
+    rings: [Option<[f64; 2]>; 2],
+    /// How many knots are joined as far as they can be.
+    joined: usize,
     /// Room for the knots that are clipped.
     spare: Vec<Knot>,
 }
 
 impl Clone for Profile {
     fn clone(&self) -> Self {
-        Self { knots: self.knots.clone(), shift: self.shift, spare: Vec::new() }
+        let mut same = Self::new();
+        same.clone_from(self);
+        same
     }
 
     /// Copies the knots into the room that is there.
     fn clone_from(&mut self, from: &Self) {
         self.knots.clone_from(&from.knots);
-        self.shift = from.shift;
+        (self.shift, self.rings, self.joined) = (from.shift, from.rings, from.joined);
     }
 }
 
 impl Profile {
     /// A contact of one point, before first touch.
     pub(super) fn new() -> Self {
-        Self { knots: vec![Knot::default()], shift: 0.0, spare: Vec::new() }
+        let mut knots = Vec::with_capacity(ROOM);
+        knots.push(Knot::default());
+        Self { knots, shift: 0.0, rings: [None; 2], joined: 0, spare: Vec::with_capacity(ROOM) }
+    }
+
+    /// The side that all springs slip to, if they are at their stops.
+    pub(super) fn side(&self, stop: f64) -> Option<f64> {
+        let [middle, rim] = self.knots[..] else { return None };
+        let stretch = middle.stretch + self.shift;
+        let is_at_stop = rim.bend == 0.0 && stretch.abs() >= stop * (1.0 - ROUNDING);
+        is_at_stop.then(|| stretch.signum())
+    }
+
+    /// All springs are at their stops on this side.
+    pub(super) fn slide(&mut self, rim: &Rim, side: f64) {
+        self.knots.truncate(1);
+        self.shift = 0.0;
+        self.knots[0].stretch = side * rim.stop;
+        self.push(rim.square, 0.0, 0.0);
+        let ring = Some([0.0, rim.square]);
+        self.rings = if side > 0.0 { [ring, None] } else { [None, ring] };
     }
 
     /// The stretch of the spring in the middle, less the shift.
@@ -70,8 +111,9 @@ impl Profile {
     }
 
     /// Shifts all springs, lets springs enter or leave up to the new rim, clips them at their stops, and gives the friction T.
-    /// The stretch of the springs that enter is curved by `bend`.
-    pub(super) fn advance(&mut self, to: &Rim, shift: f64, bend: f64) -> f64 {
+    /// The stretch of the springs that enter is curved by `bend`. At the `fronts` the springs at either stop are as fast as
+    /// it is at the end.
+    pub(super) fn advance(&mut self, [from, to]: [&Rim; 2], shift: f64, bend: f64, fronts: [f64; 2]) -> f64 {
         self.shift += shift;
         let rim = to.square;
         if self.knots.last().is_some_and(|last| last.square < rim) {
@@ -79,21 +121,65 @@ impl Profile {
         } else {
             self.cut(rim);
         }
+        let rings = std::mem::take(&mut self.rings);
         if rim <= 0.0 {
             return 0.0;
         }
         let fall = to.stop / rim;
-        let (level, shift) = (to.stop, self.shift);
-        let is_beyond = |knot: &Knot| (knot.stretch + shift).abs() > level - fall * knot.square;
+        let (level, moved) = (to.stop, self.shift);
+        let is_beyond = |knot: &Knot| (knot.stretch + moved).abs() > level * (1.0 + ROUNDING) - fall * knot.square;
         if let Some(first) = self.knots.iter().position(is_beyond) {
-            let (side, from) = ((self.knots[first].stretch + shift).signum(), first.saturating_sub(1));
+            let (side, from) = ((self.knots[first].stretch + moved).signum(), first.saturating_sub(1));
             self.clip(from, level, fall, side);
-            let is_beyond = |knot: &Knot| -side * (knot.stretch + shift) > level - fall * knot.square;
+            let is_beyond =
+                |knot: &Knot| -side * (knot.stretch + moved) > level * (1.0 + ROUNDING) - fall * knot.square;
             if self.knots[from..].iter().any(is_beyond) {
                 self.clip(from, level, fall, -side);
             }
         }
+        for (i, side) in [1.0, -1.0].into_iter().enumerate() {
+            if let (Some(ring), true) = (rings[i], from.square > 0.0) {
+                let more = fall - from.stop / from.square;
+                let corner = (to.stop - from.stop - side * shift) / more;
+                let bend = 0.25 * more / (corner - fronts[i]);
+                let [inner, outer] = ring;
+                let width = outer - inner;
+                if bend < 0.0 && fronts[i] > inner - width && fronts[i] < outer + width {
+                    self.round(i, ring, [corner, fronts[i]], bend, [level, fall]);
+                }
+            }
+        }
         self.knots.last().map_or(0.0, |last| -(last.integral + self.shift * last.radius))
+    }
+
+    /// Rounds the corner of the stretch between springs that stick and springs that slip, where the front between them has
+    /// moved over springs of this ring.
+    fn round(&mut self, i: usize, ring: [f64; 2], [corner, front]: [f64; 2], bend: f64, [level, fall]: [f64; 2]) {
+        let side = [1.0, -1.0][i];
+        let width = (front - corner).abs();
+        let rim = self.knots.last().map_or(0.0, |last| last.square);
+        let (start, end) = ((corner - width).max(ring[0]), (corner + width).min(ring[1]).min(rim));
+        if start >= end {
+            return;
+        }
+        let envelope = |square: f64| {
+            let beyond = square - front;
+            side * (level - fall * square + bend * beyond * beyond) - self.shift
+        };
+        let (at_start, at_end) = (envelope(start), envelope(end));
+        let place = self.knots.partition_point(|knot| knot.square < start);
+        let mut old = std::mem::take(&mut self.spare);
+        old.clear();
+        old.extend(self.knots.drain(place..));
+        self.push(start, at_start, old.first().map_or(0.0, |knot| knot.bend));
+        self.push(end, at_end, side * bend);
+        for knot in old.iter().filter(|knot| knot.square > end) {
+            self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
+        }
+        self.spare = old;
+        if let Some(ring) = &mut self.rings[i] {
+            if front > corner { ring[0] = ring[0].max(end) } else { ring[1] = ring[1].min(start) }
+        }
     }
 
     /// Adds a piece at the outer end.
@@ -120,6 +206,30 @@ impl Profile {
         self.knots.push(Knot { square, radius, stretch, bend, integral });
     }
 
+    /// Joins pieces that one parabola follows to this accuracy.
+    pub(super) fn join(&mut self, accuracy: f64) {
+        let mut old = std::mem::take(&mut self.spare);
+        old.clear();
+        old.extend(self.knots.drain(self.joined.min(self.knots.len())..));
+        for knot in &old {
+            if let [.., before, middle] = self.knots[..] {
+                let (first, second) = (middle.square - before.square, knot.square - middle.square);
+                let kink = (knot.stretch - middle.stretch) / second - (middle.stretch - before.stretch) / first;
+                let bend = kink / (first + second);
+                let off =
+                    ((bend - middle.bend) * first * first).abs().max(((bend - knot.bend) * second * second).abs());
+                if off <= 4.0 * accuracy {
+                    self.knots.pop();
+                    self.push_at(knot.square, knot.radius, knot.stretch, bend);
+                    continue;
+                }
+            }
+            self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
+        }
+        self.spare = old;
+        self.joined = self.knots.len();
+    }
+
     /// Takes away what lies outside of the rim.
     fn cut(&mut self, rim: f64) {
         while self.knots.len() > 1 && self.knots[self.knots.len() - 2].square >= rim {
@@ -135,8 +245,6 @@ impl Profile {
 
     /// Holds ζ (or −ζ) below `stop − fall η` from this knot on. Pieces that lie on the stop become one.
     fn clip(&mut self, from: usize, stop: f64, fall: f64, side: f64) {
-        /// A knot nearer to the stop than this share of it, behind one beyond the stop, lies on the stop but for rounding.
-        const ROUNDING: f64 = 1e-13;
         let shift = self.shift;
         let gap = |knot: &Knot| stop - fall * knot.square - side * (knot.stretch + shift);
         let on_stop = |square: f64| side * (stop - fall * square) - shift;
@@ -145,12 +253,15 @@ impl Profile {
         old.extend(self.knots.drain(from..));
         // the knot before and its gap
         let mut last: Option<(Knot, f64)> = None;
+        let mut ring = [0.0; 2];
         for (i, &knot) in old.iter().enumerate() {
             let here = gap(&knot);
             let was_beyond = last.is_some_and(|(_, gap)| gap < 0.0);
-            let is_beyond = here < 0.0 || was_beyond && here < ROUNDING * stop;
+            let is_beyond = here < if was_beyond { ROUNDING * stop } else { -ROUNDING * stop };
+            let mut edge = knot.square;
             if let Some((before, there)) = last.filter(|_| was_beyond != is_beyond) {
                 let square = crossing(&before, &knot, [there, here], -side);
+                edge = square;
                 if before.square < square && square < knot.square {
                     self.push(square, on_stop(square), if was_beyond { 0.0 } else { knot.bend });
                 }
@@ -161,13 +272,19 @@ impl Profile {
                 self.knots.push(Knot { integral: knot.integral + moved, ..knot });
             } else if !is_beyond {
                 self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
-            } else if !was_beyond || old.get(i + 1).is_none_or(|next| gap(next) >= 0.0) {
+            } else if !was_beyond || old.get(i + 1).is_none_or(|next| gap(next) >= ROUNDING * stop) {
                 // a knot between two others beyond the stop is no end of a piece
                 self.push_at(knot.square, knot.radius, on_stop(knot.square), 0.0);
+            }
+            if is_beyond && !was_beyond {
+                ring = [edge, knot.square];
+            } else if is_beyond || was_beyond {
+                ring[1] = edge;
             }
             last = Some((knot, if is_beyond { here.min(-f64::MIN_POSITIVE) } else { here }));
         }
         self.spare = old;
+        self.rings[usize::from(side < 0.0)] = Some(ring);
     }
 }
 
