@@ -10,8 +10,8 @@ use plm_impact::impact::oblique::motion::TangentialMotion;
 use crate::common::reference::rows;
 
 /// The accuracy of a run by itself, and of one in a table.
-const OF_RUNS: f64 = 5e-9;
-const OF_ROWS: f64 = 1e-5;
+const OF_RUNS: f64 = 2e-9;
+const OF_ROWS: f64 = 5e-6;
 
 /// s_1/s_0 of an elastic impact.
 fn elastic_ratio(psi: f64, chi: f64, accuracy: f64) -> f64 {

@@ -205,10 +205,12 @@ impl TangentialMotion<'_> {
         let (mut steps, mut sum, mut is_sliding) = (Vec::new(), 0.0, true);
         let [peak, last] = self.durations;
         let duration = 0.5 * last;
-        let mut length = FIRST * duration;
+        // a sphere that a plate holds goes in fast and comes out slowly
+        let quick = duration.min(peak);
+        let mut length = FIRST * quick;
         // a kink so near to the end of a step costs less than it may, and so does a joint so near to the one before
-        let near = 0.025 * accuracy.sqrt() * duration;
-        let apart = 0.3 * accuracy.sqrt().sqrt() * duration;
+        let near = 0.025 * accuracy.sqrt() * quick;
+        let apart = 0.3 * accuracy.sqrt().sqrt() * quick;
         let joined = JOINED * accuracy * start / (rate * self.rim(peak).square.sqrt() * duration);
         let mut count = 0;
         for &end in &self.ends {

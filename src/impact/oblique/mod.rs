@@ -172,10 +172,11 @@ pub(super) struct SlipChange {
     run: Option<Run>,
 }
 
-/// Accuracy of s_1/s_0 in a table: 1500 random impacts are within it.
-const OF_ROWS: f64 = 1e-5;
-/// Accuracy of a run by itself: s_1/s_0 is then within 1e-7.
-const OF_RUNS: f64 = 5e-9;
+/// Accuracy of s_1/s_0 in a table. Of 6000 random impacts under the PLM, also with damping, with gravity and on plates, two were off by
+/// more than 1e-5, the worst by 1.3e-5; under other laws three of 1500, the worst by 5e-5.
+const OF_ROWS: f64 = 5e-6;
+/// Accuracy of a run by itself: s_1/s_0 was within 1e-7 in 1200 random impacts.
+const OF_RUNS: f64 = 2e-9;
 
 impl SlipChange {
     fn new(ratio: f64) -> Self {
