@@ -24,6 +24,8 @@ fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
         (STEEL.to_owned(), "voce = { saturation = 2, rate = 30 }"),
         // a kink, beyond which the strength is constant
         (STEEL.to_owned(), "points = [[0, 345e6], [0.01, 600e6]]"),
+        // a sphere that flows alone
+        (STEEL.replace("[sphere]", "[sphere]\nyield_strength = 1e8"), "power.exponent = 0.3"),
         // so soft that the powers of the work would leave double precision at the last pieces
         (STEEL.replace("345 MPa", "1 kPa"), "linear.slope = 1e6"),
     ];

@@ -1,5 +1,7 @@
 //! Which body yields: finite elements, limits, and what holds for any pair of bodies.
 
+use plm_impact::contact::law::PlmCoefficients;
+
 use crate::common::prelude::*;
 use crate::common::reference::{Row, rows};
 
@@ -188,6 +190,33 @@ fn sphere_and_half_space_change_places_where_the_contact_is_small() {
             assert!(off(two.elastic_approach, one.elastic_approach) < 1e-3, "{strength} {x}");
         }
     }
+}
+
+/// The series for the time on the first pieces are made when an impact needs them: it has the same bits whatever came before it.
+#[test]
+fn impacts_before_change_no_bit_of_an_impact() {
+    let of = |sphere| with_sphere(Scene::steel(), sphere);
+    for strength in [None, Some(100e6)] {
+        let used = of(strength);
+        for speed in [0.3, 10.0, 1.0, 3.0, 0.3] {
+            let [again, first] = [&used, &of(strength)].map(|contact| contact.closed_form(speed).unwrap());
+            assert_eq!(again.contact_time.to_bits(), first.contact_time.to_bits(), "{speed}");
+            assert_eq!(again, first);
+        }
+    }
+}
+
+/// With coefficients that make a deep contact so narrow that a/R never reaches 0.6, the curve ends where the indentation is R.
+#[test]
+fn the_curve_of_a_flat_that_stays_narrow_has_an_end() {
+    let mut coefficients = PlmCoefficients::built_in().clone();
+    coefficients.contact_radius.geometry_slope = 1.5;
+    let (sphere, half_space) = Scene::steel().parts();
+    let sphere = Sphere { yield_strength: Some(200e6), ..sphere };
+    let contact = Contact::try_new(sphere, half_space, &Plm::new(&coefficients, UnloadingExponent::Paper)).unwrap();
+    let (scales, law, _) = contact.scaled(3.0).unwrap();
+    let last = law.loading.pieces().last().unwrap().start * scales.length / sphere.radius;
+    assert!((1.0..1.1).contains(&last), "{last}");
 }
 
 /// A flow curve that does not rise is the law of one strength, and one that rises lets more come back. A flow curve is known of a body

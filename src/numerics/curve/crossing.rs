@@ -4,12 +4,14 @@
 //! work w. So the time from first touch to a knot x_i is
 //!
 //! ```text
-//! t = (1/q) ∫ dx/√(1 − w/E) = (x_i/q) Σ c_k (w_i/E)^k,   c_k = (2k)!/(4^k k!²) · mean of (w/w_i)^k from 0 to x_i
+//! t = (1/q) ∫ dx/√(1 − w/E) = (1/q) Σ c_k E^(−k),   c_k = (2k)!/(4^k k!²) ∫ w^k dx from 0 to x_i
 //! ```
 //!
-//! The c_k belong to the curve and are computed once. Up to w_i = E/10 fourteen terms are enough: the rest of the
-//! series is below 1e-16 of the time of loading. A hardening half-space and a sphere that yields have about 60 to 100 pieces, and
-//! this series gives the time on most of them.
+//! The c_k belong to the curve. They are computed from those of the knot before when the first impact needs them. Up to
+//! w_i = E/10 fourteen terms are enough: the rest of the series is below 1e-16 of the time of loading. A hardening half-space
+//! and a sphere that yields have about 40 to 100 pieces, and this series gives the time on most of them.
+
+use std::sync::OnceLock;
 
 use super::piece::{Piece, Shape};
 use crate::numerics::quadrature::gauss;
@@ -24,24 +26,67 @@ const EVERY: usize = 4;
 /// No series is made for a knot of more work: the powers of the work would leave double precision.
 const LARGEST_WORK: f64 = 1e20;
 
-/// (2k)!/(4^k k!²) and 1/(2k + 1).
+/// (2k)!/(4^k k!²) over its value for k − 1, 1/(2k + 1), and k times the product of both, for k from 1 on.
 #[allow(clippy::cast_precision_loss)] // fourteen terms
-const CONSTANTS: [[f64; 2]; TERMS] = {
-    let (mut constants, mut k) = ([[1.0; 2]; TERMS], 1);
-    while k < TERMS {
-        constants[k] = [constants[k - 1][0] * (k as f64 - 0.5) / k as f64, 1.0 / (2.0 * k as f64 + 1.0)];
-        k += 1;
+const CONSTANTS: [[f64; 3]; TERMS - 1] = {
+    let (mut constants, mut term) = ([[0.0; 3]; TERMS - 1], 1);
+    while term < TERMS {
+        let k = term as f64;
+        constants[term - 1] = [(k - 0.5) / k, 1.0 / (2.0 * k + 1.0), (k - 0.5) / (2.0 * k + 1.0)];
+        term += 1;
     }
     constants
 };
 
+/// The series of a curve.
+#[derive(Debug, Clone)]
+pub(super) struct Crossings {
+    /// From one knot with a series to the next there are so many pieces.
+    every: usize,
+    knots: Vec<OnceLock<Crossing>>,
+}
+
+impl Crossings {
+    /// The series of a curve that begins with a power law from zero, none computed yet; there are none behind a piece that is
+    /// neither straight nor a formula.
+    pub(super) fn of(pieces: &[Piece]) -> Self {
+        let every = if pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_))) { 1 } else { EVERY };
+        let is_covered = |pair: &&[Piece]| {
+            let has_series = match pair[0].shape {
+                Shape::Power { offset, .. } => offset == 0.0,
+                Shape::Branch(_) => false,
+                Shape::Straight { .. } | Shape::Polynomial(_) => true,
+            };
+            has_series && pair[1].work < LARGEST_WORK
+        };
+        let count = pieces.windows(2).take_while(is_covered).count() / every;
+        Self { every, knots: (0..count).map(|_| OnceLock::new()).collect() }
+    }
+
+    /// The last knot that a sphere of this energy reaches fast enough for its series.
+    #[inline(always)]
+    pub(super) fn last(&self, pieces: &[Piece], kinetic: f64) -> Option<&Crossing> {
+        let slow_from = pieces.partition_point(|piece| piece.work <= LARGEST_SHARE * kinetic);
+        let count = (slow_from.saturating_sub(1) / self.every).min(self.knots.len());
+        let last = self.knots.get(count.checked_sub(1)?)?;
+        last.get().or_else(|| self.computed(pieces, count))
+    }
+
+    /// The last of so many knots, with the series of all of them.
+    #[cold]
+    fn computed(&self, pieces: &[Piece], count: usize) -> Option<&Crossing> {
+        self.knots[..count].iter().enumerate().fold(None, |before, (index, knot)| {
+            let first = index * self.every;
+            Some(knot.get_or_init(|| Crossing::behind(before, &pieces[first..=first + self.every])))
+        })
+    }
+}
+
 /// A knot with the series of the time to it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Crossing {
     /// Index of the piece that begins there.
     piece: usize,
-    /// x_i.
-    start: f64,
     /// w_i.
     work: f64,
     /// c_k.
@@ -49,34 +94,34 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
-    fn new(piece: usize, start: f64, work: f64, moments: &[f64; TERMS]) -> Self {
-        let (mut coefficients, mut unit, per_work) = ([1.0; TERMS], 1.0 / start, 1.0 / work);
-        for k in 1..TERMS {
-            unit *= per_work;
-            coefficients[k] = CONSTANTS[k][0] * moments[k] * unit;
+    /// The knot at the start of the last of these pieces. The first begins at the knot `before`.
+    fn behind(before: Option<&Self>, pieces: &[Piece]) -> Self {
+        let mut knot = before.cloned().unwrap_or(Self { piece: 0, work: 0.0, coefficients: [0.0; TERMS] });
+        let mut straight = Straight::default();
+        for (lane, pair) in pieces.windows(2).enumerate() {
+            let (piece, next) = (&pair[0], &pair[1]);
+            match &piece.shape {
+                Shape::Straight { slope, .. } => straight.put(lane, piece, next, *slope),
+                _ => add(&mut knot.coefficients, piece, next),
+            }
+            (knot.piece, knot.work) = (knot.piece + 1, next.work);
         }
-        Self { piece, start, work, coefficients }
-    }
-
-    /// True if the series is good for a sphere of this energy.
-    #[inline(always)]
-    pub(super) fn is_good(&self, kinetic: f64) -> bool {
-        self.work <= LARGEST_SHARE * kinetic
+        straight.add_to(&mut knot.coefficients);
+        knot
     }
 
     /// The knot, and when it is passed.
     #[inline]
     pub(super) fn reached(&self, kinetic: f64, speed: f64) -> Reached {
-        let share = self.work / kinetic;
-        let square = share * share;
+        let inverse = 1.0 / kinetic;
+        let square = inverse * inverse;
         // even and odd terms apart, so that neither waits for the other
         let (even, odd) = self
             .coefficients
             .chunks_exact(2)
             .rev()
             .fold((0.0, 0.0), |(even, odd), pair| (even * square + pair[0], odd * square + pair[1]));
-        let &Self { piece, start, work, .. } = self;
-        Reached { piece, work, time: start / speed * (even + share * odd) }
+        Reached { piece: self.piece, work: self.work, time: (even + inverse * odd) / speed }
     }
 }
 
@@ -89,53 +134,68 @@ pub(crate) struct Reached {
     pub time: f64,
 }
 
-/// The series for the knots of a curve that begins with a power law from zero; there are none behind a piece that is neither
-/// straight nor a formula.
-#[allow(clippy::cast_precision_loss)] // fourteen terms
-pub(super) fn crossings(pieces: &[Piece]) -> Vec<Crossing> {
-    let is_long = !pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)));
-    let mut crossings = Vec::with_capacity(pieces.len());
-    // ∫ w^k dx from 0 to the start of a piece
-    let mut moments = [0.0; TERMS];
-    for (index, pair) in (1..).zip(pieces.windows(2)).take_while(|(_, pair)| pair[1].work < LARGEST_WORK) {
-        let (piece, next) = (&pair[0], &pair[1]);
-        let length = next.start - piece.start;
-        match &piece.shape {
-            Shape::Power { exponent, offset: 0.0, .. } => {
-                let mut term = length;
-                for (k, moment) in moments.iter_mut().enumerate() {
-                    *moment = term / (k as f64 * (exponent + 1.0) + 1.0);
-                    term *= next.work;
-                }
+/// The straight pieces between two knots with a series, side by side: a processor computes with several of them at once.
+#[derive(Default)]
+struct Straight {
+    length: [f64; EVERY],
+    /// w at the starts and at the ends.
+    work: [[f64; EVERY]; 2],
+    /// f/s there.
+    reach: [[f64; EVERY]; 2],
+    /// 2w − f²/s, which is the same all along a piece.
+    excess: [f64; EVERY],
+}
+
+impl Straight {
+    fn put(&mut self, lane: usize, piece: &Piece, next: &Piece, slope: f64) {
+        let (length, reach) = (next.start - piece.start, piece.force / slope);
+        self.length[lane] = length;
+        (self.work[0][lane], self.work[1][lane]) = (piece.work, next.work);
+        (self.reach[0][lane], self.reach[1][lane]) = (reach, reach + length);
+        self.excess[lane] = 2.0 * piece.work - piece.force * reach;
+    }
+
+    /// Adds what they bring to the c_k, by parts: (2k + 1) ∫ w^k dx = [f w^k]/s + k (2w − f²/s) ∫ w^(k−1) dx.
+    fn add_to(self, coefficients: &mut [f64; TERMS]) {
+        let Self { length: mut integral, work: [from, to], reach: [mut before, mut after], excess } = self;
+        let [first, others @ ..] = coefficients;
+        *first += integral.iter().sum::<f64>();
+        for (coefficient, [growth, of_ends, of_rest]) in others.iter_mut().zip(&CONSTANTS) {
+            for lane in 0..EVERY {
+                before[lane] *= from[lane] * growth;
+                after[lane] *= to[lane] * growth;
+                integral[lane] = (after[lane] - before[lane]) * of_ends + of_rest * excess[lane] * integral[lane];
             }
-            // by parts: (2k + 1) ∫ w^k dx = [f w^k]/s + k (2w − f²/s) ∫ w^(k−1) dx, where the last bracket is constant
-            Shape::Straight { slope, .. } => {
-                let [mut before, mut after] = [0.0, length].map(|d| piece.force_beyond(d) / slope);
-                let excess = 2.0 * piece.work - piece.force * before;
-                let mut integral = length;
-                moments[0] += length;
-                for k in 1..TERMS {
-                    before *= piece.work;
-                    after *= next.work;
-                    integral = (after - before + k as f64 * excess * integral) * CONSTANTS[k][1];
-                    moments[k] += integral;
-                }
-            }
-            Shape::Polynomial(poly) => {
-                let (nodes, weights) = gauss();
-                for (node, weight) in nodes.iter().zip(weights) {
-                    let (mut term, work) = (weight * length, piece.work + poly.work(node * length));
-                    for moment in &mut moments {
-                        *moment += term;
-                        term *= work;
-                    }
-                }
-            }
-            Shape::Power { .. } | Shape::Branch(_) => break,
-        }
-        if !is_long || index % EVERY == 0 {
-            crossings.push(Crossing::new(index, next.start, next.work, &moments));
+            *coefficient += integral.iter().sum::<f64>();
         }
     }
-    crossings
+}
+
+/// Adds what a piece brings to the c_k.
+fn add(coefficients: &mut [f64; TERMS], piece: &Piece, next: &Piece) {
+    let length = next.start - piece.start;
+    let [first, others @ ..] = coefficients;
+    match &piece.shape {
+        Shape::Power { exponent, .. } => {
+            let (mut term, mut power) = (length, 1.0);
+            *first += length;
+            for (coefficient, [growth, ..]) in others.iter_mut().zip(&CONSTANTS) {
+                term *= next.work * growth;
+                power += exponent + 1.0;
+                *coefficient += term / power;
+            }
+        }
+        Shape::Polynomial(poly) => {
+            let (nodes, weights) = gauss();
+            for (node, weight) in nodes.iter().zip(weights) {
+                let (mut term, work) = (weight * length, piece.work + poly.work(node * length));
+                *first += term;
+                for (coefficient, [growth, ..]) in others.iter_mut().zip(&CONSTANTS) {
+                    term *= work * growth;
+                    *coefficient += term;
+                }
+            }
+        }
+        Shape::Straight { .. } | Shape::Branch(_) => {}
+    }
 }

@@ -13,7 +13,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::numerics::functions::{ln, pow};
 use crate::numerics::power::power;
-use crossing::{Crossing, Reached};
+use crossing::{Crossings, Reached};
 use piece::{Piece, Shape, along};
 use poly::Poly;
 
@@ -23,7 +23,7 @@ pub struct Curve {
     pub(crate) pieces: Vec<Piece>,
     /// Knots with a series for the time to them; none but on a curve of many pieces. They are made when the first closed form asks
     /// for them; a contact that is integrated needs none.
-    crossings: Option<Once<Vec<Crossing>>>,
+    crossings: Option<Once<Crossings>>,
 }
 
 /// A value that follows from the other fields of its struct. It is computed when it is first needed.
@@ -129,7 +129,7 @@ impl Curve {
         self
     }
 
-    /// Gives the curve series for the time to its knots (see [`crossing::crossings`]).
+    /// Gives the curve series for the time to its knots (see [`crossing`]).
     pub(crate) fn with_crossings(mut self) -> Self {
         self.crossings = Some(Once::default());
         self
@@ -189,8 +189,7 @@ impl Curve {
     pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> Reached {
         let start = Reached { piece: 0, work: 0.0, time: 0.0 };
         let Some(Once(series)) = &self.crossings else { return start };
-        let crossings = series.get_or_init(|| crossing::crossings(&self.pieces));
-        let fast = crossings.partition_point(|knot| knot.is_good(kinetic));
-        fast.checked_sub(1).map_or(start, |last| crossings[last].reached(kinetic, speed))
+        let crossings = series.get_or_init(|| Crossings::of(&self.pieces));
+        crossings.last(&self.pieces, kinetic).map_or(start, |knot| knot.reached(kinetic, speed))
     }
 }

@@ -178,6 +178,11 @@ impl PlmCoefficients {
         PlmRule { line, hardening: None, flattening: None, radius, exponent }
     }
 
+    /// A from which the contact is fully plastic, for this 1 − κ.
+    pub(super) fn plastic_from(&self, rho: f64) -> f64 {
+        1.0 + self.elastic_approach.plastic_from_rho * rho
+    }
+
     /// The slopes and knots of the polyline of the elastic approach.
     pub(super) fn line_slopes(&self, pair: &Pair) -> LineSlopes {
         let [kappa, rho] = pair.shares();
@@ -186,7 +191,7 @@ impl PlmCoefficients {
         let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
         LineSlopes {
             first,
-            plastic_from: 1.0 + table.plastic_from_rho * rho,
+            plastic_from: self.plastic_from(rho),
             plastic: table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared,
             geometry: table.geometry_from.iter().copied().zip(table.geometry_factor.iter().copied()).collect(),
         }

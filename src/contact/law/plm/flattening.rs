@@ -17,7 +17,7 @@
 
 use std::sync::Arc;
 
-use super::hardening::points;
+use super::hardening::{RATIO, between};
 use crate::contact::material::{Ball, Pair};
 use crate::numerics::curve::Curve;
 
@@ -40,14 +40,15 @@ pub struct Flattening {
 }
 
 impl Flattening {
-    /// Makes the curve f, and the flattening, which keeps f_P. `equivalent` gives A_P and `radius` a/a_Y at (x, f_P); `plastic_from`
-    /// is A_fp.
+    /// Makes the curve f, and the flattening, which keeps f_P. `equivalents` gives A_P at (x, f_P), and A_P in units of the strength
+    /// there; `radius` gives a/a_Y at (x, A_P), and `plastic_from` is A_fp. As long as φ stays the same, the straight pieces of
+    /// f_P are not divided.
     pub(super) fn of(
         pair: &Pair,
         yield_radius_ratio: f64,
         plastic_from: f64,
         plain: Arc<Curve>,
-        equivalent: impl Fn(f64, f64) -> f64,
+        mut equivalents: impl FnMut(f64, f64) -> [f64; 2],
         radius: impl Fn(f64, f64) -> f64,
     ) -> (Curve, Self) {
         let (mut softening, mut recovery) = (0.0, 0.0);
@@ -56,29 +57,43 @@ impl Flattening {
             recovery += RECOVERY * share * compliance * curvature;
         }
         let softening = softening * yield_radius_ratio * yield_radius_ratio;
+        // where the indentation is R no law holds any more
+        let end = 1.0 / (yield_radius_ratio * yield_radius_ratio);
+        // φ, and whether it keeps this value: A is never less than a/a_Y
+        let mut flat = |x: f64, force: f64| {
+            let [equivalent, in_strength] = equivalents(x, force);
+            let is_wide = || radius(x, equivalent) * yield_radius_ratio >= WIDEST;
+            let is_held = x >= end || equivalent * yield_radius_ratio >= WIDEST && is_wide();
+            (1.0 + softening * x * (1.0 - plastic_from / in_strength).max(0.0), is_held)
+        };
         let pieces = plain.pieces();
-        let knots: Vec<f64> = pieces.iter().skip(1).map(|piece| piece.start).collect();
-        // the contact radius rises with the indentation
-        let is_wide = |x: f64| radius(x, plain.force(x)) * yield_radius_ratio >= WIDEST;
-        let points = points(&knots, is_wide);
-        let wide_from = points.partition_point(|x| !is_wide(*x));
-        let first = knots.first().map_or([1.0, 1.0], |first| [*first, first * first.sqrt()]);
-        let (mut end, mut factor, mut piece) = (first, 1.0, 0);
-        let softer = points.iter().enumerate().map(|(index, &x)| {
-            // the points rise, so no piece need be searched for
-            while pieces.get(piece + 1).is_some_and(|next| next.start <= x) {
-                piece += 1;
+        let (last, mut x) = (&pieces[pieces.len() - 1], pieces.get(1).map_or(1.0, |piece| piece.start));
+        let (mut factor, mut is_held, mut points) = (1.0, false, Vec::with_capacity(128));
+        points.push([x, x * x.sqrt()]);
+        for pair in pieces.windows(2).skip(1) {
+            let (piece, next) = (&pair[0], &pair[1]);
+            if is_held || flat(next.start, next.force).0 == 1.0 {
+                points.push([next.start, next.force / factor]);
+                continue;
             }
-            let force = pieces[piece].force_at(x);
-            if index <= wide_from {
-                factor = 1.0 + softening * x * (1.0 - plastic_from / equivalent(x, force)).max(0.0);
+            for x in between(piece.start, next.start) {
+                let force = piece.force_at(x);
+                if !is_held {
+                    (factor, is_held) = flat(x, force);
+                }
+                points.push([x, force / factor]);
             }
-            end = [x, force / factor];
-            end
-        });
-        let curve = Curve::hertz().then_through(first, softer);
-        let last = pieces.last().map_or(1.0, |last| last.slope_at(end[0]));
-        let curve = curve.then_straight_from(end[0], end[1], last / factor);
+        }
+        x = last.start.max(x);
+        while !is_held {
+            x *= RATIO;
+            let force = last.force_at(x);
+            (factor, is_held) = flat(x, force);
+            points.push([x, force / factor]);
+        }
+        let [from, to] = [points[0], points[points.len() - 1]];
+        let curve = Curve::with_capacity(points.len()).then_through(from, points[1..].iter().copied());
+        let curve = curve.then_straight_from(to[0], to[1], last.slope_at(to[0]) / factor);
         let widest = match pair.yield_point.map(|point| point.flow) {
             Some(flow) if flow.is_of_both() => 0.2,
             _ => 0.3,

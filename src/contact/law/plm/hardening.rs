@@ -20,13 +20,13 @@ use std::iter::successors;
 use super::lines::LineSlopes;
 use crate::contact::strength::flow::Rise;
 use crate::numerics::curve::Curve;
-use crate::numerics::functions::{ln, pow};
+use crate::numerics::functions::{exp, ln};
 
 /// The plastic strains that stand for the strain field, divided by s.
 const STRAINS: [f64; 2] = [0.025, 0.37];
 
 /// Largest ratio of neighbouring points of the loading curve: straight between them, the force is off by less than 0.1 %.
-const RATIO: f64 = 1.1;
+pub(super) const RATIO: f64 = 1.1;
 const LN_RATIO: f64 = 0.095_310_179_804_324_93;
 
 /// Least d ln f/d ln x of a piece. With the flow curves of metals it is above 1; a kink in a measured curve may give less.
@@ -87,8 +87,9 @@ impl Hardening {
     /// Hertz up to the first knot of the perfectly plastic curve, then straight through points at most 10 % apart: its
     /// knots, points between them in equal ratios, and points beyond the last knot until δ = R.
     pub(super) fn loading(&self, perfect: &Curve) -> Curve {
-        let knots: Vec<f64> = perfect.pieces().iter().skip(1).map(|piece| piece.start).collect();
-        let Some(&first) = knots.first() else { return perfect.clone() };
+        let knots = perfect.pieces().get(1..).unwrap_or_default();
+        let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return perfect.clone() };
+        let first = first.start;
         let force = |x: f64| {
             let r = self.strength(x);
             let scaled = x / (r * r);
@@ -96,7 +97,8 @@ impl Hardening {
         };
         let end = 1.0 / (self.yield_radius_ratio * self.yield_radius_ratio);
         let mut before = [first, force(first)];
-        let hardened = points(&knots, |x| x >= end).into_iter().map(|x| {
+        let inside = knots.windows(2).flat_map(|pair| between(pair[0].start, pair[1].start));
+        let hardened = inside.chain(beyond(last.start, end)).map(|x| {
             let [start, from] = before;
             before = [x, force(x).max(from * (1.0 + LEAST_GROWTH * (x - start) / start))];
             before
@@ -134,20 +136,17 @@ impl Shape<'_> {
     }
 }
 
-/// Where straight pieces end: the knots after the first, points between them in equal ratios, and points beyond the last
-/// until one is far enough.
-pub(super) fn points(knots: &[f64], is_far: impl Fn(f64) -> bool) -> Vec<f64> {
-    let mut points = Vec::with_capacity(128);
-    for pair in knots.windows(2) {
-        let whole = pair[1] / pair[0];
-        // less a rounding, as points of another curve are just so far apart
-        let ratio = pow(whole, 1.0 / (ln(whole) / LN_RATIO - 1e-12).ceil().max(1.0));
-        // half a step before the end, so that rounding neither adds nor loses a point
-        let is_between = |x: &f64| x * ratio.sqrt() < pair[1];
-        points.extend(successors(Some(pair[0] * ratio), |x| Some(x * ratio)).take_while(is_between));
-        points.push(pair[1]);
-    }
-    let last = knots.last().copied().unwrap_or(1.0);
-    points.extend(successors(Some(RATIO * last), |x| (!is_far(*x)).then_some(x * RATIO)));
-    points
+/// Where straight pieces from one knot to the next end: points in equal ratios, and the next knot.
+pub(super) fn between(from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let whole = ln(to / from);
+    // less a rounding, as points of another curve are just so far apart
+    let ratio = exp(whole / (whole / LN_RATIO - 1e-12).ceil().max(1.0));
+    // half a step before the end, so that rounding neither adds nor loses a point
+    let until = to / ratio.sqrt();
+    successors(Some(from * ratio), move |x| Some(x * ratio)).take_while(move |x| *x < until).chain([to])
+}
+
+/// Points in ratios of 1.1 from the last knot, without it, to the first that is not before this end.
+fn beyond(last: f64, end: f64) -> impl Iterator<Item = f64> {
+    successors(Some(RATIO * last), move |x| (*x < end).then_some(RATIO * x))
 }

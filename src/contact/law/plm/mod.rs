@@ -112,11 +112,15 @@ impl Plm {
         if pair.balls.iter().all(|ball| ball.share * ball.curvature == 0.0) {
             return (plain, rule);
         }
-        let plastic_from = self.coefficients.line_slopes(pair).plastic_from;
-        let equivalent = |x, force| rule.equivalent_at(x, force);
-        let radius = |x, force| rule.contact_radius(&rule.state(x, force));
-        let ratio = bodies.yield_radius_ratio();
-        let (curve, flattening) = Flattening::of(pair, ratio, plastic_from, plain, equivalent, radius);
+        let [_, rho] = pair.shares();
+        let (curve, flattening) = Flattening::of(
+            pair,
+            bodies.yield_radius_ratio(),
+            self.coefficients.plastic_from(rho),
+            plain,
+            rule.equivalents(),
+            |x, equivalent| rule.radius_at(x, equivalent),
+        );
         (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })
     }
 }

@@ -71,10 +71,17 @@ impl PlmRule {
         }
     }
 
-    /// A at (x, f) of a law without a flat, in units of the strength that the body that flows has reached there.
-    pub(super) fn equivalent_at(&self, x: f64, force: f64) -> f64 {
-        let equivalent = self.equivalent(&self.state(x, force));
-        self.hardening.as_ref().map_or(equivalent, |hardening| hardening.shape(x, equivalent).equivalent)
+    /// A at points (x, f) beyond first yield of a law without a flat, and A in units of the strength that the body that flows has
+    /// reached there.
+    pub(super) fn equivalents(&self) -> impl FnMut(f64, f64) -> [f64; 2] + '_ {
+        let mut on_line = self.line.nearby();
+        move |x, force| match &self.hardening {
+            None => [force / on_line(force).min(x); 2],
+            Some(hardening) => {
+                let equivalent = force / hardening.elastic_approach(x, force, 1.0);
+                [equivalent, hardening.shape(x, equivalent).equivalent]
+            }
+        }
     }
 
     /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
@@ -108,11 +115,15 @@ impl PlmRule {
 
     /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.
     pub(crate) fn contact_radius(&self, peak: &ContactState) -> f64 {
-        let equivalent = self.equivalent(peak);
+        self.radius_at(peak.indentation, self.equivalent(peak))
+    }
+
+    /// a/a_Y at x, where A is this.
+    pub(super) fn radius_at(&self, x: f64, equivalent: f64) -> f64 {
         match &self.hardening {
             None => self.radius.true_radius(equivalent),
             Some(hardening) => {
-                let shape = hardening.shape(peak.indentation, equivalent);
+                let shape = hardening.shape(x, equivalent);
                 let geometry = self.radius.geometry_at(equivalent);
                 equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
             }
