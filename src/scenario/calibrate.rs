@@ -7,7 +7,7 @@ use crate::contact::law::plm::hardness::pressure;
 use crate::contact::strength::hardness::{self, Scale};
 use crate::error::Error;
 use crate::impact::Method;
-use crate::scenario::plan::{Axis, Cases, Free, HARDNESS, Plan, Values, YIELD_STRENGTH};
+use crate::scenario::plan::{Axis, Cases, Free, Plan, Values};
 use crate::scenario::scene::words::STUDENT_T;
 use crate::scenario::scene::{BODIES, Body, BodyMaterial, Input, Key, NEEDED, at};
 
@@ -39,7 +39,7 @@ pub struct Wanted {
     pub laws: Vec<LawChoice>,
 }
 
-/// The range of the strength in multiples of the modulus of the half-space.
+/// The range of the strength in multiples of the modulus of its body.
 const RANGE: [f64; 2] = [1e-5, 0.1];
 
 impl Scenario {
@@ -101,24 +101,39 @@ impl Scenario {
         }
     }
 
-    /// The keys to find. If the scenario names none, it is the yield strength; or the hardness, if the scenario gives that.
+    /// The keys to find. If the scenario names none, it is the yield strength of one body; or its hardness, if the scenario gives
+    /// that.
     fn free(&self, input: &Input) -> Vec<Free> {
         if let Some(free) = &self.varied.free {
             let on_scale = |free: &Free| Free { hardness: self.scale_of(free.key), ..*free };
             return free.iter().map(on_scale).collect();
         }
-        let material = input.half_space().material;
-        let strengths = RANGE.map(|share| share * material.youngs_modulus);
-        let (path, [from, to]) = if self.has(HARDNESS) {
-            (HARDNESS, strengths.map(|strength| pressure(strength, &material)))
+        let body = self.unknown(input);
+        let keys = body.strength_keys();
+        let material = body.pick([input.sphere().material, input.half_space().material]);
+        let own = Some(material.youngs_modulus).filter(|modulus| modulus.is_finite());
+        let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
+        let strengths = RANGE.map(|share| share * modulus);
+        let (path, [from, to]) = if self.has(keys.hardness.path()) {
+            (keys.hardness.path(), strengths.map(|strength| pressure(strength, &material)))
         } else {
-            (YIELD_STRENGTH, strengths)
+            (keys.yield_strength.path(), strengths)
         };
         let free = |key: &'static Key| {
             let (from, hardness) = (from.max(key.quantity.range().0), self.scale_of(key));
             Free { key, from, to, is_logarithmic: true, hardness }
         };
         Key::find(path).map(free).into_iter().collect()
+    }
+
+    /// The body whose strength is to be found, if the scenario names no key: the half-space, but the sphere if the scenario gives its
+    /// strength, makes it the softer body, and names no material of the half-space.
+    fn unknown(&self, input: &Input) -> Body {
+        let keys = Body::Sphere.strength_keys();
+        let is_given = [keys.yield_strength, keys.hardness].iter().any(|key| self.document.has(key.path()));
+        let is_softer = || input.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow.is_sphere));
+        let is_named = self.document.has(Body::HalfSpace.material());
+        if is_given && !is_named && is_softer() == Some(true) { Body::Sphere } else { Body::HalfSpace }
     }
 
     /// The scale of hardness on which the scenario gives a key or the end of its range, or a material gives it.

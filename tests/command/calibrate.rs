@@ -390,3 +390,26 @@ fn the_strength_of_a_soft_ball_is_found() {
         assert!(desk.path("o/calibrated.toml").exists());
     }
 }
+
+/// Without a key to find it is the strength of the body that yields by the strengths of the scenario, if these say something of the
+/// sphere.
+#[test]
+fn without_a_key_the_strength_of_the_body_that_yields_is_found() {
+    let steel = "youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\n";
+    let of = |sphere: &str, half_space: &str| {
+        let text =
+            format!("[sphere]\nradius = \"5 mm\"\ndensity = 7850\n{steel}{sphere}\n[half_space]\n{half_space}\n");
+        let (_, summary) = calibrated(&text, "", &["--restitution", "0.49", "--speed", "3 m/s"], 0);
+        let key = &summary["keys"][0];
+        (key["key"].as_str().unwrap().to_owned(), key["estimate"].as_f64().unwrap())
+    };
+    let soft = "yield_strength = \"300 MPa\"";
+    let hard = format!("{steel}yield_strength = \"2 GPa\"");
+    let (key, strength) = of(soft, steel);
+    assert_eq!(key, "sphere.yield_strength");
+    assert_eq!(of(soft, &hard), (key, strength));
+    assert_eq!(of("hardness = \"100 HV\"", steel).0, "sphere.hardness");
+    // a half-space that is the softer, or that has no number but a name
+    assert_eq!(of("yield_strength = \"2 GPa\"", &format!("{steel}{soft}")).0, "half_space.yield_strength");
+    assert_eq!(of("yield_strength = \"2 GPa\"", "material = \"steel-1045-normalized\"").0, "half_space.yield_strength");
+}

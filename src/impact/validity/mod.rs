@@ -60,7 +60,7 @@ pub(crate) fn of_dent(law: &Law, ratio: f64) -> Option<Warning> {
     let limit = law.limits.widest;
     Warning::when(ratio > limit, WarningKind::DeepDent, ratio, || {
         format!(
-            "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and dent as estimates, or let the dent be shallower"
+            "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and residual indentation as estimates, or let the indentation be shallower"
         )
     })
 }

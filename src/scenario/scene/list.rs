@@ -235,7 +235,7 @@ const OTHERS: [AnyKey; 70] = keys! {
     /// File of measurements (CSV), relative to the scenario.
     "calibrate.data" of Kind: File("drops.csv");
     /// One or two numeric keys to find, each with its range and, if needed, its scale.
-    "calibrate.free" of Kind: Free => "half_space.yield_strength, from 1e-5 to 0.1 of the modulus; or half_space.hardness where that is given, over the hardnesses of these strengths";
+    "calibrate.free" of Kind: Free => "half_space.yield_strength, or sphere.yield_strength where that is given and the sphere yields, from 1e-5 to 0.1 of the modulus; or the hardness where that is given, over the hardnesses of these strengths";
     /// Treatment of outliers: student-t has the long tails of Student's distribution with 4 degrees of freedom.
     "calibrate.robust" of Kind: Word(&ROBUSTS) => "\"none\"";
     /// Other laws to fit; all laws are ranked.
