@@ -36,12 +36,20 @@ pub(super) fn of_materials(contact: &Contact, impact: &Impact, law: &Law) -> imp
     let is_weak = |entry: &&MaterialEntry| matches!(entry.class, Class::Glass | Class::Polymer);
     let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
     let hardens = |entry: &&MaterialEntry| entry.lacks_exponent || entry.hardens();
-    let share = contact.pair().yield_point.map_or(0.0, |point| point.flow.sphere_share);
+    let flow = contact.pair().yield_point.map(|point| point.flow);
+    let share = flow.map_or(0.0, |flow| flow.sphere_share);
+    // a flow curve is refused where both flow
+    let is_of_both = flow.is_some_and(|flow| flow.is_of_both());
     let metal = |place: usize, body: &str, entry: Option<&'static MaterialEntry>, share: f64| {
         let is_too_high = named.is_by_hardness[place] && law.hardening().is_none() && impact.has_dent() && share > 0.0;
         let entry = entry.filter(|entry| is_too_high && hardens(entry))?;
+        let way_out = if is_of_both {
+            "yield_strength at the strain of the impact, as both bodies flow"
+        } else {
+            "flow_stress.power.exponent under the law plm"
+        };
         let text = format!(
-            "{body}.material = {} hardens, and its hardness is used without an exponent N: e is {TOO_HIGH}; give {body}.flow_stress.power.exponent under the law plm",
+            "{body}.material = {} hardens, and its hardness is used without an exponent N: e is {TOO_HIGH}; give {body}.{way_out}",
             entry.name
         );
         Some(Warning::new(WarningKind::NoExponent, 0.0, text))

@@ -109,15 +109,14 @@ impl Scenario {
             return free.iter().map(on_scale).collect();
         }
         let body = self.unknown(input);
-        let keys = body.strength_keys();
-        let material = body.pick([input.sphere().material, input.half_space().material]);
+        let material = input.material(body);
         let own = Some(material.youngs_modulus).filter(|modulus| modulus.is_finite());
         let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
         let strengths = RANGE.map(|share| share * modulus);
-        let (path, [from, to]) = if self.has(keys.hardness.path()) {
-            (keys.hardness.path(), strengths.map(|strength| pressure(strength, &material)))
+        let (path, [from, to]) = if self.has(body.hardness()) {
+            (body.hardness(), strengths.map(|strength| pressure(strength, &material)))
         } else {
-            (keys.yield_strength.path(), strengths)
+            (body.yield_strength(), strengths)
         };
         let free = |key: &'static Key| {
             let (from, hardness) = (from.max(key.quantity.range().0), self.scale_of(key));
@@ -129,11 +128,11 @@ impl Scenario {
     /// The body whose strength is to be found, if the scenario names no key: the half-space, but the sphere if the scenario gives its
     /// strength, makes it the softer body, and names no material of the half-space.
     fn unknown(&self, input: &Input) -> Body {
-        let keys = Body::Sphere.strength_keys();
-        let is_given = [keys.yield_strength, keys.hardness].iter().any(|key| self.document.has(key.path()));
+        let sphere = Body::Sphere;
+        let is_given = [sphere.yield_strength(), sphere.hardness()].iter().any(|path| self.document.has(path));
         let is_softer = || input.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow.is_sphere));
         let is_named = self.document.has(Body::HalfSpace.material());
-        if is_given && !is_named && is_softer() == Some(true) { Body::Sphere } else { Body::HalfSpace }
+        if is_given && !is_named && is_softer() == Some(true) { sphere } else { Body::HalfSpace }
     }
 
     /// The scale of hardness on which the scenario gives a key or the end of its range, or a material gives it.

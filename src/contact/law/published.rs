@@ -180,7 +180,7 @@ pub enum OutsideLaw {
     Flow(#[from] FlowError),
     /// A flow curve of one of two bodies that both flow.
     #[error(
-        "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: leave flow_stress out and give the strength at the strain of the impact, or strengths at least 1.25 to 1",
+        "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: give both a yield_strength at the strain of the impact, without flow_stress, or strengths at least 1.25 to 1",
         four_digits(*.ratio)
     )]
     BothFlow {

@@ -3,7 +3,7 @@
 
 use super::{Axis, Chart};
 use crate::contact::law::{LawChoice, UnloadingExponent};
-use crate::contact::material::Material;
+use crate::contact::material::{Material, Pair};
 use crate::scenario::indentation::IndentationScene;
 use crate::scenario::scene::{Body, Input, Key};
 use crate::units::{Dimension, capital, quantity};
@@ -22,17 +22,32 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     let own_law = input.law();
     let (sphere, half_space) = input.bodies(&own_law);
     let radius = if varies("sphere.diameter") { "sphere.diameter" } else { "sphere.radius" };
+    let varies_strength =
+        |body: Body| [body.yield_strength(), body.hardness(), body.material()].into_iter().any(varies);
+    // who yields is not the same all over a picture in which a strength varies
+    let is_same = !Body::ALL.into_iter().any(varies_strength);
+    let pair = Pair::try_new(&sphere, &half_space).ok().filter(|_| is_same);
+    let flow = pair.and_then(|pair| pair.yield_point).map(|point| point.flow);
+    let strength = |body: Body, strength: Option<f64>| {
+        let text = quantity(strength.filter(|_| !varies_strength(body))?, Dimension::Pressure);
+        match flow {
+            Some(flow) => {
+                let yields = flow.is_of_both() || flow.of_softer(Body::ALL) == body;
+                yields.then(|| format!("yields at {text}"))
+            }
+            None => Some(format!("strength {text}")),
+        }
+    };
     let of_sphere = [
         said(radius, format!("R {}", quantity(sphere.radius, Dimension::Length))),
         body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
+        strength(Body::Sphere, sphere.yield_strength),
     ];
-    let is_soft = ["half_space.yield_strength", "half_space.hardness", "half_space.material"].into_iter().any(varies);
-    let strength = half_space.yield_strength.filter(|_| !is_soft);
     let curved = |radius| said("half_space.radius", format!("R {}", quantity(radius, Dimension::Length)));
     let of_half_space = [
         half_space.radius.and_then(curved),
         body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
-        strength.map(|strength| format!("yields at {}", quantity(strength, Dimension::Pressure))),
+        strength(Body::HalfSpace, half_space.yield_strength),
     ];
     line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&own_law))])])
 }
