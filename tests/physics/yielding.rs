@@ -56,7 +56,8 @@ fn whole_impacts_are_those_of_finite_elements() {
     for row in all {
         let (scene, contact) = contact_of(&row, &[]);
         let impact = contact.closed_form(scene.speed()).unwrap();
-        // D8 is a half-space alone at 10 m/s: what is off there is the law without a flat
+        // D8 is a half-space alone at 10 m/s: what is off there, 2.7 % of e and 1.8 % of the depth, is the law without a flat. M3 and
+        // E3, at a/R = 0.155, are off by 2.4 and 2.3 % of e with the 24 pieces, and by 1.7 and 1.2 % with the nine
         let is_plain = row.name() == "D8";
         let of_e = match row.number("a_max_over_R") {
             _ if is_plain => 0.03,
