@@ -2,7 +2,7 @@
 //! materials. Only metals yield here, and a metal that hardens needs more than its hardness.
 
 use super::contact::Contact;
-use super::result::Impact;
+use super::essentials::Essentials;
 use super::warning::{FULLY, Warning, WarningKind};
 use crate::contact::law::Law;
 use crate::contact::material::{HalfSpace, Material, Pair, YieldPoint};
@@ -18,14 +18,15 @@ const HIGH: f64 = 0.1;
 
 /// How far e is too high by the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
 pub const TOO_HIGH: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
+/// The largest of these shares.
+pub(super) const MOST_TOO_HIGH: f64 = 0.35;
 
 /// The warnings of an impact for the materials of its bodies. With damping, what the material takes is given.
-pub(super) fn of_materials(contact: &Contact, impact: &Impact, law: &Law) -> impl Iterator<Item = Warning> + use<> {
+pub(super) fn of_materials(contact: &Contact, row: &Essentials) -> impl Iterator<Item = Warning> + use<> {
     let named = contact.named;
     let is_elastic = contact.half_space().yield_strength.is_none();
     let is_damped = contact.forces().damping.is_some();
-    let limit =
-        if (impact.restitution - 1.0).abs() < 1e-6 { "e = 1 is the elastic limit" } else { "e is an upper limit" };
+    let limit = if (row.restitution - 1.0).abs() < 1e-6 { "e = 1 is the elastic limit" } else { "e is an upper limit" };
     let brittle = |body: &str, entry: &MaterialEntry| {
         let fate = if entry.class == Class::Polymer { "creeps" } else { "cracks" };
         let text = format!("{body}.material = {} {fate}: {limit}, not a prediction", entry.name);
@@ -41,7 +42,8 @@ pub(super) fn of_materials(contact: &Contact, impact: &Impact, law: &Law) -> imp
     // a flow curve is refused where both flow
     let is_of_both = flow.is_some_and(|flow| flow.is_of_both());
     let metal = |place: usize, body: &str, entry: Option<&'static MaterialEntry>, share: f64| {
-        let is_too_high = named.is_by_hardness[place] && law.hardening().is_none() && impact.has_dent() && share > 0.0;
+        let is_too_high =
+            named.is_by_hardness[place] && contact.law.hardening().is_none() && row.has_dent() && share > 0.0;
         let entry = entry.filter(|entry| is_too_high && hardens(entry))?;
         let way_out = if is_of_both {
             "yield_strength at the strain of the impact, as both bodies flow"

@@ -58,5 +58,6 @@ pub use result::{Accuracy, Energy, ForcesResult, Impact};
 pub use scales::Scales;
 pub use solve::{Method, Solver, run};
 pub use spot::Spot;
+pub use validity::Bias;
 pub(crate) use validity::{of_dent, of_exponent, of_peak};
 pub use warning::{Warning, WarningKind};

@@ -44,6 +44,8 @@ pub enum WarningKind {
     /// A contact as wide as the plate is thick.
     WideContactOnPlate,
     NearEdge,
+    /// A plate that takes nearly all, at a Zener's number beyond those that were measured.
+    InelasticPlate,
     /// A plate that bends so far that it stretches.
     DeepPlate,
     /// Damping so strong that next to nothing comes back, as where a unit is mistaken.

@@ -37,7 +37,7 @@ const RULES: &[KeyRule] = &[
         keys: &["impact.drop_height"],
         others: &["repeat"],
         unless: &["gravity.acceleration"],
-        why: "a dropped sphere bounces only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give `speed` for shots",
+        why: "a dropped sphere bounces only under gravity: add [gravity] with acceleration = \"9.80665 m/s^2\" to the file, or --set gravity.acceleration=\"9.80665 m/s^2\" to the command, or give `speed` for shots",
     },
     needs(
         OBLIQUE,

@@ -245,8 +245,8 @@ impl<'a> Evaluator<'a> {
         }
         let row = contact.as_ref().map_err(|error| *error);
         let mut row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
-        if let (Ok(row), Some(uncertainty)) = (&mut row, uncertainty) {
-            row.band = uncertainty.range(input.approach(), row);
+        if let (Ok(row), Ok(contact), Some(uncertainty)) = (&mut row, contact, uncertainty) {
+            row.band = uncertainty.range(contact, input.approach(), row);
         }
         rows.results.push(row);
     }

@@ -22,16 +22,16 @@ fn a_damped_sphere_leaves_with_elastic_energy_in_the_contact() {
     assert!(held > 0.0 && (stored / held - 1.0).abs() < 1e-9, "{held}");
 }
 
-/// The line on the closed form in the table of an impact, and the warnings. The line on energy always has its drift.
+/// The line on the closed form in the table of an impact, and the warnings. The line on energy always says how far the balance is off.
 fn closed_form_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
     let run = outcome(scenario);
     let line = |name: &str| run.text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
-    assert!(line("energy").contains(", drift "), "{}", run.text);
+    assert!(line("energy").contains(", balance off by "), "{}", run.text);
     (line("closed form"), run.warnings)
 }
 
 #[test]
-fn without_a_closed_form_the_energy_ledger_stands_in_for_it() {
+fn without_a_closed_form_the_balance_of_energy_stands_in_for_it() {
     let (line, _) = closed_form_and_warnings(&scenario("[law.jackson_green]\n[damping]\nviscous = 0.1\n", &[]));
     assert!(line.ends_with("  none"), "{line}");
     // with an exponent of 1.4 near yield, unloading gives back no more than the work of loading, also without closed

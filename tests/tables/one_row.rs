@@ -115,7 +115,7 @@ fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
         let single = scene(text, &[format!("half_space.material={metal}"), "impact.speed=3".to_owned()]);
         let want = single.contact().unwrap().row(3.0, &Solver::AUTO).unwrap();
         // the band is that of `plm-impact run`
-        let band = band(&single, 3.0, &want).unwrap();
+        let band = band(&single, &single.contact().unwrap(), 3.0, &want).unwrap();
         assert_eq!(row.unwrap(), Essentials { band: Some([band.low, band.high]), ..want }, "{metal}");
     }
 }

@@ -28,7 +28,7 @@ pub struct Output {
     /// Take warnings for errors: write nothing, exit code 1
     #[arg(long)]
     pub strict: bool,
-    /// Print also how exact the integration was: closed form, steps, energy drift
+    /// Print also how exact the integration was: closed form, steps, balance of energy
     #[arg(long, conflicts_with = "quiet")]
     pub verbose: bool,
     /// Neither table nor progress; warnings and errors only

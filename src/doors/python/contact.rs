@@ -241,8 +241,9 @@ impl Impact {
 
     fn single(&self) -> Single<'_> {
         let contact = self.contact.get();
-        let band = self.band.get_or_init(|| band(&contact.input, self.result.speed, &self.result.essentials));
-        Single { contact: self.own.as_ref().unwrap_or(&contact.inner), impact: &self.result, band: band.as_ref() }
+        let own = self.own.as_ref().unwrap_or(&contact.inner);
+        let band = self.band.get_or_init(|| band(&contact.input, own, self.result.speed, &self.result.essentials));
+        Single { contact: own, impact: &self.result, band: band.as_ref() }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

@@ -1,23 +1,24 @@
 //! Checks of model and run. Each finding is a warning in the result; with `--strict` it is an error.
 
+mod of_restitution;
 mod of_run;
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::bodies::{left_out, of_flow, of_half_space, of_materials, of_sphere, of_yielding};
+use super::bodies::{of_half_space, of_sphere};
 use super::contact::Contact;
-use super::essentials::OnPlate;
 use super::forces::Damping;
 use super::oblique::{Approach, Incidence};
-use super::plate::{Plate, PlateTheory};
 use super::result::Impact;
 use super::solve::{Method, Solver};
 use super::warning::{Warning, WarningKind};
-use crate::contact::law::{ContactState, Ground, Law, Raised, Unloading};
-use crate::contact::material::{Hold, Pair};
+use crate::contact::law::{ContactState, Ground, Raised, Unloading};
 use crate::contact::strength::rate::Form as RateForm;
 use crate::numerics::root::halved;
 use crate::units::{Dimension, four_digits, human, percent};
+pub use of_restitution::Bias;
+pub(crate) use of_restitution::of_dent;
+use of_restitution::of_restitution;
 use of_run::{of_gain, of_rebound, of_run};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
@@ -36,7 +37,7 @@ pub(crate) fn of_peak(ground: Ground, peak: &ContactState) -> impl Iterator<Item
     let hardening = law.hardening();
     let curve = hardening.and_then(|hardening| hardening.beyond_flow_curve(x)).map(|(strain, last)| {
         let text = format!(
-            "the flow curve ends at a plastic strain of {last}, and the contact asks for it up to {strain:.4}: beyond its last point it is taken to stay level; give points at larger strains, or let the dent be shallower"
+            "the flow curve ends at a plastic strain of {last}, and this dent strains the metal up to {strain:.4}: beyond its last point the curve is taken to stay level; give points at larger strains, or let the dent be shallower"
         );
         Warning::new(WarningKind::BeyondFlowCurve, strain, text)
     });
@@ -53,26 +54,6 @@ pub(crate) fn of_exponent(ground: Ground, unloading: &Unloading) -> Option<Warni
         four_digits(used)
     );
     Some(Warning::new(WarningKind::RaisedExponent, gain, text))
-}
-
-/// The warning for a dent of this radius, over that of the sphere.
-pub(crate) fn of_dent(law: &Law, ratio: f64) -> Option<Warning> {
-    let limit = law.limits.widest;
-    Warning::when(ratio > limit, WarningKind::DeepDent, ratio, || {
-        format!(
-            "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and residual indentation as estimates, or let the indentation be shallower"
-        )
-    })
-}
-
-/// The warning for two balls that both flow and are not equal, with this contact radius over that of the smaller one.
-fn of_unequal_balls(pair: &Pair, ratio: f64) -> Option<Warning> {
-    let is_doubtful = pair.is_of_unequal_balls() && ratio > 0.1;
-    Warning::when(is_doubtful, WarningKind::UnequalBalls, ratio, || {
-        format!(
-            "both balls flow and are not equal, and the contact radius is {ratio:.3} of the smaller one's: there the sum of their parts misses equal balls by 0.5 to 1 % of e, so that e has a step of this size where an axis passes through equal balls"
-        )
-    })
 }
 
 impl Contact {
@@ -102,39 +83,16 @@ pub(super) fn warnings(
     unloading: &Unloading,
     solver: &Solver,
 ) -> Vec<Warning> {
-    let (law, peak) = (ground.law, &unloading.peak);
+    let peak = &unloading.peak;
     let sphere = contact.sphere();
-    let strengths = [sphere.yield_strength, contact.half_space().yield_strength];
-    let left_out = left_out(contact.pair(), law, strengths);
-    let yielding = of_yielding(impact.peak_mean_pressure, left_out, "e is far too high");
-    let mut warnings: Vec<Warning> = yielding.into_iter().chain(of_flow(contact.pair())).collect();
-    warnings.extend(of_materials(contact, impact, law));
+    let mut warnings = of_restitution(contact, impact.speed, impact.peak_mean_pressure, impact);
     warnings.extend(of_peak(ground, peak));
     warnings.extend(of_exponent(ground, unloading));
-    let ratio = impact.radius_ratio;
-    warnings.extend(of_unequal_balls(contact.pair(), ratio));
     let density = (!contact.is_of_a_body()).then_some(sphere.density);
     warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
     warnings.extend(of_half_space(contact.half_space()));
-    warnings.extend(of_dent(law, ratio));
-    let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
-    let of_target = contact.half_space();
-    let of_ball = of_target.ball_radius().filter(|_| of_target.hold == Hold::Ball).zip(of_target.density);
-    let transit = of_ball.map_or(transit, |(radius, density)| {
-        transit.max(2.0 * radius * (density / of_target.material.youngs_modulus).sqrt())
-    });
-    let transits = impact.duration() / transit;
-    let is_short = transits < 5.0 && !contact.is_of_a_body();
-    warnings.extend(Warning::when(is_short, WarningKind::ShortContact, -transits, || {
-        format!(
-            "contact lasts {transits:.2} wave transits of the sphere (2 R / c); below 5 it is no longer quasi-static and part of the energy goes into waves"
-        )
-    }));
     warnings.extend(of_rate(contact));
     warnings.extend(of_waves(impact));
-    if let (Some(plate), Some(of)) = (&contact.forces().plate, &impact.on_plate) {
-        warnings.extend(of_plate(plate, of, impact.peak_contact_radius));
-    }
     warnings.extend(of_damping(contact, impact));
     let is_verlet = solver.method == Method::Verlet;
     warnings.extend(if is_verlet { of_gain(contact, impact) } else { of_rebound(contact, impact) });
@@ -185,7 +143,7 @@ fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
     };
     let lower_yield = slow.map(|rate| {
         let text = format!(
-            "cowper_symonds.rate = {} 1/s: constants below {FLOWING} 1/s are of the lower yield point, and a dent asks for the flow stress at 1 to 4 % of strain: e comes out too high",
+            "cowper_symonds.rate = {} 1/s: constants below {FLOWING} 1/s are of the lower yield point, and a dent strains the metal by 1 to 4 %: e comes out too high",
             four_digits(rate)
         );
         Warning::new(WarningKind::LowerYield, -rate, text)
@@ -207,50 +165,6 @@ fn of_damping(contact: &Contact, impact: &Impact) -> Option<Warning> {
             human(1.0 / chi, Dimension::Speed)
         )
     })
-}
-
-/// The warnings for a plate, hit with this contact radius \[m\].
-fn of_plate(plate: &Plate, of: &OnPlate, contact_radius: f64) -> impl Iterator<Item = Warning> + use<> {
-    let OnPlate { thinness, displacement, reach, .. } = *of;
-    let thickness = plate.thickness;
-    let (least, beyond) = match plate.theory {
-        PlateTheory::Thick => (5.0, "by 8 % at 5 thicknesses and by a third at 3"),
-        PlateTheory::Zener if thinness < 5.0 => (10.0, "by half or more; half_space.plate = \"thick\" comes nearer"),
-        PlateTheory::Zener => {
-            (10.0, "by a fifth at 10 thicknesses and by half at 5; half_space.plate = \"thick\" is good to 8 % of it")
-        }
-    };
-    let is_thick = thinness < 2.0;
-    let thick = Warning::when(is_thick, WarningKind::ThickPlate, -thinness, || {
-        format!(
-            "during the contact a wave travels only {thinness:.2} thicknesses of the plate, and below 2 the echo of its rear face comes too late: it acts as a half-space, so leave half_space.thickness out"
-        )
-    });
-    let between = Warning::when(!is_thick && thinness < least, WarningKind::BetweenTheories, -thinness, || {
-        format!(
-            "during the contact a wave travels {thinness:.1} thicknesses of the plate, and a thin plate takes at least {least}: the plate takes more energy than computed, {beyond}"
-        )
-    });
-    let ratio = contact_radius / thickness;
-    let wide = Warning::when(ratio > 0.15, WarningKind::WideContactOnPlate, ratio, || {
-        format!(
-            "contact radius / plate thickness = {ratio:.3} is above 0.15: there the plate is stiffer under the sphere than a half-space by more than a tenth, and yields through; take the result for an estimate"
-        )
-    });
-    let near = plate.edge_distance.filter(|distance| *distance < reach).map(|distance| {
-        let [edge, far] = [distance, reach].map(|length| human(length, Dimension::Length));
-        let text = format!(
-            "half_space.edge_distance = {edge} is less than {far}, from where bending waves come back during the contact: the plate may take a quarter more or less than computed"
-        );
-        Warning::new(WarningKind::NearEdge, reach / distance, text)
-    });
-    let ratio = displacement / thickness;
-    let deep = Warning::when(ratio > 0.3, WarningKind::DeepPlate, ratio, || {
-        format!(
-            "the plate moves by {ratio:.2} of its thickness, and above 0.3 it also stretches, which makes it stiffer than computed"
-        )
-    });
-    [thick, between, wide, near, deep].into_iter().flatten()
 }
 
 /// The warnings of an oblique impact.

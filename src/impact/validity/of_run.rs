@@ -23,7 +23,7 @@ pub(super) fn of_rebound(contact: &Contact, impact: &Impact) -> Option<Warning> 
     let is_doubtful = if is_real { !is_by_weight } else { known.is_nan() && restitution > LARGEST };
     Warning::when(is_doubtful, WarningKind::EnergyGain, restitution, || {
         format!(
-            "restitution {restitution:.6} is above 1, which is no physics: take it for 1. Either the run is too coarse (its energy ledger is off by {drift:.1e}: tighten the tolerance or use another method), or a second hit ended just behind a knot of the loading curve, where the plastic work of the law falls a little"
+            "restitution {restitution:.6} is above 1, which is no physics: take it for 1. Either the run is too coarse (its balance of energy is off by {drift:.1e}: tighten the tolerance or use another method), or a second hit ended just behind a knot of the loading curve, where the plastic work of the law falls a little"
         )
     })
 }
@@ -52,13 +52,13 @@ pub(super) fn of_run(impact: &Impact, &Solver { method, tolerance, .. }: &Solver
     let way_out = "tighten the tolerance or use another method";
     if method == Method::Verlet {
         Warning::when(drift > LARGEST_DRIFT || drift.is_nan(), WarningKind::OpenLedger, drift, || {
-            format!("the energy ledger is off by {drift:.1e}: {COARSE}")
+            format!("the balance of energy is off by {drift:.1e}: {COARSE}")
         })
     } else if impact.accuracy.closed_form_restitution.is_nan() {
         let is_open = drift > 1000.0 * tolerance || drift.is_nan();
         Warning::when(is_open, WarningKind::OpenLedger, drift, || {
             format!(
-                "the energy ledger is off by {drift:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
+                "the balance of energy is off by {drift:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
             )
         })
     } else {

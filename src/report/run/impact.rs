@@ -27,7 +27,6 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
     impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
     impact.warnings.extend(input.doubts_of_air());
-    impact.warnings.extend(input.doubts_of_adhesion(&contact));
     Ok((input, contact, impact))
 }
 
@@ -64,7 +63,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
         Ok(captioned(drawn, &caption(&input, &[])))
     })?);
-    let band = band(&input, impact.speed, &impact.essentials);
+    let band = band(&input, &contact, impact.speed, &impact.essentials);
     let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };
     let files = with_summary(files, provenance, fields(&results(), &single), &Inputs::new(&input))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&single, options.detail), files))

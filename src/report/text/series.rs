@@ -121,7 +121,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "energy.friction_J" in Energy if OBLIQUE:
             series.sequence.hits.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
         /// Largest error of the energy balance of any impact.
-        "energy.drift" in Error as "energy drift": series.sequence.drift();
+        "energy.drift" in Error as "energy balance off by": series.sequence.drift();
         /// Impacts that the trace has: the first ones of a long series.
         "traced_impacts": series.sequence.traced.len();
         /// Where the scene, the model or the run is doubtful.

@@ -1,10 +1,11 @@
-//! The band of e: how far the hardness of a material by name, and the error of the law, leave it open.
+//! The band of e: how far the hardness of a material by name, the error of the law, the theory of a plate, and errors that a
+//! warning names in figures leave it open.
 
 use super::results::impact::Band;
 use super::{At, Body, Input, NUMBER, key_of};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::materials::Known;
-use crate::impact::{Approach, Contact, Essentials, Solver};
+use crate::impact::{Approach, Bias, Contact, Essentials, Forces, Plate, PlateTheory, Solver};
 use crate::numerics::functions::powi;
 use crate::units::percent;
 
@@ -60,47 +61,81 @@ impl Uncertainty {
         Some(Self { error, hardness })
     }
 
-    /// Both ends of e in an impact with this result, and whether each hardness changes it. `None` without a dent and without a
-    /// rebound.
+    /// Both ends of e in an impact of this contact with this result, and the reasons. `None` without a dent, without a rebound, and
+    /// where a warning says that nobody knows how far e is off.
     ///
-    /// At both ends of the range of the material's hardness e is computed anew; its distance and the error of the law are added
+    /// At both ends of the range of the material's hardness e is computed anew; its distance and the other errors are added
     /// as squares, because they are independent.
-    fn ends(&self, approach: Approach, row: &Essentials) -> Option<([f64; 2], [bool; 2])> {
+    fn ends(&self, contact: &Contact, approach: Approach, row: &Essentials) -> Option<([f64; 2], Reasons)> {
         let restitution = row.restitution;
         if !(row.has_dent() && restitution > 0.0 && restitution < 1.0) {
             return None;
         }
-        let (mut squares, mut counts) = ([powi(self.error * restitution, 2); 2], [false; 2]);
-        for ((.., contacts), is_part) in self.hardness.iter().zip(&mut counts) {
+        let biases = contact.known_biases(approach.components()[0], row)?;
+        let of_plate = of_plate(contact, approach, restitution)?;
+        let mut squares = [powi(self.error * restitution, 2); 2];
+        let mut add = |distances: [f64; 2]| {
+            squares.iter_mut().zip(distances).for_each(|(sum, distance)| *sum += powi(distance, 2));
+        };
+        for Bias { too_high, too_low, .. } in &biases {
+            add([too_high * restitution, too_low * restitution]);
+        }
+        add(of_plate);
+        let mut is_part = [false; 2];
+        for ((.., contacts), is_part) in self.hardness.iter().zip(&mut is_part) {
             let [low, high] = contacts.each_ref().map(|contact| contact.row(approach, &Solver::AUTO));
             let ends = [low.ok()?.restitution, high.ok()?.restitution];
             // a body that does not flow leaves e as it is
             *is_part = ends.iter().any(|end| (end - restitution).abs() > LEAST * restitution);
             if *is_part {
-                squares.iter_mut().zip(ends).for_each(|(sum, end)| *sum += powi(end - restitution, 2));
+                add(ends.map(|end| end - restitution));
             }
         }
         let [below, above] = squares.map(f64::sqrt);
-        Some(([(restitution - below).max(0.0), (restitution + above).min(1.0)], counts))
+        let reasons = Reasons { hardness: is_part, is_plate: of_plate != [0.0; 2], biases };
+        Some(([(restitution - below).max(0.0), (restitution + above).min(1.0)], reasons))
     }
 
     /// Both ends of e in an impact with this result, for a table.
-    pub fn range(&self, approach: Approach, row: &Essentials) -> Option<[f64; 2]> {
-        self.ends(approach, row).map(|(ends, _)| ends)
+    pub fn range(&self, contact: &Contact, approach: Approach, row: &Essentials) -> Option<[f64; 2]> {
+        self.ends(contact, approach, row).map(|(ends, _)| ends)
     }
 }
 
-/// The band of the restitution of an impact of this input. `None` without a dent, for an exponent or a law without a stated error,
-/// and without a rebound.
-pub fn band(input: &Input, speed: f64, row: &Essentials) -> Option<Band> {
+/// What has a part in the band of an impact, beside the error of the law.
+struct Reasons {
+    /// Whether each of [`Uncertainty::hardness`] has.
+    hardness: [bool; 2],
+    is_plate: bool,
+    biases: Vec<Bias>,
+}
+
+/// How far e may be below and above on a plate; 0 without one. The theory of a thin plate leaves out what that of a thick one adds,
+/// and a thick plate takes at most a quarter of this more again.
+fn of_plate(contact: &Contact, approach: Approach, restitution: f64) -> Option<[f64; 2]> {
+    let forces = contact.forces();
+    let Some(plate) = forces.plate else { return Some([0.0; 2]) };
+    let (theory, share) = match plate.theory {
+        PlateTheory::Zener => (PlateTheory::Thick, 1.0),
+        PlateTheory::Thick => (PlateTheory::Zener, 0.25),
+    };
+    let other = contact.clone().with_forces(Forces { plate: Some(Plate { theory, ..plate }), ..*forces });
+    let gap = other.row(approach, &Solver::AUTO).ok()?.restitution - restitution;
+    Some([share * gap.abs(), 0.0])
+}
+
+/// The band of the restitution of an impact of this input and its contact. `None` where [`Uncertainty`] has none.
+pub fn band(input: &Input, contact: &Contact, speed: f64, row: &Essentials) -> Option<Band> {
     let uncertainty = Uncertainty::new(input)?;
-    let ([low, high], counts) = uncertainty.ends(input.approach_at(speed), row)?;
-    let parts = uncertainty.hardness.iter().zip(counts).filter(|(_, is_part)| *is_part);
+    let ([low, high], reasons) = uncertainty.ends(contact, input.approach_at(speed), row)?;
+    let parts = uncertainty.hardness.iter().zip(reasons.hardness).filter(|(_, is_part)| *is_part);
     let mut because: Vec<_> = parts
         .map(|((body, Known { range: [soft, hard], .. }, _), _)| {
             format!("{} {} to {}", body.pick(["hardness of the sphere", "hardness"]), soft.text, hard.text)
         })
         .collect();
+    because.extend(reasons.biases.iter().map(|bias| bias.reason.to_owned()));
+    because.extend(reasons.is_plate.then(|| "theory of the plate".to_owned()));
     because.push(format!("law {}", percent(uncertainty.error)));
     Some(Band { low, high, because: because.join(", ") })
 }

@@ -12,8 +12,7 @@ use crate::impact::{
     Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
     Solver, Warning, WarningKind,
 };
-use crate::numerics::functions::pow;
-use crate::units::{Dimension, percent, quantity};
+use crate::units::percent;
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
 pub const DEFAULT_SAMPLES: usize = 400;
@@ -84,24 +83,6 @@ impl Input {
             Some(Flying::in_air(gravity, &medium, self.radius()?, self.mass()?))
         };
         falls.then(|| in_air().unwrap_or(in_vacuum))
-    }
-
-    /// Warns of a speed at which adhesion would take a part of e: below seven times the speed at which a sphere sticks by the
-    /// theory of Johnson, Kendall and Roberts, √(14.18/m) (Γ⁵ R⁴/E*²)^(1/6) (Thornton and Ning 1998).
-    pub fn doubts_of_adhesion(&self, contact: &Contact) -> Option<Warning> {
-        /// Γ \[J/m²\].
-        const SURFACE_ENERGY: f64 = 0.2;
-        let [speed, _] = self.approach().components();
-        let (radius, modulus) = (contact.pair().radius, contact.pair().effective_modulus);
-        let depth = pow(SURFACE_ENERGY, 5.0 / 6.0) * pow(radius, 2.0 / 3.0) / pow(modulus, 1.0 / 3.0);
-        let sticking = (14.18 / contact.reduced_mass()).sqrt() * depth;
-        (speed > 0.0 && speed < 7.0 * sticking).then(|| {
-            let text = format!(
-                "adhesion is not computed: with a surface energy of 0.2 J/m^2 the sphere would stick below {}, and up to seven times that speed e is more than 1 % too high",
-                quantity(sticking, Dimension::Speed)
-            );
-            Warning::new(WarningKind::Adhesion, sticking / speed, text)
-        })
     }
 
     /// Warns of a fall without air that air would slow, and of a ball that is so light that the

@@ -140,7 +140,8 @@ pub(crate) const YIELDS: &str = "a body has a yield strength";
 pub(crate) const RATES: &str = "a strength rises with the rate of strain";
 pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
 pub(crate) const BAND: &str = "the half-space yields under the law `plm`, with an exponent whose error against finite \
-     elements is known; in a table also the hardness of a material by name";
+     elements is known, and no warning says that e is off by an unknown amount; in a table also the hardness of a \
+     material by name";
 pub(crate) const WAVES: &str =
     "the half-space has a density and no mass; not under damping, on a plate, nor without a rebound";
 pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";

@@ -28,10 +28,12 @@ pub struct Band {
 }
 
 impl Band {
-    /// Both ends with two digits, and what they follow from.
+    /// Both ends, with so many digits that they differ, and what they follow from.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 2 and 17
     pub fn words(&self) -> String {
         let Self { low, high, because } = self;
-        format!("{low:.2} to {high:.2}: {because}")
+        let digits = (-(high - low).log10()).ceil().clamp(2.0, 17.0) as usize;
+        format!("{low:.digits$} to {high:.digits$}: {because}")
     }
 }
 
@@ -106,8 +108,9 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |single: Single<'a>|
         /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
-        /// The range of the restitution in words: from the range of the hardness of a material by name, and from the error of
-        /// the law against finite elements, added as squares.
+        /// The range of the restitution in words: from the range of the hardness of a material by name, from the error of the
+        /// law against finite elements, from the theory of a plate, and from errors of e that a warning gives in figures, added
+        /// as squares. There is none where a warning says of e that it is off, and not by how much.
         "restitution_band" as "({})" if BAND: single.band.map(Band::words);
         /// The lower end of that band.
         "restitution_low" if BAND [Band: |row| row.band.map(|[low, _]| low)]: single.band.map(|band| band.low);
@@ -255,7 +258,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
         "verlet.separation_time_s" in Time as "separation {}" if VERLET: single.verlet(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
-        "verlet.energy_drift_at_end" in Error as "energy drift at the end {}" if VERLET:
+        "verlet.energy_drift_at_end" in Error as "energy off by {} at the end" if VERLET:
             single.verlet(|_| ()).map(|()| single.impact.energy.drift_at_end);
         /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below. With a body
         /// that is free to move, of their relative motion.
@@ -287,7 +290,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "energy.angular_momentum_drift" in Error if OBLIQUE: single.oblique(|friction| friction.momentum_drift);
         /// Largest error of the energy balance on the way, as a share of the energy put in: kinetic energy at first touch, and
         /// with gravity the work of the weight down to the peak.
-        "energy.drift" in Error as "drift {}": single.impact.energy.drift;
+        "energy.drift" in Error as "balance off by {}": single.impact.energy.drift;
         /// Restitution of the closed form; `null` where the scene has none, as for the two errors below.
         "accuracy.closed_form_restitution" as "closed form": single.impact.accuracy.closed_form_restitution;
         /// Relative difference of the restitution from the closed form.
@@ -374,4 +377,23 @@ pub(crate) fn files() -> Vec<FileOfResults> {
         file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results()),
         file("One impact: `trace.csv`", &trace()),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Band;
+
+    /// However narrow a band is, its ends differ where they are shown.
+    #[test]
+    fn the_ends_of_a_band_differ_in_their_digits() {
+        for (low, high, want) in [
+            (0.471, 0.509, "0.47 to 0.51"),
+            (0.62, 0.632, "0.62 to 0.63"),
+            (0.0251, 0.0312, "0.025 to 0.031"),
+            (4.07e-4, 4.15e-4, "0.000407 to 0.000415"),
+        ] {
+            let words = Band { low, high, because: "law 1 %".to_owned() }.words();
+            assert_eq!(words, format!("{want}: law 1 %"));
+        }
+    }
 }
