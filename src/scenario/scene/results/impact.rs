@@ -8,6 +8,7 @@ use crate::impact::air::Flying;
 use crate::impact::{
     Contact, Essentials, Event, FixedSteps, ForcesResult, FrictionState, Impact, Oblique, OnPlate, Rebound, TraceRow,
 };
+use crate::numerics::functions::log10;
 
 /// One impact.
 #[derive(Debug, Clone, Copy)]
@@ -32,7 +33,7 @@ impl Band {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 2 and 17
     pub fn words(&self) -> String {
         let Self { low, high, because } = self;
-        let digits = (-(high - low).log10()).ceil().clamp(2.0, 17.0) as usize;
+        let digits = (-log10(high - low)).ceil().clamp(2.0, 17.0) as usize;
         format!("{low:.digits$} to {high:.digits$}: {because}")
     }
 }
