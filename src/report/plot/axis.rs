@@ -148,6 +148,12 @@ impl FittedAxis {
         self.share(value / self.factor)
     }
 
+    /// A value in the unit of the axis, with three significant digits.
+    pub(super) fn three_digits(&self, value: f64) -> String {
+        let rounded = format!("{:.2e}", value / self.factor);
+        crate::units::four_digits(rounded.parse().unwrap_or(f64::NAN)).replace('-', "−")
+    }
+
     /// The value at a place along the axis: the inverse of [`FittedAxis::at`].
     pub(super) fn value_at(&self, share: f64) -> f64 {
         let (low, high) = (self.scale.scaled(self.low), self.scale.scaled(self.high));

@@ -310,7 +310,7 @@ fn fill<B: DrawingBackend>(
     pen: &mut Pen<B>,
 ) -> Result<(), Error> {
     let series = || series.iter().enumerate().map(|(i, one)| (one, one.style(first + i)));
-    for (band, style) in series().filter(|(one, _)| one.look == Look::Band) {
+    for (band, style) in series().filter(|(one, _)| one.is_area()) {
         let corners: Vec<_> = band.points.iter().map(|point| frame.place(*point)).collect();
         pen.polygon(&corners, style.pale())?;
     }
@@ -318,7 +318,7 @@ fn fill<B: DrawingBackend>(
         frame.curve(pen, &guide.drawn(frame), guide.style(0))?;
     }
     frame.draw_outline(pen)?;
-    for (one, style) in series().filter(|(one, _)| one.look != Look::Band) {
+    for (one, style) in series().filter(|(one, _)| !one.is_area()) {
         if one.look != Look::Points {
             frame.curve(pen, &one.points, style)?;
         }
@@ -327,5 +327,22 @@ fn fill<B: DrawingBackend>(
             frame.mark(pen, *point, Style { radius, ..style })?;
         }
     }
+    for (column, _) in series().filter(|(one, _)| one.look == Look::Column) {
+        write_value(column, frame, pen)?;
+    }
     Ok(())
+}
+
+/// Writes the value of a column over it, in the unit of the axis, unless it is wider than the column and the gap beside it.
+fn write_value<B: DrawingBackend>(column: &Series, frame: &Frame, pen: &mut Pen<B>) -> Result<(), PlotError> {
+    let [_, left, right, _] = column.points[..] else { return Ok(()) };
+    let ((from, top), (to, _)) = (frame.place(left), frame.place(right));
+    let text = frame.y.three_digits(left.1);
+    if !top.is_finite() || text_width(&text, LABEL_SIZE) > COLUMN_ROOM * (to - from) {
+        return Ok(());
+    }
+    // a column as high as the box has its value inside
+    let above = top - 0.7 * LABEL_SIZE;
+    let at = if above > frame.bounds.top + 0.5 * LABEL_SIZE { above } else { top + 0.7 * LABEL_SIZE };
+    pen.text(&text, (0.5 * (from + to), at), LABEL_SIZE, INK, Anchor::Middle)
 }

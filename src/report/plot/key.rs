@@ -95,7 +95,7 @@ impl Key {
         let lines: Vec<Vec<Point>> =
             shown.iter().map(|one| one.drawn(frame).iter().map(|at| frame.place(*at)).collect()).collect();
         let is_covered = |box_: &Bounds| {
-            let areas = shown.iter().zip(&lines).filter(|(one, _)| one.look == Look::Band);
+            let areas = shown.iter().zip(&lines).filter(|(one, _)| one.is_area());
             lines.iter().any(|line| line.windows(2).any(|pair| box_.clipped(pair[0], pair[1]).is_some()))
                 || lines.iter().flatten().any(|at| box_.clipped(*at, *at).is_some())
                 || areas.into_iter().any(|(_, line)| is_in_area((box_.left, box_.top), line))

@@ -30,6 +30,8 @@ pub enum Look {
     Points,
     /// The area inside a closed line, in a pale colour.
     Band,
+    /// Such an area that stands for one value, which is written over it where there is room.
+    Column,
     /// Not drawn: texts in the key.
     Text,
     /// A guide at this value of the horizontal axis.
@@ -50,6 +52,11 @@ impl Series {
 
     pub fn band(name: impl Into<String>, outline: Vec<(f64, f64)>) -> Self {
         Self::new(name, outline, Look::Band)
+    }
+
+    /// A column from `left` to `right` as high as its value.
+    pub fn column(name: impl Into<String>, [left, right]: [f64; 2], value: f64) -> Self {
+        Self::new(name, vec![(left, 0.0), (left, value), (right, value), (right, 0.0)], Look::Column)
     }
 
     /// Error bars at (x, y), of a standard deviation on each side.
@@ -108,12 +115,16 @@ impl Series {
         self.style.unwrap_or_else(|| Style::new(number))
     }
 
+    pub(super) fn is_area(&self) -> bool {
+        matches!(self.look, Look::Band | Look::Column)
+    }
+
     /// The line and the marker that stand for it in the key.
     pub(super) fn sample(&self, style: Style) -> [Option<Style>; 2] {
         match self.look {
             Look::MarkedLine => [Some(style); 2],
             Look::Points => [None, Some(style)],
-            Look::Band => [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })],
+            Look::Band | Look::Column => [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })],
             Look::Text => [None; 2],
             Look::Line | Look::Vertical(_) | Look::Horizontal(_) => [Some(style), None],
         }

@@ -225,15 +225,13 @@ impl ResultPicture<'_> {
         Chart::new(title, [plot_axis(first), y], series).with_guides(guides).with_notes(notes(axes))
     }
 
-    /// A column for each word of the first axis, such as a law or a material, with its value in the key.
+    /// A column for each word of the first axis, such as a law or a material, with its value over it and in the key.
     fn columns(&self) -> Chart {
         let (name, y) = self.axis();
         let column = |(number, place): (usize, u64)| {
             let value = self.value(&[place]);
-            let (left, right) = (number as f64 + 0.6, number as f64 + 1.4);
-            let text = quantity(value, self.dimension());
-            let outline = vec![(left, 0.0), (left, value), (right, value), (right, 0.0)];
-            Series::band(label(&self.axes[0], place), outline).and(text).styled(number)
+            let sides = [number as f64 + 0.6, number as f64 + 1.4];
+            Series::column(label(&self.axes[0], place), sides, value).and(quantity(value, self.dimension())).styled(number)
         };
         let series: Vec<Series> = some_places(&self.axes[0], MOST_WORDS).into_iter().enumerate().map(column).collect();
         let x = plot::Axis::linear(&capital(&words(&self.axes[0])), "").between(0.0, series.len() as f64 + 1.0);
