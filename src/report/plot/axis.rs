@@ -13,6 +13,8 @@ pub enum Scale {
     Linear,
     /// Equal ratios have equal lengths; values ≤ 0 are not drawn.
     Log,
+    /// Whole numbers, each with a label, such as the places of columns.
+    Count,
 }
 
 impl Scale {
@@ -52,6 +54,12 @@ impl Axis {
         Self { is_engineering: !["", "HV"].contains(&unit) && !unit.starts_with("kg"), ..Self::linear(title, unit) }
     }
 
+    /// An axis of the places 1 to `count`.
+    #[allow(clippy::cast_precision_loss)] // a handful
+    pub fn places(title: &str, count: usize) -> Self {
+        Self { scale: Scale::Count, ..Self::linear(title, "").between(0.0, count as f64 + 1.0) }
+    }
+
     pub fn log(title: &str, unit: &str) -> Self {
         Self::linear(title, unit).logarithmic()
     }
@@ -78,7 +86,7 @@ impl Axis {
         });
         let prefix = match self.scale {
             _ if !self.is_engineering => Prefix::for_value(1.0),
-            Scale::Linear => Prefix::for_value(low.abs().max(high.abs())),
+            Scale::Linear | Scale::Count => Prefix::for_value(low.abs().max(high.abs())),
             // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
             Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::for_value(1.0),
             Scale::Log => Prefix::for_value(low.sqrt() * high.sqrt()),
@@ -150,8 +158,10 @@ impl FittedAxis {
 
     /// A value in the unit of the axis, with three significant digits.
     pub(super) fn three_digits(&self, value: f64) -> String {
-        let rounded = format!("{:.2e}", value / self.factor);
-        crate::units::four_digits(rounded.parse().unwrap_or(f64::NAN)).replace('-', "−")
+        let shown = value / self.factor;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0 to 17
+        let decimals = (2.0 - log10(shown.abs()).floor()).clamp(0.0, 17.0) as usize;
+        format!("{shown:.decimals$}").replace('-', "−")
     }
 
     /// The value at a place along the axis: the inverse of [`FittedAxis::at`].
@@ -167,6 +177,9 @@ impl FittedAxis {
 
     /// Ticks from low to high, with about `wanted` labels, and at least four.
     pub(super) fn ticks(&self, wanted: f64) -> Vec<Tick> {
+        if self.scale == Scale::Count {
+            return self.inside(counted(self.low, self.high));
+        }
         let wanted = wanted.max(FEWEST);
         let is_short = self.scale == Scale::Linear || self.high / self.low < 3.0;
         let of_log =
@@ -197,6 +210,12 @@ impl FittedAxis {
 const FEWEST: f64 = 4.0;
 /// Digits that have a label on a logarithmic axis, from long axes to short ones.
 const DIGITS: [&[i32]; 3] = [&[1], &[1, 3], &[1, 2, 5]];
+
+/// A tick for every whole number between these.
+#[allow(clippy::cast_possible_truncation)] // a handful
+fn counted(low: f64, high: f64) -> Vec<(f64, Option<String>)> {
+    (low.floor() as i32 + 1..high.ceil() as i32).map(|place| (f64::from(place), Some(place.to_string()))).collect()
+}
 
 #[allow(clippy::cast_possible_truncation)] // exponents and counts of ticks
 fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {

@@ -7,8 +7,10 @@ use plotters::style::RGBColor;
 
 use super::frame::{BOTTOM, Bounds, Frame, LEFT, TOP, draw_titles};
 use super::key::{Key, MARGIN};
-use super::pen::{self, Pen, Point};
-use super::{Axis, GREY, Look, SIZE, Series, Style};
+use super::pen::{self, Anchor, Pen, Point};
+use super::style::LABEL_SIZE;
+use super::text::text_width;
+use super::{Axis, GREY, INK, Look, PlotError, SIZE, Series, Style};
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
@@ -25,6 +27,8 @@ const KEY_SHARE: f64 = 0.2;
 /// Share of the width that a box at the side takes, and its distance from the first box \[px\].
 const SIDE: f64 = 0.3;
 const SIDE_GAP: f64 = 44.0;
+/// The widest text over a column, in widths of the column: the gap beside it is half as wide.
+const COLUMN_ROOM: f64 = 1.3;
 /// Number of steps of the colour bar.
 const STEPS: u32 = 256;
 
@@ -338,7 +342,7 @@ fn write_value<B: DrawingBackend>(column: &Series, frame: &Frame, pen: &mut Pen<
     let [_, left, right, _] = column.points[..] else { return Ok(()) };
     let ((from, top), (to, _)) = (frame.place(left), frame.place(right));
     let text = frame.y.three_digits(left.1);
-    if !top.is_finite() || text_width(&text, LABEL_SIZE) > COLUMN_ROOM * (to - from) {
+    if text_width(&text, LABEL_SIZE) > COLUMN_ROOM * (to - from) {
         return Ok(());
     }
     // a column as high as the box has its value inside

@@ -54,9 +54,10 @@ impl Series {
         Self::new(name, outline, Look::Band)
     }
 
-    /// A column from `left` to `right` as high as its value.
+    /// A column from `left` to `right` as high as its value; it is empty where that is no number.
     pub fn column(name: impl Into<String>, [left, right]: [f64; 2], value: f64) -> Self {
-        Self::new(name, vec![(left, 0.0), (left, value), (right, value), (right, 0.0)], Look::Column)
+        let outline = vec![(left, 0.0), (left, value), (right, value), (right, 0.0)];
+        Self::new(name, if value.is_finite() { outline } else { Vec::new() }, Look::Column)
     }
 
     /// Error bars at (x, y), of a standard deviation on each side.
@@ -124,7 +125,9 @@ impl Series {
         match self.look {
             Look::MarkedLine => [Some(style); 2],
             Look::Points => [None, Some(style)],
-            Look::Band | Look::Column => [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })],
+            Look::Band | Look::Column => {
+                [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })]
+            }
             Look::Text => [None; 2],
             Look::Line | Look::Vertical(_) | Look::Horizontal(_) => [Some(style), None],
         }

@@ -225,16 +225,19 @@ impl ResultPicture<'_> {
         Chart::new(title, [plot_axis(first), y], series).with_guides(guides).with_notes(notes(axes))
     }
 
-    /// A column for each word of the first axis, such as a law or a material, with its value over it and in the key.
+    /// A column for each word of the first axis, such as a law or a material, with its value over it and in the key. A word without
+    /// a value has an empty place.
     fn columns(&self) -> Chart {
         let (name, y) = self.axis();
         let column = |(number, place): (usize, u64)| {
             let value = self.value(&[place]);
+            let name = format!("{} {}", number + 1, label(&self.axes[0], place));
             let sides = [number as f64 + 0.6, number as f64 + 1.4];
-            Series::column(label(&self.axes[0], place), sides, value).and(quantity(value, self.dimension())).styled(number)
+            let text = if value.is_finite() { quantity(value, self.dimension()) } else { "none".to_owned() };
+            Series::column(name, sides, value).and(text).styled(number)
         };
         let series: Vec<Series> = some_places(&self.axes[0], MOST_WORDS).into_iter().enumerate().map(column).collect();
-        let x = plot::Axis::linear(&capital(&words(&self.axes[0])), "").between(0.0, series.len() as f64 + 1.0);
+        let x = plot::Axis::places(&capital(&words(&self.axes[0])), series.len());
         let y = self.ranged(y.clone(), &series);
         Chart::new(format!("{name} by {}", words(&self.axes[0])), [x, y], series).with_notes(notes(self.axes))
     }
