@@ -5,12 +5,12 @@ use std::sync::Arc;
 use super::error::ImpactError;
 use super::forces::Forces;
 use super::plate::{LoadedPlate, PlateError};
-use super::rated::{Rated, Rates};
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::contact::law::{ContactLaw, ContactState, Ground, Law};
+use crate::contact::law::{ContactLaw, ContactState, Ground, Law, LawChoice};
 use crate::contact::material::{HalfSpace, Hold, Pair, Sphere, normal};
 use crate::contact::materials::MaterialEntry;
+use crate::contact::strength::rate::Rate;
 use crate::numerics::functions::pow;
 
 /// The materials of the bodies, as far as they have names.
@@ -22,6 +22,27 @@ pub struct Named {
     pub half_space: Option<&'static MaterialEntry>,
     /// True if the strengths of sphere and half-space are their hardness, without an exponent of hardening.
     pub is_by_hardness: [bool; 2],
+}
+
+/// How the strengths of the bodies rise with the rate, and the law that they go into.
+#[derive(Debug, Clone)]
+pub(super) struct Rates {
+    /// The rise of the sphere's strength and that of the half-space.
+    pub(super) of_bodies: [Option<Rate>; 2],
+    pub(super) law: LawChoice,
+}
+
+/// The strain rate of an impact, and the factors by which it raises the strength; [`super::rate`] computes them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rated {
+    /// 0.2 w \[1/s\].
+    pub strain_rate: f64,
+    /// g of the body that yields.
+    pub factor: f64,
+    /// g_t of that body.
+    pub factor_at_turn: f64,
+    /// How its strength rises; `None` if the rate of the other body alone is known.
+    pub(super) rate: Option<Rate>,
 }
 
 /// A sphere, a half-space and the law between them: all that does not depend on the impact speed.

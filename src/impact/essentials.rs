@@ -2,13 +2,12 @@
 
 use super::case::Case;
 use super::closed_form;
-use super::contact::Contact;
+use super::contact::{Contact, Rated};
 use super::error::ImpactError;
 use super::forces::ScaledForces;
 use super::oblique::Rebound;
 use super::outcome::{Fate, Outcome};
 use super::plate::ScaledPlate;
-use super::rated::Rated;
 use super::waves;
 use crate::contact::material::{OutOfFloatRange, left_behind, normal};
 use crate::numerics::integrate::IntegrationError;

@@ -25,7 +25,6 @@ pub mod oblique;
 pub mod outcome;
 pub mod plate;
 mod rate;
-mod rated;
 pub mod record;
 #[doc(hidden)]
 pub mod reference;
@@ -42,7 +41,7 @@ pub mod waves;
 
 pub use bodies::TOO_HIGH;
 pub(crate) use bodies::{left_out, of_flow, of_half_space, of_sphere, of_yielding};
-pub use contact::{Contact, Named};
+pub use contact::{Contact, Named, Rated};
 pub use error::ImpactError;
 pub use essentials::{Essentials, OnPlate};
 pub use forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};
@@ -51,7 +50,6 @@ pub use ledger::TraceRow;
 pub use oblique::{Approach, FrictionState, Incidence, Oblique, Rebound};
 pub use outcome::{Computed, Fate, FixedSteps, Outcome};
 pub use plate::{Plate, PlateError, PlateTheory};
-pub use rated::Rated;
 pub use record::{Event, Point, Recorder};
 pub use response::{ContactEnergy, Memory};
 pub use result::{Accuracy, Energy, ForcesResult, Impact};

@@ -16,9 +16,8 @@
 
 use std::sync::Arc;
 
-use super::contact::Contact;
+use super::contact::{Contact, Rated, Rates};
 use super::error::ImpactError;
-use super::rated::{Rated, Rates};
 use crate::contact::law::{Bodies, Ground, LawChoice};
 use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
 use crate::contact::strength::rate::Rate;

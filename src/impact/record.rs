@@ -212,12 +212,12 @@ fn mark(legs: &mut [Recorded], event: Event, at: &State) {
 fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
     let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
     let distance = yields_at - piece.start + piece.shape.offset();
-    let of = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
-    let begun = of.checked_sub(1).map_or(begun, |before| track[before].end);
-    let ahead = |time: f64| distance - track[of].at(time).distance;
+    let number = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
+    let begun = number.checked_sub(1).map_or(begun, |before| track[before].end);
+    let ahead = |time: f64| distance - track[number].at(time).distance;
     let is_inside = index == ground.index_at(yields_at) && piece.start < yields_at;
     let is_passed = is_inside && ahead(begun) > 0.0;
-    is_passed.then(|| State { distance, ..track[of].at(falls_through((begun, track[of].end), ahead)) })
+    is_passed.then(|| State { distance, ..track[number].at(falls_through((begun, track[number].end), ahead)) })
 }
 
 /// The times of so many points evenly spaced over a motion of this length, but for both ends, which are events.

@@ -14,7 +14,6 @@ pub mod csv;
 pub mod evaluator;
 pub mod form;
 pub mod job;
-pub(crate) mod ordered;
 #[cfg(feature = "parquet")]
 mod parquet;
 pub mod parts;

@@ -86,7 +86,7 @@ fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<[TableRate
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
         let plan = scenario.plan()?;
         let rounds = if is_quick { 1 } else { 7 };
-        let rows_per_second = super::threads::with(None, || throughput(&plan, directory.path(), rounds))??;
+        let rows_per_second = super::sweep::with_threads(None, || throughput(&plan, directory.path(), rounds))??;
         Ok(TableRate { columns: plan.column_names().len(), rows_per_second })
     };
     Ok([measure(Some(NINE))?, measure(None)?])

@@ -11,10 +11,8 @@ mod output;
 mod run;
 mod scenario;
 mod shells;
-mod signalled;
 mod sweep;
 pub mod terminal;
-mod threads;
 mod validate;
 mod watched;
 
@@ -82,7 +80,7 @@ enum Command {
 pub fn run() -> Result<(), Error> {
     let Cli { command, licenses, error_format } = parse()?;
     error_format.begin();
-    signalled::when_signalled();
+    watched::when_signalled();
     if licenses {
         return terminal::print(concat!(include_str!("../../../LICENSE"), "\n", include_str!("../licenses.txt")));
     }

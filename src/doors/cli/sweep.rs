@@ -3,20 +3,27 @@
 use std::path::Path;
 use std::time::Duration;
 
-use clap::Args;
+use clap::builder::RangedI64ValueParser;
+use clap::{Args, value_parser};
 use plm_impact::error::Error;
 use plm_impact::report::run::{refuse_warnings, table};
 use plm_impact::report::text;
 use plm_impact::scenario::Scenario;
 use plm_impact::table::{Format, Job, Layout, Shard, Tally};
+use rayon::ThreadPoolBuilder;
 
 use super::output::{Output, one_of, say_replaced, warn};
 use super::watched::{Signals, Watch};
 
+/// More threads could stop a machine.
+const MOST_THREADS: u16 = 1024;
+/// The variable with the number of threads, where no option gives it.
+const THREADS_VARIABLE: &str = "RAYON_NUM_THREADS";
+
 /// Options of sweeps.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Sweeps: what the table is written as [default: csv]
+    /// Sweeps: format of the table [default: csv]
     #[arg(long, value_parser = one_of(Format::ALL, Format::name))]
     format: Option<Format>,
     /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed
@@ -26,7 +33,7 @@ pub struct Options {
     #[arg(long, value_name = "VARIABLE/N", conflicts_with = "shard")]
     shard_env: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
-    #[arg(long, value_name = "N", value_parser = super::threads::allowed())]
+    #[arg(long, value_name = "N", value_parser = allowed_threads())]
     threads: Option<u16>,
 }
 
@@ -108,7 +115,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
             source: &source,
             progress,
         };
-        let written = super::threads::with(threads, || job.run())??;
+        let written = with_threads(threads, || job.run())??;
         Ok((directory, plan, written))
     })?;
     let mut files = Vec::new();
@@ -138,4 +145,31 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let table = written.table.display();
     let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
     Err(Error::failed(text).about(table))
+}
+
+/// Numbers that `--threads` takes.
+fn allowed_threads() -> RangedI64ValueParser<u16> {
+    value_parser!(u16).range(1..=i64::from(MOST_THREADS))
+}
+
+/// Does the work on as many threads as the option says, or the environment, or on one per core.
+///
+/// # Errors
+/// [`Error`] for a number in the environment that is not allowed, and where the system does not start so many.
+pub fn with_threads<R: Send>(option: Option<u16>, work: impl FnOnce() -> R + Send) -> Result<R, Error> {
+    let threads = option.map_or_else(threads_from_environment, Ok)?;
+    let pool = ThreadPoolBuilder::new().num_threads(threads.into()).build().map_err(|error| {
+        Error::input(format!("the system does not start {threads} threads: {error}; give fewer with --threads"))
+    })?;
+    Ok(pool.install(work))
+}
+
+/// The number of threads by the environment; 0 is one per core.
+fn threads_from_environment() -> Result<u16, Error> {
+    let Some(text) = std::env::var_os(THREADS_VARIABLE).filter(|text| !text.is_empty()) else { return Ok(0) };
+    let threads = text.to_str().and_then(|text| text.parse().ok()).filter(|threads| *threads <= MOST_THREADS);
+    threads.ok_or_else(|| {
+        let text = text.to_string_lossy();
+        Error::input(format!("{THREADS_VARIABLE}={}: a number of threads is 0 to {MOST_THREADS}", text.escape_debug()))
+    })
 }

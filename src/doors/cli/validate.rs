@@ -46,7 +46,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
         let compared = validate::comparisons(&coefficients, progress)?;
         let laws = validate::laws::laws(&coefficients)?;
         let draw = || validate::pictures(&coefficients, format, progress);
-        let pictures = super::threads::with(None, draw)??;
+        let pictures = super::sweep::with_threads(None, draw)??;
         Ok((compared, laws, pictures))
     })?;
     let page = shown(&report::page(&compared, &laws, &name, is_built_in), format);

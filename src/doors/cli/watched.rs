@@ -4,16 +4,17 @@
 use std::io::{self, IsTerminal as _};
 use std::panic::resume_unwind;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::{Error, ErrorKind};
-use plm_impact::files::Counter;
+use plm_impact::files::{Counter, after_changes};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
+use signal_hook::low_level::raise;
 
 use super::terminal::other;
 
@@ -25,6 +26,8 @@ const LOOK: Duration = Duration::from_millis(50);
 const SOON: u64 = 500;
 /// Other milliseconds in place of these, for tests.
 const BAR_AFTER: &str = "PLM_IMPACT_BAR_AFTER_MS";
+/// A signal for tests, and the change of the disk at which it comes: `9@12` kills at the twelfth.
+const SIGNAL: &str = "PLM_IMPACT_SIGNAL";
 /// A shell adds the number of the signal to this for the exit code.
 const ENDED_BY: usize = 128;
 
@@ -96,8 +99,8 @@ impl Watch {
         done.map_err(|error| match (error.kind, u8::try_from(signals.code.load(Ordering::Relaxed))) {
             (ErrorKind::Stopped(_), Ok(code @ 1..)) => {
                 // work that is abandoned at once may see the signal first, and is told in the same words
-                let what = if self.patience.is_zero() { self.interrupted() } else { error.to_string() };
-                Error::new(ErrorKind::Stopped(code), what)
+                let message = if self.patience.is_zero() { self.interrupted() } else { error.to_string() };
+                Error::new(ErrorKind::Stopped(code), message)
             }
             _ => error,
         })
@@ -140,4 +143,21 @@ impl Watch {
         let style = ProgressStyle::with_template(&format!("{{bar:40}} {}", self.bar));
         ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
     }
+}
+
+/// For tests: the process sends itself the signal that the environment names.
+pub fn when_signalled() {
+    let Some((signal, change)) = std::env::var(SIGNAL).ok().and_then(|text| parse(&text)) else { return };
+    let changes = AtomicU64::new(0);
+    after_changes(move || {
+        if changes.fetch_add(1, Ordering::Relaxed) + 1 == change {
+            // a system without this signal goes on
+            drop(raise(signal));
+        }
+    });
+}
+
+fn parse(text: &str) -> Option<(i32, u64)> {
+    let (signal, change) = text.split_once('@')?;
+    Some((signal.parse().ok()?, change.parse().ok()?))
 }

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::files::Counter;
-use crate::table::ordered::in_order;
+use crate::table::job::in_order;
 
 /// Number of rows that a thread computes at a time: of usual rows, and of slow ones. Ctrl-C stops a computation between them.
 const TOGETHER: [usize; 2] = [1024, 16];

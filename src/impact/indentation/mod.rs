@@ -9,7 +9,6 @@
 //! Xie et al. (2024), section 4.3; Oliver and Pharr (1992), J. Mater. Res. 7, 1564-1583, for the unloading stiffness.
 
 mod machine;
-mod specimen;
 
 use thiserror::Error;
 
@@ -18,7 +17,6 @@ use crate::contact::material::{HalfSpace, Material, OutOfFloatRange, Pair, PairE
 use crate::impact::scales::Units;
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
 use machine::{Machine, Stroke};
-pub use specimen::{Specimen, Tested};
 
 /// Where a step ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +25,28 @@ pub enum Target {
     Load(f64),
     /// δ \[m\], ≥ 0. Below the residual indentation the surfaces part, and the load is zero.
     Indentation(f64),
+}
+
+/// A half-space that is indented.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Specimen {
+    /// Its name among several; `None` for a single one.
+    pub name: Option<String>,
+    /// The half-space that is indented.
+    pub half_space: HalfSpace,
+}
+
+/// One half-space and its results.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tested {
+    /// The half-space.
+    pub specimen: Specimen,
+    /// The sphere and this half-space as a pair.
+    pub pair: Pair,
+    /// True if a load that is large enough leaves a dent.
+    pub can_yield: bool,
+    /// The results.
+    pub indentation: Indentation,
 }
 
 /// Why a list of steps has no result.

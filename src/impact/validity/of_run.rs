@@ -38,9 +38,9 @@ const COARSE: &str =
 pub(super) fn of_gain(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let (e, has_gravity) = (impact.restitution, contact.forces().gravity.is_some());
     let plate = impact.plate_loss_fraction().filter(|share| *share > 1.0 && !has_gravity);
-    let (what, share) = plate.map_or(("restitution", e), |share| ("the share of the plate", share));
+    let (name, share) = plate.map_or(("restitution", e), |share| ("the share of the plate", share));
     Warning::when(share > LARGEST && !has_gravity, WarningKind::EnergyGain, share, || {
-        format!("{what} = {share:.6} is above 1: {COARSE}")
+        format!("{name} = {share:.6} is above 1: {COARSE}")
     })
 }
 

@@ -14,7 +14,7 @@ use crate::report::text::sweep::{found, lines};
 use crate::scenario::Scenario;
 use crate::scenario::plan::Plan;
 use crate::table::caution::at_corners;
-use crate::table::ordered::in_order;
+use crate::table::job::in_order;
 use crate::table::{Evaluator, Rows, Tally, count};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
