@@ -37,7 +37,7 @@ fn read(page: &str) -> String {
     fs::read_to_string(Path::new(ROOT).join(page)).unwrap()
 }
 
-/// What a page shows of the output of a block of commands.
+/// A page may show this of the output of a block of commands.
 enum Shown<'a> {
     Nothing,
     /// All that the last command prints, behind a paragraph that ends with "prints".

@@ -96,8 +96,8 @@ impl Measurements {
         let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
         match self.problem().beyond_elastic() {
             Some((value, limit)) if !self.wanted.free.iter().any(|free| is_open(free.key.path)) => {
-                let said = [value.value, limit].map(|value_of| human(value_of, value.quantity.quantity().dimension));
-                let [found, limit] = said.map(|text| text.trim_end().to_owned());
+                let shown = [value.value, limit].map(|value_of| human(value_of, value.quantity.quantity().dimension));
+                let [found, limit] = shown.map(|text| text.trim_end().to_owned());
                 let message = format!(
                     "the {} of {found} is more than a rebound without any loss gives, {limit}: check columns and units",
                     value.quantity.name()

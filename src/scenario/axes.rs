@@ -228,10 +228,10 @@ fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
             match values.iter().zip(items).find(|(value, _)| !seen.insert(value.to_bits())) {
                 None => Ok(Values::List(values)),
                 Some((_, item)) => {
-                    let what = described(item);
+                    let text = described(item);
                     Err(Fault::at(
                         item,
-                        format!("{what} is there twice, which would be the same rows twice; leave one out"),
+                        format!("{text} is there twice, which would be the same rows twice; leave one out"),
                     ))
                 }
             }

@@ -149,9 +149,9 @@ impl Scenario {
     pub fn check_varied(&self, wanted: &Wanted, columns: &[&'static Key], is_of_impacts: bool) -> Result<(), Error> {
         let refuse = |path: &str, message: String| {
             let is_column = columns.iter().any(|key| key.path == path);
-            let (place, what) =
+            let (place, before) =
                 if is_column { ("calibrate.data", format!("its column {path} ")) } else { (path, String::new()) };
-            Err(self.refuse_varied(place, what + &message))
+            Err(self.refuse_varied(place, before + &message))
         };
         let mut input = wanted.input.clone();
         let free = wanted.free.iter().map(|free| (free.key, free.from));

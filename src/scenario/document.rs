@@ -254,8 +254,8 @@ impl Document {
             }
             None => {}
         }
-        let said = if key.is_empty() { String::new() } else { format!("{}: ", shortened(key, LONGEST_KEY)) };
-        let text = format!("{begin}: {said}{}{excerpt}", shortened(message, LONGEST_MESSAGE));
+        let place = if key.is_empty() { String::new() } else { format!("{}: ", shortened(key, LONGEST_KEY)) };
+        let text = format!("{begin}: {place}{}{excerpt}", shortened(message, LONGEST_MESSAGE));
         Error::input(text).with(details)
     }
 }

@@ -87,8 +87,8 @@ impl Scenario {
             (Some(load), None) => Ok(Target::Load(load)),
             (None, Some(indentation)) => Ok(Target::Indentation(indentation)),
             (both, _) => {
-                let what = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
-                let message = format!("step {i}: {what}; write exactly one of the two, {as_in}");
+                let problem = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
+                let message = format!("step {i}: {problem}; write exactly one of the two, {as_in}");
                 Err(self.document.refuse(STEPS, message))
             }
         };

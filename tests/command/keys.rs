@@ -42,7 +42,8 @@ fn the_reference_pages_have_the_tables_of_the_program() {
     }
 }
 
-/// What a key is part of says what a table computes anew for it, and is not forgotten for any key.
+/// Every key names the part of the scene that it changes. A table computes that part anew when the key varies, so none may be
+/// missing.
 #[test]
 fn a_key_that_keeps_contact_or_law_says_so() {
     let text = format!("{STEEL}[friction]\ncoefficient = 0.1\n[gravity]\nacceleration = 9.81\n");
@@ -73,7 +74,7 @@ fn every_file_that_a_key_names_is_in_the_hash() {
     assert_eq!(hashes.len(), named.len() + 1);
 }
 
-/// What is computed of an input for a use, as text with all digits.
+/// Computes what this purpose needs of an input, and writes it as text with all digits.
 fn computed(input: &Input, of: Purpose) -> String {
     if of == Purpose::Indentation {
         let law = input.law();

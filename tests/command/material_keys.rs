@@ -65,7 +65,7 @@ fn a_material_says_what_keys_would_say() {
     assert!(off(by_name.sphere().yield_strength.unwrap(), 3.387e9) < 1e-3, "{:?}", by_name.sphere());
 }
 
-/// The same metal is the same for both bodies: hardness, exponent and yield strength.
+/// A metal gives sphere and half-space equal hardness, exponent and yield strength.
 #[test]
 fn a_material_gives_both_bodies_the_same_strength() {
     for name in ["steel-304-annealed", "aluminium-6061-t6", "steel-52100-hardened"] {

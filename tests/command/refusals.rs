@@ -1,4 +1,4 @@
-//! What input is refused for, as data: `refusals.toml`. A scenario is read as `plm-impact check` reads it; for other files
+//! Input that is refused, and the words of the refusal, are data in `refusals.toml`. A scenario is read as `plm-impact check` reads it; for other files
 //! and for requests the command is run. The message must have all its parts, the exit code is 2, and nothing is written.
 
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ struct Case {
     text: String,
     /// A file of the repository whose text is the input.
     copy_of: Option<String>,
-    /// What has to be added to the text to make it a whole scenario.
+    /// These lines make a whole scenario of the text.
     #[serde(default)]
     to_be_good: String,
     /// Files beside it, by name.
@@ -81,7 +81,7 @@ impl Case {
         desk
     }
 
-    /// What a command says, which has to end with code 2 and must not write.
+    /// Runs a command that has to end with code 2 and must not write, and returns what it says.
     fn message(&self, change: &Change, command: &str) -> String {
         let desk = self.desk(&change.text);
         let before = desk.files("");

@@ -1,4 +1,4 @@
-//! What `check` shows and warns of, as data: `says.toml`. A run gives the same warnings (`words/warnings.rs`).
+//! The texts and warnings of `check` are data in `says.toml`. A run gives the same warnings (`words/warnings.rs`).
 
 use serde::Deserialize;
 

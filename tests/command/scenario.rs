@@ -118,7 +118,7 @@ const BESIDE: [(&str, &str, &str); 16] = [
     ("rate.", "rate.johnson_cook.c=0.1", ""),
 ];
 
-/// What a key needs beside it, and the line that it takes the place of.
+/// Finds the lines that a key needs beside it, and the line that it takes the place of.
 fn beside(path: &str) -> (Vec<String>, &'static str) {
     let (body, rest) = path.split_once('.').unwrap();
     let is_inner = |begin: &str| ["flow_stress.", "rate."].iter().any(|table| begin.starts_with(table));
@@ -165,7 +165,7 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
     assert!(Key::find("solver.method").is_none());
 }
 
-/// What `check` says of a law whose keys are not given is what the law takes.
+/// Where the keys of a law are not given, `check` shows the values that the law takes.
 #[test]
 fn the_defaults_of_keys_are_those_of_the_laws() {
     for law in LawChoice::all() {

@@ -77,7 +77,7 @@ fn a_clean_checkout_compares_with_every_reference() {
     assert_eq!(pictures.len(), 12);
 }
 
-/// What README says of the built-in law against finite elements, in per cent: root mean square and largest deviation.
+/// README states these deviations of the built-in law from finite elements, in per cent: root mean square and largest.
 #[test]
 fn the_law_is_as_near_as_documented() {
     let of = |quantity: &str| {

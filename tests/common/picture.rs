@@ -13,7 +13,7 @@ pub fn pixels(bytes: &[u8]) -> (usize, Vec<[u8; 3]>) {
     (info.width as usize, pixels.chunks_exact(3).map(|rgb| [rgb[0], rgb[1], rgb[2]]).collect())
 }
 
-/// Whether the border of a PNG is white, and its middle is not.
+/// True if the border of a PNG is white, and its middle is not.
 pub fn has_free_border(bytes: &[u8]) -> bool {
     let (width, pixels) = pixels(bytes);
     has_white_border(width, &pixels) && pixels.iter().any(|pixel| *pixel != [255; 3])

@@ -1,4 +1,4 @@
-//! What most tests use.
+//! Most tests use these names.
 
 pub use plm_impact::contact::law::*;
 pub use plm_impact::contact::material::*;

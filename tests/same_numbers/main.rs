@@ -70,7 +70,7 @@ fn runs_of(columns: &Columns) -> Runs {
     [("a run".to_owned(), record::summaries(columns))].into()
 }
 
-/// What is written of these columns and read back.
+/// Writes the record of these columns, and reads it back.
 fn recorded(columns: &Columns) -> Record {
     record::read(&record::written(&runs_of(columns)))
 }

@@ -18,7 +18,7 @@ const LOOSE: [(&str, f64); 3] =
 /// the size that counts, and not the largest of their own values.
 const SHARES: [&str; 4] = ["drift", "error", "deviation", "drift_at_end"];
 
-/// What is recorded of a column.
+/// The record keeps this of a column.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Summary {
@@ -47,7 +47,7 @@ pub struct Column {
 /// The columns of all runs of the program, by the name of the run.
 pub type Runs = BTreeMap<String, BTreeMap<Place, Column>>;
 
-/// What is recorded, by the name of the run.
+/// The record: the columns of every run, by the name of the run.
 pub type Record = BTreeMap<String, BTreeMap<Place, Summary>>;
 
 /// The summaries of the columns of a run.

@@ -111,7 +111,7 @@ fn files(desk: &Desk) -> Files {
     files
 }
 
-/// What is in `out` after these runs, one after the other.
+/// Makes these runs one after the other, and returns the files in `out`.
 fn after(desk: &Desk, runs: &[&[&str]]) -> Files {
     for more in runs {
         ends(run(desk, "out", Some(2), more), 0);
@@ -119,7 +119,7 @@ fn after(desk: &Desk, runs: &[&[&str]]) -> Files {
     files(desk)
 }
 
-/// What these runs make beside files that are there.
+/// Makes these runs beside files that are there, and returns all files.
 fn made(desk: &Desk, there: &Files, runs: &[&[&str]]) -> Files {
     drop(fs::remove_dir_all(desk.path("out")));
     for (name, bytes) in there {

@@ -114,7 +114,7 @@ fn a_table_over_drop_heights_says_how_high_the_sphere_rises() {
     assert!(!table(&speeds).0.contains("rebound_height_m"));
 }
 
-/// What identifies a row of a table whatever the order of the axes: its values by the names of their columns, and its results.
+/// Writes each row so that the order of the axes does not matter: its values with the names of their columns, and its results.
 fn named_rows(bodies: &str, axes: &[&str]) -> Vec<String> {
     let (table, _) = table(&format!("{bodies}[sweep]\n{}\n", axes.join("\n")));
     let mut reader = csv::Reader::from_reader(table.as_bytes());

@@ -17,7 +17,7 @@ use super::scenario::{STANDARD_INPUT, write_new};
   plm-impact init leeb
   plm-impact init --out - | plm-impact run - --json")]
 pub struct Arguments {
-    /// What is to be run
+    /// Kind of the scenario
     #[arg(value_name = "KIND", default_value = "impact", value_parser = one_of(TEMPLATES, |(name, _)| name))]
     template: (&'static str, &'static str),
     /// File to write; - is standard output [default: KIND.toml]

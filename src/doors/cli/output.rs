@@ -154,7 +154,7 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
 /// The option with the format of pictures.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PictureArguments {
-    /// What pictures are written as: svg stays sharp in any size, and its text can be searched; narrow-svg fits a column of a paper
+    /// Format of the pictures: svg stays sharp in any size, and its text can be searched; narrow-svg fits a column of a paper
     #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = one_of(Pictures::ALL, Pictures::name))]
     pub format: Pictures,
 }

@@ -35,8 +35,8 @@ pub fn error(error: &Error) -> u8 {
 }
 
 /// Makes an error of the system into one that says what failed, for `map_err`.
-pub fn other<E: Display>(what: impl Display) -> impl FnOnce(E) -> Error {
-    move |reason| Error::failed(format!("{what}: {reason}"))
+pub fn other<E: Display>(failure: impl Display) -> impl FnOnce(E) -> Error {
+    move |reason| Error::failed(format!("{failure}: {reason}"))
 }
 
 /// Writes a warning.

@@ -74,7 +74,7 @@ impl Bare {
 /// The parts of the motion that the other code has itself.
 fn left_out(input: &Input) -> Vec<String> {
     let has = |at| input.number(at).is_some();
-    let by_itself = |what: &str| format!("{what} is left out: the simulation has it itself");
+    let by_itself = |name: &str| format!("{name} is left out: the simulation has it itself");
     let mut left_out = Vec::new();
     if has(at!("impact.angle")) {
         left_out.push("impact.angle is left out: the speed is the part that is normal to the wall".to_owned());

@@ -59,8 +59,8 @@ fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
     let (peak, laws) = unloaded(bodies, cycle);
     let (length, force) = (bodies.yield_point.indentation, bodies.yield_point.force);
     let curve = |unloading: &Unloading| {
-        let (residual, way) = (unloading.peak.residual(), unloading.peak.elastic_approach);
-        let places = (0..=POINTS).map(|i| residual + way * f64::from(i) / f64::from(POINTS));
+        let (residual, approach) = (unloading.peak.residual(), unloading.peak.elastic_approach);
+        let places = (0..=POINTS).map(|i| residual + approach * f64::from(i) / f64::from(POINTS));
         places.map(|x| (x * length, unloading.force(x) * force)).collect::<Vec<_>>()
     };
     let mut series: Vec<Series> = laws.iter().map(|(name, law)| Series::line(name.clone(), curve(law))).collect();

@@ -97,7 +97,7 @@ pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<LawDeviations>, Error>
             Some(one.off(&contact.row(one.speed, &Solver::AUTO).ok()?))
         };
         let off: Vec<[Option<f64>; 4]> = references.iter().filter_map(answer).collect();
-        let rms_of = |what: usize| rms(&off.iter().filter_map(|off| off[what]).collect::<Vec<_>>());
+        let rms_of = |column: usize| rms(&off.iter().filter_map(|off| off[column]).collect::<Vec<_>>());
         LawDeviations { name, impacts: off.len(), rms: [0, 1, 2, 3].map(rms_of) }
     };
     let all = EXPONENTS.into_iter().map(of_plm).chain(published.map(|law| (law.name(), law)));

@@ -147,12 +147,12 @@ impl Library {
                 IntegrationError::StepUnderflow { time: start[2] + x * distance / speed, step: 0.0 }
             }
         })?;
-        let taken = Effort {
+        let effort = Effort {
             steps: u64::from(stats.accepted_steps),
             rejected: u64::from(stats.rejected_steps),
             force_evaluations: u64::from(stats.num_eval),
         };
-        self.work = self.work + taken;
+        self.work = self.work + effort;
         let is_finite = nodes.iter().flatten().all(|part| part.is_finite());
         if is_finite { Ok(nodes) } else { Err(IntegrationError::NotFinite { time: start[2] }) }
     }

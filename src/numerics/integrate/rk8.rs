@@ -212,8 +212,8 @@ fn inverse_eighth_root(x: f64) -> f64 {
     f64::from_bits(OFFSET - (x.to_bits() >> 3))
 }
 
-/// Whether, by the balance of energy, the sphere comes back to the zero of the force. Rounding may deny it where just all of
-/// the energy is needed.
+/// True if the energy suffices for the sphere to come back to the zero of the force. Where just all of the energy is needed,
+/// rounding may make this false.
 fn comes_back<F: Variables>(field: F, path: &Path, state: &State) -> bool {
     /// A share of the depth of the potential.
     const LEAST: f64 = 1e-10;

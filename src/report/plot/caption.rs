@@ -11,12 +11,12 @@ use crate::units::{Dimension, capital, quantity};
 /// The bodies and the law of a scene, without the keys that vary in the picture.
 pub fn caption(input: &Input, varied: &[&str]) -> String {
     let varies = |beginning: &str| varied.iter().any(|path| path.starts_with(beginning));
-    let said = |path: &str, text: String| Some(text).filter(|_| !varies(path));
+    let unless_varied = |path: &str, text: String| Some(text).filter(|_| !varies(path));
     let body = |body: Body, modulus: &str, material: &Material| {
         let named = input.materials().iter().find(|choice| choice.body == body);
         match named {
-            Some(choice) => said(body.material(), choice.material.name.clone()),
-            None => said(modulus, elastic(material)),
+            Some(choice) => unless_varied(body.material(), choice.material.name.clone()),
+            None => unless_varied(modulus, elastic(material)),
         }
     };
     let own_law = input.law();
@@ -39,17 +39,17 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
         }
     };
     let of_sphere = [
-        said(radius, format!("R {}", quantity(sphere.radius, Dimension::Length))),
+        unless_varied(radius, format!("R {}", quantity(sphere.radius, Dimension::Length))),
         body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
         strength(Body::Sphere, sphere.yield_strength),
     ];
-    let curved = |radius| said("half_space.radius", format!("R {}", quantity(radius, Dimension::Length)));
+    let curved = |radius| unless_varied("half_space.radius", format!("R {}", quantity(radius, Dimension::Length)));
     let of_half_space = [
         half_space.radius.and_then(curved),
         body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
         strength(Body::HalfSpace, half_space.yield_strength),
     ];
-    line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[said("law", law(&own_law))])])
+    line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[unless_varied("law", law(&own_law))])])
 }
 
 /// These pictures with this line below their titles.

@@ -41,22 +41,22 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let highest = drawn.iter().flat_map(|one| &one.points).map(|at| at.1).fold(0.0, f64::max);
     let y = Axis::engineering("Height", "m").between(0.0, 1.06 * highest);
     let mut panels = vec![Panel { share: 2.0, ..Panel::new(y, drawn) }];
-    let what = sequence.left_behind();
+    let mark = sequence.left_behind();
     let shallowest = sequence.hits.iter().map(|hit| hit.residual_indentation).fold(f64::INFINITY, f64::min);
     // a dent that only the first impact makes is a number, not a curve
     let is_constant = sequence.deepest_dent() <= 1.001 * shallowest;
     if sequence.deepest_dent() > 0.0 && is_constant {
         panels[0].series[0]
             .texts
-            .push(format!("{what} δᵣ = {} from the first impact on", quantity(shallowest, Dimension::Length)));
+            .push(format!("{mark} δᵣ = {} from the first impact on", quantity(shallowest, Dimension::Length)));
     } else if sequence.deepest_dent() > 0.0 {
         let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation))).collect();
         let dents = match repeat.place {
-            Place::Same => Series::marked_line(format!("{} δᵣ of the one spot", capital(what)), dents),
-            Place::Fresh => Series::points(format!("{} δᵣ, each on its spot", capital(what)), dents),
+            Place::Same => Series::marked_line(format!("{} δᵣ of the one spot", capital(mark)), dents),
+            Place::Fresh => Series::points(format!("{} δᵣ, each on its spot", capital(mark)), dents),
         };
         let y =
-            Axis::engineering(&format!("{} depth", capital(what)), "m").between(0.0, 1.15 * sequence.deepest_dent());
+            Axis::engineering(&format!("{} depth", capital(mark)), "m").between(0.0, 1.15 * sequence.deepest_dent());
         panels.push(Panel::new(y, vec![dents.styled(Style::new(1).solid())]));
     }
     let x = Axis::engineering("Time", "s").between(0.0, 1.03 * end);
@@ -81,14 +81,14 @@ pub fn path(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
 }
 
 fn title(repeat: &Repeat, sequence: &Sequence) -> String {
-    let what = if repeat.is_bouncing() { "bounces" } else { "shots" };
+    let impacts = if repeat.is_bouncing() { "bounces" } else { "shots" };
     let place = match repeat.place {
         Place::Same => "on the same spot",
         Place::Fresh => "on fresh surface",
     };
     let count = sequence.hits.len();
-    let what = if count == 1 { what.trim_end_matches('s') } else { what };
-    format!("{count} {what} {place}")
+    let impacts = if count == 1 { impacts.trim_end_matches('s') } else { impacts };
+    format!("{count} {impacts} {place}")
 }
 
 /// Impact speed, e, and the depth of the dent against the number of the impact.
@@ -110,9 +110,9 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
     ];
     let deepest = sequence.deepest_dent();
     if deepest > 0.0 {
-        let what = capital(sequence.left_behind());
-        let y = Axis::engineering(&format!("{what} depth"), "m");
-        panels.push(panel(y, 1.15 * deepest, &format!("{what} δᵣ"), 1, |hit| hit.residual_indentation));
+        let mark = capital(sequence.left_behind());
+        let y = Axis::engineering(&format!("{mark} depth"), "m");
+        panels.push(panel(y, 1.15 * deepest, &format!("{mark} δᵣ"), 1, |hit| hit.residual_indentation));
     }
     let x = if last > 200.0 {
         Axis::log("Impact", "").between(0.9, 1.1 * last)

@@ -197,11 +197,11 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
     let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
-        let (what, value) = match *target {
+        let (kind, value) = match *target {
             Target::Load(load) => ("load", describe(load, Dimension::Force)),
             Target::Indentation(indentation) => ("indentation", describe(indentation, Dimension::Length)),
         };
-        row(&format!("step {i}"), format!("{what} {value}"));
+        row(&format!("step {i}"), format!("{kind} {value}"));
     }
     for Tested { specimen, pair, .. } in tested {
         let half_space = &specimen.half_space;

@@ -102,9 +102,9 @@ impl Uncertainty {
     }
 }
 
-/// What has a part in the band of an impact, beside the error of the law.
+/// The causes that widen the band of an impact, beside the error of the law.
 struct Reasons {
-    /// Whether each of [`Uncertainty::hardness`] has.
+    /// True for each of [`Uncertainty::hardness`] that changes e.
     hardness: [bool; 2],
     is_plate: bool,
     biases: Vec<Bias>,

@@ -28,7 +28,7 @@ struct Made {
     readings: u32,
     /// Scatter, as a share of the value.
     sd: f64,
-    /// Whether the scatter is estimated; if not, it is given as a share of what the law gives.
+    /// True if the scatter is estimated; if not, it is given as a share of what the law gives.
     is_estimated: bool,
     is_robust: bool,
     quantities: &'static [&'static str],

@@ -89,8 +89,9 @@ impl Plm {
         let [kappa, _] = pair.shares();
         let square = kappa * kappa;
         let curve = || Arc::new(self.coefficients.force.curve(square));
-        let (table, of, first) = self.first.0.get_or_init(|| (Arc::clone(&self.coefficients), square, curve()));
-        if *of == square && Arc::ptr_eq(table, &self.coefficients) { Arc::clone(first) } else { curve() }
+        let (table, square_of_first, first) =
+            self.first.0.get_or_init(|| (Arc::clone(&self.coefficients), square, curve()));
+        if *square_of_first == square && Arc::ptr_eq(table, &self.coefficients) { Arc::clone(first) } else { curve() }
     }
 
     fn halves(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
@@ -160,22 +161,22 @@ mod tests {
     /// The curve that pairs share is that of their coefficients and of their κ², whichever pair came first.
     #[test]
     fn a_shared_curve_is_that_of_the_pair() {
-        let of = |plm: &Plm, modulus: f64, strength: f64| {
+        let loading_of = |plm: &Plm, modulus: f64, strength: f64| {
             let sphere = Sphere::elastic(5e-3, Material { youngs_modulus: modulus, poissons_ratio: 0.3 }, 7850.0);
             let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
             let half_space = HalfSpace::flat(steel, Some(strength));
             plm.of_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().loading
         };
         let plm = Plm::default();
-        let first = of(&plm, 210e9, 3e8);
-        assert!(Arc::ptr_eq(&first, &of(&plm, 210e9, 5e8)));
-        assert_eq!(of(&plm, 600e9, 3e8), of(&Plm::default(), 600e9, 3e8));
-        assert_ne!(of(&plm, 600e9, 3e8), first);
+        let first = loading_of(&plm, 210e9, 3e8);
+        assert!(Arc::ptr_eq(&first, &loading_of(&plm, 210e9, 5e8)));
+        assert_eq!(loading_of(&plm, 600e9, 3e8), loading_of(&Plm::default(), 600e9, 3e8));
+        assert_ne!(loading_of(&plm, 600e9, 3e8), first);
         let mut coefficients = PlmCoefficients::built_in().clone();
         coefficients.force.slope[0] *= 1.1;
         let other = Plm::new(&coefficients, plm.exponent);
         let changed = Plm { coefficients: Arc::clone(&other.coefficients), ..plm };
-        assert_eq!(of(&changed, 210e9, 3e8), of(&other, 210e9, 3e8));
-        assert_ne!(of(&changed, 210e9, 3e8), first);
+        assert_eq!(loading_of(&changed, 210e9, 3e8), loading_of(&other, 210e9, 3e8));
+        assert_ne!(loading_of(&changed, 210e9, 3e8), first);
     }
 }
