@@ -123,10 +123,18 @@ fn friction_along_the_path(contact: &Contact) -> String {
 /// A program is compiled as plots/lammps/README.md says.
 const LINKED_WITH: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
 
+/// How a C program gets the functions.
+#[derive(Clone, Copy)]
+enum Link {
+    Static,
+    Shared,
+}
+
 /// Compiles a C program with these options, runs it with these scenarios, and returns what it prints.
-fn printed(source: &str, options: &[&str], scenarios: &[&Path]) -> String {
-    // one library for all tests, made by the first
-    static LIBRARY: LazyLock<PathBuf> = LazyLock::new(library);
+fn printed(source: &str, link: Link, options: &[&str], scenarios: &[&Path]) -> String {
+    // for all tests, made by the first
+    static LIBRARIES: LazyLock<[PathBuf; 2]> = LazyLock::new(libraries);
+    let library = &LIBRARIES[link as usize];
     let folder = tempfile::tempdir().unwrap();
     let program = folder.path().join("program");
     let cc = Command::new("cc")

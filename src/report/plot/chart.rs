@@ -10,7 +10,7 @@ use super::key::{Key, MARGIN};
 use super::pen::{self, Anchor, Pen, Point};
 use super::style::LABEL_SIZE;
 use super::text::text_width;
-use super::{Axis, GREY, INK, Look, PlotError, SIZE, Series, Style};
+use super::{Axis, GREY, INK, Look, SIZE, Series, Style};
 
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
@@ -338,7 +338,7 @@ fn fill<B: DrawingBackend>(
 }
 
 /// Writes the value of a column over it, in the unit of the axis, unless it is wider than the column and the gap beside it.
-fn write_value<B: DrawingBackend>(column: &Series, frame: &Frame, pen: &mut Pen<B>) -> Result<(), PlotError> {
+fn write_value<B: DrawingBackend>(column: &Series, frame: &Frame, pen: &mut Pen<B>) -> Result<(), Error> {
     let [_, left, right, _] = column.points[..] else { return Ok(()) };
     let ((from, top), (to, _)) = (frame.place(left), frame.place(right));
     let text = frame.y.three_digits(left.1);

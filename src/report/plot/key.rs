@@ -8,7 +8,7 @@ use super::frame::{Bounds, Frame};
 use super::pen::{Anchor, Pen, Point};
 use super::style::LABEL_SIZE;
 use super::text::{text_width, wrapped};
-use super::{GREY, INK, PAPER, PlotError, Series, Style};
+use super::{GREY, INK, PAPER, Series, Style};
 
 /// Width of the sample of a line or marker \[px\].
 const SAMPLE: f64 = 56.0;
