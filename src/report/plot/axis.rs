@@ -211,10 +211,12 @@ const FEWEST: f64 = 4.0;
 /// Digits that have a label on a logarithmic axis, from long axes to short ones.
 const DIGITS: [&[i32]; 3] = [&[1], &[1, 3], &[1, 2, 5]];
 
-/// A tick for every whole number between these.
+/// A tick for every whole number between these, and for both ends if there are fewer than three: two labels are no scale.
 #[allow(clippy::cast_possible_truncation)] // a handful
 fn counted(low: f64, high: f64) -> Vec<(f64, Option<String>)> {
-    (low.floor() as i32 + 1..high.ceil() as i32).map(|place| (f64::from(place), Some(place.to_string()))).collect()
+    let inside = low.floor() as i32 + 1..high.ceil() as i32;
+    let places = if inside.len() < 3 { inside.start - 1..inside.end + 1 } else { inside };
+    places.map(|place| (f64::from(place), Some(place.to_string()))).collect()
 }
 
 #[allow(clippy::cast_possible_truncation)] // exponents and counts of ticks
