@@ -1,7 +1,7 @@
 //! The program in a web page, for JavaScript: functions that take texts and return JSON. `src/doors/web/build.sh` makes the page.
 //!
-//! Nothing is computed or worded here. A result has the files, the text and the warnings of the command; an error is
-//! `{"error", "exit_code", "details"}` with the words of the command and what `--error-format json` says.
+//! A result has the files, the text and the warnings of the command; an error is `{"error", "exit_code", "details"}` with the
+//! words of the command and what `--error-format json` says. Only the curve of e beside an impact is the page's own.
 
 mod answer;
 mod fields;
