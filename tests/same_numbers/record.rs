@@ -158,19 +158,22 @@ impl Summary {
 /// Reads the record.
 pub fn read(text: &str) -> Record {
     let mut record = Record::new();
-    for (run, file, column, summary) in serde_json::from_str::<Vec<(String, _, _, _)>>(text).unwrap() {
-        record.entry(run).or_default().insert((file, column), summary);
+    for (run, file, columns) in serde_json::from_str::<Vec<(String, String, BTreeMap<String, Summary>)>>(text).unwrap()
+    {
+        let places = columns.into_iter().map(|(name, summary)| ((file.clone(), name), summary));
+        record.entry(run).or_default().extend(places);
     }
     record
 }
 
-/// The text of the record, with a line for each column.
+/// The text of the record, with a line for each file of a run.
 pub fn written(runs: &Runs) -> String {
-    let mut lines = Vec::new();
+    let mut files: BTreeMap<(&str, &str), BTreeMap<&str, &Summary>> = BTreeMap::new();
     for (run, columns) in runs {
         for ((file, name), column) in columns {
-            lines.push(serde_json::to_string(&(run, file, name, &column.summary)).unwrap());
+            files.entry((run, file)).or_default().insert(name, &column.summary);
         }
     }
-    format!("[\n{}\n]\n", lines.join(",\n"))
+    let line = |((run, file), columns): (&(&str, &str), _)| serde_json::to_string(&(run, file, columns)).unwrap();
+    format!("[\n{}\n]\n", files.iter().map(line).collect::<Vec<_>>().join(",\n"))
 }
