@@ -12,7 +12,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use common::command::text;
-use rayon::prelude::*;
 use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -295,49 +294,44 @@ fn compare_with_gallery(scenario: &str, clone: &Clone) {
     }
 }
 
-/// Runs the commands of a page in a clone of its own. Returns how many there were, and the scenarios among them.
-fn commands_run(page: &str) -> (usize, BTreeSet<String>) {
-    let clone = Clone::new();
-    let (mut run, mut count) = (BTreeSet::new(), 0);
-    for (block, shown) in commands(&read(page)) {
-        let mut last = String::new();
-        if ["big.toml", "--partition-by", "pip install", "cargo rustc", "cc -I"].iter().any(|tool| block.contains(tool))
-        {
-            // `tests/cluster` runs the recipes for clusters, `tests/python` reads the data set, and `tests/lammps` and
-            // `tests/capi.rs` build and link
-            continue;
-        }
-        for line in block.lines().filter(|line| *line != "cargo test") {
-            let code = line.split_once("# exit code ").map_or(0, |(_, code)| code.parse().unwrap());
-            let command = line.replacen("cargo run --release -- ", "plm-impact ", 1);
-            let command = command.split(" #").next().unwrap().trim_end();
-            let printed = clone.shell(command, code);
-            last.clone_from(&printed);
-            assert_eq!(clone.shell("git status --porcelain", 0), "", "after {line}");
-            let scenario = ["plm-impact run scenarios/", "plm-impact calibrate scenarios/"]
-                .iter()
-                .find_map(|begin| command.strip_prefix(begin)?.strip_suffix(".toml"));
-            if let Some(scenario) = scenario {
-                compare_with_gallery(scenario, &clone);
-                run.insert(scenario.to_owned());
-            }
-            count += 1;
-        }
-        shown.is_of(&last, page);
-    }
-    (count, run)
-}
-
 #[test]
 fn every_command_that_a_page_shows_runs_leaves_git_clean_and_draws_the_gallery() {
-    let pages: Vec<&str> =
-        PAGES.into_iter().filter(|page| *page != TUTORIAL && !commands(&read(page)).is_empty()).collect();
-    let done: Vec<(usize, BTreeSet<String>)> = pages.par_iter().map(|page| commands_run(page)).collect();
-    let count: usize = done.iter().map(|(count, _)| count).sum();
+    let clone = Clone::new();
+    let mut run = BTreeSet::new();
+    let mut count = 0;
+    for page in PAGES.into_iter().filter(|page| *page != TUTORIAL) {
+        for (block, shown) in commands(&read(page)) {
+            let mut last = String::new();
+            if ["big.toml", "--partition-by", "pip install", "cargo rustc", "cc -I"]
+                .iter()
+                .any(|tool| block.contains(tool))
+            {
+                // `tests/cluster` runs the recipes for clusters, `tests/python` reads the data set, and `tests/lammps` and
+                // `tests/capi.rs` build and link
+                continue;
+            }
+            for line in block.lines().filter(|line| *line != "cargo test") {
+                let code = line.split_once("# exit code ").map_or(0, |(_, code)| code.parse().unwrap());
+                let command = line.replacen("cargo run --release -- ", "plm-impact ", 1);
+                let command = command.split(" #").next().unwrap().trim_end();
+                let printed = clone.shell(command, code);
+                last.clone_from(&printed);
+                assert_eq!(clone.shell("git status --porcelain", 0), "", "after {line}");
+                let scenario = ["plm-impact run scenarios/", "plm-impact calibrate scenarios/"]
+                    .iter()
+                    .find_map(|begin| command.strip_prefix(begin)?.strip_suffix(".toml"));
+                if let Some(scenario) = scenario {
+                    compare_with_gallery(scenario, &clone);
+                    run.insert(scenario.to_owned());
+                }
+                count += 1;
+            }
+            shown.is_of(&last, page);
+        }
+    }
     assert!(count > 15, "{count}");
     for folder in gallery("") {
         let scenario = folder.file_name().unwrap().to_str().unwrap();
-        let is_run = done.iter().any(|(_, run)| run.contains(scenario));
-        assert!(is_run, "no page shows how to draw plots/gallery/{scenario}");
+        assert!(run.contains(scenario), "no page shows how to draw plots/gallery/{scenario}");
     }
 }
