@@ -32,7 +32,7 @@ pub(super) struct Rates {
     pub(super) law: LawChoice,
 }
 
-/// The strain rate of an impact, and the factors by which it raises the strength; [`super::rate`] computes them.
+/// The strain rate of an impact, and the factors by which it raises the strength; `rate.rs` computes them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rated {
     /// 0.2 w \[1/s\].

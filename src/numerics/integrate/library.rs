@@ -1,7 +1,7 @@
 //! The crate `ode_solvers` (Dormand-Prince 5(4) and 8(5,3)) behind [`Integrator`]: it takes every step of every leg, in plain
 //! variables.
 //!
-//! The crate stops after the accepted step that passed an event, which is located as in [`super::event`]. Where it lies well
+//! The crate stops after the accepted step that passed an event, which is located as in `event.rs`. Where it lies well
 //! inside of the step, the crate goes once more from the state before to a little behind the event. The crate tells no stages,
 //! so the continuous solution of a step, for events and traces, has those of our own Dormand-Prince 8(5,3) and is led through
 //! both ends of the crate's step.
