@@ -1,5 +1,5 @@
 //! The trace of an impact: the continuous solution of every leg and every event while it is integrated, and the points that
-//! are made of them.
+//! are made of them. A leg is the motion along one piece of the loading curve, or along the unloading branch.
 
 use super::scales::ACCELERATION;
 use crate::contact::law::{ContactState, Ground, Unloading};

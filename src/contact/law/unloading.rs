@@ -1,5 +1,5 @@
 //! Unloading and reloading: the paper's law (Xie et al. 2024, Eqs. 19-25) for any exponent n, and the shapes of published
-//! laws that are no power law.
+//! laws that are no power law. Everything is dimensionless, in the scales of the contact.
 
 use std::f64::consts::PI;
 
@@ -241,7 +241,7 @@ impl Unloading {
         self.branch().slope_beyond(recovered)
     }
 
-    /// Radius of the contact as far as friction goes, in units of that at x = 1: f_m/ε_m where unloading begins, then in
+    /// Radius of the contact that friction acts on, in units of the radius at x = 1: f_m/ε_m where unloading begins, then in
     /// proportion to the stiffness.
     pub(crate) fn radius_ratio(&self, recovered: f64) -> f64 {
         let (ContactState { force, elastic_approach, .. }, branch) = (self.peak, self.branch());

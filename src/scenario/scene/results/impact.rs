@@ -1,4 +1,7 @@
 //! The results of one impact, some of which are columns of tables, and the columns of its trace.
+//!
+//! An entry says what a result means, then `"name" in Unit as "label on the terminal" if CONDITION [Needs: column]: value`. A result
+//! with a column has its value in tables too, where the scene has what the column needs.
 
 use serde_json::Value;
 
