@@ -16,7 +16,6 @@ use super::piece::{AnyDragged, Dragged, DraggedState, Motion};
 use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
-use crate::numerics::power::max_or_nan;
 use crate::numerics::root::bracketed;
 
 /// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
@@ -68,10 +67,8 @@ impl DragStepper {
         let end = P::y_at(path.leg.end());
         let begun = *state;
         self.work.force_evaluations += 1;
-        if sign > 0.0 && begun.speed <= 0.0 {
-            // it has turned already
-            state.speed = 0.0;
-            return Ok(Arrival { landing: Landing::Turning, largest_force: path.larger_force(&begun, state) });
+        if let Some(arrival) = path.turned_already(state) {
+            return Ok(arrival);
         }
         let size = P::y_at(path.sizes.distance);
         let speed = path.sizes.speed;
@@ -145,10 +142,8 @@ impl DragStepper {
                 track.push(segment(solved.unwrap_or_else(solve), to[2], P::distance_at));
             }
             if let Some(Landed { landing, .. }) = landed {
-                let distance = path.landed_at(landing, P::distance_at(to[0]));
-                *state = State { time: to[2], distance, speed: to[1], loss: to[3] };
-                let largest_force = max_or_nan(largest, path.larger_force(&begun, state));
-                return Ok(Arrival { landing, largest_force });
+                let at = State { time: to[2], distance: P::distance_at(to[0]), speed: to[1], loss: to[3] };
+                return Ok(path.arrive(landing, at, state, largest));
             }
             (node, rates) = (next.node, next.rates);
             h = (h * pace.min(5.0)).min(longest);

@@ -18,8 +18,7 @@ use super::damped::{MOST_ROUNDS, WELL_INSIDE, is_false_turn, may_end, out_of_ste
 use super::dop853::{self, Continuous};
 use super::event::{DenseStep, Landed, has_crested};
 use super::piece::{AnyDragged, DraggedState, Motion};
-use super::{Arrival, Effort, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, Sizes, State};
-use crate::numerics::power::max_or_nan;
+use super::{Arrival, Effort, IntegrationError, Integrator, MOST_STEPS, Path, Segment, Sizes, State};
 
 /// Which of the crate's two adaptive methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -166,10 +165,8 @@ impl Integrator for Library {
         mut track: Option<&mut Vec<Segment>>,
     ) -> Result<Arrival, IntegrationError> {
         let (begun, end) = (*state, path.leg.end());
-        if path.leg.direction() > 0.0 && begun.speed <= 0.0 {
-            // it has turned already
-            state.speed = 0.0;
-            return Ok(Arrival { landing: Landing::Turning, largest_force: path.larger_force(&begun, state) });
+        if let Some(arrival) = path.turned_already(state) {
+            return Ok(arrival);
         }
         let mut from = [begun.distance, begun.speed, begun.time, begun.loss];
         let mut is_falling = !path.drag.is_in_contact() || has_crested::<Plain>(path, &from);
@@ -212,10 +209,8 @@ impl Integrator for Library {
                 }
                 (from, rounds) = (to, 0);
                 if let Some(Landed { landing, .. }) = landed {
-                    let distance = path.landed_at(landing, to[0]);
-                    *state = State { time: to[2], distance, speed: to[1], loss: to[3] };
-                    let largest_force = max_or_nan(largest, path.larger_force(&begun, state));
-                    return Ok(Arrival { landing, largest_force });
+                    let at = State { time: to[2], distance: to[0], speed: to[1], loss: to[3] };
+                    return Ok(path.arrive(landing, at, state, largest));
                 }
             }
         }

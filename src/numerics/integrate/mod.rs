@@ -20,15 +20,7 @@ pub mod rk8;
 
 use thiserror::Error;
 
-pub use path::{Drag, Landing, Leg, Path, Rest, Sizes, State};
-
-/// How a leg went.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Arrival {
-    pub landing: Landing,
-    /// The largest contact force on the leg, in units of the deceleration g.
-    pub largest_force: f64,
-}
+pub use path::{Arrival, Drag, Landing, Leg, Path, Rest, Sizes, State};
 
 /// The cost of an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

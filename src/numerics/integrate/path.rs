@@ -210,10 +210,32 @@ impl Path<'_> {
         self.rest.is_some_and(|rest| rest.excess(distance, speed) <= 0.0)
     }
 
+    /// The arrival of a leg outward that begins without a speed outward: it has turned already.
+    pub(super) fn turned_already(&self, state: &mut State) -> Option<Arrival> {
+        let has_turned = self.leg.direction() > 0.0 && state.speed <= 0.0;
+        let at = State { speed: 0.0, ..*state };
+        has_turned.then(|| self.arrive(Landing::Turning, at, state, f64::NEG_INFINITY))
+    }
+
+    /// Ends a leg in the state `at`; inside of it the contact force was `largest` at most.
+    pub(super) fn arrive(&self, landing: Landing, at: State, state: &mut State, largest: f64) -> Arrival {
+        let landed = State { distance: self.landed_at(landing, at.distance), ..at };
+        let begun = std::mem::replace(state, landed);
+        Arrival { landing, largest_force: max_or_nan(largest, self.larger_force(&begun, state)) }
+    }
+
     /// The distance of a landing: exactly the end's, or where the motion came to.
     pub(super) fn landed_at(&self, landing: Landing, distance: f64) -> f64 {
         if landing == Landing::End { self.leg.end() } else { distance }
     }
+}
+
+/// How a leg went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arrival {
+    pub landing: Landing,
+    /// The largest contact force on the leg, in units of the deceleration g.
+    pub largest_force: f64,
 }
 
 /// Where a leg ended.

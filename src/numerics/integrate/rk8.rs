@@ -135,9 +135,8 @@ impl Rk8 {
             }
             now = next;
             if let Some(landing) = landing {
-                let distance = path.landed_at(landing, field.distance_at(now.y));
-                let begun = std::mem::replace(state, State { time: now.t, distance, speed: now.u, ..*state });
-                return Ok(Arrival { landing, largest_force: path.larger_force(&begun, state) });
+                let at = State { time: now.t, distance: field.distance_at(now.y), speed: now.u, ..*state };
+                return Ok(path.arrive(landing, at, state, f64::NEG_INFINITY));
             }
             h = grown(this, error);
         }
