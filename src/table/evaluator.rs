@@ -102,7 +102,8 @@ impl RowContact {
         contact: Result<Contact, Failure>,
         has_band: bool,
     ) -> Self {
-        let uncertainty = if has_band { Uncertainty::new(input) } else { None };
+        let with_band = contact.as_ref().ok().filter(|_| has_band);
+        let uncertainty = with_band.and_then(|contact| Uncertainty::new(input, contact));
         Self { strengths: [sphere.yield_strength, half_space.yield_strength], contact, uncertainty }
     }
 }

@@ -36,17 +36,19 @@ pub fn ranges(input: &Input) -> impl Iterator<Item = (Body, At<NUMBER>, &'static
 }
 
 /// The two causes of the uncertainty of e at a contact. Each hardness that a material gives has a range: this holds the contacts
-/// with its lowest and its highest value. And the law itself has an error.
+/// with its lowest and its highest value. And the law itself has an error, and so has the theory of a plate.
 #[derive(Debug)]
 pub struct Uncertainty {
     error: f64,
     /// At most one a body.
     hardness: Vec<(Body, &'static Known, [Contact; 2])>,
+    /// On a plate: the contact with the other theory, and the share of its distance that may be missing.
+    other_plate: Option<(Contact, f64)>,
 }
 
 impl Uncertainty {
     /// `None` for a law or an exponent without a stated error, and where a contact at an end of a range does not exist.
-    pub fn new(input: &Input) -> Option<Self> {
+    pub fn new(input: &Input, contact: &Contact) -> Option<Self> {
         let error = stated_error(&input.law())?;
         let mut hardness = Vec::new();
         for (body, at, known) in ranges(input) {
@@ -58,7 +60,7 @@ impl Uncertainty {
             let [low, high] = known.range.each_ref().map(|end| contact(end.value));
             hardness.push((body, known, [low?, high?]));
         }
-        Some(Self { error, hardness })
+        Some(Self { error, hardness, other_plate: of_other_theory(contact) })
     }
 
     /// Both ends of e in an impact of this contact with this result, and the reasons. `None` without a dent, without a rebound, and
@@ -72,7 +74,7 @@ impl Uncertainty {
             return None;
         }
         let biases = contact.known_biases(approach.components()[0], row)?;
-        let of_plate = of_plate(contact, approach, restitution)?;
+        let of_plate = self.of_plate(approach, restitution)?;
         let mut squares = [powi(self.error * restitution, 2); 2];
         let mut add = |distances: [f64; 2]| {
             squares.iter_mut().zip(distances).for_each(|(sum, distance)| *sum += powi(distance, 2));
@@ -96,6 +98,13 @@ impl Uncertainty {
         Some(([(restitution - below).max(0.0), (restitution + above).min(1.0)], reasons))
     }
 
+    /// How far e may be below and above on a plate; 0 without one.
+    fn of_plate(&self, approach: Approach, restitution: f64) -> Option<[f64; 2]> {
+        let Some((other, share)) = &self.other_plate else { return Some([0.0; 2]) };
+        let gap = other.row(approach, &Solver::AUTO).ok()?.restitution - restitution;
+        Some([share * gap.abs(), 0.0])
+    }
+
     /// Both ends of e in an impact with this result, for a table.
     pub fn range(&self, contact: &Contact, approach: Approach, row: &Essentials) -> Option<[f64; 2]> {
         self.ends(contact, approach, row).map(|(ends, _)| ends)
@@ -110,23 +119,21 @@ struct Reasons {
     biases: Vec<Bias>,
 }
 
-/// How far e may be below and above on a plate; 0 without one. The theory of a thin plate leaves out what that of a thick one adds,
-/// and a thick plate takes at most a quarter of this more again.
-fn of_plate(contact: &Contact, approach: Approach, restitution: f64) -> Option<[f64; 2]> {
+/// The contact with the other theory of its plate, if it has one. The theory of a thin plate leaves out what that of a thick one
+/// adds, and a thick plate takes at most a quarter of this more again.
+fn of_other_theory(contact: &Contact) -> Option<(Contact, f64)> {
     let forces = contact.forces();
-    let Some(plate) = forces.plate else { return Some([0.0; 2]) };
+    let plate = forces.plate?;
     let (theory, share) = match plate.theory {
         PlateTheory::Zener => (PlateTheory::Thick, 1.0),
         PlateTheory::Thick => (PlateTheory::Zener, 0.25),
     };
-    let other = contact.clone().with_forces(Forces { plate: Some(Plate { theory, ..plate }), ..*forces });
-    let gap = other.row(approach, &Solver::AUTO).ok()?.restitution - restitution;
-    Some([share * gap.abs(), 0.0])
+    Some((contact.clone().with_forces(Forces { plate: Some(Plate { theory, ..plate }), ..*forces }), share))
 }
 
 /// The band of the restitution of an impact of this input and its contact. `None` where [`Uncertainty`] has none.
 pub fn band(input: &Input, contact: &Contact, speed: f64, row: &Essentials) -> Option<Band> {
-    let uncertainty = Uncertainty::new(input)?;
+    let uncertainty = Uncertainty::new(input, contact)?;
     let ([low, high], reasons) = uncertainty.ends(contact, input.approach_at(speed), row)?;
     let parts = uncertainty.hardness.iter().zip(reasons.hardness).filter(|(_, is_part)| *is_part);
     let mut because: Vec<_> = parts
