@@ -7,7 +7,7 @@ use super::inputs::Inputs;
 use crate::error::Error;
 use crate::files::Provenance;
 use crate::impact::Impact;
-use crate::scenario::scene::results::{Reported, impact};
+use crate::scenario::scene::results::{Reported, trace};
 
 /// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
 pub fn summary(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
@@ -40,5 +40,5 @@ pub fn written(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, Error> {
 
 /// `trace.csv` of one impact; only the header for an impact that recorded none.
 pub fn trace(impact: &Impact) -> Result<Vec<u8>, Error> {
-    csv(&impact::trace(), impact.trace.iter().copied())
+    csv(&trace::results(), impact.trace.iter().copied())
 }

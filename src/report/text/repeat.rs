@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::impact::repeat::flight::Flight;
 use crate::impact::repeat::{Drive, Hit, Place, Repeat, Sequence};
 use crate::scenario::scene::results::fields;
-use crate::scenario::scene::results::impact::event_name;
+use crate::scenario::scene::results::trace::event_name;
 use crate::units::{Dimension, aligned, quantity};
 
 /// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.

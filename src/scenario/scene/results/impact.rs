@@ -1,16 +1,14 @@
-//! The results of one impact, some of which are columns of tables, and the columns of its trace.
+//! The results of one impact, some of which are columns of tables.
 //!
 //! An entry says what a result means, then `"name" in Unit as "label on the terminal" if CONDITION [Needs: column]: value`. A result
 //! with a column has its value in tables too, where the scene has what the column needs.
 
 use serde_json::Value;
 
-use super::{FileOfResults, Needs, Reported, file, results};
+use super::{FileOfResults, Needs, Reported, file, results, trace};
 use crate::contact::material::Flow;
 use crate::impact::air::Flying;
-use crate::impact::{
-    Contact, Essentials, Event, FixedSteps, ForcesResult, FrictionState, Impact, Oblique, OnPlate, Rebound, TraceRow,
-};
+use crate::impact::{Contact, Essentials, FixedSteps, ForcesResult, Impact, Oblique, OnPlate, Rebound};
 use crate::numerics::functions::log10;
 
 /// One impact.
@@ -320,66 +318,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     }
 }
 
-/// The columns of `trace.csv`.
-pub fn trace() -> Vec<Reported<TraceRow>> {
-    results! { |row: TraceRow|
-        /// Time since first touch.
-        "time_s" in Time: row.time;
-        /// How far the sphere's centre has come closer to the half-space.
-        "indentation_m" in Length: row.indentation;
-        /// The sphere's own share of the indentation, with the flat that it keeps.
-        "sphere_indentation_m" in Length: row.sphere_indentation;
-        /// The half-space's share of the indentation.
-        "half_space_indentation_m" in Length: row.half_space_indentation;
-        /// Speed into the half-space; negative on the way out.
-        "speed_m_per_s" in Speed: row.speed;
-        /// Speed of the sphere's centre, which is the sum of the speed into the plate and of the plate's own.
-        "sphere_speed_m_per_s" in Speed if PLATE: row.sphere_speed;
-        /// Force on the sphere, with what damping adds.
-        "force_N" in Force: row.force;
-        /// Force of the contact law alone.
-        "elastic_force_N" in Force if DAMPING: row.elastic_force;
-        /// Slip speed of the contact point: speed of the centre along the half-space less radius times spin.
-        "slip_speed_m_per_s" in Speed if OBLIQUE: of_friction(row, |friction| friction.slip_speed);
-        /// Friction on the sphere; negative against its path.
-        "friction_force_N" in Force if OBLIQUE: of_friction(row, |friction| friction.friction_force);
-        /// Speed of the centre along the half-space.
-        "tangential_speed_m_per_s" in Speed if OBLIQUE: of_friction(row, |friction| friction.tangential_speed);
-        /// Spin; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed if OBLIQUE: of_friction(row, |friction| friction.spin);
-        /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
-        "branch": row.branch.name();
-        /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `relaxation` of a
-        /// strength that depends on the rate, `separation`
-        /// or `captured`.
-        "event": event_name(row.event);
-    }
-}
-
-/// A value of friction, if the sphere came in at an angle, or spinning.
-fn of_friction(row: &TraceRow, value: fn(&FrictionState) -> f64) -> Option<f64> {
-    row.friction.as_ref().map(value)
-}
-
-/// The word for an event; empty for an ordinary row.
-pub fn event_name(event: Option<Event>) -> &'static str {
-    match event {
-        None => "",
-        Some(Event::Touch) => "touch",
-        Some(Event::Yield) => "yield",
-        Some(Event::Knot) => "knot",
-        Some(Event::Peak) => "peak",
-        Some(Event::Relaxation) => "relaxation",
-        Some(Event::Separation) => "separation",
-        Some(Event::Captured) => "captured",
-    }
-}
-
 /// The files with these results.
 pub(crate) fn files() -> Vec<FileOfResults> {
     vec![
         file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results()),
-        file("One impact: `trace.csv`", &trace()),
+        file("One impact: `trace.csv`", &trace::results()),
     ]
 }
 

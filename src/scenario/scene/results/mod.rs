@@ -14,6 +14,7 @@
 
 pub(crate) mod entry;
 pub mod impact;
+pub mod trace;
 
 pub use entry::{Column, Needs, Reported, Shown, fields, lists};
 pub(crate) use entry::{FileOfResults, file, results};
