@@ -185,6 +185,9 @@ impl Measurements {
     }
 
     /// The whole calibration. `progress` counts the laws that are fitted and the keys whose intervals are found.
+    ///
+    /// # Errors
+    /// [`Error`] of the kind `Stopped` if `progress` is asked to stop; others if there is no answer.
     pub fn calibrate<'a>(&'a self, progress: &'a Counter) -> Result<Calibration<'a>, Error> {
         progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
         let laws = self.ranked(progress)?;

@@ -120,6 +120,9 @@ impl<'a> Problem<'a> {
     }
 
     /// The prediction for every value of the data; NaN for values that are not used.
+    ///
+    /// # Errors
+    /// [`NoAnswer`] if a row has no result, or the calibration was stopped.
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
         let mut input = self.filled.clone();
         for (free, share) in self.free.iter().zip(shares) {

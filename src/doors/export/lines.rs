@@ -29,7 +29,7 @@ named! {
 }
 
 impl Target {
-    /// What stands above lines that the tests of this program do not run in their code.
+    /// The note above lines that no test of this program runs in the other code.
     fn untested(self) -> Option<&'static str> {
         match self {
             Self::Lammps | Self::Csv => None,

@@ -26,6 +26,9 @@ const POINTS: u32 = 41;
 
 /// The lines for another code, from the bodies and the speed of any scenario of impacts. `command` is the command line, which the
 /// lines name as their origin.
+///
+/// # Errors
+/// [`Error`] for a bad scenario, one without impacts, a missing speed, or a speed without a result or a rebound.
 pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
     let bare = Bare::new(scenario)?;
     let speed = request.speed.or(bare.speed).or(request.speeds.map(|(from, _)| from)).ok_or_else(|| {

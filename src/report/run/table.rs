@@ -25,6 +25,9 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 }
 
 /// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.
+///
+/// # Errors
+/// [`Error`] of the kind `Stopped` if the progress is asked to stop.
 pub fn rows<P: Send>(
     plan: &Plan,
     progress: &Counter,
