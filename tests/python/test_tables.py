@@ -132,7 +132,8 @@ def test_rows_without_a_result_are_not_numbers_and_warned_of() -> None:
 
 def test_a_call_has_at_most_one_warning_of_a_class_of_its_own() -> None:
     contact = steel(law=dict(stronge={}))
-    speeds = np.logspace(-4, 2, 50)
+    # from a speed on at which adhesion counts no longer, as that is a warning too
+    speeds = np.logspace(-3, 2, 50)
     sweep = {"impact.speed": speeds.tolist()}
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
     tables = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=dict(yield_strength=345e6, **bodies), law=dict(stronge={}))
