@@ -2,13 +2,11 @@
 
 use std::process::Command;
 
-use plm_impact::evidence::bench::hard_cases::hard_cases;
-
 use crate::common::prelude::*;
 
 const PROBLEMS: [&str; 9] = ["P1", "P2", "P3", "shallow", "deep", "soft sphere", "hardened", "damped", "plate"];
 const METHODS: [&str; 5] = ["rk8", "dop853", "dopri5", "verlet", "closed_form"];
-const ERRORS: [&str; 4] = ["restitution_error", "contact_time_error", "separation_error", "peak_force_error"];
+const ERRORS: [&str; 3] = ["restitution_error", "contact_time_error", "peak_force_error"];
 
 /// There is no closed form under viscous damping, or on a plate.
 fn serves(method: &str, problem: &str) -> bool {
@@ -56,32 +54,15 @@ fn check_rows(table: &str, report: &str) {
     let (tolerances, steps, evaluations, times) =
         (of("tolerance"), of("steps"), of("force_evaluations"), of("ns_per_impact"));
     let errors = ERRORS.map(of);
-    let hard = hard_cases().unwrap();
-    for case in &hard {
-        let methods = (0..problems.len()).filter(|i| problems[*i] == case.name).map(|i| methods[i].as_str());
-        assert_eq!(methods.collect::<Vec<_>>(), ["rk8", "dop853", "dopri5"], "{}", case.name);
-    }
     for (i, (problem, method)) in problems.iter().zip(&methods).enumerate() {
         let at = format!("{problem} {method}");
-        let is_hard = hard.iter().any(|case| case.name == problem);
-        assert!((PROBLEMS.contains(&problem.as_str()) || is_hard) && METHODS.contains(&method.as_str()), "{at}");
+        assert!(PROBLEMS.contains(&problem.as_str()) && METHODS.contains(&method.as_str()), "{at}");
         assert!(errors.iter().all(|error| error[i] >= 0.0 && error[i].is_finite()), "{at}");
-        // a hard case is not timed; tests/physics/hard_cases.rs has its errors at every tolerance
-        assert_eq!(times[i] > 0.0 && times[i].is_finite(), !is_hard, "{at}");
+        assert!(times[i] > 0.0 && times[i].is_finite(), "{at}");
         let is_stepped = method != "closed_form";
         assert!((steps[i] > 0.0) == is_stepped && (evaluations[i] > 0.0) == is_stepped, "{at}");
         // a fixed step and the closed form have no tolerance
         assert_eq!(tolerances[i].is_finite(), is_stepped && method != "verlet", "{at}");
-        let [_, contact_time, separation, _] = [0, 1, 2, 3].map(|which| errors[which][i]);
-        if method != "verlet" {
-            assert_eq!(contact_time, separation);
-        } else if !["damped", "plate"].contains(&problem.as_str()) {
-            // the bench tries several phases of the step, 0.1 to 0.9 among them: the separation observed at whole steps
-            // is late by up to one step, beyond the error of the motion; under drag it lags by half a step
-            let (steps, printed) = (steps[i], 1e-2 * separation);
-            assert!(separation > 0.5 / steps && separation < 1.0 / (steps - 2.0) + contact_time + printed);
-            assert!(contact_time < 0.5 * separation, "{problem}: {contact_time} {separation}");
-        }
     }
     for problem in PROBLEMS {
         assert!(report.contains(&format!("\n| {problem} | ")), "{problem}\n{report}");

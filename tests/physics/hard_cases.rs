@@ -2,9 +2,9 @@
 //! units.
 #![allow(clippy::unwrap_used, clippy::excessive_precision)] // values as printed
 
-use plm_impact::evidence::bench::hard_cases::hard_cases;
 use plm_impact::evidence::bench::problems::{Problem, kinked_law, steel_speed_ratio};
 
+use super::cases::hard_cases;
 use crate::common::prelude::*;
 
 const TOLERANCES: [f64; 11] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13];
@@ -19,7 +19,7 @@ fn rounding(case: &Problem) -> f64 {
 fn every_case_has_its_reference_value() {
     // 50-digit arithmetic, independent of the code of the law; the speed ratio is rounded to double precision here
     let table: Vec<(String, f64, f64)> = records(include_str!("../reference/hard_cases.csv"));
-    let cases = hard_cases().unwrap();
+    let cases = hard_cases();
     assert_eq!(table.len(), cases.len());
     for (case, (name, restitution, contact_time)) in cases.iter().zip(table) {
         assert_eq!(case.name, name);
@@ -39,7 +39,7 @@ fn every_case_has_its_reference_value() {
 
 #[test]
 fn every_method_follows_its_tolerance_on_every_case_and_problem() {
-    let cases = hard_cases().unwrap().into_iter().map(|case| {
+    let cases = hard_cases().into_iter().map(|case| {
         let rounding = rounding(&case);
         (case.name.to_string(), case.law, case.speed, case.exact, rounding)
     });
@@ -177,7 +177,7 @@ fn modulus_ratio_goes_to_its_limits() {
 
 #[test]
 fn force_is_right_at_zero_and_beside_every_knot() {
-    let cases = hard_cases().unwrap().into_iter().map(|case| (case.name, case.law));
+    let cases = hard_cases().into_iter().map(|case| (case.name, case.law));
     for (name, law) in cases.chain([("case 3", Scene::case_3().law())]) {
         assert_eq!((law.respond(0.0, None), law.respond(-1.0, None)), ((0.0, None), (0.0, None)), "{name}");
         assert!((0.0..1e-300).contains(&law.respond(f64::MIN_POSITIVE, None).0));

@@ -7,6 +7,7 @@
 mod common;
 
 mod air;
+mod cases;
 mod damped;
 mod exponent;
 mod flow_stress;

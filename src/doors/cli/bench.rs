@@ -7,7 +7,7 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::evidence::bench::report::TableRate;
 use plm_impact::evidence::bench::throughput::throughput;
-use plm_impact::evidence::bench::{hard_cases, laws, measure, problems, report};
+use plm_impact::evidence::bench::{laws, measure, problems, report};
 use plm_impact::files::{Origin, OutputDirectory, OutputFile};
 use plm_impact::scenario::Scenario;
 
@@ -51,10 +51,6 @@ pub fn bench(arguments: &Arguments) -> Result<(), Error> {
     let mut files = vec![report::laws(&laws)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
         files.push(report::picture(measured)?);
-    }
-    for case in hard_cases::hard_cases().map_err(other("hard cases"))? {
-        let measurements = measure::measure_hard(&case);
-        all.push((case, measurements));
     }
     files.push(report::settings(&all)?);
     let path = directory.path().to_owned();

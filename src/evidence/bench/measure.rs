@@ -53,8 +53,6 @@ pub struct Measurement {
     pub restitution_error: f64,
     /// The relative error of the contact time, which a fixed step interpolates within its last step.
     pub contact_time_error: f64,
-    /// The relative error of the time at which separation is seen: in whole steps with a fixed step, else the contact time.
-    pub separation_error: f64,
     pub peak_force_error: f64,
     /// Cost of one impact.
     pub work: Effort,
@@ -103,30 +101,16 @@ impl Setting {
         let runs: Result<Vec<Computed>, _> = phases.iter().map(|phase| self.run(method, *phase, problem)).collect();
         let runs = runs.ok()?;
         let worst = |error: &dyn Fn(&Computed) -> f64| runs.iter().map(error).fold(0.0, max_or_nan);
-        let seen = |run: &Computed| {
-            let seen = run.fixed_steps.and_then(|seen| seen.separation_time);
-            seen.unwrap_or(run.outcome.contact_time)
-        };
         Some(Measurement {
             method,
             setting: self,
             restitution_error: worst(&|run| relative(run.outcome.restitution, exact.restitution)),
             contact_time_error: worst(&|run| relative(run.outcome.contact_time, exact.contact_time)),
-            separation_error: worst(&|run| relative(seen(run), exact.contact_time)),
             peak_force_error: worst(&|run| relative(run.outcome.largest_force, exact.largest_force)),
             work: runs.first()?.work,
             ns_per_impact: f64::INFINITY,
         })
     }
-}
-
-/// The errors and the cost of three methods at the default tolerance on a hard case. They are not timed.
-pub fn measure_hard(case: &Problem) -> Vec<Measurement> {
-    let setting = Setting::Tolerance(Solver::default().tolerance);
-    [Method::Rk8, Method::Dop853, Method::Dopri5]
-        .into_iter()
-        .filter_map(|method| setting.measured(method, case))
-        .collect()
 }
 
 /// Measures every method on a problem, with all settings that do not fail. Each round times every setting for about `burst`.

@@ -1,6 +1,5 @@
-//! The problems on which the integrators are measured, with exact solutions, and the hard cases on which they are tested.
+//! The problems on which the integrators are measured, with exact solutions.
 
-pub mod hard_cases;
 pub mod laws;
 pub mod measure;
 pub mod problems;

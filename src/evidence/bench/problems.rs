@@ -72,7 +72,7 @@ pub fn kinked_law() -> Law {
 }
 
 /// A Hertzian law whose unloading has another stiffness, ε = (f/k)^(2/3).
-pub(super) fn stiff_law(k: f64) -> Law {
+pub fn stiff_law(k: f64) -> Law {
     let loading = Loading::new(Curve::hertz().then_straight(1.0, 1.5), 1.0, |x, _| x.sqrt());
     Law::published(loading, hertzian(move |peak| pow(peak.force / k, 2.0 / 3.0)))
 }
