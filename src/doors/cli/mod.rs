@@ -73,7 +73,6 @@ enum Command {
     Validate(validate::Arguments),
     Bench(bench::Arguments),
     Completions(shells::Completions),
-    Man(shells::Manual),
 }
 
 /// Runs the command that the command line names.
@@ -99,7 +98,6 @@ pub fn run() -> Result<(), Error> {
         Command::Validate(arguments) => validate::validate(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
         Command::Completions(arguments) => shells::completions(&arguments, Cli::command()),
-        Command::Man(arguments) => shells::man(&arguments, Cli::command()),
     }
 }
 
@@ -119,23 +117,9 @@ fn parse() -> Result<Cli, Error> {
             let file = file.to_string_lossy();
             return Error::input(format!("no command is given for {file}; write `plm-impact run {file}`"));
         }
-        if let Some((word, instead)) = GONE.iter().find(|(word, _)| words.iter().any(|given| *given == **word)) {
-            return Error::input(format!("{word} has gone: {instead}"));
-        }
         error.exit()
     })
 }
-
-/// Commands and options of earlier versions, each with its replacement.
-const GONE: [(&str, &str); 4] = [
-    ("fit-plm", "fit by a tool of your own, and give the file as `[law.plm] coefficients`"),
-    (
-        "--experiments",
-        "write a scenario of the bodies, and `plm-impact calibrate FILE DATA.csv --set calibrate.free={}`",
-    ),
-    ("fluent", "`--to csv` prints e, and a table e(v)"),
-    ("acusolve", "`--to csv` prints the table e(v)"),
-];
 
 #[cfg(test)]
 mod tests {

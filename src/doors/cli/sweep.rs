@@ -29,9 +29,6 @@ pub struct Options {
     /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed
     #[arg(long, value_name = "I/N")]
     shard: Option<String>,
-    /// Sweeps: the same, its number taken from an environment variable: SLURM_ARRAY_TASK_ID/16
-    #[arg(long, value_name = "VARIABLE/N", conflicts_with = "shard")]
-    shard_env: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
     #[arg(long, value_name = "N", value_parser = allowed_threads())]
     threads: Option<u16>,
@@ -43,7 +40,6 @@ impl Options {
         let given = [
             self.format.map(|_| "--format"),
             self.shard.as_ref().map(|_| "--shard"),
-            self.shard_env.as_ref().map(|_| "--shard-env"),
             self.threads.map(|_| "--threads"),
         ];
         match given.into_iter().flatten().next() {
@@ -52,24 +48,6 @@ impl Options {
             ))),
             None => Ok(()),
         }
-    }
-
-    /// Which part of the table is written; `None`: all.
-    fn shard(&self) -> Result<Option<Shard>, Error> {
-        let text = match (&self.shard, self.shard_env.as_deref().map(|text| (text, text.split_once('/')))) {
-            (Some(text), _) => text.clone(),
-            (None, Some((_, Some((variable, count))))) => {
-                let unset = |_| {
-                    Error::input(format!(
-                        "--shard: the environment variable {variable} is not set; it holds the shard's number, counted from 0, under the job scheduler"
-                    ))
-                };
-                format!("{}/{count}", std::env::var(variable).map_err(unset)?.trim())
-            }
-            (None, Some((text, None))) => text.to_owned(),
-            (None, None) => return Ok(None),
-        };
-        Shard::parse(&text).map(Some)
     }
 }
 
@@ -84,7 +62,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let warnings = table::warnings(&plan);
     warn(&warnings);
     refuse_warnings(scenario, warnings.len(), output.strict)?;
-    let shard = options.shard()?;
+    let shard = options.shard.as_deref().map(Shard::parse).transpose()?;
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {
         let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::written::{Name, Node, below, described, pattern, whole_number};
+use super::written::{Name, Node, below, described, whole_number};
 use super::{Quantity, Words};
 use crate::units::did_you_mean;
 
@@ -71,9 +71,7 @@ impl<'f> Reader<'f> {
         };
         let written = name.get_ref();
         self.has_unknown = true;
-        let message = if let Some(instead) = instead(&below(&self.path, written)) {
-            format!("there is no {thing} `{written}` any more: {instead}")
-        } else if known.is_empty() {
+        let message = if known.is_empty() {
             format!("unknown {thing} `{written}`; this table takes none")
         } else {
             let all = format!("{things} are {}", known.join(", "));
@@ -167,27 +165,4 @@ pub fn items<'n, 't>(node: &'n Node<'t>) -> Result<&'n DeTable<'t>, Fault> {
         DeValue::Table(table) => Ok(table),
         _ => Err(Fault::unexpected(node, "a table")),
     }
-}
-
-/// Paths of keys that earlier versions had, and what to do instead; the guide says it too.
-const GONE: &[(&str, &str)] = &[
-    (
-        "compare",
-        "compare laws for an impact of your own with an axis, such as law = [\"plm\", \"thornton\"] in [sweep]; `plm-impact validate` draws Figure 10 of the paper",
-    ),
-    ("law.jackson_green.jumps", PIECES_MEET),
-    ("law.kogut_etsion.jumps", PIECES_MEET),
-    ("law.kogut_komvopoulos.jumps", PIECES_MEET),
-    ("indentation.half_space[].youngs_modulus_uncertainty", ENDS),
-    ("indentation.half_space[].yield_strength_uncertainty", ENDS),
-];
-
-const PIECES_MEET: &str = "leave it out; every piece of the law goes on until it crosses the next one";
-
-const ENDS: &str = "give the ends of the interval as half-spaces of their own, each with a name";
-
-/// Says what to do instead of a key of this path, if there was one.
-fn instead(path: &str) -> Option<&'static str> {
-    let pattern = pattern(path);
-    GONE.iter().find(|(gone, _)| *gone == pattern).map(|(_, instead)| *instead)
 }
