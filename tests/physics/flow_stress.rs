@@ -4,14 +4,7 @@ use plm_impact::impact::closed_form::solve;
 use plm_impact::numerics::curve::Curve;
 use plm_impact::numerics::curve::piece::{Piece, Shape};
 
-use plm_impact::scenario::scene::Input;
-
 use crate::common::prelude::*;
-
-fn steel(tables: &str) -> Input {
-    let flow = "[half_space.flow_stress]\npower = { exponent = 0.15 }\n[impact]";
-    scene(&(STEEL.replace("[impact]", flow) + tables), NONE)
-}
 
 /// The series for the time on the first pieces against the sum of the times on all pieces: the same law with its curve made
 /// anew from its pieces has no series.
@@ -45,32 +38,6 @@ fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
             assert_eq!(by_series.restitution, by_pieces.restitution, "{flow} {speed}");
         }
     }
-}
-
-/// Damping after Hunt and Crossley has a closed form for any law: with G(v) = v/χ − ln(1 + χ v)/χ², m G(v_0) is the
-/// work of loading, and m G(−e v_0) is the work that the unloading branch gives back.
-#[test]
-fn damping_acts_on_a_hardened_contact_as_its_phase_curve_says() {
-    let (chi, speed) = (0.1_f64, 3.0_f64);
-    let scene = steel(&format!("[damping]\nhunt_crossley = {chi}\n"));
-    let contact = scene.contact().unwrap();
-    let (scales, law, _) = contact.scaled(speed).unwrap();
-    let g = |v: f64| v / chi - (1.0 + chi * v).ln() / (chi * chi);
-    for (tolerance, allowed) in [(1e-13, 1e-11), (1e-11, 1e-9)] {
-        let impact = contact.impact(speed, &solver(Method::Rk8, tolerance), None).unwrap();
-        let peak = law.loaded_to(impact.peak_indentation / scales.length);
-        let energy = scales.force * scales.length;
-        assert!(off(energy * law.loading.work(peak.indentation), contact.mass() * g(speed)) < allowed);
-        let recovered = energy * law.unloading(peak).capacity();
-        assert!(off(recovered, contact.mass() * g(-impact.restitution * speed)) < 10.0 * allowed);
-    }
-    // viscous damping has no closed form: two methods agree, and fixed steps converge to them
-    let damped = steel("[damping]\nviscous = 0.05\n[gravity]\nacceleration = 9.81\n").contact().unwrap();
-    let by = |method, tolerance| damped.impact(speed, &solver(method, tolerance), None).unwrap();
-    let (one, other) = (by(Method::Rk8, 1e-11), by(Method::Dop853, 1e-11));
-    assert!(off(one.restitution, other.restitution) < 1e-8 && one.energy.drift < 1e-9);
-    let fixed = plm_impact::impact::Solver { steps_per_contact: 4000, ..solver(Method::Verlet, 1e-10) };
-    assert!(off(damped.impact(speed, &fixed, None).unwrap().restitution, one.restitution) < 1e-4);
 }
 
 /// If the hardness varies, so does the yield strength: the table has it as a column, and the results are those of it.

@@ -136,24 +136,6 @@ fn vanishing_speed_is_elastic_or_refused_by_name() {
 }
 
 #[test]
-fn yield_speed_is_crossed_without_a_jump() {
-    let scene = Scene::steel();
-    let yield_speed = scene.yield_speed();
-    for offset in [1e-15, 1e-12, 1e-9, 1e-6, 1e-3] {
-        for (method, factor) in STEPPING {
-            let below = scene.impact(yield_speed * (1.0 - offset), method, 1e-12, None);
-            let above = scene.impact(yield_speed * (1.0 + offset), method, 1e-12, None);
-            let slack = factor * 1e-12;
-            assert!(!below.has_dent() && off(below.restitution, 1.0) <= slack);
-            // at κ = 1/2, 1 − e = 0.0117 (v/v_Y − 1) just above yield; δ and T are proportional to v^(4/5) and v^(−1/5)
-            assert!(above.restitution <= 1.0 + slack && above.restitution >= 1.0 - 0.02 * offset - slack);
-            assert!(off(above.peak_indentation, below.peak_indentation) <= 1.7 * offset + slack);
-            assert!(off(above.contact_time, below.contact_time) <= 1.3 * offset + slack);
-        }
-    }
-}
-
-#[test]
 fn modulus_ratio_goes_to_its_limits() {
     let scene = Scene { exponent: UnloadingExponent::PressureShape, ..Scene::steel() };
     let impact = |sphere: f64, half_space: f64| {
@@ -197,21 +179,6 @@ fn force_is_right_at_zero_and_beside_every_knot() {
             }
         }
     }
-}
-
-#[test]
-fn shortest_and_longest_traces() {
-    let scene = Scene::steel();
-    for (method, _) in STEPPING {
-        let shortest = scene.impact(1.0, method, 1e-10, Some(2)).trace;
-        // touch, yield, the knots up to x_m = 44, peak, separation
-        assert_eq!(shortest.iter().filter(|row| row.event.is_none()).count(), 0);
-        assert_eq!(shortest.len(), 4 + 17, "{}", method.name());
-    }
-    let long = scene.impact(1.0, Method::Rk8, 1e-10, Some(1_000_000));
-    assert_eq!(long.trace.iter().filter(|row| row.event.is_none()).count(), 999_998);
-    assert!(long.trace.windows(2).all(|pair| pair[0].time <= pair[1].time));
-    assert!(long.energy.drift < 100.0 * 1e-10, "{:e}", long.energy.drift);
 }
 
 proptest! {

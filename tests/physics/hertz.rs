@@ -53,24 +53,6 @@ proptest! {
             prop_assert_eq!(impact.energy.plastic, scene.yield_strength.map(|_| 0.0));
         }
     }
-
-    #[test]
-    fn time_reversal_returns_the_start((scene, v) in any_elastic_impact()) {
-        const TOLERANCE: f64 = 1e-11;
-        // samples at i T/20: the i-th sample from first touch mirrors the i-th sample before separation
-        for (method, factor) in STEPPING {
-            let impact = scene.impact(v, method, TOLERANCE, Some(21));
-            let even: Vec<_> = impact.trace.iter().filter(|row| row.event.is_none()).collect();
-            prop_assert_eq!(even.len(), 19);
-            let allowed = 4.0 * factor * TOLERANCE;
-            for (row, mirrored) in even.iter().zip(even.iter().rev()) {
-                prop_assert!(off(row.time + mirrored.time, impact.contact_time) < 1e-10);
-                prop_assert!((row.speed + mirrored.speed).abs() <= allowed * v, "{}: {row:?} {mirrored:?}", method.name());
-                prop_assert!((row.indentation - mirrored.indentation).abs() <= allowed * impact.peak_indentation);
-                prop_assert!((row.force - mirrored.force).abs() <= allowed * impact.peak_force);
-            }
-        }
-    }
 }
 
 /// Deepest overlap, peak force and contact time, with half a unit of the last printed digit.

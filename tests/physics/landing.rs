@@ -25,18 +25,6 @@ fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
     }
 }
 
-#[test]
-fn separation_is_not_triggered_at_first_touch() {
-    // F = 0 at first touch too, which must not count as separation, for any length of the first step
-    for (method, factor) in STEPPING {
-        for tolerance in [1e-1, 1e-2, 1e-3, 1e-6, 1e-13] {
-            let impact = Scene::steel().impact(1e-3, method, tolerance, None);
-            assert!(off(impact.restitution, 1.0) < factor * tolerance, "{} at {tolerance:e}", method.name());
-            assert!(impact.loading_time > 0.0 && impact.contact_time > 1.9 * impact.loading_time);
-        }
-    }
-}
-
 /// The formula of Stronge lies between the yield point and 84 times that indentation. It is computed on several pieces, whose
 /// joints are no events.
 #[test]

@@ -50,23 +50,6 @@ proptest! {
     #![proptest_config(crate::common::cases(200))]
 
     #[test]
-    fn force_approach_and_dent_grow_without_a_jump(scene in any_scene(), log_x in -3.0..5.0_f64, log_step in -9.0..0.0_f64) {
-        let law = scene.law();
-        let x = 10_f64.powf(log_x);
-        let step = x * 10_f64.powf(log_step);
-        let (one, two) = (law.loaded_to(x), law.loaded_to(x + step));
-        prop_assert!(one.force < two.force && one.elastic_approach < two.elastic_approach);
-        // x f'/f ≤ 3/2 on Hertz, and at most 2 beyond, because the slopes rise slower than x; ε grows slower than x
-        prop_assert!(two.force / one.force - 1.0 <= 2.0 * step / x + 1e-14);
-        prop_assert!(two.elastic_approach / one.elastic_approach - 1.0 <= 2.0 * step / x + 1e-14);
-        // the dent never shrinks; ε carries a rounding of 1e-15 x
-        prop_assert!(one.residual() >= 0.0);
-        prop_assert!(two.residual() >= one.residual() - 4e-15 * x, "{} {}", one.residual(), two.residual());
-        prop_assert!(one.unloading_radius_ratio() >= 1.0 - 1e-12);
-        prop_assert!(law.contact_radius(&two) >= law.contact_radius(&one));
-    }
-
-    #[test]
     fn work_is_the_integral_of_the_force(scene in any_scene(), log_x in -3.0..5.0_f64) {
         let law = scene.law();
         let x = 10_f64.powf(log_x);
@@ -168,32 +151,6 @@ fn residual_radius_follows_the_papers_equations() {
     assert!(off(impact.residual_radius.unwrap(), 1.0 / curvature) < 1e-12);
     // Eq. 23
     assert!(off(impact.residual_indentation, impact.peak_indentation - approach) < 1e-13);
-}
-
-#[test]
-fn memory_makes_reloading_retrace_the_unloading() {
-    let law = Scene::case_3().law();
-    let (force, memory) = law.respond(20.0, None);
-    let peak = memory.unwrap();
-    assert_eq!(peak, law.loaded_to(20.0));
-    assert_eq!(force, peak.force);
-    let unloading = law.unloading(peak);
-    let middle = peak.residual() + 0.4 * peak.elastic_approach;
-    // down, out of contact and up again: always the same curve, and the memory does not change
-    for x in [20.0, 19.0, middle, peak.residual(), 0.1, 0.0, peak.residual(), middle, 19.0, 20.0] {
-        assert_eq!(law.respond(x, memory), (unloading.force(x), memory), "{x}");
-    }
-    // beyond the old peak: the loading curve, as without unloading
-    for x in [20.0_f64.next_up(), 21.0, 300.0] {
-        let (force, later) = law.respond(x, memory);
-        assert_eq!((force, later), law.respond(x, None));
-        assert_eq!(later, Some(law.loaded_to(x)));
-    }
-    // from there back: the new unloading curve
-    let (_, later) = law.respond(300.0, memory);
-    assert_eq!(law.respond(290.0, later).0, law.unloading(law.loaded_to(300.0)).force(290.0));
-    // evaluating twice gives the same
-    assert_eq!(law.respond(21.0, memory), law.respond(21.0, memory));
 }
 
 /// The built-in table with one change.

@@ -4,7 +4,6 @@
 mod closed_forms;
 mod crossed;
 mod every_law;
-mod response;
 mod shallow_dents;
 mod slow;
 mod tabulated;

@@ -1,5 +1,4 @@
-//! Impacts of independent programs with 30 digits, no time stepping: by every method, with a trace, as a row of a table, as
-//! a slow indentation to the same depth, and in a series.
+//! Impacts of independent programs with 30 digits, no time stepping: by every method, with a trace, and as a row of a table.
 
 use crate::common::prelude::*;
 use crate::common::reference::{Row, rows};
@@ -121,22 +120,12 @@ fn every_way_to_an_impact_comes_to_the_references() {
 }
 
 #[test]
-fn a_trace_begins_turns_and_ends_as_the_reference_says() {
+fn a_trace_turns_as_the_reference_says() {
     for row in [BUILT_IN, PLAIN, HARDENING, YIELDING, PLATE].iter().flat_map(References::rows) {
         let (scene, _, impact) = run::impact::compute(&read("", &row.keys(&[])), Some(200)).unwrap();
-        let at = |event| *impact.trace.iter().find(|at| at.event == Some(event)).unwrap();
-        let (touch, peak, end) = (at(Event::Touch), at(Event::Peak), at(Event::Separation));
-        let e = row.number("restitution");
-        let speed = |row: &plm_impact::impact::TraceRow| row.sphere_speed.unwrap_or(row.speed);
-        assert!(touch.time == 0.0 && off(touch.speed, scene.speed()) < 1e-15, "{}", row.name());
-        assert!(off(peak.force, row.number("peak_force_N")) < 1e-8, "{}", row.name());
-        assert!(off(peak.indentation, row.number("peak_indentation_m")) < 1e-8, "{}", row.name());
-        assert!(off(end.time, row.number("contact_time_s")) < 1e-8, "{}", row.name());
-        assert!((-speed(&end) / scene.speed() - e).abs() < 1e-8, "{}", row.name());
-        assert!(impact.trace.iter().all(|at| at.force <= impact.peak_force && at.indentation <= peak.indentation));
-        assert!(impact.energy.drift < 1e-9, "{}: {:e}", row.name(), impact.energy.drift);
+        let peak = *impact.trace.iter().find(|at| at.event == Some(Event::Peak)).unwrap();
         if let Some(want) = row.maybe("sphere_speed_at_peak_m_s") {
-            assert!(off(speed(&peak), want) < 1e-8, "{}", row.name());
+            assert!(off(peak.sphere_speed.unwrap_or(peak.speed), want) < 1e-8, "{}", row.name());
         }
         // the share of the sphere of what is elastic, and the flat that it keeps
         let compliance =
@@ -152,60 +141,6 @@ fn a_trace_begins_turns_and_ends_as_the_reference_says() {
                 // a rigid sphere has no indentation
                 assert!((got - want).abs() <= 1e-8 * want, "{}: {got} {want}", row.name());
             }
-        }
-    }
-}
-
-#[test]
-fn an_indentation_to_the_same_depth_has_the_same_force_and_dent() {
-    for row in [BUILT_IN, PLAIN, HARDENING, YIELDING].iter().flat_map(References::rows) {
-        let steps =
-            format!("indentation.steps=[{{ indentation = {} }}, {{ load = 0 }}]", row.text("peak_indentation_m"));
-        let keys = [&row.keys(&["impact", "sphere.density"])[..], &[steps]].concat();
-        let (_, tested, _) = run::indentation::compute(&read("", &keys), None).unwrap();
-        let [loaded, unloaded] = &tested[0].indentation.steps[..] else { panic!("two steps") };
-        let [force, approach, e] = ["peak_force_N", "elastic_approach_m", "restitution"].map(|name| row.number(name));
-        let [depth, dent] = ["peak_indentation_m", "residual_indentation_m"].map(|name| row.number(name));
-        assert!(off(loaded.force, force) < 1e-11, "{}", row.name());
-        assert!((unloaded.indentation - dent).abs() < 1e-11 * depth, "{}", row.name());
-        if let (Some(radius), Some(n)) = (row.maybe("peak_contact_radius_m"), row.maybe("unloading_exponent")) {
-            assert!(off(loaded.memory.contact_radius, radius) < 1e-11, "{}", row.name());
-            assert!(off(loaded.memory.unloading_stiffness, n * force / approach) < 1e-11, "{}", row.name());
-        }
-        // the work of loading is the whole energy of the impact, of the relative motion where both bodies move
-        let [radius, density, speed] = ["sphere.radius", "sphere.density", "impact.speed"].map(|name| row.number(name));
-        let mass = |radius: f64, density: f64| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * density;
-        let of_sphere = mass(radius, density);
-        let other = scene("", &row.keys(&[])).half_space();
-        let free = other.radius.zip(other.density).filter(|_| other.hold == plm_impact::contact::material::Hold::Ball);
-        let reduced = free.map_or(of_sphere, |(radius, density)| {
-            let other = mass(radius, density);
-            of_sphere * other / (of_sphere + other)
-        });
-        let energy = 0.5 * reduced * speed * speed;
-        assert!(off(loaded.work, energy) < 1e-11, "{}", row.name());
-        assert!(off(-unloaded.work, energy * e * e) < 1e-10, "{}", row.name());
-    }
-}
-
-#[test]
-fn a_spot_that_was_hit_remembers_its_dent() {
-    for row in HARDENING.rows() {
-        let (speed, e) = (row.number("impact.speed"), row.number("restitution"));
-        // the second shot stays elastic; the third has more energy than the unloading gave back
-        let speeds = [speed, 0.99 * e * speed, speed];
-        for spot in ["same", "fresh"] {
-            let series = format!("repeat={{ spot = \"{spot}\", speeds = {speeds:?} }}");
-            let scenario = read("", &[&row.keys(&["impact"])[..], &[series]].concat());
-            let (scene, contact, repeat) = run::repeat::prepare_repeat(&scenario).unwrap();
-            let hits = repeat.run(&contact, &scene.solver(), 10, None).unwrap().hits;
-            assert!(off(hits[0].restitution, e) < 1e-11, "{}", row.name());
-            if spot == "fresh" {
-                assert_eq!(hits[2].restitution, hits[0].restitution);
-                continue;
-            }
-            assert!((hits[1].restitution - 1.0).abs() < 1e-11 && hits[1].dent_growth == 0.0, "{}", row.name());
-            assert!(hits[2].restitution > hits[0].restitution && hits[2].dent_growth > 0.0, "{}", row.name());
         }
     }
 }

@@ -63,29 +63,6 @@ fn slow_reloads_keep_their_digits() {
 }
 
 #[test]
-fn fixed_steps_run_up_the_branch_too() {
-    let (contact, spot, first) = dented(UnloadingExponent::Paper);
-    for speed in [0.5 * first.rebound_speed, 4.0] {
-        let exact = shot(&contact, &mut spot.clone(), speed);
-        let by_steps = plm_impact::impact::Solver { steps_per_contact: 20_000, ..solver(Method::Verlet, 1e-10) };
-        let hit = contact.impact_on(&mut spot.clone(), speed, &by_steps, Some(40)).unwrap();
-        // separation is at the first step without force: an error of first order in the step, 1/20 000
-        assert!(off(hit.restitution, exact.restitution) < 2e-4, "{}", off(hit.restitution, exact.restitution));
-        assert!(off(hit.peak_force, exact.peak_force) < 1e-6);
-        assert!(hit.trace.iter().all(|row| row.indentation >= first.residual_indentation * 0.999));
-    }
-}
-
-#[test]
-fn a_spot_can_be_made_from_a_memory() {
-    let (contact, spot, _) = dented(UnloadingExponent::Paper);
-    assert_eq!(Spot::loaded_to(&contact, spot.memory().unwrap()), spot);
-    // a spot that never yielded is fresh
-    let elastic = Scene::steel().law().loaded_to(0.9);
-    assert_eq!(Spot::loaded_to(&contact, elastic), Spot::fresh());
-}
-
-#[test]
 fn a_dent_on_the_hertz_piece_is_cut_there() {
     // between first yield and the first knot (x = 1.7) the force is that of Hertz, but there is a dent
     for x in [1.000_001, 1.1, 1.5, 1.699_999, 1.7] {

@@ -5,8 +5,6 @@ use plm_impact::impact::repeat::flight::Flight;
 use plm_impact::impact::repeat::{End, Hit, Sequence};
 
 use crate::common::prelude::*;
-use crate::forces::oracle;
-use plm_impact::numerics::integrate::Drag;
 
 const GRAVITY: f64 = 9.81;
 
@@ -75,17 +73,6 @@ fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
     // the number of rows of the trace is limited
     let rows: usize = sequence.traced.iter().map(|impact| 2 * impact.trace.len()).sum();
     assert!(rows < 300_000, "{rows}");
-}
-
-#[test]
-fn stepping_bounces_drift_no_more_than_their_tolerance_allows() {
-    let contact = contact(elastic(), None);
-    let by_steps = solver(Method::Rk8, 1e-12);
-    let sequence = bouncing(Place::Same, 1.0, 1000, None).run(&contact, &by_steps, 2, None).unwrap();
-    let last = sequence.hits.last().unwrap();
-    // 1000 impacts, each with an error of up to 10 tolerances
-    assert!(off(last.kinetic_in, sequence.hits[0].kinetic_in) < 1000.0 * 2.0 * 10.0 * 1e-12);
-    assert_eq!(sequence.method, Method::Rk8);
 }
 
 #[test]
@@ -246,40 +233,6 @@ fn a_drop_starts_the_clock_at_the_release() {
     let sequence = Repeat { place: Place::Same, drive }.run(&contact, &auto(), 10, None).unwrap();
     assert!(off(sequence.hits[0].time.unwrap(), (2.0_f64 * 0.5 / GRAVITY).sqrt()) < 1e-15);
     assert_eq!(sequence.fall.unwrap().height, 0.5);
-}
-
-/// A random scene that yields under gravity, the first speed over v_Y, the second speed over the first, and weight over
-/// yield force, up to a fifth.
-fn any_pair() -> impl Strategy<Value = (Scene, f64, f64, f64)> {
-    let any = (scenes(9.0..11.5, 0.2..0.4, -4.0..-0.5, -3.5..-1.5), 0.1..3.0_f64, -2.0..1.0_f64, -8.0..-0.7_f64);
-    let any = any.prop_map(|(scene, log_q, log_ratio, log_weight)| {
-        (scene, 10_f64.powf(log_q), 10_f64.powf(log_ratio), 10_f64.powf(log_weight))
-    });
-    any.prop_filter("too deep", |(scene, q, ratio, weight)| {
-        let plain = scene.contact();
-        let gravity = Some(weight * plain.pair().yield_point.unwrap().force / plain.mass());
-        let fastest = q * scene.yield_speed() * ratio.hypot(1.0);
-        plain.with_forces(Forces { gravity, ..Forces::default() }).row(fastest, &Solver::AUTO).is_ok()
-    })
-}
-
-proptest! {
-    #![proptest_config(crate::common::cases(150))]
-
-    #[test]
-    fn stepping_agrees_with_hunt_and_crossley_without_steps_on_any_spot((scene, q, ratio, _) in any_pair(), log_chi in -4.0..-0.5_f64) {
-        let law = scene.law();
-        let damped = |q: f64| ScaledForces { drag: Drag { chi: 10_f64.powf(log_chi) / q, ..Drag::NONE }, ..ScaledForces::NONE };
-        let first = oracle::solve(&law, q, &damped(q));
-        let peak = first.unloading.peak;
-        let dent = (law.limits.elastic_until < peak.indentation).then(|| law.dented(peak));
-        let spot = Ground::new(&law, dent.as_ref());
-        let exact = oracle::solve(spot, ratio * q, &damped(q));
-        prop_assert!(exact.restitution < 1.0);
-        let mut rk8 = Rk8::new(1e-10);
-        let got = course::integrate(spot, ratio * q, &damped(q), &mut rk8, &mut Recorder::default()).unwrap();
-        prop_assert!(worst(&got, &exact) < 1e-7, "{got:?} {exact:?}");
-    }
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn loss(contact: &Contact, speed: f64) -> f64 {
 }
 
 /// 2 W_rad/(m v²) in SI units by quadrature over the law, directly from the definition.
-fn loss_by_quadrature(contact: &Contact, speed: f64) -> f64 {
+pub fn loss_by_quadrature(contact: &Contact, speed: f64) -> f64 {
     let (scales, law, _) = contact.scaled(speed).unwrap();
     let impact = contact.closed_form(speed).unwrap();
     let peak = law.loaded_to(impact.peak_indentation / scales.length);
@@ -175,20 +175,6 @@ fn the_integral_is_exact_just_before_and_behind_every_knot() {
 }
 
 #[test]
-fn a_half_space_that_hardens_radiates_by_the_same_integral() {
-    for (exponent, hardening) in [("1.5", 0.1), ("pressure-shape", 0.3)] {
-        let exponent = format!("law.plm.unloading_exponent={exponent}");
-        let contact = steel(&[&exponent, &format!("half_space.flow_stress.power.exponent={hardening}")]);
-        for speed in [0.012, 0.1, 1.0, 3.0, 20.0] {
-            let error = off(loss(&contact, speed), loss_by_quadrature(&contact, speed));
-            assert!(error < 1e-10, "{speed}: {error:.1e}");
-        }
-        // a harder contact is shorter and radiates more
-        assert!(loss(&contact, 3.0) > loss(&steel(&[]), 3.0));
-    }
-}
-
-#[test]
 fn gravity_does_not_change_what_is_radiated() {
     // the estimate is that of the impact without gravity, by every method; at 3 m/s the weight does 2e-5 of the work
     let contact = steel(&["gravity.acceleration=9.81"]);
@@ -273,27 +259,4 @@ fn waves_that_would_take_more_than_comes_back_leave_nothing_and_a_warning() {
     // W_rad is proportional to √ρ for a half-space of given moduli
     assert!(off(heavy.wave_loss_fraction.unwrap(), 1e3 * light.wave_loss_fraction.unwrap()) < 1e-13);
     assert!(restitution_with_waves(0.5, 0.26) == 0.0 && off(restitution_with_waves(0.5, 0.09), 0.4) < 1e-15);
-}
-
-proptest! {
-    #![proptest_config(crate::common::cases(64))]
-
-    #[test]
-    fn the_integral_is_exact_for_any_scene(
-        ratio in -1.5..1.5f64,
-        speed in -1.0..2.5f64,
-        nu in 0.0..0.49f64,
-        exponent in prop::option::of(1.05..2.0f64),
-    ) {
-        let exponent = exponent.map_or("pressure-shape".to_owned(), |exponent| exponent.to_string());
-        let contact = steel(&[
-            &format!("sphere.youngs_modulus={}", 210e9 * 10f64.powf(ratio)),
-            &format!("half_space.poissons_ratio={nu}"),
-            &format!("law.plm.unloading_exponent={exponent}"),
-        ]);
-        let speed = contact.yield_speed().unwrap() * 10f64.powf(speed);
-        held(contact.closed_form(speed))?;
-        let error = off(loss(&contact, speed), loss_by_quadrature(&contact, speed));
-        prop_assert!(error < 1e-10, "{error:.1e}");
-    }
 }

@@ -172,22 +172,3 @@ fn a_leg_takes_no_more_steps_than_the_limit_in_all_its_calls() {
         }
     }
 }
-
-#[test]
-fn no_trace_ends_with_two_rows_at_one_time() {
-    for zeta in [0.95, 1.0, 3.0, 20.0] {
-        for (method, _) in STEPPING {
-            for samples in [2, 3, 40, 401] {
-                let contact = under(
-                    &Scene::steel(),
-                    Forces { gravity: Some(1e6), damping: Some(Damping::Viscous(zeta)), ..Forces::default() },
-                );
-                for speed in [0.0, 1e-3, 0.1] {
-                    let trace = contact.impact(speed, &solver(method, 1e-9), Some(samples)).unwrap().trace;
-                    let [.., before, end] = trace.as_slice() else { panic!("two rows at least") };
-                    assert!(before.time < end.time, "{} {zeta} {samples}", method.name());
-                }
-            }
-        }
-    }
-}

@@ -1,74 +1,13 @@
-//! Slow indentation with every law: the same law as in an impact, without motion.
+//! The law without motion: steps of an indentation where it has no answer, and forces that no contact can have.
 
-use plm_impact::impact::indentation::IndentationMemory as Largest;
-use plm_impact::impact::indentation::Target::{Indentation as To, Load};
+use plm_impact::impact::indentation::Target::Indentation as To;
 
-use super::{bodies, law_of, whole_laws};
 use crate::common::prelude::*;
 
 fn pressed(law: &LawChoice) -> StaticContact {
     let (sphere, half_space) = Scene::case_3().parts();
     let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     StaticContact::try_new(indenter, &half_space, law.get()).unwrap()
-}
-
-/// A slow indentation to the peak indentation of an integrated impact: the force is that of the loading curve, and
-/// unloading gives back the share e² of the work of loading.
-#[test]
-fn an_indentation_gives_back_what_the_impact_to_its_depth_does() {
-    let scene = Scene::case_3();
-    let point = bodies(&scene).yield_point;
-    let yield_speed = scene.contact().yield_speed().unwrap();
-    for (name, law) in whole_laws() {
-        let (moving, slow) = (scene.contact_by(law.get()), pressed(&law));
-        let mut compared = 0;
-        for speed in [0.7, 20.0, 100.0].map(|times| times * yield_speed) {
-            // outside the range of the law, both have no result
-            let Ok(impact) = moving.impact(speed, &solver(Method::Rk8, 1e-12), None) else { continue };
-            compared += 1;
-            let steps = slow.indent(&[To(impact.peak_indentation), Load(0.0)], None).unwrap().steps;
-            let [up, down] = steps[..] else { panic!("{name}") };
-            let force = law_of(law.get()).loading.force(up.indentation / point.indentation) * point.force;
-            assert!(off(up.force, force) < 1e-12, "{name} {speed}: {} {force}", up.force);
-            assert!(off(up.force, impact.peak_force) < 1e-9, "{name} {speed}");
-            let back = impact.restitution * impact.restitution;
-            assert!(off(-down.work / up.work, back) < 2e-9, "{name} {speed}: {} {back}", -down.work / up.work);
-            let dent = (up.memory.residual_indentation - impact.residual_indentation).abs();
-            assert!(dent < 1e-9 * up.indentation, "{name} {speed}: {dent}");
-        }
-        assert!(compared > 0, "{name}");
-    }
-}
-
-/// Unloading, and loading again to the same depth and beyond: no plastic work until the old peak, then the loading
-/// curve.
-#[test]
-fn a_second_cycle_runs_back_up_the_branch_of_the_first() {
-    for (name, law) in whole_laws() {
-        let slow = pressed(&law);
-        let length = slow.pair().yield_point.unwrap().indentation;
-        let (once, twice) = (To(60.0 * length), To(90.0 * length));
-        let run = |targets: &[_]| -> Indentation { slow.indent(targets, Some(40)).unwrap() };
-        let cycles = run(&[once, Load(0.0), once, Load(0.0), twice, Load(0.0)]);
-        let [first, down, again, _, deeper, last] = cycles.steps[..] else { panic!("{name}") };
-        assert_eq!((again.plastic_work, again.memory), (0.0, first.memory), "{name}");
-        assert!(off(again.force, first.force) < 1e-12 && off(again.work, -down.work) < 1e-12, "{name}");
-        let straight = run(&[twice]).steps[0];
-        let numbers = |of: &Largest| {
-            [of.force, of.indentation, of.residual_indentation, of.unloading_stiffness, of.mean_pressure]
-        };
-        for (got, want) in numbers(&deeper.memory).into_iter().zip(numbers(&straight.memory)) {
-            assert!((got - want).abs() <= 1e-13 * want.abs(), "{name}: {got:e} {want:e}");
-        }
-        let plastic: f64 = cycles.steps.iter().map(|step| step.plastic_work).sum();
-        let work: f64 = cycles.steps.iter().map(|step| step.work).sum();
-        assert!((plastic - straight.plastic_work).abs() < 1e-12 * straight.work, "{name}");
-        // unloaded at the end, so the remaining work is plastic
-        assert!((work - plastic).abs() < 1e-12 * straight.work && last.force == 0.0, "{name}: {work} {plastic}");
-        let is_elastic = !slow.can_yield();
-        assert_eq!(is_elastic, name.starts_with("hertz"));
-        assert!(!is_elastic || cycles.trace.iter().all(|row| row.branch != Branch::Plastic), "{name}");
-    }
 }
 
 /// Between about 1.1 and 2.5 yield indentations the law of Stronge would give back more energy than it takes. A step
@@ -86,4 +25,31 @@ fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
     let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     let brake = LawChoice::from_name("brake").unwrap();
     assert!(matches!(StaticContact::try_new(indenter, &half_space, brake.get()), Err(IndentationError::Law(_))));
+}
+
+/// A memory that was lost (NaN), or that no contact can have, is not taken for another one; and no indentation spoils a memory
+/// for the steps after it.
+#[test]
+fn what_no_contact_can_have_gives_no_number_and_leaves_the_memory() {
+    let hostile = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 5e-324, 1e-5, f64::MAX];
+    for strength in [Some(345e6), None] {
+        let contact = Scene { yield_strength: strength, ..Scene::steel() }.contact();
+        for case in 0..hostile.len().pow(4) {
+            let [indentation, a, b, c] =
+                [0, 1, 2, 3].map(|place| hostile[case / hostile.len().pow(place) % hostile.len()]);
+            let before = Memory { indentation: a, force: b, elastic_approach: c };
+            let mut memory = before;
+            let stiffness = contact.stiffness(indentation, &memory);
+            let force = contact.force(indentation, &mut memory);
+            let energy = contact.energy(indentation, force, &memory);
+            let bits = |memory: Memory| [memory.indentation, memory.force, memory.elastic_approach].map(f64::to_bits);
+            let is_possible = [a, b, c].iter().all(|part| *part >= 0.0) && c <= a;
+            if !is_possible || ![indentation, a, b, c].iter().all(|given| given.is_finite()) {
+                assert!(force.is_nan() && stiffness.is_nan() && energy.stored.is_nan() && energy.plastic.is_nan());
+                assert_eq!(bits(memory), bits(before));
+            } else if bits(memory) != bits(before) {
+                assert!([memory.force, memory.elastic_approach].iter().all(|part| part.is_finite()), "{memory:?}");
+            }
+        }
+    }
 }

@@ -32,53 +32,6 @@ fn friction_goes_with_a_plate() {
     );
 }
 
-/// A contact point that slides all the time gets μ times the impulse of the whole contact force, which is m (1 + e) v_n and the weight
-/// times the contact time.
-#[test]
-fn gross_sliding_goes_with_gravity_and_damping() {
-    for settings in [
-        &["gravity.acceleration=9.81"][..],
-        &["damping.viscous=0.1"],
-        &["damping.hunt_crossley=\"0.1 s/m\""],
-        &["gravity.acceleration=1e3", "damping.viscous=0.05"],
-    ] {
-        let contact = under(settings);
-        let gravity = contact.forces().gravity.unwrap_or(0.0);
-        let approach = approach(1.0, 80.0, 0.15, 20.0);
-        let (_, rebound) = impact(&contact, approach, None);
-        let [normal, tangential] = approach.components();
-        let alone = contact.impact(normal, &Solver::default(), None).unwrap();
-        let impulse = (1.0 + alone.restitution) * normal + gravity * alone.contact_time;
-        // viscous damping pushes hard at first touch, where the contact sticks for a moment
-        let is_viscous = settings.iter().any(|setting| setting.contains("viscous"));
-        assert_eq!(rebound.is_sliding, !is_viscous, "{settings:?}");
-        let tolerance = if is_viscous { 1e-4 } else { 1e-9 };
-        assert_relative_eq!(rebound.tangential_speed, tangential - 0.15 * impulse, max_relative = tolerance);
-    }
-}
-
-/// Gravity and damping that vanish leave the impact without them.
-#[test]
-fn little_gravity_and_damping_change_little() {
-    let approach = approach(1.0, 15.0, 0.15, 0.0);
-    let (_, free) = impact(&under(&[]), approach, None);
-    for setting in ["gravity.acceleration=1e-6", "damping.viscous=1e-9", "damping.hunt_crossley=\"1e-9 s/m\""] {
-        let (_, rebound) = impact(&under(&[setting]), approach, None);
-        assert_abs_diff_eq!(rebound.contact_point_restitution, free.contact_point_restitution, epsilon = 2e-7);
-    }
-}
-
-/// A sphere that stays in its dent has no rebound.
-#[test]
-fn a_captured_sphere_has_no_rebound() {
-    let contact = under(&["gravity.acceleration=9.81"]);
-    let leaves = contact.impact(approach(1.0, 20.0, 0.15, 0.0), &Solver::default(), Some(10)).unwrap();
-    let held = under(&["gravity.acceleration=1e7"]);
-    let impact = held.impact(approach(1.0, 20.0, 0.15, 0.0), &Solver::default(), Some(10)).unwrap();
-    assert!(impact.captured().is_some() && impact.rebound.is_none() && impact.oblique.is_none());
-    assert!(leaves.rebound.is_some());
-}
-
 /// A ball that hops along: every hop is the impact by itself with the speeds and the spin that the last one left, the ball moves
 /// along the surface at its speed in the air, and m v R + I ω about the contact point stays through all of them.
 #[test]

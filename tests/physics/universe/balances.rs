@@ -43,6 +43,10 @@ pub fn the_reported_energies_add_up(run: &Run) -> Judged {
     // the work of the weight up to separation may be far above that down to the peak, where a plate holds the sphere long
     let largest = found.abs().max(gravity.abs()).max(size);
     near("sum", found - gravity, impact.kinetic_in + of_run, 2e-13 * largest)?;
+    if let Some(under) = impact.under_forces {
+        let way = under.end_indentation - run.touch() + impact.on_plate.map_or(0.0, |plate| plate.displacement);
+        near("work of the weight", gravity, run.weight() * way, 1e-12 * largest)?;
+    }
     let gain = if run.contact.has_rate() && run.scene.has("half_space.flow_stress") { 1e-3 } else { 0.0 };
     prop_assert!(parts.iter().all(|part| *part >= -(run.slack() + gain) * size), "{:?} of {:e}", parts, size);
     near(
@@ -121,6 +125,7 @@ pub fn momentum_of_both_bodies_stays(run: &Run) -> Judged {
 /// Friction makes no energy and no angular momentum, is at most μ times the force, acts against the slip, and its trace ends as the
 /// rebound does.
 pub fn friction_keeps_its_ledger(run: &Run) -> Judged {
+    prop_assert!(run.impact.captured().is_none() || run.impact.rebound.is_none() && run.impact.oblique.is_none());
     let (Some(incidence), Some(rebound)) = (run.approach.incidence, run.impact.rebound) else { return Ok(false) };
     let (impact, friction, mu) = (&run.impact, run.impact.oblique.unwrap(), incidence.friction);
     let rounding = 1e-12 * friction.kinetic_in;
@@ -139,6 +144,13 @@ pub fn friction_keeps_its_ledger(run: &Run) -> Judged {
             0.4 * mass * radius * radius * (rebound.spin - incidence.spin) + 0.4 * ball * of_ball * of_ball * turned;
         let angular = gained * radius + spun - ball * of_ball * moved;
         near("angular momentum of both", angular, 0.0, 1e-12 * (mass + ball) * size * (radius + of_ball))?;
+    }
+    if rebound.is_sliding && rebound.psi != 0.0 {
+        // the impulse of the whole contact force, and of the weight that it carries
+        let impulse = run.contact.reduced_mass() * (1.0 + impact.restitution) * run.speed();
+        let impulse = (impulse + run.weight() * impact.contact_time).copysign(rebound.psi);
+        let change = run.contact.mass() * (rebound.tangential_speed - along);
+        near("sliding", -change, mu * impulse, (1e-9 + run.slack()) * mu * impulse.abs())?;
     }
     if rebound.psi == 0.0 || !run.is_adaptive() {
         return Ok(false);

@@ -4,9 +4,11 @@
 mod balances;
 mod compared;
 mod drawn;
+mod law;
 mod scene;
 mod surface;
 mod trace;
+mod units;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -19,7 +21,7 @@ use scene::Run;
 /// A name, what has to hold, and the least share of the scenes \[%\] in which it can be judged.
 type Invariant = (&'static str, fn(&Run) -> Judged, usize);
 
-const ALONE: [Invariant; 9] = [
+const ALONE: [Invariant; 11] = [
     ("the ledger closes", balances::the_ledger_closes, 60),
     ("the reported energies add up", balances::the_reported_energies_add_up, 70),
     ("restitution is a ratio", balances::restitution_is_a_ratio, 60),
@@ -27,21 +29,30 @@ const ALONE: [Invariant; 9] = [
     ("rows are in order", trace::rows_are_in_order, 30),
     ("the trace is that of the summary", trace::the_trace_is_that_of_the_summary, 25),
     ("events are where the law has them", trace::events_are_where_the_law_has_them, 20),
+    ("rows lie on the law", law::rows_lie_on_the_law, 25),
     ("momentum of both bodies stays", balances::momentum_of_both_bodies_stays, 5),
     ("friction keeps its ledger", balances::friction_keeps_its_ledger, 10),
+    ("depth is warned of", law::an_impact_deeper_than_the_data_is_warned_of, 40),
 ];
 
-const COMPARED: [Invariant; 10] = [
+const COMPARED: [Invariant; 17] = [
     ("a row has the bits of the impact", compared::a_row_has_the_bits_of_the_impact, 60),
     ("a trace changes no bit", compared::a_trace_changes_no_bit, 50),
     ("spot and friction leave the normal motion", compared::spot_and_friction_leave_the_normal_motion, 60),
     ("methods agree", compared::methods_agree, 55),
     ("samples are as good as the tolerance", trace::samples_are_as_good_as_the_tolerance, 12),
-    ("units do not matter", compared::units_do_not_matter, 50),
+    ("units do not matter", units::units_do_not_matter, 50),
+    ("damping of nothing", compared::damping_of_nothing_changes_nothing, 40),
+    ("fixed steps come near", compared::fixed_steps_come_near, 40),
     ("damping and a plate only take", compared::damping_and_a_plate_only_take, 15),
     ("a spot remembers", surface::a_spot_remembers, 5),
     ("the rate is that of the depth that it gives", surface::the_rate_is_that_of_the_depth_that_it_gives, 8),
     ("the law is orderly", surface::the_law_is_orderly, 50),
+    ("exponent of unloading", law::the_exponent_gives_back_no_more_than_was_spent, 6),
+    ("force with a memory", law::a_force_with_a_memory_goes_the_same_way, 40),
+    ("slow indentation", law::a_slow_indentation_is_the_impact_without_motion, 40),
+    ("Hunt and Crossley", law::hunt_and_crossley_need_no_steps, 2),
+    ("waves", law::waves_take_the_integral, 1),
 ];
 
 /// What has to be among the scenes that have a result, each in a hundredth of them at least.

@@ -98,7 +98,10 @@ impl AnyScene {
                     indentation > radius || contact_radius > radius
                 }
                 ImpactError::Law(OutsideLaw::Range { .. }) => !is_plm,
-                ImpactError::Law(OutsideLaw::Exponent { .. }) => self.has("law.plm.unloading_exponent"),
+                // up to 5 % more than was spent is taken care of
+                ImpactError::Law(OutsideLaw::Exponent { gain, .. }) => {
+                    self.has("law.plm.unloading_exponent") && *gain > 0.05
+                }
                 ImpactError::Law(OutsideLaw::Flow(_) | OutsideLaw::BothFlow { .. }) => {
                     self.has("half_space.flow_stress")
                 }
@@ -153,6 +156,11 @@ impl Run {
         !self.scene.has("law") || self.scene.has("law.plm")
     }
 
+    /// True if only a flat half-space can yield.
+    pub fn is_flat_and_alone(&self) -> bool {
+        self.contact.sphere().yield_strength.is_none() && self.contact.half_space().radius.is_none()
+    }
+
     pub fn is_fresh(&self) -> bool {
         self.before == Spot::fresh()
     }
@@ -172,10 +180,13 @@ impl Run {
         self.contact.dent_depth(&self.before)
     }
 
+    pub fn weight(&self) -> f64 {
+        self.contact.mass() * self.contact.forces().gravity.unwrap_or(0.0)
+    }
+
     /// Kinetic energy at first touch, and the work of the weight down to the peak.
     pub fn put_in(&self) -> f64 {
-        let weight = self.contact.mass() * self.contact.forces().gravity.unwrap_or(0.0);
-        self.impact.kinetic_in + weight * (self.impact.peak_indentation - self.touch())
+        self.impact.kinetic_in + self.weight() * (self.impact.peak_indentation - self.touch())
     }
 
     /// The error that a method may leave: ten tolerances, and rounding. The methods of `ode_solvers` step in time, in which a
@@ -191,7 +202,7 @@ impl Run {
             (Some(_), _) => 20.0,
             _ => 10.0,
         };
-        factor * tolerance + 2e-13
+        factor * tolerance + 1e-13
     }
 
     /// True if it turns so near to a joint of the law that its tolerance does not say on which side: there the contact radius of some

@@ -26,7 +26,12 @@ pub fn a_spot_remembers(run: &Run) -> Judged {
         prop_assert!(second.peak_force <= before.peak_force * (1.0 + 1e-14) && new == old, "{:?}", second);
         near("contact time", second.contact_time, 2.0 * second.loading_time, 1e-13 * second.contact_time)?;
         prop_assert_eq!(second.dent_radius, before.dent_radius);
-        near("unloading radius", second.unloading_radius, before.unloading_radius, 2e-15 * before.unloading_radius)?;
+        near(
+            "unloading radius",
+            second.unloading_radius,
+            before.unloading_radius,
+            2.0 * rounding / second.peak_indentation * before.unloading_radius,
+        )?;
     }
     // beyond the old peak by more than rounding something is lost, but for an exponent that would give back more than was spent
     let is_deeper = second.peak_indentation > before.peak_indentation * (1.0 + 1e-13);
@@ -39,8 +44,14 @@ pub fn a_spot_remembers(run: &Run) -> Judged {
         prop_assert!(back.restitution == 1.0 && (again == spot || rounding > 0.0), "{:?}", back);
         near("same dent", back.residual_indentation, second.residual_indentation, 2.0 * rounding)?;
         if is_deeper {
-            near("force", back.peak_force, second.peak_force, 2e-14 * second.peak_force)?;
-            near("peak", back.peak_indentation, second.peak_indentation, 2e-14 * second.peak_indentation)?;
+            for (name, got, want) in [
+                ("force", back.peak_force, second.peak_force),
+                ("peak", back.peak_indentation, second.peak_indentation),
+                ("radius", back.peak_contact_radius, second.peak_contact_radius),
+            ] {
+                near(name, got, want, 1e-14 * want)?;
+            }
+            prop_assert_eq!((back.rebound_speed, back.energy.plastic), (second.rebound_speed, Some(0.0)));
         }
     }
     let excess = run.speed().powi(2) - before.rebound_speed.powi(2);
@@ -81,7 +92,8 @@ pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judged {
 /// Along the loading of any law the force grows. Along that of the PLM approach and dent grow too, and e falls and is never above 1, up
 /// to a/R = 0.45. The law is made of straight pieces, which lets e rise a little behind a knot: by 0.02 % (0.03 % with the exponent
 /// "pressure-shape") for a compliance share of the sphere above 0.4, by up to 0.07 % above 0.9 and where the sphere flows or a wall
-/// is curved, and not at all below 0.4. On a half-space that hardens the bounds are those of `hardening.rs`.
+/// is curved, and not at all below 0.4. On a half-space that hardens by a formula it rises by up to 0.12 %, and by points the bounds are those of
+/// `hardening.rs`. Against a flat half-space that yields alone the force grows faster than the indentation.
 pub fn the_law_is_orderly(run: &Run) -> Judged {
     let own = run.scene.without(&["half_space.rate"]).input().unwrap();
     let contact = own.contact().unwrap();
@@ -95,15 +107,19 @@ pub fn the_law_is_orderly(run: &Run) -> Judged {
         LawChoice::Plm(Plm { exponent, .. }) if flow.elastic_share <= 0.95 => exponent,
         _ => UnloadingExponent::Fixed(f64::NAN),
     };
-    let is_alone = contact.sphere().yield_strength.is_none() && contact.half_space().radius.is_none();
+    let is_alone = run.is_flat_and_alone();
     let [rise, lost] = match contact.pair().sphere_compliance {
-        _ if run.scene.has("half_space.flow_stress") => [1e-2, 2e-3],
+        _ if run.scene.has("half_space.flow_stress.points") => [1e-2, 2e-3],
+        _ if run.scene.has("half_space.flow_stress") => [1.2e-3, 2e-4],
         compliance if compliance <= 0.4 && is_alone => [1e-12, 1e-12],
         compliance if compliance > 0.9 || !is_alone => [7e-4, 1e-12],
         _ if exponent == UnloadingExponent::PressureShape => [3e-4, 1e-12],
         _ => [2e-4, 1e-12],
     };
     let per_radius = point.contact_radius / contact.pair().smaller_radius;
+    for pair in law.loading.pieces().windows(2) {
+        near("force at a knot", pair[0].force_at(pair[1].start), pair[1].force, 1e-12 * pair[1].force)?;
+    }
     let (mut before, mut least) = (law.loaded_to(1.0), 1.0_f64);
     for i in 1..120 {
         let x = 1.0 + 10_f64.powf(-2.0 + 0.06 * f64::from(i));
@@ -113,7 +129,10 @@ pub fn the_law_is_orderly(run: &Run) -> Judged {
             before = peak;
             continue;
         }
+        let growth = (peak.force / before.force).ln() / (peak.indentation / before.indentation).ln();
+        prop_assert!(growth > 1.0 || !is_alone, "{}: {}", x, growth);
         prop_assert!(peak.elastic_approach > before.elastic_approach, "{x}");
+        prop_assert!(law.contact_radius(&peak) >= law.contact_radius(&before), "{x}");
         prop_assert!(peak.residual() >= before.residual() - lost * x, "{}: {:?} {:?}", x, peak, before);
         let e = (law.unloading(peak).capacity() / law.loading.work(x)).sqrt();
         prop_assert!(e <= least * (1.0 + rise) && e <= 1.0 + 1e-12, "{}: {} {}", x, e, least);
