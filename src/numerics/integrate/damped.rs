@@ -12,7 +12,7 @@ use super::event::{DenseStep, Landed, has_crested};
 use super::oscillation::Oscillation;
 use super::piece::power::DraggedHertz;
 use super::piece::straight::DraggedStraight;
-use super::piece::{AnyDragged, Dragged, DraggedState, Motion};
+use super::piece::{AnyDragged, Dragged, DraggedState};
 use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
@@ -78,12 +78,12 @@ impl DragStepper {
         let mut rates = piece.rates(node[0], node[1]);
         // the error control may still shrink the first step; on a short leg the force may be too weak to limit it
         let far = if sign > 0.0 { end.min(size.max(node[0])) } else { node[0] };
-        let mut h = FIRST_STEP * pow(self.tolerance, 0.125) / piece.frequency(far);
+        let mut h = FIRST_STEP * pow(self.tolerance, 0.125) / P::frequency(path, far);
         if node[1] > 0.0 && far > node[0] && end.is_infinite() {
             h = h.min((far - node[0]) / node[1]);
         }
         // where the pull nearly balances the force, a swing may be smaller than the error of a step, and no step may pass it whole
-        let longest = if path.pull > 0.0 && sign < 0.0 { LONGEST / piece.frequency(node[0]) } else { f64::INFINITY };
+        let longest = if path.pull > 0.0 && sign < 0.0 { LONGEST / P::frequency(path, node[0]) } else { f64::INFINITY };
         let mut largest = f64::NEG_INFINITY;
         // without drag in the contact, its force is largest at an end of the leg
         let mut is_falling = sign < 0.0 || !path.drag.is_in_contact() || has_crested::<P>(path, &node);
@@ -206,7 +206,7 @@ pub(super) fn step_beyond(step: f64) -> f64 {
 
 /// True if a sphere at rest where it landed would be pushed on: under strong drag a creep is slower than the error that a loose
 /// tolerance allows, and a step may end with a speed of the wrong sign.
-pub(super) fn is_false_turn<M: Motion>(motion: M, path: &Path, landed: &Landed) -> bool {
+pub(super) fn is_false_turn<P: Dragged>(motion: P, path: &Path, landed: &Landed) -> bool {
     let (Landed { landing, node, .. }, sign) = (landed, path.leg.direction());
     let is_turn = *landing == Landing::Turning || *landing == Landing::End && sign * node[1] <= 0.0;
     is_turn && sign * motion.rates(node[0], 0.0)[1] > 0.0

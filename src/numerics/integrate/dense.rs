@@ -6,7 +6,7 @@
 //! the end of a shorter step of its own.
 
 use super::landing::Node;
-use super::piece::Variables;
+use super::piece::Field;
 use super::{Segment, State, nystrom};
 use crate::numerics::root::bracketed;
 
@@ -59,14 +59,14 @@ impl Hermite {
 }
 
 /// y and u after a step of length h from a node.
-fn part_of_step<F: Variables>(field: F, from: &Node, h: f64) -> (f64, f64) {
+fn part_of_step<F: Field>(field: F, from: &Node, h: f64) -> (f64, f64) {
     let square = h * h;
     let step = nystrom::step(from.y, h * from.u, square * from.g, field.scaled(square));
     (step.position, if h > 0.0 { step.velocity / h } else { from.u })
 }
 
 /// The continuous solution of the step of `length` (in σ) from `from` to `to`; drag has taken `loss` before it.
-pub(super) fn segment<F: Variables>(field: F, from: Node, to: Node, length: f64, loss: f64) -> Segment {
+pub(super) fn segment<F: Field>(field: F, from: Node, to: Node, length: f64, loss: f64) -> Segment {
     let derivatives = |node: &Node| {
         let (slope, curvature) = field.derivatives(node.y);
         [node.y, node.u, node.g, slope * node.u, curvature * node.u * node.u + slope * node.g]

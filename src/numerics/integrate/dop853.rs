@@ -3,8 +3,7 @@
 //! Hairer, Nørsett, Wanner (1993), Solving Ordinary Differential Equations I, section II.10: order 8 is propagated, orders
 //! 5 and 3 estimate the error, twelve stages. Only position and speed feed back; time and loss are quadratures beside them.
 
-use super::piece::{DraggedState, Motion};
-
+use super::piece::{Dragged, DraggedState};
 use crate::numerics::functions::hypot;
 
 const A2: [f64; 1] = [0.052_600_151_958_767_73];
@@ -211,11 +210,7 @@ impl Continuous {
     /// A part of the node at θ alone.
     #[inline]
     pub(super) fn value(&self, part: usize, theta: f64) -> f64 {
-        let mut value = self.0[7][part];
-        for k in (0..7).rev() {
-            value = self.0[k][part] + value * if k % 2 == 0 { theta } else { 1.0 - theta };
-        }
-        value
+        self.part(part, theta).0
     }
 
     pub(super) fn at(&self, theta: f64) -> DraggedState {
@@ -230,7 +225,7 @@ impl Step {
     }
 
     /// The continuous solution of this step of length h from `node`.
-    pub(super) fn continuous<M: Motion>(&self, motion: M, node: &DraggedState, h: f64) -> Continuous {
+    pub(super) fn continuous<P: Dragged>(&self, motion: P, node: &DraggedState, h: f64) -> Continuous {
         let [k1, k6, k7, k8, k9, k10, k11, k12] = &self.stages;
         let k13 = &self.rates;
         let rates = |weights: [f64; 8], stages: [&DraggedState; 8]| {
@@ -280,8 +275,8 @@ fn sum<const N: usize>(weights: [f64; N], stages: [&DraggedState; N], part: usiz
 
 /// One step of length h from `node` with its `rates`; errors are measured against 1/`inverse_sizes` of y, u and loss.
 #[inline(always)]
-pub(super) fn step<M: Motion>(
-    motion: M,
+pub(super) fn step<P: Dragged>(
+    motion: P,
     node: &DraggedState,
     rates: &DraggedState,
     h: f64,
@@ -336,7 +331,8 @@ mod tests {
     fn a_damped_oscillator_converges_with_order_eight() {
         #[derive(Clone, Copy)]
         struct Damped;
-        impl Motion for Damped {
+        impl Dragged for Damped {
+            const ROOT: i32 = 1;
             fn rates(&self, y: f64, u: f64) -> DraggedState {
                 [u, -y * y * y - 0.2 * u, 1.0, 0.2 * u * u]
             }

@@ -1,6 +1,6 @@
 //! Landing of an rk8 step on the end of a leg: predicted before the step, corrected after it.
 
-use super::piece::{Field, Variables};
+use super::piece::Field;
 use super::{Landing, Leg};
 
 /// A state on a piece in its own variables.
@@ -42,7 +42,7 @@ pub(super) struct Landed {
 impl Target {
     /// The end of a leg: energy gives whether an outward leg reaches the end of its piece, and how fast.
     #[inline(always)]
-    pub(super) fn predict<F: Variables>(field: F, leg: Leg, y: f64, u: f64) -> Self {
+    pub(super) fn predict<F: Field>(field: F, leg: Leg, y: f64, u: f64) -> Self {
         let energy = 0.5 * u * u + field.potential(y);
         let (end, direction) = match leg {
             Leg::Outward(end) => (field.y_at(end), 1.0),

@@ -17,7 +17,7 @@ use ode_solvers::{Dop853, Dopri5, System};
 use super::damped::{MOST_ROUNDS, WELL_INSIDE, is_false_turn, may_end, out_of_steps, segment, step_beyond, step_to};
 use super::dop853::{self, Continuous};
 use super::event::{DenseStep, Landed, has_crested};
-use super::piece::{AnyDragged, DraggedState, Motion};
+use super::piece::{AnyDragged, Dragged, DraggedState};
 use super::{Arrival, Effort, IntegrationError, Integrator, MOST_STEPS, Path, Segment, Sizes, State};
 
 /// Which of the crate's two adaptive methods.

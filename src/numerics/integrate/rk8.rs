@@ -27,10 +27,10 @@ use super::damped::DragStepper;
 use super::dense::segment;
 use super::landing::{Node, Target};
 use super::nystrom::{self, EVALUATIONS};
+use super::piece::Field;
 use super::piece::formula::{Polynomial, Root};
 use super::piece::power::Power;
 use super::piece::straight::Straight;
-use super::piece::{Field, Variables};
 use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Segment, State};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
@@ -77,7 +77,7 @@ impl Rk8 {
         let c = path.factor;
         match &path.piece.shape {
             Shape::Straight { slope, .. } => {
-                traverse!(Straight::<PULLED>::new(c * path.piece.force, c * slope, path.pull))
+                traverse!(Straight::new(c * path.piece.force, c * slope, path.pull))
             }
             Shape::Power { stiffness, exponent: 1.5, .. } => {
                 traverse!(Power::<true, PULLED>::new(c * stiffness, 1.5, path.pull))
@@ -91,7 +91,7 @@ impl Rk8 {
         }
     }
 
-    fn traverse_field<F: Variables>(
+    fn traverse_field<F: Field>(
         &mut self,
         field: F,
         path: &Path,
@@ -123,7 +123,7 @@ impl Rk8 {
                 let landed = leg.target.land(field, &next);
                 // while the net force still speeds the sphere up, a zero of the speed nearby lies in the past
                 let is_turn = landed.landing == Landing::Turning;
-                let is_behind = F::IS_PULLED && is_turn && next.g * leg.target.direction > 0.0;
+                let is_behind = path.pull > 0.0 && is_turn && next.g * leg.target.direction > 0.0;
                 if landed.left_out_squared < leg.left_out_squared && !is_behind {
                     length += landed.correction;
                     next = Node { g: field.g(landed.node.y), ..landed.node };
@@ -145,7 +145,7 @@ impl Rk8 {
 
     /// The constants of a leg, its first node and its first step.
     #[inline(always)]
-    fn begin<F: Variables>(&self, field: F, path: &Path, state: &State) -> (Constants, Node, f64) {
+    fn begin<F: Field>(&self, field: F, path: &Path, state: &State) -> (Constants, Node, f64) {
         let y = field.y_at(state.distance);
         let node = Node { y, u: state.speed, g: field.g(y), t: state.time };
         let target = Target::predict(field, path.leg, y, state.speed);
@@ -213,7 +213,7 @@ fn inverse_eighth_root(x: f64) -> f64 {
 
 /// True if the energy suffices for the sphere to come back to the zero of the force. Where just all of the energy is needed,
 /// rounding may make this false.
-fn comes_back<F: Variables>(field: F, path: &Path, state: &State) -> bool {
+fn comes_back<F: Field>(field: F, path: &Path, state: &State) -> bool {
     /// A share of the depth of the potential.
     const LEAST: f64 = 1e-10;
     let y = field.y_at(state.distance);

@@ -1,6 +1,6 @@
 //! Pieces without drag that are neither powers nor straight lines.
 
-use super::{Field, Variables};
+use super::Field;
 use crate::numerics::curve::branch::Branch;
 use crate::numerics::curve::poly::Poly;
 
@@ -13,6 +13,7 @@ pub struct Polynomial {
 
 impl Field for Polynomial {
     const IS_TIME: bool = true;
+    const IS_POLYNOMIAL: bool = false;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
@@ -25,10 +26,6 @@ impl Field for Polynomial {
         let [_, slope, curvature] = self.force.jet(y);
         (-self.c * slope, -self.c * curvature)
     }
-}
-
-impl Variables for Polynomial {
-    const IS_POLYNOMIAL: bool = false;
     fn potential(self, y: f64) -> f64 {
         self.c * self.force.work(y)
     }
@@ -46,6 +43,7 @@ pub struct Root {
 
 impl Field for Root {
     const IS_TIME: bool = false;
+    const IS_POLYNOMIAL: bool = true;
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
     }
@@ -62,10 +60,6 @@ impl Field for Root {
             -self.c * y.abs() * (6.0 * slope + 4.0 * square * curvature),
         )
     }
-}
-
-impl Variables for Root {
-    const IS_POLYNOMIAL: bool = true;
     fn potential(self, y: f64) -> f64 {
         0.5 * self.c * self.branch.at(y * y).1
     }

@@ -1,7 +1,7 @@
 //! The smooth pieces of a motion, each in variables in which it is smooth. Each kind of piece has a file of its own, where it
 //! is written once without drag and once with it.
 //!
-//! **Without drag** a piece is a Nyström problem y'' = g(y) ([`Field`], [`Variables`]), also under a constant pull γ.
+//! **Without drag** a piece is a Nyström problem y'' = g(y) ([`Field`]), also under a constant pull γ.
 //! On a power law d'' = γ − k d^n the force is not smooth at d = 0, which costs any method its order. With s = √d and
 //! dσ = dt/(2 s)
 //!
@@ -11,7 +11,7 @@
 //!
 //! which for n = 3/2 is a polynomial and again of the form y'' = g(y). On straight and other smooth pieces y = d and σ = t.
 //!
-//! **With drag** it is given by its rates ([`Motion`], [`Dragged`]), with d = r^m and dσ = dt/(m r^(m−1)):
+//! **With drag** it is given by its rates ([`Dragged`]), with d = r^m and dσ = dt/(m r^(m−1)):
 //!
 //! ```text
 //! r' = u,   u' = m r^(m−1) (γ − k r^(mn) − drag),   t' = m r^(m−1)
@@ -28,9 +28,11 @@ use super::Path;
 use crate::numerics::functions::powi;
 
 /// g(y) of one smooth piece without drag, with what stepping, landing and dense output need.
-pub(super) trait Field: Copy {
+pub(super) trait Field: Copy + Send + Sync + 'static {
     /// True for y = d and σ = t; false for y = √d and dσ = dt/(2 y).
     const IS_TIME: bool;
+    /// True if g is a polynomial, or as smooth as one, also at y = 0.
+    const IS_POLYNOMIAL: bool;
     fn scaled(self, factor: f64) -> Self;
     /// g(y).
     fn g(self, y: f64) -> f64;
@@ -41,14 +43,6 @@ pub(super) trait Field: Copy {
     fn duration(self, h: f64, mean: f64) -> f64 {
         if Self::IS_TIME { h } else { mean * 2.0 * h }
     }
-}
-
-/// The variables of a piece without drag, needed where a leg begins and ends.
-pub(super) trait Variables: Field + Send + Sync + 'static {
-    /// True if g is a polynomial, or as smooth as one, also at y = 0.
-    const IS_POLYNOMIAL: bool;
-    /// True if a pull may be stronger than the force.
-    const IS_PULLED: bool = false;
     #[inline(always)]
     fn y_at(self, distance: f64) -> f64 {
         if Self::IS_TIME { distance } else { distance.sqrt() }
@@ -73,16 +67,10 @@ pub(super) trait Variables: Field + Send + Sync + 'static {
 pub(super) type DraggedState = [f64; 4];
 
 /// A motion with drag in its own variables.
-pub(super) trait Motion: Copy {
-    fn rates(&self, y: f64, u: f64) -> DraggedState;
-}
-
-/// A piece with drag, with the functions that landing and sampling need.
-pub(super) trait Dragged: Motion {
+pub(super) trait Dragged: Copy {
     /// m.
     const ROOT: i32;
-    /// About √g' at y, for the first step.
-    fn frequency(&self, y: f64) -> f64;
+    fn rates(&self, y: f64, u: f64) -> DraggedState;
 
     fn y_at(distance: f64) -> f64 {
         match Self::ROOT {
@@ -95,31 +83,28 @@ pub(super) trait Dragged: Motion {
     fn distance_at(y: f64) -> f64 {
         powi(y, Self::ROOT)
     }
+    /// √ of about −du'/dr at y on this path, for the first step.
+    fn frequency(path: &Path, y: f64) -> f64 {
+        if Self::ROOT == 1 {
+            return path.root_of_slope(y).max(f64::MIN_POSITIVE);
+        }
+        let (m, distance) = (f64::from(Self::ROOT), Self::distance_at(y));
+        let [force, slope, _] = path.jet(distance);
+        (m * powi(y, Self::ROOT - 2) * ((m - 1.0) * force + m * distance * slope)).sqrt()
+    }
 }
 
 /// Any piece with drag, by the forces of its path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AnyDragged<'a, const M: u8>(pub Path<'a>);
 
-impl<const M: u8> Motion for AnyDragged<'_, M> {
+impl<const M: u8> Dragged for AnyDragged<'_, M> {
+    const ROOT: i32 = M as i32;
     fn rates(&self, y: f64, u: f64) -> DraggedState {
         // dd/dr, which is also dt/dσ
         let clock = f64::from(M) * powi(y, i32::from(M) - 1);
         let (force, in_contact, on_motion) = self.0.forces(Self::distance_at(y), u);
         let drag = in_contact + on_motion;
         [u, clock * (self.0.pull - force - drag), clock, clock * drag * u]
-    }
-}
-
-impl<const M: u8> Dragged for AnyDragged<'_, M> {
-    const ROOT: i32 = M as i32;
-    /// √ of about −du'/dr.
-    fn frequency(&self, y: f64) -> f64 {
-        if M == 1 {
-            return self.0.root_of_slope(y).max(f64::MIN_POSITIVE);
-        }
-        let (m, distance) = (f64::from(M), Self::distance_at(y));
-        let [force, slope, _] = self.0.jet(distance);
-        (m * powi(y, i32::from(M) - 2) * ((m - 1.0) * force + m * distance * slope)).sqrt()
     }
 }

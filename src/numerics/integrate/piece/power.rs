@@ -1,7 +1,7 @@
 //! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`; with drag it
 //! alone has its own rates.
 
-use super::{Dragged, DraggedState, Field, Motion, Variables};
+use super::{Dragged, DraggedState, Field};
 use crate::numerics::functions::pow;
 use crate::numerics::integrate::{Drag, Path};
 use crate::numerics::power::power_turn;
@@ -30,6 +30,7 @@ impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
 
 impl<const HERTZ: bool, const PULLED: bool> Field for Power<HERTZ, PULLED> {
     const IS_TIME: bool = false;
+    const IS_POLYNOMIAL: bool = HERTZ;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, pull: self.pull * factor, ..self }
@@ -52,11 +53,6 @@ impl<const HERTZ: bool, const PULLED: bool> Field for Power<HERTZ, PULLED> {
         };
         (if PULLED { slope + 2.0 * self.pull } else { slope }, second)
     }
-}
-
-impl<const HERTZ: bool, const PULLED: bool> Variables for Power<HERTZ, PULLED> {
-    const IS_POLYNOMIAL: bool = HERTZ;
-    const IS_PULLED: bool = PULLED;
     /// c y^(m+1)/(m+1) − γ y².
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
@@ -103,7 +99,8 @@ impl<const M: u8> DraggedHertz<M> {
     }
 }
 
-impl<const M: u8> Motion for DraggedHertz<M> {
+impl<const M: u8> Dragged for DraggedHertz<M> {
+    const ROOT: i32 = M as i32;
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> DraggedState {
         let square = y * y;
@@ -124,15 +121,5 @@ impl<const M: u8> Motion for DraggedHertz<M> {
             }
             [u, clock * self.pull - force - drag, clock, drag * u]
         }
-    }
-}
-
-impl<const M: u8> Dragged for DraggedHertz<M> {
-    const ROOT: i32 = M as i32;
-    /// √ of −du'/dr.
-    fn frequency(&self, y: f64) -> f64 {
-        let m = f64::from(M);
-        let p = 2.5 * m - 1.0;
-        (m * self.k * p * pow(y, p - 1.0)).sqrt()
     }
 }

@@ -1,24 +1,25 @@
 //! A straight piece: g = a + b d.
 
-use super::{Dragged, DraggedState, Field, Motion, Variables};
+use super::{Dragged, DraggedState, Field};
 use crate::numerics::integrate::{Drag, Path};
 
 /// Without drag: g = −(a + b y), y = d. A pull is part of a, which may then be negative.
 #[derive(Debug, Clone, Copy)]
-pub struct Straight<const PULLED: bool> {
+pub struct Straight {
     pub a: f64,
     pub b: f64,
 }
 
-impl<const PULLED: bool> Straight<PULLED> {
+impl Straight {
     #[inline(always)]
     pub fn new(at_start: f64, slope: f64, pull: f64) -> Self {
         Self { a: at_start - pull, b: slope }
     }
 }
 
-impl<const PULLED: bool> Field for Straight<PULLED> {
+impl Field for Straight {
     const IS_TIME: bool = true;
+    const IS_POLYNOMIAL: bool = true;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { a: self.a * factor, b: self.b * factor }
@@ -31,11 +32,6 @@ impl<const PULLED: bool> Field for Straight<PULLED> {
     fn derivatives(self, _: f64) -> (f64, f64) {
         (-self.b, 0.0)
     }
-}
-
-impl<const PULLED: bool> Variables for Straight<PULLED> {
-    const IS_POLYNOMIAL: bool = true;
-    const IS_PULLED: bool = PULLED;
     #[inline(always)]
     fn potential(self, y: f64) -> f64 {
         y * (self.a + 0.5 * self.b * y)
@@ -43,7 +39,7 @@ impl<const PULLED: bool> Variables for Straight<PULLED> {
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
         let root = (self.a * self.a + 2.0 * self.b * potential).max(0.0).sqrt();
-        if PULLED && self.a <= 0.0 { (root - self.a) / self.b } else { 2.0 * potential / (self.a + root) }
+        if self.a > 0.0 { 2.0 * potential / (self.a + root) } else { (root - self.a) / self.b }
     }
 }
 
@@ -68,18 +64,12 @@ impl DraggedStraight {
     }
 }
 
-impl Motion for DraggedStraight {
+impl Dragged for DraggedStraight {
+    const ROOT: i32 = 1;
     #[inline(always)]
     fn rates(&self, y: f64, u: f64) -> DraggedState {
         let force = self.a + self.b * y;
         let drag = (force * self.chi + self.c) * u;
         [u, self.pull - force - drag, 1.0, drag * u]
-    }
-}
-
-impl Dragged for DraggedStraight {
-    const ROOT: i32 = 1;
-    fn frequency(&self, _: f64) -> f64 {
-        self.b.sqrt()
     }
 }
