@@ -29,7 +29,7 @@ fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
             let speed = 0.02 * 1.05_f64.powi(k);
             let (_, law, q) = contact.scaled(speed).unwrap();
             let straight = |curve: Curve, piece: &Piece| match piece.shape {
-                Shape::Straight { slope, .. } => curve.then_straight_from(piece.start, piece.force, slope),
+                Shape::Straight { slope, .. } => curve.then_straight(piece.start, slope),
                 _ => panic!("{piece:?}"),
             };
             let loading = law.loading.pieces()[1..].iter().fold(Curve::hertz(), straight);

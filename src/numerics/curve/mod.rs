@@ -46,12 +46,7 @@ impl<T> PartialEq for Once<T> {
 impl Curve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
     pub fn hertz() -> Self {
-        Self::with_capacity(0)
-    }
-
-    /// Hertz, with memory for so many pieces behind it.
-    pub(crate) fn with_capacity(count: usize) -> Self {
-        Self::new(Vec::with_capacity(count + 1)).then(0.0, 0.0, Shape::power(1.0, 1.5))
+        Self::new(Vec::new()).then(0.0, 0.0, Shape::power(1.0, 1.5))
     }
 
     /// f = s x without end.
@@ -65,11 +60,12 @@ impl Curve {
 
     /// Lets the curve go on from `start` (beyond all starts so far) as a straight line.
     pub fn then_straight(self, start: f64, slope: f64) -> Self {
-        self.then_straights([(start, slope)])
+        self.then_straights([(start, slope)].into_iter())
     }
 
     /// Lets the curve go on as straight lines, each from its start on with its slope.
-    pub fn then_straights(mut self, lines: impl IntoIterator<Item = (f64, f64)>) -> Self {
+    pub fn then_straights(mut self, lines: impl Iterator<Item = (f64, f64)>) -> Self {
+        self.pieces.reserve(lines.size_hint().0);
         let [mut force, mut work, mut from] = [0.0; 3];
         let mut before = None;
         for (start, slope) in lines {
@@ -85,23 +81,13 @@ impl Curve {
         self
     }
 
-    /// Lets the curve go on from (`start`, `force`) as a straight line.
-    pub fn then_straight_from(self, start: f64, force: f64, slope: f64) -> Self {
-        self.then(start, force, Shape::straight(slope))
-    }
-
     /// Lets the curve go on from a point (x, f) in straight lines through others.
-    pub fn then_through(mut self, first: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Self {
-        self.pieces.reserve(points.size_hint().0 + 1);
-        let [mut start, mut force] = first;
-        let mut work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
-        for [x, to] in points {
-            let (distance, slope) = (x - start, (to - force) / (x - start));
-            self.pieces.push(Piece { start, force, work, is_joint: false, shape: Shape::straight(slope) });
-            [_, work] = along(slope, [force, work], distance);
+    pub fn then_through(self, [mut start, mut force]: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Self {
+        self.then_straights(points.map(|[x, to]| {
+            let line = (start, (to - force) / (x - start));
             [start, force] = [x, to];
-        }
-        self
+            line
+        }))
     }
 
     /// Lets the curve go on from `start` as k x^n.

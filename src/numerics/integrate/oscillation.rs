@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn steps_lead_to_the_same_state() {
         for (end, eta, theta) in [(0.3, 0.2, 0.0), (9.0, 0.2, 0.0), (0.3, 1.5, 0.1), (9.0, 1.0, 0.3), (9.0, 0.0, 0.4)] {
-            let curve = Curve::straight(2.0).then_straight_from(0.25, 0.5, 2.0);
+            let curve = Curve::straight(2.0).then_straight(0.25, 2.0);
             let path = Path {
                 piece: &curve.pieces()[1],
                 factor: 1.0,

@@ -68,7 +68,7 @@ impl ContactLaw for KogutEtsion {
             }
         }
         if is_whole {
-            curve = curve.then_straight_from(third * s, plastic * third * s * s.sqrt(), plastic * s.sqrt());
+            curve = curve.then_straight(third * s, plastic * s.sqrt());
         }
         let mut loading = Loading::new(curve, s, move |x, _| {
             let own = x / s;

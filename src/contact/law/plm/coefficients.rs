@@ -40,7 +40,7 @@ impl ForceTable {
     pub fn curve(&self, kappa_squared: f64) -> Curve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
         let lines = pieces.map(|((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared));
-        Curve::with_capacity(self.from.len()).then_straights(lines).with_crossings()
+        Curve::hertz().then_straights(lines).with_crossings()
     }
 }
 

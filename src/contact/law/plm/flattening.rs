@@ -48,7 +48,7 @@ impl Flattening {
         yield_radius_ratio: f64,
         plastic_from: f64,
         plain: Arc<Curve>,
-        mut equivalents: impl FnMut(f64, f64) -> [f64; 2],
+        equivalents: impl Fn(f64, f64) -> [f64; 2],
         radius: impl Fn(f64, f64) -> f64,
     ) -> (Curve, Self) {
         let (mut softening, mut recovery) = (0.0, 0.0);
@@ -60,7 +60,7 @@ impl Flattening {
         // where the indentation is R no law holds any more
         let end = 1.0 / (yield_radius_ratio * yield_radius_ratio);
         // φ, and whether it keeps this value: A is never less than a/a_Y
-        let mut flat = |x: f64, force: f64| {
+        let flat = |x: f64, force: f64| {
             let [equivalent, in_strength] = equivalents(x, force);
             let is_wide = || radius(x, equivalent) * yield_radius_ratio >= WIDEST;
             let is_held = x >= end || equivalent * yield_radius_ratio >= WIDEST && is_wide();
@@ -91,9 +91,9 @@ impl Flattening {
             (factor, is_held) = flat(x, force);
             points.push([x, force / factor]);
         }
-        let [from, to] = [points[0], points[points.len() - 1]];
-        let curve = Curve::with_capacity(points.len()).then_through(from, points[1..].iter().copied());
-        let curve = curve.then_straight_from(to[0], to[1], last.slope_at(to[0]) / factor);
+        let (from, [to, _]) = (points[0], points[points.len() - 1]);
+        let curve = Curve::hertz().then_through(from, points[1..].iter().copied());
+        let curve = curve.then_straight(to, last.slope_at(to) / factor);
         let widest = match pair.yield_point.map(|point| point.flow) {
             Some(flow) if flow.is_of_both() => 0.2,
             _ => 0.3,
