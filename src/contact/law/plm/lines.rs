@@ -77,11 +77,7 @@ impl LinePiece {
 impl ElasticLine {
     /// The polyline for a half-space that yields at this a_Y/R.
     pub fn new(slopes: &LineSlopes, yield_radius_ratio: f64) -> Self {
-        let mut pieces = Vec::with_capacity(slopes.geometry.len() + 2);
-        for piece in slopes.pieces(yield_radius_ratio) {
-            pieces.push(piece);
-        }
-        Self { pieces }
+        Self { pieces: slopes.pieces(yield_radius_ratio).collect() }
     }
 
     /// ε on the line at force f ≥ 1.
@@ -90,19 +86,5 @@ impl ElasticLine {
         // few pieces: a scan from the end beats a search
         let piece = self.pieces.iter().rev().find(|piece| piece.force <= force).or(self.pieces.first());
         piece.map_or(force, |piece| piece.approach(force))
-    }
-
-    /// ε as [`Self::at`] gives it, for forces that lie near each other: it begins to look at the piece of the force before.
-    pub(super) fn nearby(&self) -> impl FnMut(f64) -> f64 + '_ {
-        let (pieces, mut place) = (&self.pieces, 0);
-        move |force| {
-            while place > 0 && pieces[place].force > force {
-                place -= 1;
-            }
-            while pieces.get(place + 1).is_some_and(|next| next.force <= force) {
-                place += 1;
-            }
-            pieces.get(place).map_or(force, |piece| piece.approach(force))
-        }
     }
 }

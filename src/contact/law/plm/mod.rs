@@ -119,7 +119,7 @@ impl Plm {
             bodies.yield_radius_ratio(),
             self.coefficients.plastic_from(rho),
             plain,
-            rule.equivalents(),
+            |x, force| rule.equivalents(x, force),
             |x, equivalent| rule.radius_at(x, equivalent),
         );
         (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })
