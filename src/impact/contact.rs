@@ -71,7 +71,6 @@ pub struct Contact {
     /// The strain rate that the strength of this contact belongs to; `None` without a rate, and before a speed is known.
     pub(super) rated: Option<Rated>,
     forces: Forces,
-    under: Option<Result<LoadedPlate, PlateError>>,
     /// How the half-space radiates, if its density is known.
     waves: Option<Waves>,
     /// Moment of inertia of all that moves about the sphere's centre \[kg m²\]; `None` for a solid sphere.
@@ -112,7 +111,6 @@ impl Contact {
             rates: None,
             rated: None,
             forces: Forces::default(),
-            under: None,
             waves,
             moment_of_inertia: None,
             named: Named::default(),
@@ -131,23 +129,8 @@ impl Contact {
     /// This contact with the strengths of another pair of the same bodies, which no rate raises any more.
     pub(super) fn of_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let (scales, law, yield_speed) = Self::law_of(&pair, self.reduced_mass, law)?;
-        Ok(self.of_law(pair, law, scales, yield_speed))
-    }
-
-    /// This contact with another pair of the same bodies, the law of that pair, and what follows from it.
-    pub(super) fn of_law(&self, pair: Pair, law: Law, scales: Scales, yield_speed: f64) -> Self {
-        let contact = Self {
-            pair,
-            law,
-            scales,
-            yield_speed,
-            elastic_speed: yield_speed,
-            rates: None,
-            rated: None,
-            under: None,
-            ..*self
-        };
-        if self.under.is_some() { contact.with_forces(self.forces) } else { contact }
+        let elastic_speed = yield_speed;
+        Ok(Self { pair, law, scales, yield_speed, elastic_speed, rates: None, rated: None, ..*self })
     }
 
     /// The scales of another pair of the same bodies, if the loading curve of this contact is theirs too, in its own units.
@@ -171,11 +154,6 @@ impl Contact {
     /// Returns this contact with gravity and damping, or on a plate.
     #[inline]
     pub fn with_forces(mut self, forces: Forces) -> Self {
-        self.under = forces.plate.map(|plate| match forces.damping {
-            _ if self.half_space.radius.is_some() || self.target_mass.is_some() => Err(PlateError::Curved),
-            Some(_) => Err(PlateError::Damped),
-            None => LoadedPlate::new(plate, &self.half_space, self.mass, &self.scales, &self.law),
-        });
         self.forces = forces;
         self
     }
@@ -216,7 +194,12 @@ impl Contact {
     }
 
     pub(super) fn on_plate(&self) -> Result<Option<LoadedPlate>, PlateError> {
-        self.under.transpose()
+        let Some(plate) = self.forces.plate else { return Ok(None) };
+        match self.forces.damping {
+            _ if self.half_space.radius.is_some() || self.target_mass.is_some() => Err(PlateError::Curved),
+            Some(_) => Err(PlateError::Damped),
+            None => LoadedPlate::new(plate, &self.half_space, self.mass, &self.scales, &self.law).map(Some),
+        }
     }
 
     /// Checks what does not depend on the speed: whether there may be impacts on the plate of this contact, if it has one.

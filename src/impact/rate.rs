@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use super::contact::{Contact, Rated, Rates};
 use super::error::ImpactError;
-use crate::contact::law::{Bodies, Ground, LawChoice};
+use crate::contact::law::{Ground, LawChoice};
 use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
 use crate::contact::strength::rate::Rate;
 use crate::numerics::integrate::IntegrationError;
@@ -139,11 +139,6 @@ impl Contact {
             return Ok(contact);
         }
         let pair = self.pair_of(factors)?;
-        if let (LawChoice::Plm(plm), Some(scales), Some(bodies)) =
-            (&rates.law, self.scales_of_same_curve(&pair)?, Bodies::new(&pair))
-        {
-            return Ok(self.of_law(pair, plm.of_same_curve(&self.law, &bodies), scales, scales.speed));
-        }
         let mut law = rates.law.clone();
         if let LawChoice::Plm(plm) = &mut law {
             plm.rate_factors = factors;
