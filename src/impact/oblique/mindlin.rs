@@ -25,10 +25,10 @@ use super::profile::{Profile, Rim};
 use crate::impact::scales::ACCELERATION;
 use crate::numerics::integrate::IntegrationError;
 
-/// The change of σ.
+/// How the slip speed changes.
 #[derive(Debug)]
-pub(super) struct Run {
-    /// σ_1/σ_0.
+pub(in crate::impact) struct SlipChange {
+    /// σ_1/σ_0, which is s_1/s_0.
     pub(super) ratio: f64,
     /// Its error: the sum of those of the steps.
     pub(super) error: f64,
@@ -36,7 +36,7 @@ pub(super) struct Run {
     pub(super) is_sliding: bool,
     /// The time of its end.
     pub(super) end: f64,
-    /// The steps, in order of time; empty unless they were asked for.
+    /// The steps, in order of time; empty where none were asked for or needed.
     pub(super) steps: Vec<Step>,
 }
 
@@ -78,7 +78,12 @@ impl Step {
     }
 }
 
-impl Run {
+impl SlipChange {
+    /// A change that is known without steps.
+    pub(super) fn known(ratio: f64, is_sliding: bool) -> Self {
+        Self { ratio, error: 0.0, is_sliding, end: 0.0, steps: Vec::new() }
+    }
+
     /// σ/σ_0 and T at a time, where the contact has this force and this impulse so far.
     pub(super) fn at(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
         let step = self.steps.partition_point(|step| step.start <= time).saturating_sub(1);
@@ -182,7 +187,13 @@ impl TangentialMotion<'_> {
     }
 
     /// The change of σ to about this accuracy.
-    pub(super) fn run(&self, sigma: f64, chi: f64, accuracy: f64, has_steps: bool) -> Result<Run, IntegrationError> {
+    pub(super) fn run(
+        &self,
+        sigma: f64,
+        chi: f64,
+        accuracy: f64,
+        has_steps: bool,
+    ) -> Result<SlipChange, IntegrationError> {
         /// The longest step and the first one, as shares of half the contact time.
         const LONGEST: f64 = 0.3;
         const FIRST: f64 = 0.01;
@@ -286,7 +297,7 @@ impl TangentialMotion<'_> {
                 length *= (0.9 * (tolerance / error).sqrt().sqrt()).clamp(0.2, 3.0);
             }
         }
-        Ok(Run { ratio: state.speed / start, error: sum, is_sliding, end: last, steps })
+        Ok(SlipChange { ratio: state.speed / start, error: sum, is_sliding, end: last, steps })
     }
 
     /// σ_1/σ_0 with one spring in place of all, as the contact of a DEM code carries it (`mindlin_rescale/force` of LAMMPS;

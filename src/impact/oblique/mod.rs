@@ -40,7 +40,7 @@ use crate::contact::law::LoadingRule;
 use crate::contact::material::{Hold, Material, OutOfFloatRange};
 use crate::numerics::functions::atan2;
 pub use approach::{Approach, Incidence};
-use mindlin::Run;
+use mindlin::SlipChange;
 use motion::TangentialMotion;
 
 /// The rebound of an oblique impact, as far as a table holds it. SI units.
@@ -161,28 +161,11 @@ pub(super) struct ObliqueImpact<'a> {
 /// goes with the square of this angle.
 const LARGEST_SWINGS: f64 = 100.0;
 
-/// How the slip speed changes.
-#[derive(Debug)]
-pub(super) struct SlipChange {
-    /// s_1/s_0.
-    ratio: f64,
-    is_sliding: bool,
-    error: f64,
-    /// The run, where it was followed.
-    run: Option<Run>,
-}
-
 /// Accuracy of s_1/s_0 in a table. Of 6000 random impacts under the PLM, also with damping, with gravity and on plates, two were off by
 /// more than 1e-5, the worst by 1.3e-5; under other laws three of 1500, the worst by 5e-5.
 const OF_ROWS: f64 = 5e-6;
 /// Accuracy of a run by itself: s_1/s_0 was within 1e-7 in 1200 random impacts.
 const OF_RUNS: f64 = 2e-9;
-
-impl SlipChange {
-    fn new(ratio: f64) -> Self {
-        Self { ratio, is_sliding: false, error: 0.0, run: None }
-    }
-}
 
 impl<'a> ObliqueImpact<'a> {
     /// `None` for an impact without angle and spin, and for a sphere that stays.
@@ -242,16 +225,16 @@ impl<'a> ObliqueImpact<'a> {
     }
 
     /// How the slip speed changes: known at once where the contact point does not move, or slides all the time; else from a
-    /// run. One that is followed has an error, and friction on the way.
+    /// run. One that is followed has friction on the way.
     ///
     /// # Errors
     /// [`ImpactError::SmallInertia`] where the contact point swings too often for a run.
     pub(super) fn slip(&self, is_followed: bool) -> Result<SlipChange, ImpactError> {
         if self.slip == 0.0 {
-            return Ok(SlipChange::new(0.0));
+            return Ok(SlipChange::known(0.0, false));
         }
         if self.slides() {
-            return Ok(SlipChange { is_sliding: true, ..SlipChange::new(self.sliding_ratio()) });
+            return Ok(SlipChange::known(self.sliding_ratio(), true));
         }
         // the normal motion of all elastic impacts is the same
         let is_elastic = self.case.ground.law.rule == LoadingRule::Elastic && self.case.forces.is_none();
@@ -266,9 +249,7 @@ impl<'a> ObliqueImpact<'a> {
         let sigma = self.psi.abs() * self.case.q;
         let accuracy = if is_followed { OF_RUNS } else { OF_ROWS };
         let run = motion.run(sigma, self.chi, accuracy, is_followed)?;
-        let Run { ratio, error, is_sliding, .. } = run;
-        let ratio = if is_sliding { self.sliding_ratio() } else { ratio };
-        Ok(SlipChange { ratio, is_sliding, error, run: is_followed.then_some(run) })
+        Ok(if run.is_sliding { SlipChange { ratio: self.sliding_ratio(), ..run } } else { run })
     }
 
     /// Checks that the contact point does not swing too often for a run.
@@ -358,18 +339,17 @@ impl<'a> ObliqueImpact<'a> {
     pub(super) fn friction_at(&self, slip: &SlipChange, time: f64, speed: f64, force: f64) -> FrictionState {
         let (mu, scales) = (self.incidence.friction, &self.case.scales);
         let direction = self.slip.signum();
-        let (slip_speed, friction_force) = match &slip.run {
-            // s_0 = 0: nothing moves
-            None if self.slip == 0.0 => (0.0, 0.0),
-            None => {
+        let (slip_speed, friction_force) = match () {
+            () if self.slip == 0.0 => (0.0, 0.0),
+            () if slip.steps.is_empty() => {
                 let slowed = self.contact.slip_factor() * mu * (self.speeds[0] - speed);
                 (self.slip - direction * slowed, -direction * mu * force)
             }
-            Some(run) if time >= (1.0 - 1e-8) * run.end * scales.time() => (self.slip * slip.ratio, 0.0),
-            Some(run) => {
+            () if time >= (1.0 - 1e-8) * slip.end * scales.time() => (self.slip * slip.ratio, 0.0),
+            () => {
                 let impulse = (self.speeds[0] - speed) / scales.speed / ACCELERATION
                     + self.case.forces.weight * time / scales.time();
-                let [share, of_force] = run.at(time / scales.time(), force / scales.force, impulse);
+                let [share, of_force] = slip.at(time / scales.time(), force / scales.force, impulse);
                 (share * self.slip, direction * mu * scales.force * of_force)
             }
         };
