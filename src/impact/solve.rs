@@ -82,22 +82,20 @@ fn given(tolerance: f64, delivers: f64) -> f64 {
     (tolerance / delivers).max(1e-14)
 }
 
-/// The arguments of a run: the ground, q = v/V and the forces; the number of samples of its trace; and the contact time, where it
-/// is known.
-type Run<'a> = (Ground<'a>, f64, &'a ScaledForces, Option<usize>, Option<f64>);
-
-/// An impact along the legs of its course, with its trace.
+/// An impact along the legs of its course; with a trace of so many samples over the contact time, which may be known.
 fn along<I: Integrator>(
-    (ground, q, forces, samples, duration): Run<'_>,
+    case: (Ground, f64, &ScaledForces),
+    trace: Option<(usize, Option<f64>)>,
     mut integrator: I,
 ) -> Result<Computed, IntegrationError> {
-    let mut recorder = if samples.is_some() { Recorder::on() } else { Recorder::default() };
+    let (ground, q, forces) = case;
+    let mut recorder = if trace.is_some() { Recorder::on() } else { Recorder::default() };
     let outcome = course::integrate(ground, q, forces, &mut integrator, &mut recorder)?;
-    let trace = |samples| {
+    let points = trace.map_or_else(Vec::new, |(samples, duration)| {
         let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
         recorder.points(ground, &outcome.unloading, forces.drag, times)
-    };
-    Ok(Computed { points: samples.map_or_else(Vec::new, trace), ..Computed::new(outcome, integrator.work()) })
+    });
+    Ok(Computed { points, ..Computed::new(outcome, integrator.work()) })
 }
 
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. [`Method::Auto`] is
@@ -114,20 +112,22 @@ pub fn run<'a>(
     let ground = ground.into();
     // the same times by every method, where the contact time is known
     let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
-    let course = (ground, q, forces, samples, duration);
+    let (case, trace) = ((ground, q, forces), samples.map(|samples| (samples, duration)));
     let tolerance = solver.tolerance;
     match (solver.method, exact) {
         (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Effort::default())),
-        (Method::ClosedForm, Some(_)) => Ok(Computed { work: Effort::default(), ..along(course, Rk8::new(FINEST))? }),
-        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(course, Rk8::new(tolerance)),
-        (Method::Dopri5, _) => along(course, Library::new(Scheme::Dopri5, given(tolerance, 100.0))),
-        (Method::Dop853, _) => along(course, Library::new(Scheme::Dop853, given(tolerance, 25.0))),
+        (Method::ClosedForm, Some(_)) => {
+            Ok(Computed { work: Effort::default(), ..along(case, trace, Rk8::new(FINEST))? })
+        }
+        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(case, trace, Rk8::new(tolerance)),
+        (Method::Dopri5, _) => along(case, trace, Library::new(Scheme::Dopri5, given(tolerance, 100.0))),
+        (Method::Dop853, _) => along(case, trace, Library::new(Scheme::Dop853, given(tolerance, 25.0))),
         (Method::Verlet, _) => {
             let steps = solver.steps_per_contact.max(1);
             let step = free_time(ground, q, forces)? / f64::from(steps);
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
-            verlet::march(ground, q, forces, step, most, samples.map(|samples| (samples, duration)))
+            verlet::march(ground, q, forces, step, most, trace)
         }
     }
 }
