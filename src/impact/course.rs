@@ -54,7 +54,7 @@ pub fn integrate<'a, I: Integrator>(
             path.leg = Leg::Outward(f64::INFINITY);
         }
         let rest_of = |point: StaticPoint| {
-            let is_here = ground.index_at(point.indentation) == piece;
+            let is_here = ground.way_in.index_at(point.indentation) == piece;
             let place = point.indentation - path.piece.start + entry_of(ground, piece);
             forces.rest(&point, place).filter(|_| is_here)
         };
@@ -129,7 +129,7 @@ fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
 /// The way along a piece of the loading curve.
 #[inline(always)]
 fn way_out(ground: Ground, index: usize) -> Leg {
-    let is_last = index + 1 == ground.count();
+    let is_last = index + 1 == ground.way_in.pieces().len();
     let end = if is_last { f64::INFINITY } else { ground.piece(index + 1).start - ground.piece(index).start };
     Leg::Outward(end + entry_of(ground, index))
 }

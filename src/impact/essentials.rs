@@ -106,9 +106,12 @@ impl Essentials {
         let radiating = contact.waves().filter(|_| outcome.fate == Fate::Separated && !is_at_rest);
         let waves = match radiating {
             // the first-order estimate is that of the impact without gravity
-            Some(waves) if forces.weight > 0.0 => {
-                Some(waves.loss_fraction(speed, scales, *ground, &closed_form::energy_balance(*ground, *q).0)?)
-            }
+            Some(waves) if forces.weight > 0.0 => Some(waves.loss_fraction(
+                speed,
+                scales,
+                *ground,
+                &closed_form::energy_balance(*ground, *q).unloading,
+            )?),
             Some(waves) => Some(waves.loss_fraction(speed, scales, *ground, &outcome.unloading)?),
             None => None,
         };
@@ -119,7 +122,7 @@ impl Essentials {
         }
         let peak_contact_radius = contact.contact_radius(scales, *ground, &peak)?;
         let radius_ratio = peak_contact_radius / contact.pair().smaller_radius;
-        let residual = ground.dent(&peak).residual();
+        let (law, residual) = (ground.law_at(peak.indentation), ground.dent(&peak).residual());
         let lost = ground.plastic(&outcome.unloading);
         // under gravity the share may exceed 1; without kinetic energy there is none
         let has_share = lost != 0.0 && kinetic_in > 0.0;
@@ -143,7 +146,8 @@ impl Essentials {
                 * scales.length,
             peak_contact_radius,
             radius_ratio,
-            is_outside_law: radius_ratio > ground.law.limits.widest || ground.outside_stated(&peak).is_some(),
+            is_outside_law: radius_ratio > ground.law.limits.widest
+                || law.is_some_and(|law| law.outside_stated(&peak).is_some()),
             kinetic_in,
             plastic_fraction: share,
             wave_loss_fraction: waves,
@@ -154,7 +158,7 @@ impl Essentials {
                     waves.map_or(outcome.restitution, |loss| waves::restitution_with_waves(outcome.restitution, loss));
                 flying.rise(restitution * speed)
             }),
-            rated: contact.rated.filter(|_| ground.branch_at(peak.indentation).is_none()),
+            rated: contact.rated.filter(|_| law.is_some()),
             rebound: None,
         })
     }

@@ -139,7 +139,7 @@ impl ScaledForces {
 
     pub(super) fn static_on_loading(&self, ground: Ground) -> StaticPoint {
         let indentation = ground.indentation_at_force(self.weight);
-        let slope = ground.piece(ground.index_at(indentation)).slope_at(indentation);
+        let slope = ground.piece(ground.way_in.index_at(indentation)).slope_at(indentation);
         StaticPoint { indentation, distance: indentation - ground.touch(), slope }
     }
 

@@ -215,7 +215,7 @@ fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Opti
     let number = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
     let begun = number.checked_sub(1).map_or(begun, |before| track[before].end);
     let ahead = |time: f64| distance - track[number].at(time).distance;
-    let is_inside = index == ground.index_at(yields_at) && piece.start < yields_at;
+    let is_inside = index == ground.way_in.index_at(yields_at) && piece.start < yields_at;
     let is_passed = is_inside && ahead(begun) > 0.0;
     is_passed.then(|| State { distance, ..track[number].at(falls_through((begun, track[number].end), ahead)) })
 }

@@ -34,7 +34,7 @@ impl<'a> Remembering<'a> {
 
     /// The piece of the loading curve at a distance.
     fn piece_at(&self, distance: f64) -> &'a Piece {
-        self.ground.piece(self.ground.index_at(self.touch + distance))
+        self.ground.piece(self.ground.way_in.index_at(self.touch + distance))
     }
 
     /// The state on the loading curve at a distance.

@@ -49,7 +49,7 @@ impl Waves {
         unloading: &Unloading,
     ) -> Result<f64, OutOfFloatRange> {
         let (peak, branch) = (unloading.peak.indentation, unloading.branch());
-        let of_loading = integral(&ground.pieces()[..=ground.index_at(peak)], peak);
+        let of_loading = integral(&ground.way_in.pieces()[..=ground.way_in.index_at(peak)], peak);
         let integral = of_loading + integral(&[branch], peak);
         // ½ m v² = (2/5) q² Φ L
         let ratio = scales.speed / speed;

@@ -14,13 +14,14 @@
 //! w(x_m2) = w(x_m) + (kinetic − f_m ε_m/(n + 1))
 //! ```
 //!
-//! The pieces on the way in are counted from 0: on fresh surface they are those of the law; in a dent they are the branch, the
-//! rest of the piece that the old peak lies on, and the pieces behind it.
+//! So the way in is a curve of its own: on fresh surface that of the law; in a dent the branch, the rest of the piece that the
+//! old peak lies on, and the pieces behind it.
 
-use std::borrow::Cow;
+use std::sync::Arc;
 
 use super::unloading::GRAZING;
-use super::{ContactState, Law, OutsideLaw, Raised, Unloading};
+use super::{ContactState, Law, OutsideLaw, Unloading};
+use crate::numerics::curve::Curve;
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::power::max_or_nan;
 
@@ -29,13 +30,7 @@ use crate::numerics::power::max_or_nan;
 pub struct Dent {
     /// The unloading branch from the largest state so far.
     pub unloading: Unloading,
-    /// Work of loading to that state on fresh surface.
-    spent: f64,
-    branch: Piece,
-    /// The piece of the law that the peak lies on, from there on.
-    first: Piece,
-    /// Index of the piece of the law behind it.
-    next: usize,
+    way_in: Arc<Curve>,
 }
 
 impl Law {
@@ -46,13 +41,14 @@ impl Law {
 
     /// The dent of a spot with this unloading branch, which ends on the loading curve.
     pub(crate) fn dented_by(&self, unloading: Unloading) -> Dent {
-        let peak = unloading.peak;
-        let x = peak.indentation;
-        let index = self.loading.index_at(x);
-        let cut = &self.loading.pieces()[index];
-        let (shape, spent) = (cut.shape.later(x - cut.start), cut.work_at(x));
-        let first = Piece { start: x, force: peak.force, work: spent, is_joint: false, shape };
-        Dent { unloading, spent, branch: unloading.branch(), first, next: index + 1 }
+        let ContactState { indentation: start, force, .. } = unloading.peak;
+        let index = self.loading.index_at(start);
+        let (cut, behind) = (&self.loading.pieces()[index], &self.loading.pieces()[index + 1..]);
+        let (stored, spent) = (unloading.capacity(), cut.work_at(start));
+        let first = Piece { start, force, work: stored, is_joint: false, shape: cut.shape.later(start - cut.start) };
+        let behind = behind.iter().map(|piece| Piece { work: stored + (piece.work - spent), ..piece.clone() });
+        let pieces = [unloading.branch(), first].into_iter().chain(behind).collect();
+        Dent { unloading, way_in: Arc::new(Curve::new(pieces)) }
     }
 }
 
@@ -60,33 +56,42 @@ impl Law {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ground<'a> {
     pub law: &'a Law,
-    dent: Option<&'a Dent>,
+    /// The force over x on the way in, with the work from first touch.
+    pub way_in: &'a Curve,
+    branch: Option<&'a Unloading>,
 }
 
 impl<'a> From<&'a Law> for Ground<'a> {
     /// Fresh surface.
     #[inline]
     fn from(law: &'a Law) -> Self {
-        Self { law, dent: None }
+        Self::new(law, None)
     }
 }
 
 impl<'a> Ground<'a> {
     #[inline]
     pub fn new(law: &'a Law, dent: Option<&'a Dent>) -> Self {
-        Self { law, dent }
+        let way_in = dent.map_or(&*law.loading, |dent| &dent.way_in);
+        Self { law, way_in, branch: dent.map(|dent| &dent.unloading) }
     }
 
     /// The unloading branch that a reload runs back up; `None` on fresh surface.
     #[inline]
     pub fn branch(&self) -> Option<&'a Unloading> {
-        self.dent.map(|dent| &dent.unloading)
+        self.branch
     }
 
     /// The branch, if a state at x lies on it.
     #[inline]
     pub(crate) fn branch_at(&self, x: f64) -> Option<&'a Unloading> {
-        self.branch().filter(|branch| x <= branch.peak.indentation)
+        self.branch.filter(|branch| x <= branch.peak.indentation)
+    }
+
+    /// The law, if a state at x lies on its loading curve, and not on the branch of a dent.
+    #[inline]
+    pub(crate) fn law_at(&self, x: f64) -> Option<&'a Law> {
+        self.branch_at(x).is_none().then_some(self.law)
     }
 
     /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
@@ -112,56 +117,10 @@ impl<'a> Ground<'a> {
         self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
     }
 
-    /// How many pieces there are on the way in.
-    pub fn count(&self) -> usize {
-        let whole = self.law.loading.pieces().len();
-        self.dent.map_or(whole, |dent| whole - dent.next + 2)
-    }
-
+    /// A piece of the way in.
     #[inline(always)]
     pub fn piece(&self, index: usize) -> &'a Piece {
-        match (self.dent, index) {
-            (None, index) => &self.law.loading.pieces()[index],
-            (Some(dent), 0) => &dent.branch,
-            (Some(dent), 1) => &dent.first,
-            (Some(dent), index) => &self.law.loading.pieces()[dent.next + index - 2],
-        }
-    }
-
-    /// Work from first touch to the start of a piece.
-    #[inline(always)]
-    pub(crate) fn work_before(&self, index: usize) -> f64 {
-        let work = self.piece(index).work;
-        match self.dent {
-            Some(dent) if index > 0 => dent.unloading.capacity() + (work - dent.spent),
-            _ => work,
-        }
-    }
-
-    /// All pieces on the way in, with their work from first touch on.
-    #[inline]
-    pub fn pieces(&self) -> Cow<'a, [Piece]> {
-        let in_dent = || {
-            let piece = |index| Piece { work: self.work_before(index), ..self.piece(index).clone() };
-            (0..self.count()).map(piece).collect()
-        };
-        self.dent.map_or(Cow::Borrowed(self.law.loading.pieces()), |_| in_dent())
-    }
-
-    /// Work from first touch to x on the way in.
-    pub fn work(&self, x: f64) -> f64 {
-        let index = self.index_at(x);
-        let piece = self.piece(index);
-        self.work_before(index) + (piece.work_at(x) - piece.work)
-    }
-
-    /// Index of the piece that holds at x; at a knot it is the one that begins there.
-    pub(crate) fn index_at(&self, x: f64) -> usize {
-        match self.dent {
-            None => self.law.loading.index_at(x),
-            Some(dent) if x < dent.first.start => 0,
-            Some(dent) => self.law.loading.index_at(x) + 2 - dent.next,
-        }
+        &self.way_in.pieces()[index]
     }
 
     /// True if an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
@@ -178,12 +137,12 @@ impl<'a> Ground<'a> {
     pub(crate) fn turn(&self, kinetic: f64, weight: f64) -> (usize, f64) {
         let remaining = |index: usize| {
             let sunk = if weight == 0.0 { 0.0 } else { weight * (self.piece(index).start - self.touch()) };
-            kinetic + sunk - self.work_before(index)
+            kinetic + sunk - self.piece(index).work
         };
-        let last = match self.dent {
-            None if weight == 0.0 => self.law.loading.index_at_work(kinetic),
-            Some(_) if self.stays_on_branch(kinetic, weight) => 0,
-            _ => (1..self.count()).take_while(|index| remaining(*index) >= 0.0).last().unwrap_or(0),
+        let last = match weight {
+            _ if self.stays_on_branch(kinetic, weight) => 0,
+            0.0 => self.way_in.index_at_work(kinetic),
+            _ => (1..self.way_in.pieces().len()).take_while(|index| remaining(*index) >= 0.0).last().unwrap_or(0),
         };
         (last, self.piece(last).way_to_turn(max_or_nan(remaining(last), 0.0), weight))
     }
@@ -227,7 +186,7 @@ impl<'a> Ground<'a> {
     /// weight it follows from the place.
     #[inline(always)]
     pub(crate) fn turned(&self, index: usize, distance: f64, kinetic: Option<f64>) -> Unloading {
-        match (self.dent, kinetic) {
+        match (self.branch, kinetic) {
             (None, Some(spent)) => {
                 let piece = self.piece(index);
                 let x = piece.start + distance;
@@ -253,24 +212,14 @@ impl<'a> Ground<'a> {
     /// See [`Law::accept`].
     #[inline]
     pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
-        self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.accept(unloading), |_| Ok(()))
-    }
-
-    /// Returns [`Law::raised`] of the peak; `None` where the impact turned in a dent.
-    pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
-        self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.raised(unloading), |_| None)
-    }
-
-    /// Returns [`Law::outside_stated`] of the peak; `None` where the impact turned in a dent.
-    pub(crate) fn outside_stated(&self, peak: &ContactState) -> Option<(f64, f64)> {
-        self.branch_at(peak.indentation).map_or_else(|| self.law.outside_stated(peak), |_| None)
+        self.law_at(unloading.peak.indentation).map_or(Ok(()), |law| law.accept(unloading))
     }
 
     /// Work from first touch to a state on the way in; on the branch it follows from ε, which has more digits than x.
     pub(crate) fn work_to(&self, state: &ContactState) -> f64 {
         match self.branch_at(state.indentation) {
             Some(branch) => branch.stored_of(state.elastic_approach),
-            None => self.work(state.indentation),
+            None => self.way_in.work(state.indentation),
         }
     }
 
@@ -283,6 +232,6 @@ impl<'a> Ground<'a> {
     /// Returns [`Ground::plastic`] without setting rounding to 0.
     pub fn spent(&self, unloading: &Unloading) -> f64 {
         let x = unloading.peak.indentation;
-        if self.branch_at(x).is_some() { 0.0 } else { self.work(x) - unloading.capacity() }
+        if self.branch_at(x).is_some() { 0.0 } else { self.way_in.work(x) - unloading.capacity() }
     }
 }

@@ -115,7 +115,7 @@ impl Law {
 impl Ground<'_> {
     /// How far the force falls where an impact turns that leaves along this branch; nothing in a dent.
     pub(crate) fn step(&self, unloading: &Unloading) -> f64 {
-        self.branch_at(unloading.peak.indentation).map_or_else(|| self.law.step(unloading), |_| 0.0)
+        self.law_at(unloading.peak.indentation).map_or(0.0, |law| law.step(unloading))
     }
 
     /// The largest force as it is reported: above the relaxed one by a fifth of the step, as in the finite elements. With damping

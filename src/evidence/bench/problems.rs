@@ -40,7 +40,7 @@ pub struct Problem {
 impl Problem {
     /// `contact_time` in units of L/V.
     fn new(name: &'static str, about: &'static str, law: Law, speed: f64, restitution: f64, contact_time: f64) -> Self {
-        let (unloading, _) = energy_balance(&law, speed);
+        let unloading = energy_balance(&law, speed).unloading;
         let unloading_time = turning_time(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
         let loading_time = contact_time - unloading_time;
         let by_formula = closed_form::solve(&law, speed);

@@ -37,17 +37,11 @@ pub fn solve_with<'a>(
     }
 }
 
-/// Peak, exponent and restitution of an impact at the dimensionless speed q = v/V, without any times.
-pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> (Unloading, f64) {
-    let Balance { unloading, restitution, .. } = balance(ground.into(), speed);
-    (unloading, restitution)
-}
-
 /// The results that follow from the balance of energy.
 #[derive(Debug, Clone, Copy)]
-struct Balance {
-    unloading: Unloading,
-    restitution: f64,
+pub struct Balance {
+    pub unloading: Unloading,
+    pub restitution: f64,
     /// (2/5) q².
     kinetic: f64,
     /// Index of the piece that the sphere turns on.
@@ -56,8 +50,10 @@ struct Balance {
     distance: f64,
 }
 
+/// Peak, exponent and restitution of an impact at the dimensionless speed q = v/V, without any times.
 #[inline(always)]
-fn balance(ground: Ground, speed: f64) -> Balance {
+pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Balance {
+    let ground = ground.into();
     let kinetic = 0.4 * speed * speed;
     let (last, distance) = ground.turn(kinetic, 0.0);
     let unloading = ground.turned(last, distance, Some(kinetic));
@@ -72,13 +68,10 @@ fn balance(ground: Ground, speed: f64) -> Balance {
 /// The whole outcome of an impact at the dimensionless speed q = v/V by the law alone, exact to rounding.
 pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
     let ground = ground.into();
-    let Balance { unloading, restitution, kinetic, last, distance } = balance(ground, speed);
-    let Reached { piece: first, work, time: mut loading_time } = match ground.branch() {
-        None => ground.law.loading.crossed(kinetic, speed),
-        Some(_) => Reached { piece: 0, work: 0.0, time: 0.0 },
-    };
+    let Balance { unloading, restitution, kinetic, last, distance } = energy_balance(ground, speed);
+    let Reached { piece: first, work, time: mut loading_time } = ground.way_in.crossed(kinetic, speed);
     let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
-    let pieces = ground.pieces();
+    let pieces = ground.way_in.pieces();
     for pair in pieces[first..=last].windows(2) {
         let exit = (2.0 * ACCELERATION * (kinetic - pair[1].work)).sqrt();
         loading_time += time_on(&pair[0], pair[1].start - pair[0].start, [entry, exit]);

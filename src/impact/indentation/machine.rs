@@ -107,7 +107,7 @@ impl Stroke<'_> {
 
     /// ∫ f dx over the step.
     pub fn work(&self) -> f64 {
-        let work = |x: f64| self.ground().work(x.max(self.dent()));
+        let work = |x: f64| self.ground().way_in.work(x.max(self.dent()));
         work(self.to) - work(self.from)
     }
 

@@ -25,7 +25,7 @@ use of_run::{of_gain, of_rebound, of_run};
 pub(crate) fn of_peak(ground: Ground, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
     let x = peak.indentation;
     let law = ground.law;
-    let stated = ground.outside_stated(peak).map(|(from, to)| {
+    let stated = ground.law_at(x).and_then(|law| law.outside_stated(peak)).map(|(from, to)| {
         let in_yields = |x: f64| four_digits(law.in_yields(x));
         let end = if to.is_finite() { format!("to {}", in_yields(to)) } else { "and more".to_owned() };
         let text = format!(
@@ -46,7 +46,7 @@ pub(crate) fn of_peak(ground: Ground, peak: &ContactState) -> impl Iterator<Item
 
 /// The warning for an exponent of unloading that is not the one that was asked for.
 pub(crate) fn of_exponent(ground: Ground, unloading: &Unloading) -> Option<Warning> {
-    let Raised { asked, used, gain } = ground.raised(unloading)?;
+    let Raised { asked, used, gain } = ground.law_at(unloading.peak.indentation)?.raised(unloading)?;
     let text = format!(
         "an unloading exponent of {} would give back {} of the energy more than was spent: {} is used in its place, with which e is 1 but for gravity and drag; give a larger exponent, or let the peak be further above first yield",
         four_digits(asked),

@@ -73,7 +73,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
     let (speeds, weight) = (Speeds { chi: forces.drag.chi }, forces.weight);
     assert!(forces.drag.eta == 0.0 && forces.drag.theta == 0.0 && (weight == 0.0 || forces.drag.chi == 0.0));
     let touch = ground.touch();
-    let pieces = ground.pieces();
+    let pieces = ground.way_in.pieces();
     let kinetic = speeds.energy(q) / C;
     // the turn: W(x) − w (x − touch) is convex, and not above the energy before it
     let missing = |piece: &Piece| piece.work - weight * (piece.start - touch) - kinetic;
@@ -126,7 +126,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
         end_indentation: ground.dent(&unloading.peak).residual() + at_rest,
         end_speed: -end_speed,
-        loss: 0.4 * q * q - ground.work(unloading.peak.indentation) + stored - 0.4 * rebound * rebound,
+        loss: 0.4 * q * q - ground.way_in.work(unloading.peak.indentation) + stored - 0.4 * rebound * rebound,
     }
 }
 
