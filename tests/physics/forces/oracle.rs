@@ -120,7 +120,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
     Outcome {
         unloading,
         restitution: if is_captured { 0.0 } else { rebound / q },
-        largest_force: largest_force(&pieces, last, distance, speeds.energy(q), speeds),
+        largest_force: largest_force(pieces, last, distance, speeds.energy(q), speeds),
         loading_time,
         contact_time: loading_time + back,
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
