@@ -97,6 +97,15 @@ impl Warning {
         self.kind == other.kind && (!is_of_material || self.text == other.text)
     }
 
+    /// Puts a warning and its place into a list that keeps the worst of each meaning.
+    pub(crate) fn keep_worst<P>(self, worst: &mut Vec<(Self, P)>, place: impl FnOnce() -> P) {
+        match worst.iter_mut().find(|(known, _)| known.is_like(&self)) {
+            None => worst.push((self, place())),
+            Some(known) if self.size.is_nan() || self.size > known.0.size => *known = (self, place()),
+            Some(_) => {}
+        }
+    }
+
     /// The warning of a key or a table without effect; `reason` says why, and the way out.
     pub(crate) fn unused(key: &str, reason: &str) -> Self {
         Self::new(WarningKind::Unused, 0.0, format!("{key} is not used: {reason}"))

@@ -52,12 +52,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
         };
         for warning in impact.warnings {
             let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
-            let place = || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", ");
-            match worst.iter_mut().find(|(known, _)| known.is_like(&warning)) {
-                None => worst.push((warning, place())),
-                Some(known) if warning.size.is_nan() || warning.size > known.0.size => *known = (warning, place()),
-                Some(_) => {}
-            }
+            warning.keep_worst(&mut worst, || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", "));
         }
     }
     worst.sort_by_key(|(warning, _)| !warning.is_grave());
