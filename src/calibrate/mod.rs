@@ -16,6 +16,7 @@
 //! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. Nor is there an
 //! interval if nothing is known of the noise: readings that repeat to the last digit are rounded, and hide it.
 
+mod caution;
 pub mod data;
 pub mod fit;
 pub mod identify;

@@ -119,15 +119,28 @@ impl<'a> Problem<'a> {
         self.free.iter().zip(shares).map(|(free, share)| free.at(*share)).collect()
     }
 
+    /// The input with the keys that are wanted at these shares.
+    fn filled_at(&self, shares: &[f64]) -> Input {
+        let mut input = self.filled.clone();
+        for (free, share) in self.free.iter().zip(shares) {
+            free.key.set(&mut input, Some(free.at(*share)));
+        }
+        input
+    }
+
+    /// The input of the impact of a row, with the keys that are wanted at these shares.
+    pub(super) fn input_of(&self, row: usize, shares: &[f64]) -> Input {
+        let mut input = self.filled_at(shares);
+        self.with_row(&mut input, row, 0.0);
+        input
+    }
+
     /// The prediction for every value of the data; NaN for values that are not used.
     ///
     /// # Errors
     /// [`NoAnswer`] if a row has no result, or the calibration was stopped.
     pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
-        let mut input = self.filled.clone();
-        for (free, share) in self.free.iter().zip(shares) {
-            free.key.set(&mut input, Some(free.at(*share)));
-        }
+        let input = self.filled_at(shares);
         let predicted = |piece: &Vec<usize>| {
             let mut input = input.clone();
             self.with_row(&mut input, piece[0], 0.0);

@@ -184,7 +184,7 @@ impl Scenario {
         let contact = input.contact().ok().filter(|_| input.forces().plate.is_some());
         let refuse = |error: PlateError| {
             let needed = (error == PlateError::NoDensity).then_some("half_space.density");
-            self.document.refuse("half_space.thickness", error.to_string()).needing(needed)
+            self.refuse_varied("half_space.thickness", error.to_string()).needing(needed)
         };
         contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
     }

@@ -6,6 +6,7 @@ mod compared;
 mod coverage;
 mod files;
 mod limits;
+mod plate;
 mod statistics;
 
 use plm_impact::contact::law::plm::hardness::pressure;

@@ -60,12 +60,17 @@ fn warnings(found: &Calibration) -> Vec<String> {
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
     let unlikely = found.keys.iter().filter_map(|key| unlikely(key, &found.fit.problem.input));
+    let cautions = found.cautions().into_iter().map(|(warning, line)| {
+        let place = line.map_or_else(String::new, |line| format!("at line {line} of the data: "));
+        format!("{place}{warning}")
+    });
     let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
     refusal
         .chain(found.verdict().undecided())
         .chain(runs)
         .chain(found.keys.iter().filter_map(unbounded))
         .chain(unlikely)
+        .chain(cautions)
         .collect()
 }
 

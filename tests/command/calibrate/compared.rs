@@ -56,7 +56,7 @@ fn the_command_line_takes_the_keys_away() {
     assert!(!desk.path("o/calibrated.toml").exists());
 }
 
-/// Keys may change from line to line, also those of a plate, on which nothing can be found.
+/// Keys may change from line to line, also those of a plate.
 #[test]
 fn the_thickness_of_a_plate_is_a_column() {
     let data = "speed_m_per_s,half_space_thickness_m,restitution\n2,0.05,0.5\n2,0.02,0.5\n1,0.008,0.4\n";
