@@ -46,7 +46,7 @@ fn every_value_is_one_that_a_scenario_takes_lies_in_its_range_and_has_two_source
             assert!(known.sources.iter().all(|[source, says]| !source.is_empty() && !says.is_empty()), "{place}");
         }
     }
-    assert_eq!(names.len(), 34);
+    assert_eq!(names.len(), 35);
 }
 
 fn value(name: &str, property: Property) -> f64 {
