@@ -5,7 +5,7 @@ use super::contact::Contact;
 use super::essentials::Essentials;
 use super::warning::{FULLY, Warning, WarningKind};
 use crate::contact::law::Law;
-use crate::contact::material::{HalfSpace, Material, Pair, YieldPoint};
+use crate::contact::material::{HalfSpace, Material, Pair};
 use crate::contact::materials::{Class, MaterialEntry};
 use crate::units::{Dimension, four_digits, human, quantity};
 
@@ -28,8 +28,7 @@ pub(super) fn of_materials(contact: &Contact, row: &Essentials) -> impl Iterator
     let is_damped = contact.forces().damping.is_some();
     let limit = if (row.restitution - 1.0).abs() < 1e-6 { "e = 1 is the elastic limit" } else { "e is an upper limit" };
     let brittle = |body: &str, entry: &MaterialEntry| {
-        let fate = if entry.class == Class::Polymer { "creeps" } else { "cracks" };
-        let text = format!("{body}.material = {} {fate}: {limit}, not a prediction", entry.name);
+        let text = format!("{body}.material = {} {}: {limit}, not a prediction", entry.name, fate(entry));
         Warning::new(WarningKind::NoMetal, 0.0, text)
     };
     let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
@@ -59,6 +58,23 @@ pub(super) fn of_materials(contact: &Contact, row: &Essentials) -> impl Iterator
     let metals = [metal(0, "sphere", named.sphere, share), metal(1, "half_space", named.half_space, 1.0 - share)];
     let brittle = [half_space.map(|entry| brittle("half_space", entry)), sphere.map(|entry| brittle("sphere", entry))];
     brittle.into_iter().chain(metals).flatten()
+}
+
+/// The warning for a named material that a slow indentation takes for elastic.
+pub(crate) fn of_elastic(half_space: &HalfSpace, entry: &MaterialEntry) -> Option<Warning> {
+    let is_elastic = half_space.yield_strength.is_none() && !entry.is_metal();
+    Warning::when(is_elastic, WarningKind::NoMetal, 0.0, || {
+        format!(
+            "half_space.material = {} {}, and is computed as elastic: no dent is left; half_space.hardness gives it one",
+            entry.name,
+            fate(entry)
+        )
+    })
+}
+
+/// How a material that is no metal gives way.
+fn fate(entry: &MaterialEntry) -> &'static str {
+    if entry.class == Class::Polymer { "creeps" } else { "cracks" }
 }
 
 /// The body whose strength has no part in the law of a contact, its partner, and that strength: of the sphere where nothing yields by
@@ -97,15 +113,20 @@ pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so:
 /// The least σ_Y/E* of a ball that flows in the finite elements.
 const WEAKEST: f64 = 5e-4;
 
-/// The warning for a sphere that flows and is weaker than any in the finite elements.
-pub(crate) fn of_flow(pair: &Pair) -> Option<Warning> {
-    let YieldPoint { flow, strength, .. } = pair.yield_point?;
-    let ratio = strength / pair.effective_modulus;
-    Warning::when(flow.sphere_share > 0.0 && ratio < WEAKEST, WarningKind::WeakSphere, -ratio, || {
+/// The warnings for a sphere that flows, where it is weaker than any in the finite elements, or is said to be rigid.
+pub(crate) fn of_flow(pair: &Pair) -> impl Iterator<Item = Warning> + use<> {
+    let is_rigid = pair.sphere_compliance == 0.0;
+    let point = pair.yield_point.filter(|point| point.flow.sphere_share > 0.0);
+    let ratio = point.map_or(f64::NAN, |point| point.strength / pair.effective_modulus);
+    let weak = Warning::when(ratio < WEAKEST, WarningKind::WeakSphere, -ratio, || {
         format!(
             "yield strength / effective modulus = {ratio:.2e} of the sphere that flows is below {WEAKEST:.0e}: against finite elements the force is then up to 7 % and e up to 3 % too low"
         )
-    })
+    });
+    let rigid = Warning::when(point.is_some() && is_rigid, WarningKind::RigidFlows, 0.0, || {
+        "the sphere is rigid and flows, as it has a yield strength: a rigid body keeps its shape; give sphere.youngs_modulus, or leave out what gives the sphere a strength".to_owned()
+    });
+    weak.into_iter().chain(rigid)
 }
 
 /// The warnings for a sphere whose numbers hardly any body has. A mass that is not its own has no density.

@@ -40,7 +40,7 @@ mod warning;
 pub mod waves;
 
 pub use bodies::TOO_HIGH;
-pub(crate) use bodies::{left_out, of_flow, of_half_space, of_sphere, of_yielding};
+pub(crate) use bodies::{left_out, of_elastic, of_flow, of_half_space, of_sphere, of_yielding};
 pub use contact::{Contact, Named, Rated};
 pub use error::ImpactError;
 pub use essentials::{Essentials, OnPlate};

@@ -27,6 +27,8 @@ pub enum WarningKind {
     SphereYields,
     /// A sphere that flows at a strength below those of the finite elements.
     WeakSphere,
+    /// A sphere without elastic strain that flows.
+    RigidFlows,
     /// Two balls that both flow and are not equal.
     UnequalBalls,
     /// A body that cracks or creeps where a metal would yield.

@@ -35,6 +35,31 @@ fn what_stays_elastic_has_no_dent() {
     }
 }
 
+/// What an instrument reports of a diamond tip on fused silica, which stays elastic: 1/E* = (1 − 0.07²)/1141 GPa +
+/// (1 − 0.17²)/72.5 GPa by hand, with the numbers of the two materials; S = 2 E* a; H = F/(π a²).
+#[test]
+fn a_nanoindentation_has_stiffness_modulus_and_hardness() {
+    let text = "[sphere]\nmaterial = \"diamond\"\nradius = \"10 um\"\n[half_space]\nmaterial = \"silica-fused\"\n\
+        [indentation]\nsteps = [{ load = \"50 mN\" }, { load = 0 }]\n";
+    let desk = Desk::with(text);
+    let (table, said) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
+    assert!(said.contains("silica-fused cracks"), "{said}");
+    let half_space = &desk.summary()["half_spaces"][0];
+    let step = &half_space["steps"][1];
+    let of = |name: &str| step[name].as_f64().unwrap();
+    let modulus = 1.0 / ((1.0 - 0.07 * 0.07) / 1141e9 + (1.0 - 0.17 * 0.17) / 72.5e9);
+    let radius = of("peak_contact_radius_m");
+    assert!(off(half_space["effective_modulus_Pa"].as_f64().unwrap(), modulus) < 1e-12);
+    assert!(off(of("unloading_stiffness_N_per_m"), 2.0 * modulus * radius) < 1e-12);
+    assert!(off(of("peak_mean_pressure_Pa"), 0.05 / (std::f64::consts::PI * radius * radius)) < 1e-12);
+    assert!(table.contains("hardness F/A"), "{table}");
+    // with a hardness it has a dent
+    let hard = Desk::ran(
+        text.replace("silica-fused\"\n", "silica-fused\"\nhardness = \"7 GPa\"\n").replace("50 mN", "300 mN"),
+    );
+    assert!(hard.summary()["half_spaces"][0]["steps"][1]["residual_indentation_m"].as_f64().unwrap() > 1e-8);
+}
+
 #[test]
 fn densities_are_not_needed_and_do_no_harm() {
     let dense = CYCLES

@@ -5,12 +5,13 @@ use std::fmt::Display;
 use super::outcome::{self, Outcome, RunOptions, file, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::impact::indentation::{IndentationError, Indenter, StaticContact, Tested};
-use crate::impact::{of_half_space, of_sphere};
+use crate::impact::{of_elastic, of_half_space, of_sphere};
 use crate::report::plot;
 use crate::report::plot::caption::of_indentation;
 use crate::report::text::indentation as report;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
+use crate::scenario::scene::Body;
 
 /// The scene of a scenario, the results of every half-space, and all warnings; `samples` are the rows of the trace in each
 /// step, if there is to be one.
@@ -32,6 +33,9 @@ pub fn compute(
             specimen.name.as_ref().map_or_else(|| warning.to_string(), |name| format!("{name}, {warning}"))
         };
         warnings.extend(of_half_space(&specimen.half_space).map(|warning| named(&warning)));
+        let material = scenario.input().materials().iter().find(|choice| choice.body == Body::HalfSpace);
+        let elastic = material.and_then(|choice| of_elastic(&specimen.half_space, choice.material));
+        warnings.extend(elastic.map(|warning| warning.to_string()));
         warnings.extend(indentation.warnings.iter().map(|warning| named(warning)));
         let (pair, can_yield) = (*contact.pair(), contact.can_yield());
         tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation });

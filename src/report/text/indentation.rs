@@ -25,7 +25,7 @@ pub(super) fn half_space() -> Vec<Reported<Tested>> {
         "poissons_ratio": tested.specimen.half_space.material.poissons_ratio;
         /// Yield strength.
         "yield_strength_Pa" in Pressure if YIELDS: tested.specimen.half_space.yield_strength;
-        /// Effective modulus E* of the pair of bodies.
+        /// Effective modulus E* of the pair of bodies, which a nanoindentation calls the reduced modulus.
         "effective_modulus_Pa" in Pressure: tested.pair.effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
         "sphere_compliance": tested.pair.sphere_compliance;
@@ -89,11 +89,12 @@ pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         "peak_indentation_m" in Length: row.step.memory.indentation;
         /// Contact radius at that indentation.
         "peak_contact_radius_m" in Length as "contact radius": row.step.memory.contact_radius;
-        /// Largest force over the contact area there.
-        "peak_mean_pressure_Pa" in Pressure: row.step.memory.mean_pressure;
+        /// Largest force over the contact area there: the hardness F/A of a nanoindentation.
+        "peak_mean_pressure_Pa" in Pressure as "hardness F/A": row.step.memory.mean_pressure;
         /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere.
         "residual_indentation_m" in Length as "dent depth" if YIELDS: row.tested.can_yield.then_some(row.step.memory.residual_indentation);
-        /// Slope of the unloading branch at its top.
+        /// Slope S of the unloading branch at its top. In a dent S/(2 a) is no measure of the modulus: it is 10 to 16 % above E*
+        /// with the exponent `pressure-shape`, and up to 30 % with 3/2 (`indentation-cycles`).
         "unloading_stiffness_N_per_m" in Stiffness as "stiffness S": row.step.memory.unloading_stiffness;
         /// Exponent of the force on unloading.
         "unloading_exponent": row.step.memory.unloading_exponent;
