@@ -7,7 +7,7 @@ use super::problem::{NoAnswer, Problem, TAILS};
 use crate::numerics::functions::hypot;
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
-const NO_SCATTER: f64 = 1e-6;
+pub(crate) const NO_SCATTER: f64 = 1e-6;
 /// The noise may be a share of the value by the law. If the law gives less than this part of the reading, it is a share of this
 /// part of the reading.
 const LEAST: f64 = 0.5;

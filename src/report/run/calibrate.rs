@@ -5,6 +5,7 @@ use std::path::absolute;
 use toml_edit::Value;
 
 use super::outcome::{Outcome, RunOptions, file, provenance, with_summary};
+use crate::calibrate::fit::NO_SCATTER;
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::contact::materials::Property;
 use crate::error::Error;
@@ -55,7 +56,9 @@ fn warnings(found: &Calibration) -> Vec<String> {
             format!("{}: its interval reaches an end of its range and is not bounded by these data", key.free.key.path)
         })
     };
-    let runs = found.runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
+    // what is left of measurements that the law itself made is rounding, with any signs
+    let runs = found.runs.filter(|_| found.misfit > NO_SCATTER);
+    let runs = runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
         let p = four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
