@@ -69,8 +69,6 @@ struct Layout {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
     pub y: Axis,
-    /// Share of the height, relative to the other boxes.
-    pub share: f64,
     /// If a series has no style, its style is that of its place among all series of the picture.
     pub series: Vec<Series>,
     pub guides: Vec<Series>,
@@ -95,7 +93,7 @@ pub struct Cell {
 
 impl Panel {
     pub fn new(y: Axis, series: Vec<Series>) -> Self {
-        Self { y, share: 1.0, series, guides: Vec::new(), cells: Vec::new() }
+        Self { y, series, guides: Vec::new(), cells: Vec::new() }
     }
 
     fn points(&self) -> impl Iterator<Item = (f64, f64)> {
@@ -218,13 +216,13 @@ impl Chart {
     /// The boxes in this room; a box at the side is the last.
     fn frames(&self, all: Bounds) -> Vec<Frame> {
         let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
-        let room = all.bottom - all.top - GAP * (self.panels.len() - 1) as f64;
-        let shares: f64 = self.panels.iter().map(|panel| panel.share).sum();
+        let count = self.panels.len() as f64;
+        let height = (all.bottom - all.top - GAP * (count - 1.0)) / count;
         let mut bottom = all.top - GAP;
         let mut frames: Vec<Frame> = Vec::new();
         for panel in &self.panels {
             let top = bottom + GAP;
-            bottom = top + room * panel.share / shares;
+            bottom = top + height;
             let y = panel.y.fitted(panel.points().map(|(_, y)| y));
             frames.push(Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
         }

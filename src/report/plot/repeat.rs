@@ -1,5 +1,5 @@
-//! Pictures of repeated impacts: height and dents against time, the loops of all impacts, and e and dents against the
-//! number of the impact.
+//! Pictures of repeated impacts: height against time, the loops of all impacts, and speed, e and dent against the number of the
+//! impact.
 
 use super::{Axis, Chart, GREY, Panel, Series, Style, loops};
 use crate::error::Error;
@@ -13,8 +13,7 @@ const FLIGHT_POINTS: u32 = 48;
 /// Points of all flights together; more are not needed for a picture of 1600 px.
 const MOST_POINTS: usize = 200_000;
 
-/// The height of the lowest point of the sphere, and the depth of the dents, against time. `None` for shots, which have
-/// no times.
+/// The height of the lowest point of the sphere against time. `None` for shots, which have no times.
 pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let last = sequence.hits.last()?;
     let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
@@ -22,10 +21,7 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
         sequence.fall.iter().chain(sequence.hits.iter().filter_map(|hit| hit.flight.as_ref())).collect();
     let points = (MOST_POINTS / flights.len().max(1)).clamp(2, FLIGHT_POINTS as usize);
     let points = u32::try_from(points).unwrap_or(FLIGHT_POINTS);
-    let along = |flight: &Flight| -> Vec<(f64, f64)> {
-        let time = |i: u32| flight.duration * f64::from(i) / f64::from(points);
-        (0..=points).map(|i| (flight.begin + time(i), flight.height_at(time(i)))).collect()
-    };
+    let along = |flight: &Flight| flown(flight, points, |time| flight.begin + time);
     let mut curve: Vec<(f64, f64)> = flights.iter().flat_map(|flight| along(flight)).collect();
     curve.extend(last.time.map(|time| (time, 0.0)));
     // where the air takes more than 1 % of a height
@@ -40,40 +36,21 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let drawn: Vec<Series> = [path].into_iter().chain(without_air).collect();
     let highest = drawn.iter().flat_map(|one| &one.points).map(|at| at.1).fold(0.0, f64::max);
     let y = Axis::engineering("Height", "m").between(0.0, 1.06 * highest);
-    let mut panels = vec![Panel { share: 2.0, ..Panel::new(y, drawn) }];
-    let mark = sequence.left_behind();
-    let shallowest = sequence.hits.iter().map(|hit| hit.residual_indentation).fold(f64::INFINITY, f64::min);
-    // a dent that only the first impact makes is a number, not a curve
-    let is_constant = sequence.deepest_dent() <= 1.001 * shallowest;
-    if sequence.deepest_dent() > 0.0 && is_constant {
-        panels[0].series[0]
-            .texts
-            .push(format!("{mark} δᵣ = {} from the first impact on", quantity(shallowest, Dimension::Length)));
-    } else if sequence.deepest_dent() > 0.0 {
-        let dents = sequence.hits.iter().filter_map(|hit| Some((hit.time?, hit.residual_indentation))).collect();
-        let dents = match repeat.place {
-            Place::Same => Series::marked_line(format!("{} δᵣ of the one spot", capital(mark)), dents),
-            Place::Fresh => Series::points(format!("{} δᵣ, each on its spot", capital(mark)), dents),
-        };
-        let y =
-            Axis::engineering(&format!("{} depth", capital(mark)), "m").between(0.0, 1.15 * sequence.deepest_dent());
-        panels.push(Panel::new(y, vec![dents.styled(Style::new(1).solid())]));
-    }
     let x = Axis::engineering("Time", "s").between(0.0, 1.03 * end);
-    Some(Chart::stacked(title(repeat, sequence), x, panels))
+    Some(Chart::new(title(repeat, sequence), [x, y], drawn))
+}
+
+/// Heights along a flight over a quantity that follows from the time since its begin.
+fn flown(flight: &Flight, points: u32, over: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    let times = (0..=points).map(|i| flight.duration * f64::from(i) / f64::from(points));
+    times.map(|time| (over(time), flight.height_at(time))).collect()
 }
 
 /// The path of a ball that hops along: the height of its lowest point over the place along the surface.
 pub fn path(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let flights: Vec<&Flight> = sequence.hits.iter().filter_map(|hit| hit.flight.as_ref()).collect();
     sequence.hits.first()?.speed_along().filter(|_| !flights.is_empty())?;
-    let at = |i: u32| f64::from(i) / f64::from(FLIGHT_POINTS);
-    let points = flights.iter().flat_map(|flight| {
-        (0..=FLIGHT_POINTS).map(move |i| {
-            let time = flight.duration * at(i);
-            (flight.position_at(time), flight.height_at(time))
-        })
-    });
+    let points = flights.iter().flat_map(|flight| flown(flight, FLIGHT_POINTS, |time| flight.position_at(time)));
     let hits = sequence.hits.iter().map(|hit| (hit.position, 0.0)).collect();
     let series = vec![Series::line("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
     let axes = [Axis::engineering("Place along the surface", "m"), Axis::engineering("Height", "m")];

@@ -10,7 +10,7 @@ use crate::report::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
 use crate::scenario::plan::{Axis, Cases, Plan, Setting, Word};
 use crate::scenario::scene::results::impact::results;
 use crate::scenario::scene::results::{Column, Shown, columns};
-use crate::table::{Evaluator, Failure, Rows, Tally, count};
+use crate::table::{Evaluator, Failure, Rows, Tally};
 use crate::units::{Dimension, capital, four_digits, quantity};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
@@ -151,13 +151,8 @@ struct ResultPicture<'a> {
 impl ResultPicture<'_> {
     /// The result of the case at these places of the first axes; not a number if the case has none.
     fn value(&self, places: &[u64]) -> f64 {
-        let row = row(self.evaluator, self.axes, places);
-        let value = match &row {
-            Some(row) if self.is_restitution() => count(row).ok().flatten(),
-            Some(Ok(row)) => (self.result.value)(row),
-            _ => None,
-        };
-        value.unwrap_or(f64::NAN)
+        let row = row(self.evaluator, self.axes, places).and_then(Result::ok);
+        row.as_ref().and_then(self.result.value).unwrap_or(f64::NAN)
     }
 
     fn is_restitution(&self) -> bool {

@@ -135,16 +135,7 @@ fn repeats() -> Vec<Drawing> {
         ),
         drawing(
             format!("{STEEL}{GRAVITY}[repeat]\nimpacts = 4\nspot = \"fresh\"\n"),
-            vec![
-                shown("repeat::height", "height", 0, Through(BLUE), tops("time_s")),
-                shown(
-                    "repeat::height",
-                    "height",
-                    1,
-                    Marks(VERMILLION),
-                    columns("impacts", &[], ["time_s", "residual_indentation_m"]),
-                ),
-            ],
+            vec![shown("repeat::height", "height", 0, Through(BLUE), tops("time_s"))],
         ),
         drawing(
             format!("{}{GRAVITY}[repeat]\nimpacts = 4\nspot = \"fresh\"\n", oblique()),
