@@ -13,25 +13,28 @@ use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, res
 pub(super) fn contact() -> Vec<Reported<Contact>> {
     results! { |contact: Contact|
         /// Mass of the sphere.
-        "sphere_mass_kg" in Mass: contact.mass();
+        "sphere_mass_kg" in Mass as "sphere mass": contact.mass();
         /// Mass of the body that is hit.
-        "target_mass_kg" in Mass if FREE: contact.target_mass();
+        "target_mass_kg" in Mass as "mass of the body that is hit" if FREE: contact.target_mass();
         /// Effective mass of both bodies.
-        "effective_mass_kg" in Mass if FREE: contact.target_mass().map(|_| contact.reduced_mass());
+        "effective_mass_kg" in Mass as "effective mass m*" if FREE:
+            contact.target_mass().map(|_| contact.reduced_mass());
         /// Effective radius of both bodies; the radius of the sphere where a flat surface is hit.
-        "effective_radius_m" in Length: contact.pair().radius;
+        "effective_radius_m" in Length as "effective radius R": contact.pair().radius;
         /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa" in Pressure: contact.pair().effective_modulus;
+        "effective_modulus_Pa" in Pressure as "effective modulus E*": contact.pair().effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance": contact.pair().sphere_compliance;
+        "sphere_compliance" as "share of the sphere kappa": contact.pair().sphere_compliance;
         /// Indentation at first yield.
-        "yield_indentation_m" in Length if YIELDS: contact.pair().yield_point.map(|point| point.indentation);
+        "yield_indentation_m" in Length as "yield indentation delta_Y" if YIELDS:
+            contact.pair().yield_point.map(|point| point.indentation);
         /// Force at first yield.
-        "yield_force_N" in Force if YIELDS: contact.pair().yield_point.map(|point| point.force);
+        "yield_force_N" in Force as "yield force F_Y" if YIELDS: contact.pair().yield_point.map(|point| point.force);
         /// Contact radius at first yield.
-        "yield_contact_radius_m" in Length if YIELDS: contact.pair().yield_point.map(|point| point.contact_radius);
+        "yield_contact_radius_m" in Length as "yield contact radius a_Y" if YIELDS:
+            contact.pair().yield_point.map(|point| point.contact_radius);
         /// Impact speed above which a body yields.
-        "yield_speed_m_per_s" in Speed if YIELDS: contact.yield_speed();
+        "yield_speed_m_per_s" in Speed as "yield speed v_Y" if YIELDS: contact.yield_speed();
     }
 }
 

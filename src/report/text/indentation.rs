@@ -12,27 +12,28 @@ use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, lists, results};
 use crate::scenario::scene::{Body, EVERY_KEY, Part, at};
-use crate::units::{self, Dimension, aligned, describe};
+use crate::units::{Dimension, aligned, describe};
 
 /// The results of one half-space, in the order of `summary.json`.
 pub(super) fn half_space() -> Vec<Reported<Tested>> {
     results! { |tested: Tested|
         /// Name of the half-space.
-        "name" if NAMED: tested.specimen.name.clone();
+        "name" as "half-space" if NAMED: tested.specimen.name.clone();
         /// Young's modulus.
-        "youngs_modulus_Pa" in Pressure: tested.specimen.half_space.material.youngs_modulus;
+        "youngs_modulus_Pa" in Pressure as "youngs_modulus": tested.specimen.half_space.material.youngs_modulus;
         /// Poisson's ratio.
-        "poissons_ratio": tested.specimen.half_space.material.poissons_ratio;
+        "poissons_ratio" as "poissons_ratio": tested.specimen.half_space.material.poissons_ratio;
         /// Yield strength.
-        "yield_strength_Pa" in Pressure if YIELDS: tested.specimen.half_space.yield_strength;
+        "yield_strength_Pa" in Pressure as "yield_strength" if YIELDS: tested.specimen.half_space.yield_strength;
         /// Effective modulus E* of the pair of bodies, which a nanoindentation calls the reduced modulus.
-        "effective_modulus_Pa" in Pressure: tested.pair.effective_modulus;
+        "effective_modulus_Pa" in Pressure as "effective modulus E*": tested.pair.effective_modulus;
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance": tested.pair.sphere_compliance;
+        "sphere_compliance" as "share of the sphere kappa": tested.pair.sphere_compliance;
         /// Indentation at first yield.
-        "yield_indentation_m" in Length if YIELDS: tested.pair.yield_point.map(|point| point.indentation);
+        "yield_indentation_m" in Length as "yield indentation delta_Y" if YIELDS:
+            tested.pair.yield_point.map(|point| point.indentation);
         /// Force at first yield.
-        "yield_force_N" in Force if YIELDS: tested.pair.yield_point.map(|point| point.force);
+        "yield_force_N" in Force as "yield force F_Y" if YIELDS: tested.pair.yield_point.map(|point| point.force);
         /// Work of all steps.
         "work_J" in Energy: tested.indentation.steps.iter().map(|step| step.work).sum::<f64>();
         /// Energy spent on the dent in all steps.
@@ -204,18 +205,10 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
         };
         row(&format!("step {i}"), format!("{kind} {value}"));
     }
-    for Tested { specimen, pair, .. } in tested {
-        let half_space = &specimen.half_space;
-        row("", String::new());
-        row("half-space", specimen.name.clone().unwrap_or_default());
-        row("youngs_modulus", describe(half_space.material.youngs_modulus, Dimension::Pressure));
-        row("poissons_ratio", units::number(half_space.material.poissons_ratio));
-        if let Some(strength) = half_space.yield_strength {
-            row("yield_strength", describe(strength, Dimension::Pressure));
-        }
-        for [name, value] in overview::paired(pair) {
-            row(&name, value);
-        }
+    for one in tested {
+        rows.push([String::new(), String::new()]);
+        rows.extend(terminal::described(&half_space(), one));
+        rows.push(overview::who(&one.pair));
     }
     let softer = |one: &Tested| one.pair.yield_point.map(|point| point.flow.of_softer(Body::ALL));
     let is_vague = |body: Body| !scenario.input().has_flow(body);

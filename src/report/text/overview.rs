@@ -1,13 +1,13 @@
 //! The text of `check`: every value in SI and in a suitable unit, and the numbers that follow from them
 //! before anything is run.
 
-use super::calibrate;
 use super::inputs::Inputs;
+use super::terminal::described;
+use super::{calibrate, checked};
 use crate::calibrate::{Calibration, Measurements};
 use crate::contact::law::{LawChoice, UnloadingExponent};
-use crate::contact::material::{Flow, Pair};
+use crate::contact::material::Pair;
 use crate::contact::materials::Property;
-use crate::contact::strength::hardness;
 use crate::impact::Contact;
 use crate::scenario::scene::{Body, Input, key_of};
 use crate::units::{Dimension, aligned, describe, four_digits, human, percent};
@@ -32,29 +32,12 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
                 rows.push(["law.validity".to_owned(), about.validity.to_owned()]);
                 rows.push(["law.confidence".to_owned(), about.confidence.to_owned()]);
             }
-            _ => {
-                let hardness = Body::ALL.into_iter().map(|body| key_of!(body, "hardness")).find(|at| at.path() == key);
-                let vickers = hardness.and_then(|at| input.number(at)).map(hardness::vickers);
-                let vickers = vickers.map_or_else(String::new, |vickers| format!(", {} HV", four_digits(vickers)));
-                rows.push([key, text + &vickers]);
-            }
+            _ => rows.push([key, text]),
         }
     }
     rows.push([String::new(), String::new()]);
-    rows.push(["sphere mass".to_owned(), describe(contact.mass(), Dimension::Mass)]);
-    if let Some(target) = contact.target_mass() {
-        rows.push(["mass of the body that is hit".to_owned(), describe(target, Dimension::Mass)]);
-        rows.push(["effective mass m*".to_owned(), describe(contact.reduced_mass(), Dimension::Mass)]);
-    }
-    if contact.half_space().radius.is_some() {
-        rows.push(["effective radius R".to_owned(), describe(contact.pair().radius, Dimension::Length)]);
-    }
-    rows.extend(paired(contact.pair()));
-    if let Some(point) = contact.pair().yield_point {
-        let speed = contact.yield_speed().map_or_else(String::new, |speed| describe(speed, Dimension::Speed));
-        rows.push(["yield contact radius a_Y".to_owned(), describe(point.contact_radius, Dimension::Length)]);
-        rows.push(["yield speed v_Y".to_owned(), speed]);
-    }
+    rows.extend(described(&checked::contact(), contact));
+    rows.push(who(contact.pair()));
     if let Some(rated) = contact.rated() {
         rows.push(["strain rate".to_owned(), describe(rated.strain_rate, Dimension::StrainRate)]);
         rows.push(["strength raised by".to_owned(), four_digits(rated.factor)]);
@@ -135,43 +118,25 @@ pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {
     inputs.0.iter().map(|entry| [entry.path.clone(), entry.text()]).collect()
 }
 
-/// The rows that follow from the pair of bodies.
-pub(super) fn paired(pair: &Pair) -> Vec<Row> {
-    let mut rows = Vec::new();
-    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
-    row("effective modulus E*", describe(pair.effective_modulus, Dimension::Pressure));
-    row("share of the sphere kappa", four_digits(pair.sphere_compliance));
-    match pair.yield_point {
-        Some(point) => {
-            row("yield indentation delta_Y", describe(point.indentation, Dimension::Length));
-            row("yield force F_Y", describe(point.force, Dimension::Force));
-            row("who yields", who(pair, &point.flow));
-        }
-        None => row("yield point", ELASTIC.to_owned()),
-    }
-    rows
-}
-
-/// A line on the body that flows, and on the ratio of the strengths.
-fn who(pair: &Pair, flow: &Flow) -> String {
-    let Flow { ratio, is_sphere, .. } = *flow;
-    let [softer, harder] = if is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
+/// Which body flows, with the ratio of the strengths.
+pub(super) fn who(pair: &Pair) -> Row {
+    let Some(point) = pair.yield_point else { return ["yield point", ELASTIC].map(str::to_owned) };
+    let flow = point.flow;
+    let ratio = flow.ratio;
+    let [softer, harder] = if flow.is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
     let times = four_digits(ratio);
-    match () {
-        () if pair.is_of_equal_balls() => {
-            "both alike: two equal balls are one of them on a rigid wall at half the approach".to_owned()
-        }
-        () if ratio.is_infinite() => format!("the {softer}; the {harder} stays elastic"),
-        () if flow.is_of_both() => {
-            let sum = if pair.is_of_unequal_balls() {
-                "; their parts are added, which misses equal balls by up to 1 % of e"
-            } else {
-                ""
-            };
-            format!("both: the {harder} is {times} times as strong, and the {softer} flows more{sum}")
-        }
-        () => format!("the {softer}, as the {harder} is {times} times as strong"),
-    }
+    let who = if pair.is_of_equal_balls() {
+        "both alike: two equal balls are one of them on a rigid wall at half the approach".to_owned()
+    } else if ratio.is_infinite() {
+        format!("the {softer}; the {harder} stays elastic")
+    } else if flow.is_of_both() {
+        let is_sum = pair.is_of_unequal_balls();
+        let sum = if is_sum { "; their parts are added, which misses equal balls by up to 1 % of e" } else { "" };
+        format!("both: the {harder} is {times} times as strong, and the {softer} flows more{sum}")
+    } else {
+        format!("the {softer}, as the {harder} is {times} times as strong")
+    };
+    ["who yields".to_owned(), who]
 }
 
 const ELASTIC: &str = "none: no body has a yield_strength, and the contact stays elastic";

@@ -1,35 +1,27 @@
 //! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
 
-use std::fmt::Write as _;
-
 use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Setting, Values, Variable};
-use crate::units::percent;
+use crate::units::{aligned, percent};
 
 /// An axis with at most so many values is listed value by value.
 const MOST_LISTED: u64 = 8;
 
 /// The lines about the cases. The scene of the first case is printed after them.
 pub fn plan_lines(plan: &Plan) -> String {
-    let mut text = String::new();
     let count = plan.count();
-    let rows: Vec<(&str, String)> = match &plan.cases {
+    let row = |path: &str, values: String| [format!("  {path}"), values];
+    let (from, rows): (_, Vec<_>) = match &plan.cases {
         Cases::Grid(axes) => {
-            let _ = writeln!(text, "{count} cases, every combination of");
-            axes.iter().map(|axis| (axis.path(), values(axis))).collect()
+            ("every combination of".to_owned(), axes.iter().map(|axis| row(axis.path(), values(axis))).collect())
         }
         Cases::MonteCarlo { seed, variables, .. } => {
-            let _ = writeln!(text, "{count} cases, drawn with seed {seed} from");
-            variables.iter().map(|variable| (variable.key.path, distribution(variable))).collect()
+            let rows = variables.iter().map(|variable| row(variable.key.path, distribution(variable)));
+            (format!("drawn with seed {seed} from"), rows.collect())
         }
     };
-    let width = rows.iter().map(|(path, _)| path.len()).max().unwrap_or(0);
-    for (path, values) in rows {
-        let _ = writeln!(text, "  {path:<width$}  {values}");
-    }
-    let _ = writeln!(text, "columns {}", plan.column_names().join(","));
+    let (rows, columns) = (aligned(&rows, |_| true), plan.column_names().join(","));
     let scene = if plan.is_monte_carlo() { "the scene at the medians" } else { "the scene of the first case" };
-    let _ = writeln!(text, "\n{scene}:");
-    text
+    format!("{count} cases, {from}\n{rows}columns {columns}\n\n{scene}:\n")
 }
 
 fn values(axis: &Axis) -> String {

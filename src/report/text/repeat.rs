@@ -1,7 +1,5 @@
 //! Texts about repeated impacts: `summary.json`, `impacts.csv`, `trace.csv` and the table on the terminal.
 
-use std::fmt::Write as _;
-
 use serde_json::{Map, Value};
 
 use super::files::csv;
@@ -9,7 +7,7 @@ use super::series::{self as results, Series, TraceRow};
 use super::terminal::{self, Detail};
 use crate::error::Error;
 use crate::impact::repeat::flight::Flight;
-use crate::impact::repeat::{Drive, Hit, Place, Repeat, Sequence};
+use crate::impact::repeat::{Drive, Hit, Repeat, Sequence};
 use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::trace::event_name;
 use crate::units::{Dimension, aligned, quantity};
@@ -104,42 +102,21 @@ pub fn table(series: &Series, detail: Detail) -> String {
     aligned(&lines, |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 
-/// A list of at most so many speeds is shown speed by speed.
-const MOST_LISTED: usize = 8;
-
-/// The text of `check` about a series. The scene of the first impact is printed after it.
+/// The text of `check` about a series: its keys. The scene of the first impact is printed after it.
 pub fn repeat_lines(repeat: &Repeat) -> String {
-    let place = match repeat.place {
-        Place::Same => "all on the same spot",
-        Place::Fresh => "each on fresh surface",
-    };
-    let mut text = String::new();
+    let speed = |speed: &f64| quantity(*speed, Dimension::Speed);
+    let mut rows = vec![["repeat.spot", repeat.place.name()].map(str::to_owned)];
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     match &repeat.drive {
         Drive::Bouncing { most, until, .. } => {
-            let _ = writeln!(text, "bouncing under gravity, {place}, until");
-            let _ = writeln!(text, "  there were {most} impacts");
-            if let Some(until) = until {
-                let _ = writeln!(text, "  or the next one would be slower than {}", quantity(*until, Dimension::Speed));
-            }
-            if repeat.place == Place::Fresh {
-                let _ = writeln!(text, "  or the rebound does not lift the sphere out of its dent");
-            }
-            let _ = writeln!(text, "  or the sphere is captured");
+            row("repeat.impacts", most.to_string());
+            until.iter().for_each(|until| row("repeat.until.speed", speed(until)));
         }
         Drive::Shots(speeds) => {
-            let _ = writeln!(text, "{} shots, {place}, at", speeds.len());
-            let shown = |speed: &f64| quantity(*speed, Dimension::Speed);
-            let is_one = speeds.iter().all(|speed| *speed == speeds[0]);
-            let list = if is_one {
-                shown(&speeds[0])
-            } else if speeds.len() <= MOST_LISTED {
-                speeds.iter().map(shown).collect::<Vec<_>>().join(", ")
-            } else {
-                format!("{}, {} ... {}", shown(&speeds[0]), shown(&speeds[1]), shown(&speeds[speeds.len() - 1]))
-            };
-            let _ = writeln!(text, "  {list}");
+            row("shots", speeds.len().to_string());
+            let [low, high] = [f64::min, f64::max].map(|end| speeds.iter().copied().fold(f64::NAN, end));
+            row("speed", if low == high { speed(&low) } else { format!("{} to {}", speed(&low), speed(&high)) });
         }
     }
-    text.push_str("\nthe scene of the first impact:\n");
-    text
+    aligned(&rows, |_| true) + "\nthe scene of the first impact:\n"
 }

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::scenario::scene::results::impact::{Single, results};
 use crate::scenario::scene::results::{Reported, Shown};
-use crate::units::{Dimension, aligned, four_digits, percent, quantity};
+use crate::units::{Dimension, aligned, describe, four_digits, percent, quantity};
 
 /// How much the terminal shows of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -135,6 +135,18 @@ pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>
         }
     }
     lines
+}
+
+/// A label and a value for every result, with the SI unit and all digits where they are few: as `check` shows numbers.
+pub(super) fn described<T>(results: &[Reported<T>], subject: &T) -> impl Iterator<Item = [String; 2]> {
+    labelled(results).filter_map(|Reported { shown, label, value, .. }| {
+        let value = value(subject)?;
+        let text = match (shown, value.as_f64()) {
+            (Shown::In(dimension), Some(number)) => describe(number, *dimension),
+            _ => text(*shown, &value)?,
+        };
+        Some([(*label).to_owned(), text])
+    })
 }
 
 fn labelled<T>(results: &[Reported<T>]) -> impl Iterator<Item = &Reported<T>> {

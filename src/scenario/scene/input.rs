@@ -242,6 +242,9 @@ impl KeyValue {
     /// The value for the terminal.
     pub fn text(&self) -> String {
         match (self.quantity, self.value.as_f64(), self.value.as_str()) {
+            (Some(quantity), Some(number), _) if quantity.is_hardness => {
+                format!("{}, {}", describe(number, quantity.dimension), quantity.human(number))
+            }
             (Some(quantity), Some(number), _) => describe(number, quantity.dimension),
             (.., Some(word)) => word.to_owned(),
             _ => self.value.to_string(),
