@@ -1,6 +1,5 @@
 //! Warns where a table leaves the range of the model. Before the sweep starts, one impact is computed at each corner of
-//! the grid, or in the tails of the distributions. Of very many corners, those that differ from the first in one axis are
-//! computed, and a sample of the others. The rows of a table carry no warnings.
+//! the grid, or in the tails of the distributions; of very many corners a sample is. The rows of a table carry no warnings.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
@@ -27,12 +26,10 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
     let chosen: Vec<Vec<u64>> = if all <= MOST_CORNERS {
         (0..all).map(|number| corner(&ends, number)).collect()
     } else {
-        // the same in every run
+        // the same in every run; an end of an axis is in so large a sample many times
         let mut random = ChaCha8Rng::seed_from_u64(0);
-        let sample = (0..MOST_CORNERS).map(|_| corner(&ends, random.next_u64()));
-        one_at_a_time(&ends).chain(sample).collect()
+        (0..MOST_CORNERS).map(|_| corner(&ends, random.next_u64())).collect()
     };
-    let computed = chosen.len();
     // where no axis changes the contact, one serves all corners
     let is_one = axes.iter().all(Axis::keeps_contact);
     let own = if is_one && known.is_none() { plan.input.contact().ok() } else { None };
@@ -60,7 +57,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
         worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect();
     if all > MOST_CORNERS {
         warnings.push(format!(
-            "of the {all} corners of this table {computed} were looked at: every value at an end of one axis, and a sample of the others; the model may be left at the rest"
+            "of the {all} corners of this table {MOST_CORNERS} were looked at, a sample; the model may be left at the others"
         ));
     }
     warnings
@@ -76,19 +73,6 @@ fn corner(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
         place
     };
     ends.iter().map(place).collect()
-}
-
-/// The corners that differ from the first one on one axis.
-fn one_at_a_time(ends: &[Vec<u64>]) -> impl Iterator<Item = Vec<u64>> {
-    let first: Vec<u64> = ends.iter().map(|ends| ends[0]).collect();
-    ends.iter().enumerate().flat_map(move |(axis, ends)| {
-        let first = first.clone();
-        ends.iter().map(move |place| {
-            let mut places = first.clone();
-            places[axis] = *place;
-            places
-        })
-    })
 }
 
 /// The places of the smallest and the largest value of an axis, or of all its words.

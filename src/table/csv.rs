@@ -7,7 +7,7 @@ use std::path::Path;
 use super::Rows;
 use super::column::{Column, columns};
 use super::count::{Count, status, written};
-use super::form::{Form, Found};
+use super::form::Form;
 use crate::files::NewFile;
 use crate::scenario::plan::{Plan, Values};
 
@@ -122,20 +122,20 @@ impl Form for Csv {
         Ok(writer)
     }
 
-    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found> {
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<bool> {
         let mut reader = BufReader::with_capacity(1 << 18, File::open(path)?);
         let (mut line, mut read) = (Vec::new(), 0);
         reader.read_until(b'\n', &mut line)?;
         if line != self.header {
-            return Ok(Found::Torn);
+            return Ok(false);
         }
         line.clear();
         while reader.read_until(b'\n', &mut line)? > 0 {
-            let Some(one) = line.strip_suffix(b"\n").and_then(|line| self.count(line)) else { return Ok(Found::Torn) };
+            let Some(one) = line.strip_suffix(b"\n").and_then(|line| self.count(line)) else { return Ok(false) };
             count(one);
             read += 1;
             line.clear();
         }
-        Ok(if read == rows { Found::Whole } else { Found::Torn })
+        Ok(read == rows)
     }
 }

@@ -285,43 +285,48 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// Does for random cases what [`Self::grid`] does for a grid.
+    /// Appends the rows of random cases.
     fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
         let mut draws: Vec<Draws> =
             (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
-        let mut input = self.plan.input.clone();
-        let mut row_law =
-            RowLaw::new(&input, variables.iter().any(|variable| variable.key.part.changes_law()), self.has_band);
-        for _ in cases {
-            for draw in &mut draws {
-                let value = draw.next_value();
-                draw.variable.key.set(&mut input, Some(value));
-                rows.swept.push(value);
-            }
-            if let Some((_, known)) = self.contacts.first() {
-                self.row(&input, known, rows);
-            } else {
-                self.row(&input, &row_law.contact_of(&input), rows);
-            }
-        }
+        let keys: Vec<&Key> = variables.iter().map(|variable| variable.key).collect();
+        self.one_by_one(&keys, cases, rows, |place, _, swept| {
+            let value = draws[place].next_value();
+            swept.push(value);
+            value
+        });
     }
 
     /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
     /// values only yield strengths that follow from the keys are appended.
     pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
-        let of_contact: Vec<_> = keys.iter().filter(|(key, _)| key.part.changes_contact()).collect();
+        let only_keys: Vec<&Key> = keys.iter().map(|(key, _)| *key).collect();
+        self.one_by_one(&only_keys, cases, rows, |place, case, _| keys[place].1[case]);
+    }
+
+    /// Appends the rows of cases in which each of these keys has a value of its own. `value` gives that of a key, by its place, in
+    /// a case, and may add it to the swept values.
+    fn one_by_one<C: Copy>(
+        &self,
+        keys: &[&Key],
+        cases: impl Iterator<Item = C>,
+        rows: &mut Rows,
+        mut value: impl FnMut(usize, C, &mut Vec<f64>) -> f64,
+    ) {
         let mut input = self.plan.input.clone();
         let mut own: Option<RowContact> = None;
-        let mut row_law = RowLaw::new(&input, keys.iter().any(|(key, _)| key.part.changes_law()), self.has_band);
+        let mut row_law = RowLaw::new(&input, keys.iter().any(|key| key.part.changes_law()), self.has_band);
+        let is_one = !keys.iter().any(|key| key.part.changes_contact());
         for case in cases {
-            for (key, values) in keys {
-                key.set(&mut input, Some(values[case]));
+            for (place, key) in keys.iter().enumerate() {
+                let new = Some(value(place, case, &mut rows.swept));
+                if key.part.changes_contact() && key.get(&input) != new {
+                    own = None;
+                }
+                key.set(&mut input, new);
             }
-            if case > 0 && of_contact.iter().any(|(_, values)| values[case] != values[case - 1]) {
-                own = None;
-            }
-            let known = match self.contacts.first().filter(|_| of_contact.is_empty()) {
+            let known = match self.contacts.first().filter(|_| is_one) {
                 Some((_, known)) => known,
                 None => own.get_or_insert_with(|| row_law.contact_of(&input)),
             };

@@ -23,15 +23,6 @@ named! {
     }
 }
 
-/// The state of a file that an earlier run has written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Found {
-    /// All rows of the part are there.
-    Whole,
-    /// Rows are missing.
-    Torn,
-}
-
 /// A file format: it encodes rows, writes them into a file, and reads such a file again.
 pub(super) trait Form: Sync + Send {
     /// Encoded rows.
@@ -56,6 +47,7 @@ pub(super) trait Form: Sync + Send {
     /// Ends the file, which is then complete but not yet in its place.
     fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
 
-    /// Reads a file that ought to have so many rows. Counts the rows until it finds that the file is not whole.
-    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<Found>;
+    /// Reads a file that ought to have so many rows. Counts the rows until it finds that the file is not whole; false for such a
+    /// file.
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<bool>;
 }

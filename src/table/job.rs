@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::count::Count;
 use super::csv::Csv;
-use super::form::{Form, Format, Found};
+use super::form::{Form, Format};
 use super::parts::{Identity, JOINED, ONE_FILE, PARTS};
 use super::shard::Shard;
 use super::{Evaluator, Layout, Rows, Tally, count, file, unwritable};
@@ -140,7 +140,7 @@ impl<F: Form> Table<'_, F> {
         } else if is_joined && table.exists() {
             // the table was finished, perhaps by another run; without its parts it is as good
             let mut tally = Tally::new(job.plan);
-            if self.read(&table, 0..layout.rows, &mut |count| tally.push(count))? == Found::Whole {
+            if self.read(&table, 0..layout.rows, &mut |count| tally.push(count))? {
                 remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
                 return Ok(Written { table, found: tally.rows, tally });
             }
@@ -170,8 +170,8 @@ impl<F: Form> Table<'_, F> {
         remove_folder(&folder).map_err(file("cannot be removed", &folder))
     }
 
-    /// Reads a file that ought to hold these cases.
-    fn read(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(Count)) -> Result<Found, Error> {
+    /// Reads a file that ought to hold these cases; whether it is whole.
+    fn read(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(Count)) -> Result<bool, Error> {
         self.form.read(path, cases.end - cases.start, count).map_err(file("cannot be read", path))
     }
 
@@ -227,10 +227,10 @@ impl<F: Form> Table<'_, F> {
                 Task::Read(part) => part,
             };
             let (path, cases, mut counts) = (path(part), layout.cases(part), Vec::new());
-            match self.read(&path, cases.clone(), &mut |count| counts.push(count))? {
-                Found::Whole => Ok(vec![Made { cases, piece: None, counts }]),
-                Found::Torn => pieces(part).collect::<Vec<_>>().into_par_iter().map(compute).collect(),
+            if self.read(&path, cases.clone(), &mut |count| counts.push(count))? {
+                return Ok(vec![Made { cases, piece: None, counts }]);
             }
+            pieces(part).collect::<Vec<_>>().into_par_iter().map(compute).collect()
         };
         let (mut tally, mut found, mut open) = (Tally::new(job.plan), 0, None);
         let append = |cases: &Range<u64>, piece: &F::Piece, open: &mut Option<F::Writer>| -> Result<(), Error> {
