@@ -64,22 +64,11 @@ pub enum Origin<'a> {
 /// The results that are in a directory before a run, as their summary tells of them.
 #[derive(Debug)]
 struct EarlierResults {
-    /// The file of their scenario.
-    name: String,
     /// The files beside the summary.
     files: Vec<String>,
-    relation: Relation,
-}
-
-/// The relation of earlier results to the scenario that is run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Relation {
-    /// Results of this scenario: its text and overrides are unchanged.
-    Same,
-    /// Results of this file, whose text or overrides have changed since.
-    Edited,
-    /// Another file, which is replaced by force.
-    Other,
+    /// What they are, in words, where they give way to others; `None` for results of this scenario with its text and overrides
+    /// unchanged.
+    replaced: Option<String>,
 }
 
 /// A directory that was found writable. Unless something is written, those of its parents that had to be made are removed.
@@ -127,19 +116,19 @@ impl OutputDirectory {
         let (Some(hash), Some(other)) = (noted("scenario_sha256"), noted("scenario_file")) else {
             return if self.is_forced { Ok(None) } else { Err(foreign(&path)) };
         };
-        let before = |relation| Ok(Some(EarlierResults { name: other.to_owned(), files: listed(&summary), relation }));
+        let before = |replaced| Ok(Some(EarlierResults { files: listed(&summary), replaced }));
         let own = match origin {
-            Origin::File(_, own) if own == hash => return before(Relation::Same),
+            Origin::File(_, own) if own == hash => return before(None),
             Origin::File(file, _)
                 if self.relative_path(file).is_some_and(|seen| Some(&*seen) == noted(RELATIVE_SCENARIO)) =>
             {
-                return before(Relation::Edited);
+                return before(Some(format!("the results of {other} as it was, or with other --set")));
             }
             Origin::File(file, _) => file.display().to_string(),
             Origin::Command(name) => name.to_owned(),
         };
         if self.is_forced {
-            return before(Relation::Other);
+            return before(Some(format!("the results of {other}")));
         }
         let reason = format!(
             "holds results of {other}, and these are of {own}; name another --out, or replace them with --force"
@@ -167,13 +156,8 @@ impl OutputDirectory {
     }
 
     /// The older results that give way to the new ones, in words.
-    pub fn replaces(&self) -> Option<String> {
-        let EarlierResults { name, relation, .. } = self.before.as_ref()?;
-        match relation {
-            Relation::Same => None,
-            Relation::Edited => Some(format!("the results of {name} as it was, or with other --set")),
-            Relation::Other => Some(format!("the results of {name}")),
-        }
+    pub fn replaces(&self) -> Option<&str> {
+        self.before.as_ref()?.replaced.as_deref()
     }
 
     /// True if a file of this name may be written. Where no summary says that the results there are of the same scenario, a file
