@@ -46,7 +46,7 @@ pub fn bench(arguments: &Arguments) -> Result<(), Error> {
     super::terminal::note(format_args!("measuring laws"));
     let laws = laws::rates(rounds).map_err(other("laws"))?;
     super::terminal::note(format_args!("measuring tables"));
-    let tables = table_rates(&directory, arguments.quick)?;
+    let tables = table_rates(arguments.quick)?;
     let text = report::page(&all, &laws, &tables);
     let mut files = vec![report::laws(&laws)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
@@ -74,15 +74,15 @@ impact = { speed = "1 m/s" }
 const NINE: &str =
     r#"output.columns=["contact_time_s", "peak_force_N", "peak_indentation_m", "residual_indentation_m"]"#;
 
-/// Measures how fast tables of nine columns, and of all, are computed and written.
-fn table_rates(directory: &OutputDirectory, is_quick: bool) -> Result<[TableRate; 2], Error> {
+/// Measures how fast tables of nine columns, and of all, are made.
+fn table_rates(is_quick: bool) -> Result<[TableRate; 2], Error> {
     let measure = |columns: Option<&str>| -> Result<TableRate, Error> {
         let quick = is_quick.then_some("sweep.\"impact.speed\".points=5000");
         let overrides: Vec<String> = quick.into_iter().chain(columns).map(str::to_owned).collect();
         let scenario = Scenario::from_text("bench table", TABLE, &overrides)?;
         let plan = scenario.plan()?;
         let rounds = if is_quick { 1 } else { 7 };
-        let rows_per_second = super::sweep::with_threads(None, || throughput(&plan, directory.path(), rounds))??;
+        let rows_per_second = super::sweep::with_threads(None, || throughput(&plan, rounds))??;
         Ok(TableRate { columns: plan.column_names().len(), rows_per_second })
     };
     Ok([measure(Some(NINE))?, measure(None)?])

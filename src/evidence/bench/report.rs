@@ -65,11 +65,11 @@ fn csv<'a>(
     Ok(OutputFile { name: name.into(), bytes: written(writer)? })
 }
 
-/// How fast a table of some columns is computed and written.
+/// How fast a table of some columns is made.
 pub struct TableRate {
     pub columns: usize,
-    /// Rows a second computed, written as CSV, and written as Parquet; the last is 0 in a build without it.
-    pub rows_per_second: [f64; 3],
+    /// Rows a second computed, and made into lines of CSV.
+    pub rows_per_second: [f64; 2],
 }
 
 /// The page, as Markdown, with the times of the problems as its table.
@@ -90,9 +90,8 @@ pub fn page(all: &[Measured], laws: &[Rate], tables: &[TableRate]) -> String {
 
 /// The sentence about the speed of a table.
 fn sentence(table: &TableRate) -> String {
-    let [computed, csv, parquet] = table.rows_per_second.map(|rate| format!("{:.1}", 1e-6 * rate));
-    let parquet = if cfg!(feature = "parquet") { parquet } else { "(built without it)".to_owned() };
-    format!("* {} columns: {computed} million computed, {csv} as CSV, {parquet} as Parquet.\n", table.columns)
+    let [computed, csv] = table.rows_per_second.map(|rate| format!("{:.1}", 1e-6 * rate));
+    format!("* {} columns: {computed} million computed, {csv} as CSV.\n", table.columns)
 }
 
 /// Smaller errors are drawn here: a logarithmic axis has no zero.

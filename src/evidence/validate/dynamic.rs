@@ -1,7 +1,5 @@
 //! Whole impacts against explicit finite elements: restitution, contact time, peak force, dent depth.
 
-use std::sync::Arc;
-
 use super::comparison::{Comparison, EXPONENTS, Group, Quantity, compared};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::error::Error;
@@ -72,10 +70,9 @@ pub(super) fn scenes() -> Result<Vec<(Input, ImpactRow, Vec<Sample>)>, Error> {
 
 /// The three impacts.
 pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
-    let coefficients = Arc::new(coefficients.clone());
     let case = |(input, reference, samples): (Input, ImpactRow, Vec<Sample>)| {
         let impact = |exponent| -> Result<Impact, Error> {
-            let law = LawChoice::Plm(Plm { coefficients: Arc::clone(&coefficients), exponent, ..Plm::default() });
+            let law = LawChoice::Plm(Plm::new(coefficients, exponent));
             let (sphere, half_space) = input.bodies(&law);
             let contact = input.pair(sphere, half_space, &law)?;
             Ok(contact.impact(input.speed(), &input.solver(), Some(SAMPLES))?)

@@ -3,8 +3,6 @@
 //! Three of the impacts were computed as such. The others are load cycles, which stand for impacts with the same energy;
 //! they have no contact time.
 
-use std::sync::Arc;
-
 use super::comparison::{EXPONENTS, deviation, rms};
 use super::dynamic::scenes;
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
@@ -82,11 +80,7 @@ fn references() -> Result<Vec<Reference>, Error> {
 
 /// Every law of the program with its default parameters, and the PLM with these coefficients; the nearest restitution first.
 pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<LawDeviations>, Error> {
-    let coefficients = Arc::new(coefficients.clone());
-    let of_plm = |(exponent, name)| {
-        let plm = Plm { coefficients: Arc::clone(&coefficients), exponent, ..Plm::default() };
-        (format!("plm, {name}"), LawChoice::Plm(plm))
-    };
+    let of_plm = |(exponent, name)| (format!("plm, {name}"), LawChoice::Plm(Plm::new(coefficients, exponent)));
     // the law of Brake only unloads
     let published = LawChoice::all().into_iter().chain(LawChoice::from_name("jackson_green + brake"));
     let published = published.filter(|law| law.has_loading() && !matches!(law, LawChoice::Plm(_)));

@@ -3,8 +3,6 @@
 //! The strength of each test block is found from device D alone. Then the rebound of the other devices, which have
 //! other masses, speeds and tips, is predicted with the exponent "pressure-shape" and elastic waves.
 
-use std::sync::Arc;
-
 use super::comparison::{Comparison, Group};
 use crate::contact::law::plm::hardness::strength_of_hardness;
 use crate::contact::law::{Plm, PlmCoefficients, UnloadingExponent};
@@ -26,18 +24,17 @@ const STEEL_DENSITY: f64 = 7850.0;
 const GROUP: Group = Group::new("measured: rebound of Leeb devices", REFERENCE, "");
 
 /// Restitution by a device on steel of this yield strength \[Pa\].
-pub(super) fn restitution(device: &Device, strength: f64, coefficients: &Arc<PlmCoefficients>) -> Result<f64, Error> {
+pub(super) fn restitution(device: &Device, strength: f64, coefficients: &PlmCoefficients) -> Result<f64, Error> {
     let sphere = Sphere::elastic(TIP, device.tip(), device.mass / sphere_volume(TIP));
     let half_space = HalfSpace { density: Some(STEEL_DENSITY), ..HalfSpace::flat(STEEL, Some(strength)) };
-    let law =
-        Plm { coefficients: Arc::clone(coefficients), exponent: UnloadingExponent::PressureShape, ..Plm::default() };
+    let law = Plm::new(coefficients, UnloadingExponent::PressureShape);
     let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
     Ok(impact.measured_restitution())
 }
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the
 /// strength.
-fn strength_for(device: &Device, wanted: f64, coefficients: &Arc<PlmCoefficients>) -> f64 {
+fn strength_for(device: &Device, wanted: f64, coefficients: &PlmCoefficients) -> f64 {
     let is_low = |strength: f64| restitution(device, exp(strength), coefficients).is_ok_and(|e| e < wanted);
     let (low, high) = root::halved(ln(1e7), ln(1e11), is_low);
     exp(0.5 * (low + high))
@@ -54,29 +51,27 @@ fn vickers(number: f64) -> f64 {
 
 /// Nothing is fitted: the strength is that of the hardness, without a strain rate.
 pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let coefficients = Arc::new(coefficients.clone());
     let devices = measured::devices()?;
     let Some(device) = devices.first() else { return Ok(Vec::new()) };
     let compared = |number: u16| {
         let (number, hardness) = (f64::from(number), vickers(number.into()));
         let pressure = Scale::Vickers.mean_pressure(hardness).map_err(|error| Error::failed(error.to_string()))?;
         let strength = strength_of_hardness(pressure, None, &STEEL);
-        let numbers = [number / 1000.0, restitution(device, strength, &coefficients)?];
+        let numbers = [number / 1000.0, restitution(device, strength, coefficients)?];
         Ok(BY_HARDNESS.compared(format!("{hardness:.0} HV"), numbers))
     };
     (500..=860).step_by(20).map(compared).collect()
 }
 
 pub(super) fn rebounds(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let coefficients = Arc::new(coefficients.clone());
     let devices = measured::devices()?;
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
     let mut compared = Vec::new();
     for (block, of_device) in measured::BLOCKS {
-        let strength = strength_for(first, of_device(first) / 1000.0, &coefficients);
+        let strength = strength_for(first, of_device(first) / 1000.0, coefficients);
         for device in others {
             let case = format!("{block}, device {}, strength from D {:.0} MPa", device.name, strength / 1e6);
-            let numbers = [of_device(device) / 1000.0, restitution(device, strength, &coefficients)?];
+            let numbers = [of_device(device) / 1000.0, restitution(device, strength, coefficients)?];
             compared.push(GROUP.compared(case, numbers));
         }
     }

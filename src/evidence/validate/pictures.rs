@@ -1,7 +1,5 @@
 //! Pictures of the validation: the law (lines) beside the reference (points).
 
-use std::sync::Arc;
-
 use rayon::prelude::*;
 
 use super::cases::{Case, cases};
@@ -209,7 +207,6 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
 /// The rebound hardness of steels against their tensile strength: as measured, and by the law with two strengths that are
 /// often used as yield strength. The 0.2 % strength of a structural steel is 0.65 of the tensile.
 fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
-    let coefficients = Arc::new(coefficients.clone());
     let steels = steels()?;
     // a point of NaN separates the steels
     let ranges = steels.iter().map(Steel::ends).flat_map(|[low, high]| [low, high, (f64::NAN, f64::NAN)]).collect();
@@ -221,7 +218,7 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
         let mut points = Vec::new();
         for step in 0..=60 {
             let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
-            points.push((tensile, 1000.0 * of_device(device, 1e6 * share * tensile, &coefficients)?));
+            points.push((tensile, 1000.0 * of_device(device, 1e6 * share * tensile, coefficients)?));
         }
         series.push(Series::line(name, points).and(assumption).styled(1 + i));
     }

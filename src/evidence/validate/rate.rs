@@ -1,8 +1,6 @@
 //! Whole impacts on a half-space whose strength rises with the strain rate, against explicit finite elements with the rate in
 //! every point.
 
-use std::sync::Arc;
-
 use super::comparison::{Comparison, Group, Quantity, compared};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::contact::material::{HalfSpace, Material, Sphere};
@@ -47,7 +45,7 @@ fn rate(row: &RatedRow) -> Option<Rate> {
     Some(Rate { form, tested_at: row.tested_at })
 }
 
-fn impact(row: &RatedRow, coefficients: &Arc<PlmCoefficients>) -> Result<Impact, Error> {
+fn impact(row: &RatedRow, coefficients: &PlmCoefficients) -> Result<Impact, Error> {
     let material = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
     let of_sphere = material(row.sphere_modulus, row.sphere_poissons_ratio);
     let sphere = Sphere::elastic(row.radius, of_sphere, row.sphere_density);
@@ -55,15 +53,13 @@ fn impact(row: &RatedRow, coefficients: &Arc<PlmCoefficients>) -> Result<Impact,
         density: Some(row.half_space_density),
         ..HalfSpace::flat(material(row.half_space_modulus, row.half_space_poissons_ratio), Some(row.yield_strength))
     };
-    let exponent = UnloadingExponent::PressureShape;
-    let plm = Plm { coefficients: Arc::clone(coefficients), exponent, ..Plm::default() };
+    let plm = Plm::new(coefficients, UnloadingExponent::PressureShape);
     let contact = Contact::try_new(sphere, half_space, &plm)?.with_rates([None, rate(row)], &LawChoice::Plm(plm));
     Ok(contact.closed_form(row.speed)?)
 }
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let coefficients = Arc::new(coefficients.clone());
-    let case = |row: RatedRow| impact(&row, &coefficients).map(|impact| (row, impact));
+    let case = |row: RatedRow| impact(&row, coefficients).map(|impact| (row, impact));
     let cases: Vec<Case> = impacts::rated()?.into_iter().map(case).collect::<Result<_, Error>>()?;
     Ok(compared(&QUANTITIES, &cases, |(row, _)| row.case.clone()))
 }

@@ -1,7 +1,5 @@
 //! Bodies of which the sphere yields, or both: load cycles of finite elements, and two equal balls against a ball on a wall.
 
-use std::sync::Arc;
-
 use super::comparison::{self, Comparison, Group, Quantity};
 use super::hardening::{AtEnergy, at_energy};
 use crate::contact::law::{Bodies, Law, Plm, PlmCoefficients, UnloadingExponent};
@@ -90,8 +88,7 @@ pub(super) fn equal_balls(coefficients: &PlmCoefficients) -> Result<Vec<Comparis
     let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
     let ball = Sphere { yield_strength: Some(strength), ..Sphere::elastic(radius, steel, density) };
     let wall = |strength| HalfSpace { density: Some(density), ..HalfSpace::flat(steel, Some(strength)) };
-    let (coefficients, exponent) = (Arc::new(coefficients.clone()), UnloadingExponent::PressureShape);
-    let law = Plm { coefficients, exponent, ..Plm::default() };
+    let law = Plm::new(coefficients, UnloadingExponent::PressureShape);
     let on_ball = Contact::try_new(ball, HalfSpace { radius: Some(radius), hold: Hold::Ball, ..wall(strength) }, &law)?;
     let mut compared = Vec::new();
     for (name, harder) in WALLS {
