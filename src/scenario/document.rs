@@ -123,7 +123,8 @@ impl Document {
         if changes.is_empty() {
             document.places.clone_from(&in_file);
         } else {
-            let edited = edit::changed(&document.text, &changes).map_err(|error| refuse(None, error.message()))?;
+            let edited =
+                edit::changed(&document.text, &changes).map_err(|error| refuse(error.span(), error.message()))?;
             document.places = places(&edited).map_err(|error| refuse(None, error.message()))?;
             document.edited = edited;
         }

@@ -1,9 +1,6 @@
 //! Changes in the text of a scenario: those of the command line, of the page, and the values that a calibration found. All
 //! that is not changed stays as it was written, with its comments.
 
-use std::ops::Range;
-
-use toml::de::{DeTable, DeValue};
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::scenario::scene::tables::is_known;
@@ -74,7 +71,7 @@ pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) ->
         }
         given.push(key);
     }
-    Ok(written(&document))
+    Ok(document.to_string())
 }
 
 /// The keys whose place this change takes. An axis stands where its key would.
@@ -88,41 +85,9 @@ fn replaced(path: &[&str], key: &str, value: &Value) -> Vec<&'static str> {
     }
 }
 
-/// Stands around a whole number that is written as a text. No text of a scenario has this character.
-const SHIELD: char = '\u{e000}';
-
-/// The text as a document that can be changed. [`written`] is the way back.
+/// The text as a document that can be changed.
 pub fn parsed(text: &str) -> Result<DocumentMut, NotToml> {
-    shielded(text).parse()
-}
-
-pub fn written(document: &DocumentMut) -> String {
-    let [begin, end] = [format!("\"{SHIELD}"), format!("{SHIELD}\"")];
-    document.to_string().replace(&begin, "").replace(&end, "")
-}
-
-/// The text with whole numbers beyond 64 bits, which the editor does not take, as texts.
-fn shielded(text: &str) -> String {
-    let mut shielded = text.to_owned();
-    let Ok(root) = DeTable::parse(text) else { return shielded };
-    let mut large = Vec::new();
-    add_large(&DeValue::Table(root.get_ref().clone()), root.span(), &mut large);
-    large.sort_by_key(|span| span.start);
-    for span in large.into_iter().rev() {
-        let number = format!("\"{SHIELD}{}{SHIELD}\"", &text[span.clone()]);
-        shielded.replace_range(span, &number);
-    }
-    shielded
-}
-
-/// Adds where such numbers are.
-fn add_large(value: &DeValue, span: Range<usize>, into: &mut Vec<Range<usize>>) {
-    match value {
-        DeValue::Table(table) => table.values().for_each(|node| add_large(node.get_ref(), node.span(), into)),
-        DeValue::Array(items) => items.iter().for_each(|node| add_large(node.get_ref(), node.span(), into)),
-        DeValue::Integer(digits) if i64::from_str_radix(digits.as_str(), digits.radix()).is_err() => into.push(span),
-        _ => {}
-    }
+    text.parse()
 }
 
 /// The text with another value of a key, or of the law. The value is given as on the command line: a number, a word, or a number
@@ -152,7 +117,7 @@ fn collect(path: &str, table: &dyn TableLike, all: &mut Vec<(String, String)>) {
         let path = below(path, name);
         match (item.as_table_like(), item.as_value()) {
             (Some(table), _) => collect(&path, table, all),
-            (None, Some(Value::String(text))) => all.push((path, text.value().replace(SHIELD, ""))),
+            (None, Some(Value::String(text))) => all.push((path, text.value().to_owned())),
             // without the comment behind it
             (None, Some(other)) => all.push((path, other.clone().decorated("", "").to_string())),
             (None, None) => {}

@@ -8,14 +8,14 @@ use super::outcome::{Outcome, RunOptions, file, provenance, with_summary};
 use crate::calibrate::fit::NO_SCATTER;
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::contact::materials::Property;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, OutputFile, PROGRAM};
 use crate::report::plot::calibrate::pictures;
 use crate::report::text::calibrate as report;
 use crate::report::text::checked::of_inputs;
 use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
-use crate::scenario::edit::{parsed, set, written};
+use crate::scenario::edit::{parsed, set};
 use crate::scenario::scene::Input;
 use crate::units::{Dimension, exact, four_digits};
 
@@ -44,7 +44,7 @@ fn files(
     let provenance = provenance(scenario, &measured.wanted.input.law(), true, options.command);
     let mut files = vec![file("residuals.csv", report::residuals(found)?)];
     if !found.keys.is_empty() {
-        files.push(file("calibrated.toml", calibrated(scenario, measured, found)));
+        files.push(file("calibrated.toml", calibrated(scenario, measured, found)?));
     }
     files.extend(options.pictures.files(|| Ok(pictures(found)))?);
     with_summary(files, provenance, report::found(measured, found), &report::inputs(measured, found))
@@ -102,9 +102,9 @@ fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
 
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
 /// line says which keys are new.
-fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> String {
-    // it was parsed before
-    let mut document = parsed(scenario.document.edited()).unwrap_or_default();
+fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> Result<String, Error> {
+    let mut document =
+        parsed(scenario.document.edited()).map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
         set(&mut document, free.key.path, free.written(*estimate).map_or_else(|| (*estimate).into(), Value::from));
@@ -128,10 +128,10 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
         set(&mut document, "impact.speed", exact(speeds[speeds.len() / 2], Dimension::Speed));
     }
     let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
-    format!(
+    Ok(format!(
         "# {}: found by {PROGRAM}. The other comments are those of {}.\n{}",
         keys.join(", "),
         scenario.document.name(),
-        written(&document)
-    )
+        document.to_string()
+    ))
 }
