@@ -20,8 +20,6 @@ pub struct IndentationScene {
     pub law: LawChoice,
     /// The ends of the steps; at least one.
     pub targets: Vec<Target>,
-    /// Evenly spaced rows of the trace in each step.
-    pub samples: usize,
     /// Warnings about keys without effect.
     pub warnings: Vec<Warning>,
 }
@@ -57,7 +55,6 @@ impl Scenario {
             specimens,
             law: self.input.law(),
             targets,
-            samples,
             warnings,
         })
     }

@@ -69,12 +69,7 @@ impl Scenario {
 
     /// Reads a scenario from a text; `name` stands for the file in messages.
     pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, Error> {
-        Self::in_directory(name, text, overrides, PathBuf::new())
-    }
-
-    /// Reads a scenario from a text whose files are relative to a directory.
-    pub fn in_directory(name: &str, text: &str, overrides: &[String], directory: PathBuf) -> Result<Self, Error> {
-        Self::new(name.to_owned(), text.to_owned(), overrides, directory, BTreeMap::new())
+        Self::new(name.to_owned(), text.to_owned(), overrides, PathBuf::new(), BTreeMap::new())
     }
 
     /// `texts` are those of files by their keys, where they are known without the files.

@@ -200,5 +200,5 @@ def test_materials_are_those_of_the_command(command: Path) -> None:
     assert len(materials) >= 30 and all(entry["name"] in listed for entry in materials)
     # density of steel: EN 1991-1-1 gives 77 to 78.5 kN/m^3
     steel = next(entry for entry in materials if entry["name"] == "steel-s235")
-    assert 7700 < steel["properties"]["density"]["value"] < 8000
-    assert len(steel["properties"]["density"]["sources"]) >= 2
+    assert 7700 < steel["properties"]["density_kg_per_m3"]["value"] < 8000
+    assert len(steel["properties"]["density_kg_per_m3"]["sources"]) >= 2

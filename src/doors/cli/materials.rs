@@ -1,9 +1,6 @@
 //! `plm-impact materials`
 
-use std::ffi::OsStr;
-
-use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
-use clap::{Arg, Args, Command};
+use clap::Args;
 use plm_impact::contact::materials::{MaterialEntry, all, find};
 use plm_impact::error::Error;
 use plm_impact::report::text::materials::{data, has, list, one};
@@ -16,27 +13,10 @@ use plm_impact::units::did_you_mean;
   plm-impact materials aluminium-6061-t6")]
 pub struct Arguments {
     /// Name of one material, or a part of the names or descriptions of several
-    #[arg(hide_possible_values = true, value_parser = Names)]
     name: Option<String>,
     /// Print JSON: values, ranges and sources, in SI
     #[arg(long)]
     json: bool,
-}
-
-/// Any text; shells complete the names of materials.
-#[derive(Clone)]
-struct Names;
-
-impl TypedValueParser for Names {
-    type Value = String;
-
-    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
-        StringValueParser::new().parse_ref(command, arg, value)
-    }
-
-    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
-        Some(Box::new(all().iter().map(|entry| PossibleValue::new(entry.name.as_str()))))
-    }
 }
 
 pub fn materials(Arguments { name, json }: &Arguments) -> Result<(), Error> {

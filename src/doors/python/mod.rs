@@ -27,7 +27,9 @@ mod _core {
         table::{Column, arrow_stream, table_of_csv},
     };
     use crate::contact::law::LawChoice;
+    use crate::contact::materials::all;
     use crate::files::VERSION;
+    use crate::report::text::materials::data;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -41,24 +43,11 @@ mod _core {
         from_json(py, &json!(laws))
     }
 
-    /// The materials that scenarios may name, each as a dict: name, title, note, and properties. Each property has the
-    /// value and the range in SI units, the basis and the sources.
+    /// The materials that scenarios may name, each as a dict, as `plm-impact materials --json` prints them: name, title, class,
+    /// note, and properties. A property has its value and the ends of its range in SI units, the basis and the sources.
     #[pyfunction]
     fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-        let materials = crate::contact::materials::all().iter().map(|entry| {
-            let known = entry.known.iter().map(|known| {
-                let value = json!({
-                    "value": known.used.value,
-                    "range": [known.range[0].value, known.range[1].value],
-                    "basis": known.basis,
-                    "sources": known.sources,
-                });
-                (known.property.name().to_owned(), value)
-            });
-            let properties: serde_json::Map<_, _> = known.collect();
-            json!({ "name": entry.name, "title": entry.title, "note": entry.note, "properties": properties })
-        });
-        from_json(py, &materials.collect())
+        from_json(py, &data(&all().iter().collect::<Vec<_>>()))
     }
 
     /// The JSON Schema of a scenario, as a dict.

@@ -188,7 +188,7 @@ impl Plan {
     /// True if a case has the method `closed_form`, but no closed form.
     pub fn lacks_closed_form(&self) -> bool {
         let mut input = self.input.clone();
-        for key in self.paths().into_iter().filter(|path| is_of_damping(path)).filter_map(Key::find) {
+        for key in self.paths().into_iter().filter(|path| path.starts_with("damping.")).filter_map(Key::find) {
             // a swept damping may begin at 0
             key.set(&mut input, Some(1.0));
         }
@@ -216,10 +216,6 @@ impl Plan {
     pub fn is_monte_carlo(&self) -> bool {
         matches!(self.cases, Cases::MonteCarlo { .. })
     }
-}
-
-fn is_of_damping(path: &str) -> bool {
-    path.starts_with("damping.")
 }
 
 /// Puts values of all axes into an input: words first, as a law and a material bring numbers that others replace.

@@ -17,19 +17,10 @@ use super::words::{
 use super::{AnyKey, Part};
 
 macro_rules! keys {
-    // the keys of a table
+    // the keys below a path, which ends in a dot or is empty
     ($table:literal; $($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr $(=> $default:literal)?;)+) => {
         [$(AnyKey {
-            path: concat!($table, ".", $path),
-            part: Part::$part,
-            form: $form,
-            default: concat!($($default)?),
-            about: concat!($($about),+).trim_ascii_start(),
-        }),+]
-    };
-    ($($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr $(=> $default:literal)?;)+) => {
-        [$(AnyKey {
-            path: $path,
+            path: concat!($table, $path),
             part: Part::$part,
             form: $form,
             default: concat!($($default)?),
@@ -85,7 +76,7 @@ macro_rules! strength {
 /// All keys, in the order of the reference page.
 pub const EVERY_KEY: &[AnyKey] = &{
     let parts: [&[AnyKey]; 5] =
-        [&SPHERE, &strength!("sphere", Sphere), &HALF_SPACE, &strength!("half_space", HalfSpace), &OTHERS];
+        [&SPHERE, &strength!("sphere.", Sphere), &HALF_SPACE, &strength!("half_space.", HalfSpace), &OTHERS];
     let mut all = [SPHERE[0]; SPHERE.len() + HALF_SPACE.len() + 28 + OTHERS.len()];
     let (mut part, mut place, mut next) = (0, 0, 0);
     while part < parts.len() {
@@ -102,6 +93,7 @@ pub const EVERY_KEY: &[AnyKey] = &{
 
 /// The sphere but for its strength.
 const SPHERE: [AnyKey; 9] = keys! {
+    "";
     /// Radius of the sphere (not its diameter).
     "sphere.radius" of Sphere: Number(&LENGTH);
     /// Diameter of the sphere, in place of the radius.
@@ -125,6 +117,7 @@ const SPHERE: [AnyKey; 9] = keys! {
 
 /// The half-space but for its strength.
 const HALF_SPACE: [AnyKey; 9] = keys! {
+    "";
     /// Young's modulus of the half-space.
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
     /// Poisson's ratio of the half-space.
@@ -148,6 +141,7 @@ const HALF_SPACE: [AnyKey; 9] = keys! {
 };
 
 const OTHERS: [AnyKey; 70] = keys! {
+    "";
     /// Speed of the sphere at first touch, towards the half-space.
     "impact.speed" of Approach: Number(&SPEED);
     /// Height that the sphere falls from, in place of the speed: v = sqrt(2 g h), with g = 9.80665 m/s^2 unless gravity is
