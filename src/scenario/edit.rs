@@ -24,7 +24,7 @@ impl Change {
     /// away.
     pub fn parse(key: &str, value: &str) -> Result<Self, NotToml> {
         let as_word = || format!("{key}={}", toml::Value::from(value.trim()));
-        let document = parsed(&format!("{key}={value}")).or_else(|_| as_word().parse())?;
+        let document: DocumentMut = format!("{key}={value}").parse().or_else(|_| as_word().parse())?;
         let (mut path, mut item) = (Vec::new(), document.as_item());
         while let Some((name, inner)) = item.as_table().and_then(|table| table.iter().next()) {
             path.push(name.to_owned());
@@ -45,7 +45,7 @@ const NONE: &str = "none";
 
 /// The text with these changes, one after the other. A key in place of another takes its place, unless a change gave that.
 pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) -> Result<String, NotToml> {
-    let mut document = parsed(text)?;
+    let mut document: DocumentMut = text.parse()?;
     let mut given: Vec<String> = Vec::new();
     for change in changes {
         let key = change.key();
@@ -85,11 +85,6 @@ fn replaced(path: &[&str], key: &str, value: &Value) -> Vec<&'static str> {
     }
 }
 
-/// The text as a document that can be changed.
-pub fn parsed(text: &str) -> Result<DocumentMut, NotToml> {
-    text.parse()
-}
-
 /// The text with another value of a key, or of the law. The value is given as on the command line: a number, a word, or a number
 /// with its unit; nothing takes the key away.
 pub fn edited(text: &str, path: &str, given: &str) -> Result<String, NotToml> {
@@ -104,7 +99,7 @@ fn parts(path: &str) -> Vec<&str> {
 
 /// The keys that a text gives, and their values as they are given on the command line; and the name of the law.
 pub fn given(text: &str) -> Result<Vec<(String, String)>, NotToml> {
-    let document = parsed(text)?;
+    let document: DocumentMut = text.parse()?;
     let mut all = Vec::new();
     collect("", document.as_table(), &mut all);
     let laws = document.get("law").and_then(Item::as_table_like);

@@ -18,10 +18,9 @@ fn a_change_leaves_the_rest_of_the_text_as_it_was() {
     assert_eq!(change("impact.speed", ""), TEXT.replace("speed = 3\n", ""));
     assert_eq!(edited(&change("gravity.acceleration", "9.81"), "gravity.acceleration", "").unwrap(), TEXT);
     assert_eq!(change("damping.viscous", ""), TEXT);
-    // a whole number beyond 64 bits stays as it is written
+    // TOML has no whole number beyond 64 bits
     let large = format!("{TEXT}[monte_carlo]\nseed = 36893488147419103232\n");
-    assert_eq!(edited(&large, "impact.speed", "0.5").unwrap(), large.replace("= 3\n", "= 0.5\n"));
-    assert!(given(&large).unwrap().contains(&("monte_carlo.seed".to_owned(), "36893488147419103232".to_owned())));
+    assert!(edited(&large, "impact.speed", "0.5").is_err() && given(&large).is_err());
 }
 
 /// The text with these changes of the command line.

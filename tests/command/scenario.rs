@@ -218,6 +218,10 @@ fn whole_numbers_of_any_base_are_read_right_or_refused() {
         let text = STEEL.replace("speed = \"3 m/s\"", &format!("speed = {speed}"));
         assert_eq!(resolve(&text, &[]).unwrap().speed(), want, "{speed}");
     }
+    // a text that the command line changes is TOML, which has 64 bits
+    let large = STEEL.replace("\"3 m/s\"", "100000000000000000000");
+    let refused = Scenario::from_text("s.toml", &large, &["sphere.spin=0".to_owned()]).unwrap_err().to_string();
+    assert!(refused.starts_with("s.toml:13:9: ") && refused.contains("100000000000000000000"), "{refused}");
 }
 
 #[test]

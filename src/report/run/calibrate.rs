@@ -2,7 +2,7 @@
 
 use std::path::absolute;
 
-use toml_edit::Value;
+use toml_edit::{DocumentMut, Value};
 
 use super::outcome::{Outcome, RunOptions, file, provenance, with_summary};
 use crate::calibrate::fit::NO_SCATTER;
@@ -15,7 +15,7 @@ use crate::report::text::calibrate as report;
 use crate::report::text::checked::of_inputs;
 use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
-use crate::scenario::edit::{parsed, set};
+use crate::scenario::edit::set;
 use crate::scenario::scene::Input;
 use crate::units::{Dimension, exact, four_digits};
 
@@ -103,8 +103,8 @@ fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
 /// line says which keys are new.
 fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> Result<String, Error> {
-    let mut document =
-        parsed(scenario.document.edited()).map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
+    let document = scenario.document.edited().parse::<DocumentMut>();
+    let mut document = document.map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
         set(&mut document, free.key.path, free.written(*estimate).map_or_else(|| (*estimate).into(), Value::from));
