@@ -1,6 +1,7 @@
 //! `[sweep]` and `[monte_carlo]`: keys with many values, or with a distribution of them.
 
 use std::collections::HashSet;
+use std::hash::Hash;
 
 use toml::de::{DeTable, DeValue};
 
@@ -77,28 +78,35 @@ fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
     Ok(Axis::of_number(key, axis_values(key.quantity, node)?))
 }
 
-/// An axis of words, of which none may be there twice.
 fn words(
     path: &'static str,
     node: &Node,
     example: &str,
     word: impl Fn(&Node) -> Result<Word, Fault>,
 ) -> Result<Axis, Fault> {
-    let words = list(node, example)?.iter().map(word).collect::<Result<Vec<_>, _>>()?;
-    if words.is_empty() {
-        return Err(Fault::at(node, AT_LEAST_ONE));
+    Ok(Axis::of_words(path, different(node, list(node, example)?, word, Word::name)?))
+}
+
+/// The values of an axis: at least one, and none twice. Two values with the same `identity` are the same.
+fn different<T, K: Eq + Hash>(
+    node: &Node,
+    items: &[Node],
+    read: impl FnMut(&Node) -> Result<T, Fault>,
+    identity: impl Fn(&T) -> K,
+) -> Result<Vec<T>, Fault> {
+    if items.is_empty() {
+        return Err(Fault::at(node, "an axis needs at least one value"));
     }
+    let values = items.iter().map(read).collect::<Result<Vec<T>, _>>()?;
     let mut seen = HashSet::new();
-    match words.iter().map(Word::name).find(|name| !seen.insert(name.clone())) {
-        None => Ok(Axis::of_words(path, words)),
-        Some(name) => {
-            let message = format!("\"{name}\" is there twice, which would be the same rows twice; leave one out");
-            Err(Fault::at(node, message))
+    let twice = values.iter().zip(items).find(|(value, _)| !seen.insert(identity(value)));
+    match twice.map(|(_, item)| (item, described(item))) {
+        None => Ok(values),
+        Some((item, text)) => {
+            Err(Fault::at(item, format!("{text} is there twice, which would be the same rows twice; leave one out")))
         }
     }
 }
-
-const AT_LEAST_ONE: &str = "an axis needs at least one value";
 
 impl RandomKeys {
     /// Reads `[monte_carlo]`.
@@ -220,22 +228,8 @@ fn known(name: &Name, has_words: bool) -> Result<&'static Key, Fault> {
 /// A list of values, or two ends and how many points.
 fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
     if let DeValue::Array(items) = value.get_ref() {
-        return if items.is_empty() {
-            Err(Fault::at(value, AT_LEAST_ONE))
-        } else {
-            let values = items.iter().map(|item| number(quantity, None, item)).collect::<Result<Vec<f64>, _>>()?;
-            let mut seen = HashSet::new();
-            match values.iter().zip(items).find(|(value, _)| !seen.insert(value.to_bits())) {
-                None => Ok(Values::List(values)),
-                Some((_, item)) => {
-                    let text = described(item);
-                    Err(Fault::at(
-                        item,
-                        format!("{text} is there twice, which would be the same rows twice; leave one out"),
-                    ))
-                }
-            }
-        };
+        let read = |item: &Node| number(quantity, None, item);
+        return different(value, items, read, |number: &f64| number.to_bits()).map(Values::List);
     }
     let example = quantity.example;
     let form = format!("a list such as [{example}], or {{ linspace = [from, to], points = 11 }}, or logspace");
