@@ -43,9 +43,11 @@ impl Csv {
         Self { header: (names.join(",") + "\n").into_bytes(), fields, restitution }
     }
 
-    /// Appends rows.
+    /// These rows as lines.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // places on an axis are whole numbers
-    pub fn write(&self, rows: &Rows, text: &mut Vec<u8>) {
+    pub fn lines(&self, rows: &Rows) -> Vec<u8> {
+        // numbers take up to 24 characters
+        let mut text = Vec::with_capacity(rows.cases.len() * 192);
         let n_swept = if rows.cases.is_empty() { 0 } else { rows.swept.len() / rows.cases.len() };
         let mut integers = itoa::Buffer::new();
         let mut floats = zmij::Buffer::new();
@@ -78,6 +80,7 @@ impl Csv {
             }
             text.push(b'\n');
         }
+        text
     }
 
     /// How a row counts; `None` if it is not whole.
@@ -103,10 +106,7 @@ impl Form for Csv {
     }
 
     fn encode(&self, rows: &Rows) -> io::Result<Vec<u8>> {
-        // numbers take up to 24 characters
-        let mut lines = Vec::with_capacity(rows.cases.len() * 192);
-        self.write(rows, &mut lines);
-        Ok(lines)
+        Ok(self.lines(rows))
     }
 
     fn begin(&self, mut file: NewFile) -> io::Result<NewFile> {

@@ -59,7 +59,7 @@ const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
 /// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
 pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
     let plan = scenario.plan()?;
-    let warnings = table::warnings(&plan);
+    let warnings = table::warnings(&plan, None);
     warn(&warnings);
     refuse_warnings(scenario, warnings.len(), output.strict)?;
     let shard = options.shard.as_deref().map(Shard::parse).transpose()?;

@@ -12,7 +12,7 @@ use super::rows::{failures, listed, without_axes};
 use super::table::of_values;
 use super::work;
 use crate::impact::{self, Method, Solver};
-use crate::report::run::table::warnings_of;
+use crate::report::run::table;
 use crate::scenario::Scenario;
 use crate::scenario::plan::{Axis, Cases, Plan, Values};
 use crate::scenario::scene::{Input, KEYS, Key};
@@ -150,7 +150,7 @@ pub fn rows<'py>(
     let given: Vec<Given> = given.collect::<PyResult<_>>()?;
     let plan = plan(contact, &given)?;
     let count = given.first().map_or(0, |given| given.numbers.values.len());
-    let mut warnings = if count > 0 { py.detach(|| warnings_of(&plan, &contact.inner)) } else { Vec::new() };
+    let mut warnings = if count > 0 { py.detach(|| table::warnings(&plan, Some(&contact.inner))) } else { Vec::new() };
     let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
     let named = without_axes(&plan);
     let values = listed(py, &plan, &contact.inner, &keys, count, &named)?;
@@ -165,7 +165,8 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let given = [Given::speed(speed)?];
     let plan = plan(contact, &given)?;
     let [Given { key, numbers: Numbers { shape, values: speeds } }] = given;
-    let mut warnings = if speeds.is_empty() { Vec::new() } else { py.detach(|| warnings_of(&plan, &contact.inner)) };
+    let mut warnings =
+        if speeds.is_empty() { Vec::new() } else { py.detach(|| table::warnings(&plan, Some(&contact.inner))) };
     let forces = plan.input.forces();
     let is_exact = forces.is_none() && plan.input.solver().method.chosen(&forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {

@@ -13,8 +13,8 @@ use crate::report::text::Detail;
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::at;
 use crate::scenario::{Kind, Scenario};
+use crate::table::Tally;
 use crate::table::csv::Csv;
-use crate::table::{Rows, Tally};
 use crate::units::four_digits;
 
 /// The most rows of a table, which is held in memory.
@@ -91,13 +91,8 @@ fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> 
 /// The table as CSV, and what its rows add up to.
 fn rows_of(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
     let form = Csv::new(plan);
-    let encode = |rows: &Rows| {
-        let mut piece = Vec::new();
-        form.write(rows, &mut piece);
-        piece
-    };
     let mut text = (plan.column_names().join(",") + "\n").into_bytes();
-    let tally = table::rows(plan, &Counter::default(), encode, |piece| text.extend(piece))?;
+    let tally = table::rows(plan, &Counter::default(), |rows| form.lines(rows), |piece| text.extend(piece))?;
     Ok((text, tally))
 }
 

@@ -21,7 +21,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
     let text = plan_lines(&plan) + &overview(&plan.input, &contact);
-    Ok(Outcome::checked(warnings_of(&plan, &contact), text, of_plan(&plan, &contact)?))
+    Ok(Outcome::checked(warnings(&plan, Some(&contact)), text, of_plan(&plan, &contact)?))
 }
 
 /// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.
@@ -67,7 +67,7 @@ pub fn outcome(
     options: &RunOptions,
     table: Option<OutputFile>,
 ) -> Result<Outcome, Error> {
-    let warnings = warnings(plan);
+    let warnings = warnings(plan, None);
     let names = table.iter().map(|file| file.name.clone()).collect();
     let provenance = Provenance { files: names, ..scenario.provenance(options.command) };
     let mut files = files(plan, tally, &warnings, provenance, options.pictures)?;
@@ -75,14 +75,9 @@ pub fn outcome(
     Ok(Outcome::done(warnings, lines(tally), files))
 }
 
-/// The warnings about a table of this plan.
-pub fn warnings(plan: &Plan) -> Vec<String> {
-    [at_corners(plan, None), texts(&plan.warnings)].concat()
-}
-
-/// Warnings of a plan whose contact is known.
-pub fn warnings_of(plan: &Plan, contact: &Contact) -> Vec<String> {
-    [at_corners(plan, Some(contact)), texts(&plan.warnings)].concat()
+/// The warnings about a table of this plan; `known` is its contact, if that is made already.
+pub fn warnings(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
+    [at_corners(plan, known), texts(&plan.warnings)].concat()
 }
 
 /// `summary.json`, which repeats the `warnings`, and the pictures of a whole table. Its own file is in the provenance.
