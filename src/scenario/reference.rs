@@ -1,49 +1,11 @@
-//! The keys in words: the tables of the reference page, and what messages tell of a key.
+//! The keys in words: what the command `keys`, the reference page and messages tell of a key.
 
 use std::fmt::Write as _;
 
-use crate::contact::law::LawChoice;
 use crate::scenario::scene::results::impact::results;
 use crate::scenario::scene::tables::{POINT, pair_example};
 use crate::scenario::scene::written::pattern;
 use crate::scenario::scene::{AnyKey, EVERY_KEY, Form, Key, Quantity, Words, varied};
-
-/// All keys as Markdown, a table for every table of a scenario: first those that a user sets, then those for experts.
-pub fn keys() -> String {
-    let mut tables: Vec<&str> = Vec::new();
-    for (table, _) in EVERY_KEY.iter().map(place) {
-        if !tables.contains(&table) {
-            tables.push(table);
-        }
-    }
-    // the tables in the order of the registry, those of the laws together
-    tables.sort_by_key(|table| EVERY_KEY.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
-    let (of_experts, usual): (Vec<&str>, Vec<&str>) = tables.into_iter().partition(|table| is_of_experts(table));
-    let [usual, of_experts] = [usual, of_experts].map(|tables| tables.into_iter().map(table).collect::<String>());
-    usual + EXPERTS + &of_experts
-}
-
-const EXPERTS: &str = "## Keys for experts
-
-The constants of the other laws, and the integration. A scenario seldom needs them: the defaults are those of the
-papers, and a relative tolerance of 1e-10.
-
-";
-
-/// The constants of laws other than the default one, and the solver.
-fn is_of_experts(table: &str) -> bool {
-    table == "solver" || table.starts_with("law.") && table != "law.plm"
-}
-
-fn table(name: &str) -> String {
-    let mut text = format!("### {}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", heading(name));
-    for key in EVERY_KEY.iter().filter(|key| place(key).0 == name) {
-        let axis = if Key::find(key.path).is_some() { " \u{2195}" } else { "" };
-        let default = if key.default.is_empty() { "\u{2013}" } else { key.default };
-        let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", place(key).1, written(&key.form), key.about);
-    }
-    text + "\n"
-}
 
 /// Describes the keys whose paths have this text; `None` if there is none.
 pub fn about_keys(text: &str) -> Option<String> {
@@ -67,20 +29,6 @@ pub fn about_keys(text: &str) -> Option<String> {
 /// The meaning of a result of an impact; `None` if there is none of this name.
 pub fn about_result(name: &str) -> Option<&'static str> {
     results().into_iter().find(|result| result.name == name).map(|result| result.about)
-}
-
-/// The table that a key stands in, and its name there; `sweep` and `monte_carlo` are tables themselves.
-fn place(key: &AnyKey) -> (&'static str, &'static str) {
-    key.path.rsplit_once('.').unwrap_or((key.path, key.path))
-}
-
-fn heading(table: &str) -> String {
-    let name = match table.strip_suffix("[]") {
-        Some(list) => format!("`[[{list}]]`"),
-        None => format!("`[{table}]`"),
-    };
-    let law = table.strip_prefix("law.").and_then(LawChoice::from_name);
-    law.map_or(name.clone(), |law| format!("{name}: {}", law.about().title))
 }
 
 /// A key with more words than this refers to a table of them.

@@ -6,7 +6,7 @@
 //! unit, its exponent is added to that of the decimal text, which is then rounded to binary once: "5 mm" is the same number
 //! as 0.005.
 
-pub(crate) mod aligned;
+mod aligned;
 pub(crate) mod csv_text;
 mod dimension;
 mod format;
@@ -16,7 +16,7 @@ mod parse;
 pub(crate) mod rounded;
 mod table;
 
-pub(crate) use aligned::{aligned, markdown};
+pub use aligned::{aligned, markdown};
 pub use dimension::Dimension;
 pub use format::{capital, describe, exact, four_digits, human, number, percent, quantity, si};
 pub use names::did_you_mean;

@@ -1,6 +1,5 @@
 //! The registry of keys: its schema and its reference page agree with what the program reads.
 
-use plm_impact::report::text::reference::renewed;
 use plm_impact::scenario::schema::schema;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,6 +10,9 @@ use plm_impact::scenario::scene::key::{Form, Part};
 use plm_impact::scenario::scene::{KEYS, Purpose, without_effect};
 
 use crate::common::prelude::*;
+
+mod pages;
+use pages::renewed;
 
 #[test]
 fn the_command_prints_the_schema() {

@@ -10,7 +10,7 @@ use crate::calibrate::minimum::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
-use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, results};
+use crate::scenario::scene::results::{Reported, fields, results};
 use crate::scenario::scene::{Body, Measured, key_of};
 use crate::units::{aligned, four_digits, percent};
 
@@ -109,7 +109,7 @@ pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
 }
 
 /// One of the keys that were found.
-struct KeyResult<'a> {
+pub struct KeyResult<'a> {
     number: usize,
     calibration: &'a Calibration<'a>,
 }
@@ -134,7 +134,8 @@ impl KeyResult<'_> {
     }
 }
 
-fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
+/// The results for one of the keys.
+pub fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
     results! { |one: KeyResult<'a>|
         /// Path of the key.
         "key": one.found().free.key.path;
@@ -157,11 +158,6 @@ fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
         /// The value that shifts the key most: its line, its quantity, and the shift if it were left out.
         "largest_shift": one.largest_shift();
     }
-}
-
-/// The files with these results.
-pub(super) fn files() -> Vec<FileOfResults> {
-    vec![file("Calibrations: `summary.json`", &results()), file("Calibrations: every key in `summary.json`", &key())]
 }
 
 fn per_degree(calibration: &Calibration) -> Option<f64> {

@@ -7,10 +7,10 @@ use crate::error::Error;
 use crate::impact::Contact;
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::Input;
-use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, results};
+use crate::scenario::scene::results::{Reported, fields, results};
 
 /// The numbers of a contact at which no sphere has arrived.
-pub(super) fn contact() -> Vec<Reported<Contact>> {
+pub fn contact() -> Vec<Reported<Contact>> {
     results! { |contact: Contact|
         /// Mass of the sphere.
         "sphere_mass_kg" in Mass as "sphere mass": contact.mass();
@@ -36,11 +36,6 @@ pub(super) fn contact() -> Vec<Reported<Contact>> {
         /// Impact speed above which a body yields.
         "yield_speed_m_per_s" in Speed as "yield speed v_Y" if YIELDS: contact.yield_speed();
     }
-}
-
-/// The files with these results.
-pub(super) fn files() -> Vec<FileOfResults> {
-    vec![file("Checks: `contact` in `check --json`", &contact())]
 }
 
 /// A scenario of impacts; of a table, it is its first case.

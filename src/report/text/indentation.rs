@@ -10,12 +10,12 @@ use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
-use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, lists, results};
+use crate::scenario::scene::results::{Reported, fields, lists, results};
 use crate::scenario::scene::{Body, EVERY_KEY, Part, at};
 use crate::units::{Dimension, aligned, describe};
 
 /// The results of one half-space, in the order of `summary.json`.
-pub(super) fn half_space() -> Vec<Reported<Tested>> {
+pub fn half_space() -> Vec<Reported<Tested>> {
     results! { |tested: Tested|
         /// Name of the half-space.
         "name" as "half-space" if NAMED: tested.specimen.name.clone();
@@ -50,13 +50,13 @@ fn stepped(tested: &Tested) -> Vec<Stepped<'_>> {
 
 /// One step of an indentation.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stepped<'a> {
+pub struct Stepped<'a> {
     number: usize,
     step: &'a Step,
     tested: &'a Tested,
 }
 
-pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
+pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
     results! { |row: Stepped<'a>|
         /// Number of the step, from 1.
         "step" as "step": row.number;
@@ -103,10 +103,10 @@ pub(super) fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
 }
 
 /// A row of the trace, with the name of the half-space.
-pub(super) type Traced<'a> = (Option<&'a str>, &'a IndentationRow);
+pub type Traced<'a> = (Option<&'a str>, &'a IndentationRow);
 
 /// The columns of `trace.csv`.
-pub(super) fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
+pub fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
     results! { |row: Traced<'a>|
         /// Name of the half-space.
         "half_space" if NAMED: row.0.map(str::to_owned);
@@ -123,15 +123,6 @@ pub(super) fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
         /// Branch of the law: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
         "branch": row.1.branch.name();
     }
-}
-
-/// The files with these results.
-pub(super) fn files() -> Vec<FileOfResults> {
-    vec![
-        file("Indentation: every half-space in `summary.json`", &half_space()),
-        file("Indentation: every step of a half-space", &step()),
-        file("Indentation: `trace.csv`", &columns()),
-    ]
 }
 
 /// The results by their names.

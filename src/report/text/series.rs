@@ -3,7 +3,7 @@
 use crate::impact::Contact;
 use crate::impact::repeat::{Drive, End, Hit, Repeat, Sequence};
 use crate::numerics::power::max_or_nan;
-use crate::scenario::scene::results::{FileOfResults, Reported, file, results};
+use crate::scenario::scene::results::{Reported, results};
 use crate::units::{Dimension, quantity};
 
 /// A series of impacts.
@@ -245,13 +245,4 @@ pub fn trace() -> Vec<Reported<TraceRow>> {
         /// The event in this row, if there is one, as in the trace of one impact; `release` where a fall begins.
         "event": row.event;
     }
-}
-
-/// The files with these results.
-pub(super) fn files() -> Vec<FileOfResults> {
-    vec![
-        file("Repeated impacts: `summary.json`", &results()),
-        file("Repeated impacts: `impacts.csv`", &impacts()),
-        file("Repeated impacts: `trace.csv`", &trace()),
-    ]
 }

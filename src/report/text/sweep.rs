@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value};
 
 use crate::scenario::plan::{Cases, Plan, Variable};
-use crate::scenario::scene::results::{FileOfResults, Reported, fields, file, lists, results};
+use crate::scenario::scene::results::{Reported, fields, lists, results};
 use crate::table::Tally;
 use crate::table::statistics::Distribution;
 
@@ -13,7 +13,7 @@ use crate::table::statistics::Distribution;
 type Totals<'a> = (&'a Tally, Option<Distribution>);
 
 /// The results of the rows, in the order of `summary.json`.
-pub(super) fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
+pub fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
     results! { |totals: Totals<'a>|
         /// Rows of the table.
         "rows": totals.0.rows;
@@ -39,7 +39,7 @@ pub(super) fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
 }
 
 /// The description of every random key.
-pub(super) fn drawn() -> Vec<Reported<Variable>> {
+pub fn drawn() -> Vec<Reported<Variable>> {
     results! { |variable: Variable|
         /// Path of the key.
         "key": variable.key.path;
@@ -52,11 +52,6 @@ pub(super) fn drawn() -> Vec<Reported<Variable>> {
         /// Share of the distribution that lies in that range.
         "kept": variable.share_in_range();
     }
-}
-
-/// The files with these results.
-pub(super) fn files() -> Vec<FileOfResults> {
-    vec![file("Tables: `summary.json`", &totals()), file("Tables: every random key in `summary.json`", &drawn())]
 }
 
 /// The results by their names. The warnings are about the scene; of those about rows the worst of each kind.

@@ -1,7 +1,5 @@
 //! An entry of the registry of results, and its value as JSON.
 
-use std::fmt::Write as _;
-
 use serde_json::{Map, Value};
 
 use crate::impact::{Contact, Essentials};
@@ -38,19 +36,6 @@ pub enum Shown {
     Deviation,
     /// As an error, in powers of ten.
     Error,
-}
-
-/// The results of a file, or of a part of one: as Markdown for the reference page, and their names with how each is shown.
-pub(crate) type FileOfResults = (String, Vec<(&'static str, Shown)>);
-
-pub(crate) fn file<T>(title: &str, results: &[Reported<T>]) -> FileOfResults {
-    let mut text = format!("### {title}\n\n| name | meaning | when it is there |\n|---|---|---|\n");
-    for Reported { name, about, condition, column, .. } in results {
-        let mark = if column.is_some() { " \u{25a6}" } else { "" };
-        let condition = if condition.is_empty() { "always" } else { condition };
-        let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
-    }
-    (text + "\n", results.iter().map(|result| (result.name, result.shown)).collect())
 }
 
 /// The part of a scene that a column needs: a table has the column only if its scene has this part.

@@ -5,7 +5,7 @@
 
 use serde_json::Value;
 
-use super::{FileOfResults, Needs, Reported, file, results, trace};
+use super::{Needs, Reported, results};
 use crate::contact::material::Flow;
 use crate::impact::air::Flying;
 use crate::impact::{Contact, Essentials, FixedSteps, ForcesResult, Impact, Oblique, OnPlate, Rebound};
@@ -316,14 +316,6 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Exponent of the force on unloading.
         "unloading_exponent": single.impact.unloading_exponent;
     }
-}
-
-/// The files with these results.
-pub(crate) fn files() -> Vec<FileOfResults> {
-    vec![
-        file("One impact: `summary.json`, and columns of tables (\u{25a6})", &results()),
-        file("One impact: `trace.csv`", &trace::results()),
-    ]
 }
 
 #[cfg(test)]

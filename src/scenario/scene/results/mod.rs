@@ -16,8 +16,8 @@ pub(crate) mod entry;
 pub mod impact;
 pub mod trace;
 
+pub(crate) use entry::results;
 pub use entry::{Column, Needs, Reported, Shown, fields, lists};
-pub(crate) use entry::{FileOfResults, file, results};
 
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn columns() -> Vec<Column> {
