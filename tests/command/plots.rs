@@ -196,7 +196,7 @@ fn odd_data_make_a_picture_and_no_panic() {
         vec![(5e-324, 1e-310), (1e-300, 1e308)],
     ];
     for points in odd {
-        for axis in [Axis::linear("x", "m"), Axis::engineering("x", "m"), Axis::log("x", "m")] {
+        for axis in [Axis::linear("x", "m"), Axis::linear("x", "m"), Axis::log("x", "m")] {
             let series = vec![Series::line("a", points.clone()), Series::marked_line("b", points.clone())];
             let chart = Chart::new("odd", [axis.clone(), axis.clone()], series);
             assert_eq!(Drawn::of(&chart).boxes().len(), 1, "{points:?}");
@@ -207,7 +207,7 @@ fn odd_data_make_a_picture_and_no_panic() {
 #[test]
 fn a_heat_map_has_each_cell_in_its_colour() {
     let map = |values: &[f64]| {
-        let axes = [Axis::log("Speed", "m/s"), Axis::engineering("Strength", "Pa")];
+        let axes = [Axis::log("Speed", "m/s"), Axis::linear("Strength", "Pa")];
         let value = |column: usize, row: usize| values[2 * row + column];
         heatmap("e", axes, [&[1.0, 10.0], &[1e8, 2e8]], value, Axis::linear("e", "").between(0.0, 1.0))
     };
@@ -253,7 +253,7 @@ fn long_titles_names_and_notes_stay_on_the_sheet() {
     let curves = |count: usize, name: &str| -> Vec<Series> {
         (0..count).map(|i| Series::line(format!("{name} {i}"), vec![(1.0, 1.0), (2.0, 3.0)])).collect()
     };
-    let axes = |title: &str| [Axis::engineering(title, "m/s"), Axis::engineering(title, "N")];
+    let axes = |title: &str| [Axis::linear(title, "m/s"), Axis::linear(title, "N")];
     let assert_fits = |chart: &Chart, what: &str| assert!(has_free_border(&chart.to_png().unwrap()), "{what}");
     for (title, other) in [("short", endless.as_str()), (LONG, LONG), (&endless, "short")] {
         let chart = Chart::new(title, axes(other), curves(3, title)).with_notes([title, LONG]);

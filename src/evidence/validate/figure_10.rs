@@ -75,8 +75,8 @@ fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
     let last = peak.indentation * length;
     let room = last - first;
     let axes = [
-        Axis::engineering("Indentation", "m").between((first - 0.1 * room).max(0.0), last + 0.05 * room),
-        Axis::engineering("Force", "N").between(0.0, 1.05 * peak.force * force),
+        Axis::linear("Indentation", "m").between((first - 0.1 * room).max(0.0), last + 0.05 * room),
+        Axis::linear("Force", "N").between(0.0, 1.05 * peak.force * force),
     ];
     let title = format!("Unloading from {} × the yield indentation", four_digits(peak.indentation));
     let caption = format!(

@@ -130,10 +130,10 @@ fn impact(case: &dynamic::Case) -> Picture {
     notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution)));
     let with_waves = case.impacts[1].restitution_with_waves();
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
-    let axes = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
+    let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
     let (name, slug) = (&case.reference.case, case.reference.case.to_lowercase());
     let title = format!("Impact {name} at {}", quantity(case.impacts[0].speed, Dimension::Speed));
-    let chart = Chart::new(title, axes, series).with_side(Axis::engineering("of the sphere", "m"), of_sphere);
+    let chart = Chart::new(title, axes, series).with_side(Axis::linear("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
     (format!("impact-{slug}-force-indentation"), chart)
 }

@@ -36,22 +36,19 @@ pub struct Axis {
     /// The unit, such as "m/s"; empty for a plain number.
     pub unit: String,
     pub scale: Scale,
-    /// True if values are shown with a fitting SI prefix (only on axes whose unit has no prefix).
-    pub is_engineering: bool,
     /// Lower and upper end, in the unit of the values; `None` to fit them to the data.
     pub range: Option<(f64, f64)>,
 }
 
 impl Axis {
-    /// A linear axis whose values are in `unit`.
+    /// A linear axis of values in a unit. Labels in an SI unit have a fitting prefix, such as µm for small lengths.
     pub fn linear(title: &str, unit: &str) -> Self {
-        Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, is_engineering: false, range: None }
+        Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, range: None }
     }
 
-    /// A linear axis for values in an SI unit without prefix. Its labels have a fitting prefix, such as µm for small
-    /// lengths. Plain numbers, kilograms and HV get no prefix.
-    pub fn engineering(title: &str, unit: &str) -> Self {
-        Self { is_engineering: !["", "HV"].contains(&unit) && !unit.starts_with("kg"), ..Self::linear(title, unit) }
+    /// True if the unit takes a prefix: it is none of these, and has none yet.
+    fn takes_prefix(&self) -> bool {
+        !["", "HV", "°", "%", "MPa", "µs"].contains(&&*self.unit) && !self.unit.starts_with("kg")
     }
 
     /// An axis of the places 1 to `count`.
@@ -85,7 +82,7 @@ impl Axis {
             padded(low, high, is_log)
         });
         let prefix = match self.scale {
-            _ if !self.is_engineering => Prefix::for_value(1.0),
+            _ if !self.takes_prefix() => Prefix::for_value(1.0),
             Scale::Linear | Scale::Count => Prefix::for_value(low.abs().max(high.abs())),
             // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
             Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::for_value(1.0),
@@ -275,7 +272,7 @@ mod tests {
 
     #[test]
     fn ticks_are_short_round_numbers() {
-        let axis = Axis::engineering("Force", "N");
+        let axis = Axis::linear("Force", "N");
         assert_eq!(labels(&axis, [0.0, 0.7]), ["0", "200", "400", "600"]); // mN
         assert_eq!(labels(&Axis::linear("e", ""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(labels(&Axis::log("v", "m/s"), [0.01, 100.0]), ["0.01", "0.1", "1", "10", "100"]);
@@ -284,7 +281,7 @@ mod tests {
 
     #[test]
     fn a_prefix_stands_before_a_unit_that_has_none() {
-        let title = |unit, value| Axis::engineering("x", unit).fitted([0.0, value]).title;
+        let title = |unit, value| Axis::linear("x", unit).fitted([0.0, value]).title;
         assert_eq!(title("m", 1e-6), "x [µm]");
         // 0.4 is not 400 "m", and 7850 kg/m^3 are not 7.85 kkg/m^3
         assert_eq!(title("", 0.4), "x");

@@ -77,14 +77,14 @@ impl Abscissa {
     fn axis(&self, quantity: Measured, points: &[(f64, f64)]) -> Axis {
         match self {
             Self::Key(key) => axis_of(key, is_wide(points)),
-            Self::Indentation => Axis::engineering("Indentation", "m"),
+            Self::Indentation => Axis::linear("Indentation", "m"),
             Self::Prediction => of_quantity(quantity, " predicted"),
         }
     }
 }
 
 fn of_quantity(quantity: Measured, how: &str) -> Axis {
-    Axis::engineering(&(title_of(quantity.name()) + how), quantity.quantity().dimension.si_unit())
+    Axis::linear(&(title_of(quantity.name()) + how), quantity.quantity().dimension.si_unit())
 }
 
 /// The places of the values of a quantity, at most [`MOST_POINTS`] of them.

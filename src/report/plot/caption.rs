@@ -104,6 +104,6 @@ pub fn title_of(path: &str) -> String {
 
 pub(crate) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
     let (title, unit) = (title_of(key.path), key.quantity.dimension.si_unit());
-    let axis = Axis::engineering(&title, unit);
+    let axis = Axis::linear(&title, unit);
     if is_logarithmic { axis.logarithmic() } else { axis }
 }

@@ -35,8 +35,8 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
         let dent = Series::points("Residual indentation", vec![(residual, 0.0)]).styled(ink(Mark::Inverted));
         series.push(dent.and(length("δᵣ", residual)));
     }
-    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
-    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * impact.peak_force);
+    let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
+    let y = Axis::linear("Force", "N").between(0.0, 1.08 * impact.peak_force);
     let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
     let chart = Chart::new(title(impact), [x, y], series).with_branches(branches);
     Ok(loops::with_sphere(chart, of_sphere))

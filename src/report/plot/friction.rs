@@ -17,7 +17,7 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         let margin = 0.08 * (high - low);
         let mut series = Series::line(name, points).styled(Style::new(number).solid());
         series.texts.extend(note);
-        let mut panel = Panel::new(Axis::engineering(name, unit).between(low - margin, high + margin), vec![series]);
+        let mut panel = Panel::new(Axis::linear(name, unit).between(low - margin, high + margin), vec![series]);
         panel.guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
         panel
     };
@@ -27,7 +27,7 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, Dimension::Speed)),
         panel("Spin", "rad/s", 2, |row| row.spin, after(last.spin, Dimension::AngularSpeed)),
     ];
-    let x = Axis::engineering("Time", "s").between(0.0, 1.03 * impact.duration());
+    let x = Axis::linear("Time", "s").between(0.0, 1.03 * impact.duration());
     let peak = Series::vertical(impact.loading_time, "deepest point").styled(Style::line(GREY, 2.0));
     Some(Chart::stacked(title(impact), x, panels).with_guides([peak]))
 }

@@ -29,14 +29,14 @@ pub fn history(impact: &Impact) -> Result<Chart, Error> {
     let speed = Series::line("Speed δ′", points(|row| row.speed)).styled(thin(4));
     let speed = speed.and(format!("impact at {}", quantity(impact.speed, Dimension::Speed)));
     let (slowest, fastest) = extremes(impact.trace.iter().map(|row| row.speed));
-    let y = |title, unit, low: f64, high: f64| Axis::engineering(title, unit).between(1.1 * low, 1.1 * high);
+    let y = |title, unit, low: f64, high: f64| Axis::linear(title, unit).between(1.1 * low, 1.1 * high);
     let mut panels = vec![
         Panel::new(y("Force", "N", 0.0, impact.peak_force), vec![force]),
         Panel::new(y("Indentation", "m", 0.0, impact.peak_indentation), drawn),
         Panel::new(y("Speed", "m/s", slowest.min(0.0), fastest.max(0.0)), vec![speed]),
     ];
     panels[2].guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
-    let x = Axis::engineering("Time", "s").between(0.0, 1.03 * impact.duration());
+    let x = Axis::linear("Time", "s").between(0.0, 1.03 * impact.duration());
     Ok(Chart::stacked(title(impact), x, panels).with_guides(times(impact)))
 }
 

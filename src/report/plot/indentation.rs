@@ -36,8 +36,8 @@ pub fn indentation(tested: &[Tested]) -> Chart {
                 .and(format!("δᵣ = {}", quantity(memory.residual_indentation, Dimension::Length))),
         );
     }
-    let x = Axis::engineering("Indentation", "m").between(0.0, 1.06 * deepest);
-    let y = Axis::engineering("Force", "N").between(0.0, 1.08 * strongest);
+    let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * deepest);
+    let y = Axis::linear("Force", "N").between(0.0, 1.08 * strongest);
     let chart = Chart::new(title(tested), [x, y], series);
     let chart = chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_entries(entries);
     loops::with_sphere(chart, of_sphere)

@@ -35,8 +35,8 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let path = Series::line("Lowest point of the sphere", curve);
     let drawn: Vec<Series> = [path].into_iter().chain(without_air).collect();
     let highest = drawn.iter().flat_map(|one| &one.points).map(|at| at.1).fold(0.0, f64::max);
-    let y = Axis::engineering("Height", "m").between(0.0, 1.06 * highest);
-    let x = Axis::engineering("Time", "s").between(0.0, 1.03 * end);
+    let y = Axis::linear("Height", "m").between(0.0, 1.06 * highest);
+    let x = Axis::linear("Time", "s").between(0.0, 1.03 * end);
     Some(Chart::new(title(repeat, sequence), [x, y], drawn))
 }
 
@@ -53,7 +53,7 @@ pub fn path(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     let points = flights.iter().flat_map(|flight| flown(flight, FLIGHT_POINTS, |time| flight.position_at(time)));
     let hits = sequence.hits.iter().map(|hit| (hit.position, 0.0)).collect();
     let series = vec![Series::line("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
-    let axes = [Axis::engineering("Place along the surface", "m"), Axis::engineering("Height", "m")];
+    let axes = [Axis::linear("Place along the surface", "m"), Axis::linear("Height", "m")];
     Some(Chart::new(title(repeat, sequence), axes, series))
 }
 
@@ -82,13 +82,13 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
     let name = if has_waves { "Restitution e with waves" } else { "Restitution e" };
     let top = if largest > 0.8 { 1.1 } else { 1.2 * largest };
     let mut panels = vec![
-        panel(Axis::engineering("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.speed),
+        panel(Axis::linear("Speed", "m/s"), 1.15 * fastest, "Impact speed v", 4, |hit| hit.speed),
         panel(Axis::linear("Restitution", ""), top, name, 0, |hit| hit.measured_restitution()),
     ];
     let deepest = sequence.deepest_dent();
     if deepest > 0.0 {
         let mark = capital(sequence.left_behind());
-        let y = Axis::engineering(&format!("{mark} depth"), "m");
+        let y = Axis::linear(&format!("{mark} depth"), "m");
         panels.push(panel(y, 1.15 * deepest, &format!("{mark} δᵣ"), 1, |hit| hit.residual_indentation));
     }
     let x = if last > 200.0 {
@@ -143,7 +143,7 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, Error> {
     }
     let deepest = traced.iter().map(|impact| impact.peak_indentation).fold(0.0, f64::max);
     let strongest = traced.iter().flat_map(|impact| &impact.trace).map(|row| row.force).fold(0.0, f64::max);
-    let [x, y] = [Axis::engineering("Indentation", "m"), Axis::engineering("Force", "N")];
+    let [x, y] = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
     let least =
         |value: fn(&Impact) -> f64| traced.iter().map(value).filter(|least| *least > 0.0).fold(f64::MAX, f64::min);
     let (shallowest, weakest) = (least(|impact| impact.peak_indentation), least(|impact| impact.peak_force));

@@ -103,7 +103,7 @@ fn words(axis: &Axis) -> String {
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
     let (title, (unit, _)) = (capital(&words(axis)), unit(axis));
-    let shown = plot::Axis::engineering(&title, unit);
+    let shown = plot::Axis::linear(&title, unit);
     if axis.is_logarithmic { shown.logarithmic() } else { shown }
 }
 
@@ -173,7 +173,7 @@ impl ResultPicture<'_> {
         }
         let (name, dimension) = (self.result.name, self.dimension());
         let title = title_of(name.trim_end_matches(dimension.suffix()));
-        let axis = plot::Axis::engineering(&title, dimension.si_unit());
+        let axis = plot::Axis::linear(&title, dimension.si_unit());
         (title, axis)
     }
 
