@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use crate::contact::law::LawChoice;
-use crate::contact::material::{HalfSpace, Sphere};
 use crate::impact::{Contact, Essentials, ImpactError};
 use crate::numerics::integrate::IntegrationError;
 use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
@@ -96,12 +95,11 @@ struct RowContact {
 }
 
 impl RowContact {
-    fn new(
-        input: &Input,
-        (sphere, half_space): (Sphere, HalfSpace),
-        contact: Result<Contact, Failure>,
-        has_band: bool,
-    ) -> Self {
+    /// The contact of an input under its law; `known` is it, if it is made already.
+    fn new(input: &Input, law: &LawChoice, known: Option<&Contact>, has_band: bool) -> Self {
+        let (sphere, half_space) = input.bodies(law);
+        let pair = || input.pair(sphere, half_space, law).map_err(Failure::from);
+        let contact = known.cloned().map_or_else(pair, Ok);
         let with_band = contact.as_ref().ok().filter(|_| has_band);
         let uncertainty = with_band.and_then(|contact| Uncertainty::new(input, contact));
         Self { strengths: [sphere.yield_strength, half_space.yield_strength], contact, uncertainty }
@@ -126,9 +124,7 @@ impl RowLaw {
         if self.changes {
             self.law = input.law();
         }
-        let bodies = input.bodies(&self.law);
-        let contact = input.pair(bodies.0, bodies.1, &self.law).map_err(Failure::from);
-        RowContact::new(input, bodies, contact, self.has_band)
+        RowContact::new(input, &self.law, None, self.has_band)
     }
 }
 
@@ -191,10 +187,7 @@ impl<'a> Evaluator<'a> {
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let input = &plan.input;
         let has_band = shows_band(plan);
-        let known = |contact: &Contact| {
-            let bodies = input.bodies(&input.law());
-            (input.clone(), RowContact::new(input, bodies, Ok(contact.clone()), has_band))
-        };
+        let known = |contact: &Contact| (input.clone(), RowContact::new(input, &input.law(), Some(contact), has_band));
         Self::with_contacts(plan, has_band, contact.map(known).into_iter().collect(), Vec::new())
     }
 
