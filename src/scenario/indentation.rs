@@ -30,9 +30,6 @@ const SPECIMENS: &str = "indentation.half_space";
 impl Scenario {
     pub fn indentation(&self) -> Result<IndentationScene, Error> {
         self.refuse_columns("an indentation")?;
-        if !self.has("indentation") {
-            return Err(self.document.missing("", "indentation"));
-        }
         let specimens = self.specimens()?;
         let targets = self.targets()?;
         let samples = self.input.samples();

@@ -30,9 +30,6 @@ impl Scenario {
 
     /// The series of `[repeat]`; `first` is the input of the first impact.
     pub fn repeat(&self, first: &Input) -> Result<Repeat, Error> {
-        if !self.has("repeat") {
-            return Err(Error::input("the scenario has no [repeat]"));
-        }
         let input = &self.input;
         let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
         let Some(place) = input.word(at!("repeat.spot")) else {

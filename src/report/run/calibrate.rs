@@ -12,7 +12,6 @@ use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, OutputFile, PROGRAM};
 use crate::report::plot::calibrate::pictures;
 use crate::report::text::calibrate as report;
-use crate::report::text::checked::of_inputs;
 use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
 use crate::scenario::edit::set;
@@ -26,7 +25,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let contradiction = found.verdict().contradiction();
     let Some(options) = options else {
         let mut checked = report::found(&measured, &found);
-        checked.extend(of_inputs(&report::inputs(&measured, &found))?);
+        checked.insert("inputs".to_owned(), report::inputs(&measured, &found).json().into());
         let text = of_calibration(&measured, &found);
         return Ok(Outcome { contradiction, ..Outcome::checked(warnings(&found), text, checked) });
     };

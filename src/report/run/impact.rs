@@ -52,8 +52,8 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
     let Some(options) = options else {
-        let checked = of_contact(&input, &contact)?;
-        return Ok(Outcome::checked(texts(&impact.warnings), overview(&input, &contact), checked));
+        let (text, checked) = (overview(&input, &contact), of_contact(&input, &contact));
+        return Ok(Outcome::checked(texts(&impact.warnings), text, checked));
     };
     let provenance = provenance(scenario, &input, impact.method, options.command);
     let mut files = vec![file("trace.csv", trace(&impact)?)];

@@ -47,8 +47,8 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let (scene, tested, warnings) = compute(scenario, options.map(|_| scenario.input().samples()))?;
     let inputs = report::inputs(scenario, &scene);
     let Some(options) = options else {
-        let checked = report::checked(&tested, &inputs)?;
-        return Ok(Outcome::checked(warnings, report::overview(scenario, &scene, &tested), checked));
+        let text = report::overview(scenario, &scene, &tested);
+        return Ok(Outcome::checked(warnings, text, report::checked(&tested, &inputs)));
     };
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, options.command);

@@ -41,7 +41,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let warnings = of_impacts.chain(texts(&idle)).collect();
     let Some(options) = options else {
         let text = report::repeat_lines(&repeat) + &overview(&input, &contact);
-        return Ok(Outcome::checked(warnings, text, of_contact(&input, &contact)?));
+        return Ok(Outcome::checked(warnings, text, of_contact(&input, &contact)));
     };
     let provenance = provenance(scenario, &input, sequence.method, options.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };

@@ -21,7 +21,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
     let text = plan_lines(&plan) + &overview(&plan.input, &contact);
-    Ok(Outcome::checked(warnings(&plan, Some(&contact)), text, of_plan(&plan, &contact)?))
+    Ok(Outcome::checked(warnings(&plan, Some(&contact)), text, of_plan(&plan, &contact)))
 }
 
 /// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.

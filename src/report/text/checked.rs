@@ -1,9 +1,8 @@
 //! The output of `check --json`: the inputs, and the numbers that follow from them before anything is run.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
-use crate::error::Error;
 use crate::impact::Contact;
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::Input;
@@ -39,21 +38,15 @@ pub fn contact() -> Vec<Reported<Contact>> {
 }
 
 /// A scenario of impacts; of a table, it is its first case.
-pub fn of_contact(input: &Input, contact: &Contact) -> Result<Map<String, Value>, Error> {
-    let mut all = of_inputs(&Inputs::new(input))?;
-    all.insert("contact".to_owned(), fields(&self::contact(), contact).into());
-    Ok(all)
-}
-
-/// A scenario of which the inputs say all.
-pub fn of_inputs(inputs: &Inputs) -> Result<Map<String, Value>, Error> {
-    Ok(Map::from_iter([("inputs".to_owned(), serde_json::to_value(inputs)?)]))
+pub fn of_contact(input: &Input, contact: &Contact) -> Map<String, Value> {
+    let inputs = Inputs::new(input).json().into();
+    Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), fields(&self::contact(), contact).into())])
 }
 
 /// A table: also its size and its columns.
-pub fn of_plan(plan: &Plan, contact: &Contact) -> Result<Map<String, Value>, Error> {
-    let mut all = of_contact(&plan.input, contact)?;
+pub fn of_plan(plan: &Plan, contact: &Contact) -> Map<String, Value> {
+    let mut all = of_contact(&plan.input, contact);
     all.insert("cases".to_owned(), plan.count().into());
-    all.insert("columns".to_owned(), json!(plan.column_names()));
-    Ok(all)
+    all.insert("columns".to_owned(), plan.column_names().into());
+    all
 }

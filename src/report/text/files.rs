@@ -11,7 +11,7 @@ use crate::scenario::scene::results::{Reported, trace};
 
 /// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
 pub fn summary(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    results.insert("inputs".to_owned(), serde_json::to_value(inputs)?);
+    results.insert("inputs".to_owned(), inputs.json().into());
     results.insert("provenance".to_owned(), serde_json::to_value(provenance)?);
     Ok(serde_json::to_string_pretty(&results)? + "\n")
 }

@@ -1,7 +1,7 @@
 //! The values of all keys of a scene, defaults included: `check` prints them, and a summary lists them as `inputs`, in SI, with
 //! the unit in every name.
 
-use serde::ser::{Serialize, Serializer};
+use serde_json::{Map, Value};
 
 use crate::contact::law::plm::hardness::flow_stress;
 use crate::impact::Method;
@@ -13,13 +13,12 @@ use crate::scenario::scene::{Body, Input, KeyValue, Part, at, key_of, partner};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inputs(pub Vec<KeyValue>);
 
-impl Serialize for Inputs {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|key_values| (key_values.column(), &key_values.value)))
-    }
-}
-
 impl Inputs {
+    /// As they stand in a summary.
+    pub fn json(&self) -> Map<String, Value> {
+        self.0.iter().map(|entry| (entry.column(), entry.value.clone())).collect()
+    }
+
     /// Keys and values of an input, with its defaults and with what follows from other keys.
     pub fn new(input: &Input) -> Self {
         let (can_yield, is_verlet) = (input.can_yield(), input.solver().method == Method::Verlet);
@@ -61,30 +60,20 @@ impl Inputs {
             }
         }
         let varies = |key: &str| varied.contains(&key);
-        // beside a material that varies stand notes on it
-        let of_material = |path: &str| {
-            let mut materials = Body::ALL.map(Body::material).into_iter().filter(|material| varies(material));
-            materials.any(|material| path.starts_with(material))
+        // what follows from a material, a hardness or a height that varies
+        let follows = |path: &str| {
+            let of_body = Body::ALL.into_iter().any(|body| {
+                let material = body.material();
+                varies(material) && (path.starts_with(material) || path == strength_from(body))
+                    || plan.derives_strength(body) && (path == body.yield_strength() || path == constraint(body))
+            });
+            let falls = plan.input.number(at!("impact.drop_height")).is_some() && varies("gravity.acceleration");
+            of_body || path == "impact.speed" && falls
         };
-        let mut changing: Vec<String> = Vec::new();
-        for body in Body::ALL {
-            if plan.derives_strength(body) {
-                changing.extend([body.yield_strength().to_owned(), constraint(body)]);
-            }
-            if varies(body.material()) {
-                changing.push(strength_from(body));
-            }
-        }
-        let is_shared = |key_values: &KeyValue| match key_values.path.as_str() {
-            _ if changing.contains(&key_values.path) => false,
-            "impact.speed" => plan.input.number(at!("impact.drop_height")).is_none() || !varies("gravity.acceleration"),
-            path => !of_material(path),
-        };
-        // a table has no trace
-        let is_kept = |key_values: &KeyValue| {
-            key_values.part != Part::Output && !varies(&key_values.path) && is_shared(key_values)
-        };
-        entries.retain(|key_values| is_kept(key_values) && !partner(&key_values.path).is_some_and(varies));
+        entries.retain(|KeyValue { path, part, .. }| {
+            // a table has no trace
+            *part != Part::Output && !varies(path) && !partner(path).is_some_and(varies) && !follows(path)
+        });
         Self(entries)
     }
 }
