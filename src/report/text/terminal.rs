@@ -16,16 +16,18 @@ pub enum Detail {
     Whole,
 }
 
-/// The results of a brief answer, in its order.
-const BRIEF: [&str; 8] = [
+/// The results of a brief answer.
+const BRIEF: [&str; 10] = [
+    "restitution",
+    "restitution_band",
     "restitution_with_waves",
     "rebound_height_m",
     "rebound_angle_deg",
+    "contact_time_s",
+    "peak_force_N",
+    "residual_indentation_m",
     "flat_diameter_m",
     "dent_diameter_m",
-    "residual_indentation_m",
-    "peak_force_N",
-    "contact_time_s",
 ];
 
 pub fn impact(single: &Single, detail: Detail) -> String {
@@ -33,9 +35,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     let is_of_the_integrator =
         |name: &str| ["accuracy.", "work.", "energy.drift"].iter().any(|begin| name.starts_with(begin));
     let mut results = results();
-    if detail == Detail::Brief {
-        return brief(&results, single);
-    }
+    let is_brief = detail == Detail::Brief;
     let is_shared = impact.has_flat() && impact.dent_depth() > 0.0;
     let is_idle = |name: &str| match name {
         // parts of a sum with one part
@@ -43,34 +43,15 @@ pub fn impact(single: &Single, detail: Detail) -> String {
         "dent_diameter_m" => impact.has_flat() && !is_shared,
         name => detail != Detail::Whole && is_of_the_integrator(name),
     };
-    results.retain(|result| !is_idle(result.name));
-    let mut lines = vec![["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()]];
+    results.retain(|result| !is_idle(result.name) && (!is_brief || BRIEF.contains(&result.name)));
+    let speed = ["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()];
+    let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::lines(&results, single));
     rename_dent(lines.iter_mut().flatten(), impact.left_behind());
-    mark_outside(&mut lines, single);
-    aligned(&lines, |_| true)
-}
-
-/// A restitution outside of what the law holds for is marked as that.
-fn mark_outside(lines: &mut [Line], single: &Single) {
-    let is_outside = single.impact.is_outside_law;
-    if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| is_outside && name == "restitution") {
+    // outside of what the law holds for
+    if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
         value.push_str(" (outside the law)");
     }
-}
-
-/// A line for the restitution with its band, and for each of the other results of a brief answer that has a value.
-fn brief<'s>(results: &[Reported<Single<'s>>], single: &Single<'s>) -> String {
-    let first: Vec<_> =
-        results.iter().filter(|result| ["restitution", "restitution_band"].contains(&result.name)).copied().collect();
-    let mut lines = lines(&first, single);
-    mark_outside(&mut lines, single);
-    lines.extend(BRIEF.into_iter().filter_map(|name| {
-        let Reported { label, shown, value, .. } = results.iter().find(|result| result.name == name)?;
-        let text = text(*shown, &value(single)?)?;
-        Some([label.split('{').next()?.trim_end().to_owned(), text, String::new()])
-    }));
-    rename_dent(lines.iter_mut().flatten(), single.impact.left_behind());
     aligned(&lines, |_| true)
 }
 
