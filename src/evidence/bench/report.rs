@@ -10,7 +10,7 @@ use crate::impact::Method;
 use crate::numerics::power::max_or_nan;
 use crate::report::plot::{Axis, Chart, Series};
 use crate::report::text::files::written;
-use crate::units::markdown;
+use crate::units::{markdown, number};
 
 pub type Measured = (Problem, Vec<Measurement>);
 
@@ -122,15 +122,9 @@ fn time_to_reach(measurements: &[Measurement], method: Method, threshold: f64) -
     reaching.map(|m| m.ns_per_impact).min_by(f64::total_cmp)
 }
 
+/// To two digits.
 fn microseconds(ns: f64) -> String {
-    let us = 1e-3 * ns;
-    if us < 0.0995 {
-        format!("{us:.3}")
-    } else if us < 9.95 {
-        format!("{us:.2}")
-    } else {
-        format!("{us:.0}")
-    }
+    number(format!("{:.1e}", 1e-3 * ns).parse().unwrap_or(f64::NAN))
 }
 
 /// Time of one impact \[µs\] by method and threshold. Behind that of a library method stands how many times as long as rk8 it
