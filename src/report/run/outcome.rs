@@ -12,6 +12,7 @@ use crate::report::text::Detail;
 use crate::report::text::files::summary;
 use crate::report::text::inputs::Inputs;
 use crate::scenario::Scenario;
+use crate::scenario::scene::{KEYS, Key, Part};
 
 /// The options of a run, besides its scenario.
 #[derive(Debug, Clone, Copy)]
@@ -106,7 +107,12 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
     }
     match reason {
         ImpactError::Integration(IntegrationError::StepUnderflow { .. } | IntegrationError::NotFinite { .. }) => {
-            let given: Vec<&str> = OF_THE_MOTION.into_iter().filter(|key| document.has(key)).collect();
+            let is_of_motion = |key: &&Key| {
+                matches!(key.part, Part::Motion | Part::Forces | Part::Approach | Part::Solver)
+                    || ["sphere.radius", "sphere.diameter"].contains(&key.path)
+            };
+            let given = KEYS.iter().filter(is_of_motion).map(|key| key.path).filter(|path| document.has(path));
+            let given: Vec<&str> = given.collect();
             let text = format!("{reason}; one of these numbers is too extreme for it: {}", given.join(", "));
             Error::in_file(ErrorKind::Input, document.name(), text)
         }
@@ -114,17 +120,3 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
         _ => Error::in_file(ErrorKind::Input, document.name(), reason),
     }
 }
-
-/// The keys that a motion depends on most.
-const OF_THE_MOTION: [&str; 10] = [
-    "sphere.radius",
-    "sphere.diameter",
-    "sphere.density",
-    "sphere.mass",
-    "impact.speed",
-    "impact.drop_height",
-    "gravity.acceleration",
-    "damping.viscous",
-    "damping.hunt_crossley",
-    "solver.tolerance",
-];

@@ -35,17 +35,16 @@ pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<
             all(|input| input.is_harder(Body::HalfSpace, 2.0)),
             "the sphere yields alone, as it has less than half of that strength; leave the key out",
         ),
-        "sphere.density" | "sphere.mass" | "half_space.mass" => (!is_moving, "nothing moves here; leave the key out"),
+        "sphere.density"
+        | "sphere.mass"
+        | "half_space.mass"
+        | "half_space.density"
+        | "half_space.thickness"
+        | "half_space.plate" => (!is_moving, "nothing moves here; leave the key out"),
         "sphere.moment_of_inertia" | "friction.coefficient" => (
             !is_moving || all(|input| input.incidence().is_none()),
             "without impact.angle or sphere.spin nothing slides; give one of them, or leave the key out",
         ),
-        "half_space.density" => {
-            (!is_moving, "there are no elastic waves beside damping, nor without motion; leave the key out")
-        }
-        "half_space.thickness" | "half_space.plate" => {
-            (!is_moving, "a large plate gives way only to what moves; leave the key out")
-        }
         "air.viscosity" => (
             all(|input| input.air().is_none_or(|air| air.drag.is_some())),
             "only drag = \"sphere\" needs it; leave the key out",
