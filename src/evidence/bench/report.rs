@@ -65,15 +65,10 @@ fn csv<'a>(
     Ok(OutputFile { name: name.into(), bytes: written(writer)? })
 }
 
-/// How fast a table of some columns is made.
-pub struct TableRate {
-    pub columns: usize,
-    /// Rows a second computed, and made into lines of CSV.
-    pub rows_per_second: [f64; 2],
-}
-
-/// The page, as Markdown, with the times of the problems as its table.
-pub fn page(all: &[Measured], laws: &[Rate], tables: &[TableRate]) -> String {
+/// The page, as Markdown, with the times of the problems as its table. `rates` are rows a second of a table of so many columns,
+/// computed and made into lines of CSV.
+pub fn page(all: &[Measured], laws: &[Rate], (columns, rates): (usize, [f64; 2])) -> String {
+    let [computed, csv] = rates.map(|rate| format!("{:.1}", 1e-6 * rate));
     let slowest = |time: fn(&Rate) -> f64| microseconds(laws.iter().map(time).fold(0.0, f64::max));
     let fastest = |time: fn(&Rate) -> f64| microseconds(laws.iter().map(time).fold(f64::INFINITY, f64::min));
     format!(
@@ -84,14 +79,10 @@ pub fn page(all: &[Measured], laws: &[Rate], tables: &[TableRate]) -> String {
         fastest_contact = fastest(|rate| rate.ns_per_contact),
         slowest_contact = slowest(|rate| rate.ns_per_contact),
         threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-        tables = tables.iter().map(sentence).collect::<String>().trim_end(),
+        columns = columns,
+        computed = computed,
+        csv = csv,
     )
-}
-
-/// The sentence about the speed of a table.
-fn sentence(table: &TableRate) -> String {
-    let [computed, csv] = table.rows_per_second.map(|rate| format!("{:.1}", 1e-6 * rate));
-    format!("* {} columns: {computed} million computed, {csv} as CSV.\n", table.columns)
 }
 
 /// Smaller errors are drawn here: a logarithmic axis has no zero.

@@ -25,16 +25,9 @@ fn groups(compared: &[Comparison]) -> impl Iterator<Item = &[Comparison]> {
     compared.chunk_by(|a, b| a.group.quantity == b.group.quantity)
 }
 
-/// A share in per cent; below 1e-4 as a plain number.
+/// A share in per cent.
 fn share(value: f64) -> String {
-    let magnitude = value.abs();
-    if magnitude == 0.0 {
-        "0".to_owned()
-    } else if magnitude < 1e-4 {
-        format!("{value:.0e}").replace('-', "−")
-    } else {
-        format!("{:.2} %", 100.0 * value).replace('-', "−")
-    }
+    format!("{:.2} %", 100.0 * value).replace('-', "−")
 }
 
 /// A share as [`share`] writes it, with a plus sign if it is positive.
