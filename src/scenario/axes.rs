@@ -11,7 +11,7 @@ use crate::contact::strength::hardness;
 use crate::impact::Method;
 use crate::scenario::plan::{Axis, Distribution, Free, Values, Variable, Word};
 use crate::scenario::scene::quantity::{POINTS, SAMPLED, SEED, positive_of};
-use crate::scenario::scene::read::{Fault, Reader, count, items, list, named, number, word};
+use crate::scenario::scene::read::{Fault, Reader, count, items, list, named, number, pair, word};
 use crate::scenario::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
 use crate::scenario::scene::written::{Name, Node, described};
 use crate::scenario::scene::{Body, BodyMaterial, KEYS, Key, Quantity};
@@ -238,7 +238,7 @@ fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
         [None, Some(ends), points] => (ends, true, points),
         _ => return Err(Fault::at(value, "needs one of linspace = [from, to] and logspace = [from, to]")),
     };
-    let [from, to] = two_ends(quantity, ends)?;
+    let [from, to] = pair([quantity; 2], ends)?;
     let points = points.ok_or_else(|| Fault::at(value, "points, the number of values, is missing"))?;
     let points = count(&POINTS, points)?;
     if !is_log {
@@ -251,20 +251,13 @@ fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
     Err(Fault::at(value, message))
 }
 
-fn two_ends(quantity: &Quantity, node: &Node) -> Result<[f64; 2], Fault> {
-    match list(node, &format!("[{}]", quantity.example))? {
-        [from, to] => Ok([number(quantity, None, from)?, number(quantity, None, to)?]),
-        values => Err(Fault::at(node, format!("{} values are given; write the two ends", values.len()))),
-    }
-}
-
 /// One distribution: `normal`, `lognormal` or `uniform`.
 fn distribution(quantity: &Quantity, value: &Node) -> Result<Distribution, Fault> {
     const FORMS: &str =
         "{ normal = { mean = ..., sd = ... } }, { lognormal = { mean = ..., sd = ... } } or { uniform = [from, to] }";
     match parts(value, ["normal", "lognormal", "uniform"], FORMS)? {
         [None, None, None] => Err(Fault::at(value, format!("has no distribution; write {FORMS}"))),
-        [None, None, Some(ends)] => match two_ends(quantity, ends)? {
+        [None, None, Some(ends)] => match pair([quantity; 2], ends)? {
             [from, to] if from < to => Ok(Distribution::Uniform { from, to }),
             _ => Err(Fault::at(ends, "uniform takes two ends, the lower first")),
         },

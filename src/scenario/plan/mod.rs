@@ -229,15 +229,11 @@ pub fn put(axes: &[Axis], places: &[u64], input: &mut Input) {
 
 pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
     let mut rest = case;
-    let mut places: Vec<u64> = axes
-        .iter()
-        .rev()
-        .map(|axis| {
-            let place = rest % axis.len();
-            rest /= axis.len();
-            place
-        })
-        .collect();
+    let mut places: Vec<u64> = Vec::new();
+    for axis in axes.iter().rev() {
+        places.push(rest % axis.len());
+        rest /= axis.len();
+    }
     places.reverse();
     places
 }
