@@ -33,7 +33,8 @@ pub struct CsvText<'t> {
 impl<'t> CsvText<'t> {
     /// Reads the names of the columns.
     pub fn new(text: &'t str) -> Result<Self, Refusal> {
-        let text = without_mark(text);
+        // spreadsheets put a byte order mark before it
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let separator = separator(text);
         let mut reader =
             ReaderBuilder::new().delimiter(separator).comment(Some(b'#')).trim(Trim::All).from_reader(text.as_bytes());
@@ -93,11 +94,6 @@ impl Decimals {
             _ => Ok(plain),
         }
     }
-}
-
-/// The text without the byte order mark that spreadsheets put before it.
-fn without_mark(text: &str) -> &str {
-    text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
 /// The line of the row that begins at this place. The reader counts comments and empty lines as the beginning of the row

@@ -1,6 +1,5 @@
 //! Reading of a quantity with its unit.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -32,7 +31,8 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Error> {
 /// Reads a quantity that messages call by this name, and for which they give this example.
 pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> Result<f64, String> {
     let no_number = || format!("\"{text}\" does not begin with a number; write {name} such as {example}");
-    let plain = with_plain_minus(text.trim());
+    // printed text, which tables and pages have, has another minus than a keyboard
+    let plain = text.trim().replace('\u{2212}', "-");
     let (number, unit) = split(&plain);
     if !number.bytes().any(|byte| byte.is_ascii_digit()) {
         return Err(no_number());
@@ -66,11 +66,6 @@ pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> 
 /// The units by their plain spelling.
 static SPELLINGS: LazyLock<HashMap<String, &Unit>> =
     LazyLock::new(|| UNITS.iter().map(|unit| (plain_spelling(unit.name), unit)).collect());
-
-/// The minus of printed text, which tables and pages have, as the minus of a keyboard.
-fn with_plain_minus(text: &str) -> Cow<'_, str> {
-    if text.contains('\u{2212}') { text.replace('\u{2212}', "-").into() } else { text.into() }
-}
 
 impl Scale {
     /// The number in SI, rounded once.

@@ -3,7 +3,6 @@
 use std::path::Path;
 use std::time::Duration;
 
-use clap::builder::RangedI64ValueParser;
 use clap::{Args, value_parser};
 use plm_impact::error::Error;
 use plm_impact::report::run::{refuse_warnings, table};
@@ -30,7 +29,7 @@ pub struct Options {
     #[arg(long, value_name = "I/N")]
     shard: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
-    #[arg(long, value_name = "N", value_parser = allowed_threads())]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=i64::from(MOST_THREADS)))]
     threads: Option<u16>,
 }
 
@@ -123,11 +122,6 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let table = written.table.display();
     let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
     Err(Error::failed(text).about(table))
-}
-
-/// Numbers that `--threads` takes.
-fn allowed_threads() -> RangedI64ValueParser<u16> {
-    value_parser!(u16).range(1..=i64::from(MOST_THREADS))
 }
 
 /// Does the work on as many threads as the option says, or the environment, or on one per core.
