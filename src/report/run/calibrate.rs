@@ -131,6 +131,6 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
         "# {}: found by {PROGRAM}. The other comments are those of {}.\n{}",
         keys.join(", "),
         scenario.document.name(),
-        document.to_string()
+        document
     ))
 }

@@ -110,7 +110,9 @@ pub fn repeat_lines(repeat: &Repeat) -> String {
     match &repeat.drive {
         Drive::Bouncing { most, until, .. } => {
             row("repeat.impacts", most.to_string());
-            until.iter().for_each(|until| row("repeat.until.speed", speed(until)));
+            if let Some(until) = until {
+                row("repeat.until.speed", speed(until));
+            }
         }
         Drive::Shots(speeds) => {
             row("shots", speeds.len().to_string());
