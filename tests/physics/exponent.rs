@@ -12,21 +12,6 @@ fn steel(n: f64) -> Scene {
 }
 
 #[test]
-fn the_exponent_falls_from_three_halves_at_first_yield_to_the_one_asked_for() {
-    let law = steel(1.2).law();
-    let exponent = |x: f64| law.unloading(law.loaded_to(x)).exponent;
-    // because of the straight pieces it may rise a little after a knot, as e does: 0.02 %
-    let exponents: Vec<f64> = (0..=400).map(|i| exponent(1.0 + 0.01 * f64::from(i))).collect();
-    assert!(exponents.windows(2).all(|pair| pair[1] <= pair[0] * 1.0005), "{exponents:?}");
-    assert_eq!((exponents[0], exponents[400]), (1.5, 1.2));
-    assert!(1.5 - exponent(1.0 + 1e-9) < 1e-8);
-    // an exponent above 3/2 gives back less than the work of loading from the beginning, so the exponent jumps to it
-    let law = steel(1.8).law();
-    assert_eq!(law.unloading(law.loaded_to(1.0)).exponent, 1.5);
-    assert_eq!(law.unloading(law.loaded_to(1.01)).exponent, 1.8);
-}
-
-#[test]
 fn a_spot_remembers_the_limited_branch_and_a_reload_runs_along_it() {
     let contact = steel(1.4).contact();
     let auto = Solver::AUTO;

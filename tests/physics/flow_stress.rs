@@ -40,48 +40,6 @@ fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
     }
 }
 
-/// If the hardness varies, so does the yield strength: the table has it as a column, and the results are those of it.
-#[test]
-fn the_yield_strength_of_a_hardness_is_a_column_where_it_varies() {
-    let hardness = STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\"");
-    let with_flow = hardness.replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.1 }\n[impact]");
-    let name = "half_space_yield_strength_Pa";
-    for (bodies, tables, varies) in [
-        (&hardness, "[sweep]\n\"half_space.hardness\" = [\"200 HV\", \"40.8 HRC\"]\n", true),
-        (&with_flow, "[sweep]\n\"half_space.flow_stress.power.exponent\" = [0.05, 0.2]\n", true),
-        (&with_flow, "[sweep]\n\"half_space.youngs_modulus\" = [1e11, 2e11]\n", true),
-        (&hardness, "[sweep]\n\"half_space.poissons_ratio\" = [0.2, 0.3]\n", true),
-        (&hardness, "[sweep]\n\"sphere.radius\" = [0.002, 0.003]\n", false),
-        (
-            &hardness,
-            "[monte_carlo]\nsamples = 3\n\"half_space.hardness\" = { normal = { mean = \"300 HV\", sd = \"9 HV\" } }\n",
-            true,
-        ),
-    ] {
-        let desk = Desk::ran(format!("{bodies}{tables}"));
-        let (table, summary) = (desk.read("out/table.csv"), desk.summary());
-        assert_eq!(table.lines().next().unwrap().contains(name), varies, "{table}");
-        // values that all rows have in common are inputs; values that vary are not
-        assert_eq!(summary["inputs"][name].is_null(), varies, "{summary}");
-        assert!(summary["inputs"]["half_space_yield_strength_from"].as_str().unwrap().starts_with("hardness"));
-        if !varies || tables.contains("exponent") || tables.contains("modulus") || tables.contains("ratio") {
-            continue;
-        }
-        for (strength, e) in column(&table, name).iter().zip(column(&table, "restitution")) {
-            let alone = STEEL.replace("\"345 MPa\"", strength);
-            let scene = scene(&alone, NONE);
-            let impact = scene.contact().unwrap().closed_form(scene.speed()).unwrap();
-            assert!(off(e.parse().unwrap(), impact.restitution) < 1e-14, "{strength}");
-        }
-        if tables.contains("40.8") {
-            // HRC 40.8 is HV 400; see command/strength_keys.rs
-            for (strength, wanted) in column(&table, name).iter().zip([743_476_353.118_887_7, 1_566_488_017.801_822]) {
-                assert!(off(strength.parse().unwrap(), wanted) < 1e-11);
-            }
-        }
-    }
-}
-
 /// A curve steeper than Young's modulus is refused where it is written (command/refusals.toml); where an axis makes it so, the
 /// rows say that they are outside of the law.
 #[test]

@@ -1,9 +1,6 @@
-//! Events at the edges of a leg: a knot just before the peak, first touch, joints of a formula, steps beyond a knot.
+//! Events at the edges of a leg: a knot just before the peak, steps beyond a knot.
 
 use crate::common::prelude::*;
-
-/// The steppers, and the closed form, whose traces are made of the exact motion.
-const TRACING: [(Method, f64); 4] = [STEPPING[0], STEPPING[1], STEPPING[2], (Method::ClosedForm, 1.0)];
 
 #[test]
 fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
@@ -21,24 +18,6 @@ fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
                 assert!(way_in.clone().all(|row| row.speed > 0.0), "{above} at {tolerance:e}");
                 assert!(impact.trace.windows(2).all(|rows| rows[0].time <= rows[1].time), "{above} at {tolerance:e}");
             }
-        }
-    }
-}
-
-/// The formula of Stronge lies between the yield point and 84 times that indentation. It is computed on several pieces, whose
-/// joints are no events.
-#[test]
-fn a_trace_tells_of_the_knots_of_a_law_and_not_of_the_joints_of_its_formula() {
-    let contact = Scene::case_3().contact_by(LawChoice::from_name("stronge").unwrap().get());
-    let (yields_at, _) = contact.yields_at().unwrap();
-    for (method, _) in TRACING {
-        for (speed, knots) in [(0.5, 0), (20.0, 1)] {
-            let impact = contact.impact(speed, &solver(method, 1e-10), Some(20)).unwrap();
-            assert!(impact.peak_indentation > 8.0 * yields_at);
-            let at: Vec<f64> =
-                impact.trace.iter().filter(|row| row.event == Some(Event::Knot)).map(|row| row.indentation).collect();
-            assert_eq!(at.len(), knots, "{method:?} at {speed} m/s: {at:?}");
-            assert!(at.iter().all(|at| off(*at, 84.0 * yields_at) < 1e-12), "{method:?}: {at:?}");
         }
     }
 }

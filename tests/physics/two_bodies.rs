@@ -49,36 +49,6 @@ fn equal_balls_are_one_on_a_rigid_wall_at_half_the_speed() {
     }
 }
 
-/// A body that is heavy beyond measure, flat beyond measure, or both, is the fixed half-space. It may yield alone, with the sphere, or
-/// not at all.
-#[test]
-fn a_large_heavy_body_is_a_half_space() {
-    let (sphere, half_space) = Scene::steel().parts();
-    for strengths in [[None, Some(345e6)], [Some(345e6), Some(380e6)], [Some(345e6), None]] {
-        let sphere = Sphere { yield_strength: strengths[0], ..sphere };
-        let half_space = HalfSpace { yield_strength: strengths[1], ..half_space };
-        let of = |half_space| Contact::try_new(sphere, half_space, &Plm::default()).unwrap();
-        let fixed = of(half_space);
-        for (radius, hold) in [
-            (Some(1e15), Hold::Fixed),
-            (Some(-1e15), Hold::Fixed),
-            (None, Hold::Free(1e15)),
-            (Some(1e15), Hold::Free(1e15)),
-        ] {
-            let other = of(HalfSpace { radius, hold, ..half_space });
-            for speed in [0.005, 0.5, 3.0] {
-                let [one, two] = [&fixed, &other].map(|contact| contact.closed_form(speed).unwrap());
-                assert!(
-                    off(two.restitution, one.restitution) < 1e-12 && apart(&two, &one) < 1e-12,
-                    "{speed} {radius:?}"
-                );
-                assert!(off(two.rebound_speed, one.rebound_speed) < 1e-12, "{speed} {radius:?}");
-                assert!(two.target_speed.is_none_or(|speed| speed < 1e-12));
-            }
-        }
-    }
-}
-
 /// The same two balls, whichever comes in.
 #[test]
 fn it_does_not_matter_which_ball_is_hit() {

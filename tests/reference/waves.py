@@ -1,5 +1,11 @@
 """Makes waves.csv: the factor C(nu) of elastic-wave radiation, by adaptive quadrature in 40 digits of the formula as it
-stands (complex wave-number integral along the real axis, Rayleigh root by bisection and secant). Needs mpmath."""
+stands (complex wave-number integral along the real axis, Rayleigh root by bisection and secant). Needs mpmath.
+
+C = (1/2pi) [ |int_0^1 Im(k sqrt(k^2 - g^2)/R) dk| + pi k_R sqrt(k_R^2 - g^2)/|R'(k_R)| ],   g^2 = (1 - 2 nu)/(2 (1 - nu))
+R(k) = (2k^2 - 1)^2 - 4k^2 sqrt(k^2 - g^2) sqrt(k^2 - 1),   R(k_R) = 0
+
+with wave numbers k in units of that of shear waves: the integral is the share of pressure (k < g) and shear waves, the rest that of
+Rayleigh waves."""
 from mpmath import diff, findroot, mp, mpf, nstr, pi, quad, sqrt
 
 mp.dps = 40
@@ -31,5 +37,5 @@ def factor(nu):
 
 print("# Radiation factor C of a half-space under a normal point force; made by waves.py, all digits are right.")
 print("poissons_ratio,factor")
-for nu in "-0.99 -0.5 0 0.001 0.1 0.2 0.25 0.3 0.33 0.35 0.4 0.45 0.49 0.4999".split():
-    print(f"{nu},{nstr(factor(mpf(nu)), 17)}")
+for nu in sorted([mpf(i) / 100 for i in range(-99, 50)] + [mpf("0.001"), mpf("0.4999")]):
+    print(f"{nstr(nu, 5)},{nstr(factor(nu), 17)}")

@@ -9,11 +9,9 @@ use crate::common::prelude::*;
 /// Settings of a scenario, and axes: a key and its values, as they stand in a file.
 type Table = (&'static [&'static str], &'static [(&'static str, &'static [&'static str])]);
 
-const TABLES: [Table; 14] = [
+const TABLES: [Table; 12] = [
     (&[], &[METHODS, SPEEDS]),
-    (&["gravity.acceleration=9.81"], &[STEPPED, SPEEDS]),
     (&["gravity.acceleration=9.81", "half_space.density=7850"], &[STEPPED, SPEEDS]),
-    (&["damping.hunt_crossley=0.05"], &[STEPPED, SPEEDS]),
     (&["damping.viscous=0.1"], &[STEPPED, SPEEDS]),
     // a sphere that is let go, and one that hardly moves; a damping of nothing
     (&[], &[HEIGHTS, ("damping.viscous", &["0", "0.1"]), ("gravity.acceleration", &["9.81", "1e5"])]),
@@ -93,7 +91,7 @@ fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
 fn rows_have_the_bits_of_their_single_cases() {
     let given: Vec<usize> = TABLES.iter().map(|(settings, axes)| compare(settings, axes)).collect();
     // under 1e5 m/s^2 the highest drop is deeper than the sphere, with little damping too
-    assert_eq!(given, [20, 25, 25, 25, 25, 10, 5, 12, 10, 10, 10, 30, 4, 4]);
+    assert_eq!(given, [20, 25, 25, 10, 5, 12, 10, 10, 10, 30, 4, 4]);
 }
 
 #[test]
@@ -144,7 +142,7 @@ fn the_band_of_e_has_two_columns_where_a_material_leaves_the_hardness_open() {
 /// Cases as Python gives them, with a list of values for each key.
 #[test]
 fn listed_cases_have_the_results_of_a_grid() {
-    for (settings, axes) in [TABLES[0], TABLES[3], TABLES[10], TABLES[11]] {
+    for (settings, axes) in [TABLES[0], TABLES[2], TABLES[8], TABLES[9]] {
         let axes: Vec<_> = axes.iter().filter(|(key, _)| *key != "solver.method").collect();
         let lists: Vec<String> = axes.iter().map(|(key, values)| format!("\"{key}\"=[{}]", values.join(","))).collect();
         let own: Vec<_> = axes.iter().map(|axis| **axis).collect();

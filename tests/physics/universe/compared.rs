@@ -1,7 +1,7 @@
 //! What holds between an impact and the same one by another method, without a trace, as a row of a table.
 
 use super::balances::{Judged, near};
-use super::scene::Run;
+use super::scene::{Given, Run};
 use crate::common::prelude::*;
 
 /// All that is reported of an impact, as text, so that no number is equal to itself too.
@@ -165,7 +165,67 @@ pub fn fixed_steps_come_near(run: &Run) -> Judged {
     Ok(true)
 }
 
-/// Damping and a plate take energy: the sphere goes in no deeper than without them.
+/// What has no effect changes nothing: a harder sphere and a rate of nothing to the last bit, flow curves that do not rise and a body that
+/// is flat and heavy beyond measure to rounding.
+pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
+    let (scene, contact) = (&run.scene, &run.contact);
+    if !run.is_fresh() || run.approach.incidence.is_some() || run.turns_at_a_joint() {
+        return Ok(false);
+    }
+    let with = |path, number| scene.with(path, Given::Number(number));
+    let (mut others, rounding) = (Vec::new(), 1e-12 + run.slack());
+    if let (true, Some(strength), None) =
+        (run.is_plm(), contact.half_space().yield_strength, contact.sphere().yield_strength)
+    {
+        if !contact.has_rate() {
+            others.push((with("sphere.yield_strength", 10.0 * strength), 0.0));
+            others.push((with("half_space.rate.johnson_cook.c", 0.0), 0.0));
+        }
+        if !scene.has("half_space.flow_stress") && run.is_adaptive() {
+            let voce = with("half_space.flow_stress.voce.rate", 20.0);
+            let level = Given::Points(vec![[1e-3, strength], [0.02, strength]]);
+            others.extend([
+                (with("half_space.flow_stress.power.exponent", 0.0), rounding),
+                (with("half_space.flow_stress.linear.slope", 0.0), rounding),
+                (voce.with("half_space.flow_stress.voce.saturation", Given::Number(0.0)), rounding),
+                (scene.with("half_space.flow_stress.points", level), rounding),
+            ]);
+        }
+    }
+    let is_bare = ["half_space.radius", "half_space.mass", "half_space.density", "gravity"];
+    if !is_bare.iter().any(|begin| scene.has(begin)) && run.is_adaptive() {
+        let radius = 1e15 * contact.sphere().radius;
+        let heavy = with("half_space.mass", 1e15 * contact.mass());
+        let others_of_shape = [radius, -radius].map(|radius| with("half_space.radius", radius));
+        let both = heavy.with("half_space.radius", Given::Number(radius));
+        others.extend(others_of_shape.into_iter().chain([heavy, both]).map(|other| (other, rounding)));
+    }
+    let mut compared = 0;
+    for (other, allowed) in others {
+        let Ok(other) = other.run() else { continue };
+        let [got, want] = [&other.impact, &run.impact];
+        if allowed == 0.0 {
+            let essentials = Essentials { rated: None, ..got.essentials };
+            prop_assert_eq!(text(&essentials), text(&want.essentials), "{:?}", other.scene);
+            prop_assert_eq!(text(&got.trace), text(&want.trace), "{:?}", other.scene);
+        }
+        let sizes = [want.peak_force, want.peak_indentation, want.peak_contact_radius, want.loading_time, 1.0];
+        let numbers = |of: &Impact| {
+            let wide = [of.peak_force, of.peak_indentation, of.peak_contact_radius, of.loading_time];
+            [&wide[..], &[of.unloading_exponent]].concat()
+        };
+        for ((got, want), size) in numbers(got).into_iter().zip(numbers(want)).zip(sizes) {
+            near("size", got, want, allowed * size)?;
+        }
+        near("recovered", got.energy.recovered, want.energy.recovered, 4.0 * allowed * run.put_in())?;
+        near("dent", got.residual_indentation, want.residual_indentation, allowed * want.peak_indentation)?;
+        compared += 1;
+    }
+    Ok(compared > 0)
+}
+
+/// Damping and a plate take energy: the sphere goes in no deeper than without them, and on a plate it is pressed no harder and comes
+/// back no faster, on a thinner one still less.
 pub fn damping_and_a_plate_only_take(run: &Run) -> Judged {
     if !run.has_drag() || !run.is_adaptive() {
         return Ok(false);
@@ -177,5 +237,16 @@ pub fn damping_and_a_plate_only_take(run: &Run) -> Judged {
     let Ok(free) = free else { return Ok(false) };
     let (deepest, most) = (run.impact.peak_indentation, free.impact.peak_indentation);
     prop_assert!(deepest <= most * (1.0 + 1e-8 + run.slack()), "{} {}", deepest, most);
+    if let (Some(plate), None) = (run.contact.forces().plate, run.contact.forces().gravity) {
+        let thinner = run.scene.with("half_space.thickness", Given::Number(0.9 * plate.thickness));
+        // a plate that is too thin is refused
+        let thinner = thinner.run().map(|thinner| thinner.impact).ok();
+        for [less, more] in
+            [[&run.impact, &free.impact]].into_iter().chain(thinner.as_ref().map(|thin| [thin, &run.impact]))
+        {
+            prop_assert!(less.peak_force <= more.peak_force * (1.0 + 1e-8 + run.slack()), "{:?} {:?}", less, more);
+            prop_assert!(less.restitution <= more.restitution + 1e-8 + run.slack(), "{:?} {:?}", less, more);
+        }
+    }
     Ok(true)
 }

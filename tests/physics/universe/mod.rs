@@ -35,7 +35,7 @@ const ALONE: [Invariant; 11] = [
     ("depth is warned of", law::an_impact_deeper_than_the_data_is_warned_of, 40),
 ];
 
-const COMPARED: [Invariant; 17] = [
+const COMPARED: [Invariant; 18] = [
     ("a row has the bits of the impact", compared::a_row_has_the_bits_of_the_impact, 60),
     ("a trace changes no bit", compared::a_trace_changes_no_bit, 50),
     ("spot and friction leave the normal motion", compared::spot_and_friction_leave_the_normal_motion, 60),
@@ -44,6 +44,7 @@ const COMPARED: [Invariant; 17] = [
     ("units do not matter", units::units_do_not_matter, 50),
     ("damping of nothing", compared::damping_of_nothing_changes_nothing, 40),
     ("fixed steps come near", compared::fixed_steps_come_near, 40),
+    ("what has no effect", compared::what_has_no_effect_changes_nothing, 15),
     ("damping and a plate only take", compared::damping_and_a_plate_only_take, 15),
     ("a spot remembers", surface::a_spot_remembers, 5),
     ("the rate is that of the depth that it gives", surface::the_rate_is_that_of_the_depth_that_it_gives, 8),
