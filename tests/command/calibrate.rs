@@ -343,34 +343,6 @@ fn the_law_that_made_the_data_is_ranked_first() {
     assert!(desk.path("o/laws.svg").exists());
 }
 
-/// The rebounds of five drops of a steel ball on 6061, heights measured in cm, with the speeds and restitutions that follow
-/// from them with standard gravity.
-#[test]
-fn the_same_drops_as_heights_and_as_speeds_give_the_same_strength() {
-    let text = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardened\"\n\
-                [half_space]\nmaterial = \"aluminium-6061-t6\"\n[calibrate]\ndata = \"d.csv\"\nnoise = { model = 0.02 }\n";
-    let drops: [[f64; 2]; 5] = [[20.0, 7.9], [40.0, 14.2], [60.0, 20.1], [80.0, 25.2], [100.0, 30.6]];
-    let heights = drops
-        .iter()
-        .fold("drop_height_cm,rebound_height_cm\n".to_owned(), |data, [h, back]| data + &format!("{h},{back}\n"));
-    let speeds = drops.iter().fold("speed_m_per_s,restitution,restitution_sd\n".to_owned(), |data, [h, back]| {
-        data + &format!("{},{},0.001\n", (2.0 * 9.80665 * 0.01 * h).sqrt(), (back / h).sqrt())
-    });
-    let sd =
-        drops.iter().fold("drop_height_cm,rebound_height_cm,rebound_height_cm_sd\n".to_owned(), |data, [h, back]| {
-            data + &format!("{h},{back},{}\n", 2.0 * back * 0.001 / (back / h).sqrt())
-        });
-    let strength = |data: &str, more: &[&str]| {
-        let (_, summary) = calibrated(text, data, more, 0);
-        summary["keys"][0]["estimate"].as_f64().unwrap()
-    };
-    let by_speed = strength(&speeds, &[]);
-    assert!(off(strength(&sd, &[]), by_speed) < 2e-3, "{} {by_speed}", strength(&sd, &[]));
-    // gravity during contact changes next to nothing; the waves stay
-    let under_gravity = strength(&heights, &["--set", "gravity.acceleration=9.80665"]);
-    assert!(off(under_gravity, strength(&heights, &[])) < 1e-4);
-}
-
 /// A ball that yields on a hard wall: its own strength is found from its rebounds.
 #[test]
 fn the_strength_of_a_soft_ball_is_found() {

@@ -253,10 +253,6 @@ fn lines_of_two_spheres_part_them_as_the_law_does() {
     let (stiffness, damping) = spring_without_pull(mass, e, time).unwrap();
     assert_relative_eq!(number(&lines("yade"), "kn="), 2.0 * stiffness, max_relative = 1e-8);
     assert_relative_eq!(number(&lines("yade"), "cn="), 2.0 * damping, max_relative = 1e-8);
-
-    let free = crate::common::STEEL.replace("yield_strength", "mass = \"1 kg\"\nyield_strength");
-    let (_, told) = Desk::with(free).ends(&["export", "s.toml", "--to", "lammps"], 2);
-    assert!(told.contains("half_space.mass") && told.contains("mass = \"ball\""), "{told}");
 }
 
 /// e of the summary that a run of this scenario writes, and the one of the lines.
@@ -305,11 +301,4 @@ fn the_motion_of_a_scenario_is_left_out_and_named() {
     let swept = "[impact]\nspeed = \"3 m/s\"\n[sweep]\n\"half_space.youngs_modulus\" = [\"210 GPa\", \"70 GPa\"]\n";
     let (e, text) = of(swept, &["--speed", "2 m/s"]);
     assert!((e - law(2.0)).abs() < 1e-8 && text.contains("half_space.youngs_modulus = 2.1e11 Pa (210 GPa)"), "{text}");
-    let speeds = "[impact]\n[sweep]\n\"impact.speed\" = [\"3 m/s\", \"4 m/s\"]\n";
-    let desk = Desk::with(crate::common::STEEL.split("[impact]").next().unwrap().to_owned() + speeds);
-    let (_, told) = desk.ends(&["export", "s.toml", "--to", "csv"], 2);
-    assert!(told.contains("no single impact speed: give --speed"), "{told}");
-    let wanted = crate::common::STEEL.to_owned() + "[calibrate]\ndata = \"d.csv\"\n";
-    let (_, told) = Desk::with(wanted).ends(&["export", "s.toml", "--to", "csv"], 2);
-    assert!(told.contains("export the calibrated.toml"), "{told}");
 }

@@ -137,25 +137,3 @@ fn a_key_has_an_effect_on_every_use_or_a_reason_why_not() {
     }
     assert!(met.len() > 20 && idle.len() > 15, "{met:?} {idle:?}");
 }
-
-/// Whole numbers and words are looked at too, and each method has its own keys.
-#[test]
-fn a_key_of_another_method_is_told_to_have_no_effect() {
-    for (set, words) in [
-        (
-            ["solver.method=verlet", "solver.tolerance=1e-9"],
-            "solver.tolerance is not used: verlet takes steps of one length",
-        ),
-        (
-            ["solver.method=rk8", "solver.steps_per_contact=60"],
-            "solver.steps_per_contact is not used: only the method verlet",
-        ),
-    ] {
-        let warnings = run::check(&read(STEEL, &set)).unwrap().warnings;
-        assert!(matches!(&warnings[..], [one] if one.starts_with(words)), "{warnings:?}");
-    }
-    for set in ["verlet & solver.steps_per_contact=60", "rk8 & solver.tolerance=1e-9"] {
-        let set: Vec<String> = format!("solver.method={set}").split(" & ").map(str::to_owned).collect();
-        assert_eq!(run::check(&read(STEEL, &set)).unwrap().warnings, [""; 0]);
-    }
-}

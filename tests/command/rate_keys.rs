@@ -10,21 +10,6 @@ fn with_rate(rate: &str) -> String {
 
 const COOK: &str = "johnson_cook = { c = 0.02 }";
 
-#[test]
-fn doubtful_constants_and_rates_are_warned_of() {
-    for (rate, says) in [
-        ("johnson_cook = { c = 0.02 }\ntested_at = 300", "e comes out below the one without a rate"),
-        ("cowper_symonds = { rate = 40.4, exponent = 5 }", "lower yield point"),
-        ("johnson_cook = { c = 0.001 }", ""),
-    ] {
-        let (_, said) = Desk::with(with_rate(rate)).ends(&["check", "s.toml"], 0);
-        assert!(said.contains(says) && said.is_empty() == says.is_empty(), "{said}");
-    }
-    let small = with_rate(COOK).replace("5 mm", "20 nm");
-    let (_, said) = Desk::with(small).ends(&["check", "s.toml"], 0);
-    assert!(said.contains("outside of 1e-3 to 1e5 1/s"), "{said}");
-}
-
 /// The metal's rate is taken where it is asked for; where it is not, `check` says how much higher e is with it.
 #[test]
 fn a_material_gives_its_rate_only_if_it_is_asked() {

@@ -92,3 +92,18 @@ fn the_last_separation_is_that_of_the_last_impact_that_left() {
     let got = summary["last_separation_time_s"].as_f64().unwrap();
     assert!(off(got, times[last] + contacts[last]) < 1e-14, "{got}");
 }
+
+#[test]
+fn bounces_report_what_waves_take() {
+    let bouncing = include_str!("../../scenarios/alumina-on-aluminium-with-waves.toml").to_owned()
+        + "[gravity]\nacceleration = 9.81\n[repeat]\nspot = \"same\"\nimpacts = 4\n";
+    let desk = Desk::ran(bouncing);
+    let (impacts, summary) = (desk.read("out/impacts.csv"), desk.summary());
+    let all = |name: &str| numbers(&impacts, name);
+    for (at, rebound) in all("rebound_speed_m_per_s").into_iter().enumerate() {
+        let speed = all("restitution_with_waves")[at] * all("impact_speed_m_per_s")[at];
+        assert!(off(rebound, speed) < 1e-14 && all("restitution_with_waves")[at] < all("restitution")[at]);
+    }
+    assert!(off(summary["energy"]["waves_J"].as_f64().unwrap(), all("waves_J").iter().sum()) < 1e-14);
+    assert!(off(summary["final_restitution"].as_f64().unwrap(), all("restitution_with_waves")[3]) < 1e-14);
+}

@@ -9,7 +9,8 @@ struct Says {
     scene: Vec<Said>,
 }
 
-/// A scenario, and what is said of it under these settings: all words of an entry, but for those behind a `!`.
+/// A scenario, and what is said of it under these settings: all words of an entry, as the first those behind a `^`,
+/// and none behind a `!`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Said {
@@ -26,6 +27,10 @@ struct Said {
 
 fn assert_says(about: &str, said: &str, entry: &[String]) {
     for words in &entry[1..] {
+        if let Some(first) = words.strip_prefix('^') {
+            assert!(said.starts_with(first), "{about}, {}: {first:?} is not the first of\n{said}", entry[0]);
+            continue;
+        }
         let (words, is_said) = words.strip_prefix('!').map_or((words.as_str(), true), |words| (words, false));
         assert_eq!(said.contains(words), is_said, "{about}, {}: {words:?} in\n{said}", entry[0]);
     }

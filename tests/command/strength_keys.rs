@@ -56,6 +56,15 @@ fn a_hardness_is_a_yield_strength_said_otherwise() {
         let strength = scene(&with_hardness(hardness)).half_space().yield_strength.unwrap();
         assert!(off(strength, wanted) < 1e-11, "{hardness}: {strength}");
     }
+    // as a column of a table, whose e is that of these strengths; HRC 40.8 is HV 400
+    let table =
+        Desk::ran(with_hardness("\"300 HV\"") + "[sweep]\n\"half_space.hardness\" = [\"200 HV\", \"40.8 HRC\"]\n");
+    let table = table.read("out/table.csv");
+    let [strengths, e] = ["half_space_yield_strength_Pa", "restitution"].map(|name| numbers(&table, name));
+    for ((got, e), wanted) in strengths.iter().zip(e).zip([743_476_353.118_887_7, 1_566_488_017.801_822]) {
+        let alone = scene(&STEEL.replace("\"345 MPa\"", &format!("{got:e}")));
+        assert!(off(*got, wanted) < 1e-11 && off(e, restitution(&alone)) < 1e-14, "{got} {e}");
+    }
     // also in scenes without an impact
     let still = |table: &str| with_hardness("\"1.006703112184141 GPa\"").replace("[impact]\nspeed = \"3 m/s\"", table);
     let pressed = Scenario::from_text("s.toml", &still("[indentation]\nsteps = [{ load = \"1 kN\" }]"), &[]).unwrap();

@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use crate::common::prelude::*;
 use plm_impact::impact::air::{Flying, Medium};
 
 /// A ball of constant restitution that bounces in air, as a scenario with these lines of `[calibrate]`.
@@ -42,31 +41,4 @@ fn clicks_give_the_restitution_that_made_them() {
     };
     assert!((of(AIR) - e).abs() < 1e-4, "{}", of(AIR));
     assert!(of("") < e - 1e-3, "{}", of(""));
-}
-
-/// The first interval of a file needs its height, as no interval is before it.
-#[test]
-fn a_first_interval_needs_its_height() {
-    let desk = Desk::with(scenario("", AIR));
-    desk.put("d.csv", "drop_height_m,bounce_interval_s\n,0.5\n");
-    let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o"], 2);
-    assert!(said.contains("d.csv:2") && said.contains("the line before has no bounce_interval"), "{said}");
-}
-
-/// Air that is not given is said where it matters, and is not where it does not.
-#[test]
-fn a_fall_that_air_slows_says_so() {
-    let of = |height: &str, more: &[&str]| {
-        let desk =
-            Desk::with(crate::common::STEEL.replace("speed = \"3 m/s\"", &format!("drop_height = \"{height}\"")));
-        desk.ends(&[&["run", "s.toml", "--out", "o", "--pictures", "none"], more].concat(), 0)
-    };
-    let (_, said) = of("10 m", &[]);
-    assert!(said.contains("in air the ball arrives 2.642 % slower") && said.contains("add [air]"), "{said}");
-    assert!(!of("1 m", &[]).1.contains("in air"));
-    let (shown, said) = of("10 m", &["--set", "air.density=1.2", "--set", "air.drag=0.5"]);
-    assert!(
-        !said.contains("in air") && shown.contains("rebound height") && shown.contains("air took"),
-        "{shown}{said}"
-    );
 }
