@@ -14,7 +14,6 @@ mod drawn;
 mod drop;
 mod edit;
 mod export;
-mod forces_output;
 mod holds;
 mod hostile_input;
 mod indentation_cli;

@@ -131,3 +131,24 @@ fn e_of_an_oblique_impact_is_that_of_the_normal_speed() {
         assert!(off(number("rebound_speed_m_per_s"), number("restitution") * speed) < 1e-12, "{summary}");
     }
 }
+
+/// The line on the closed form in the table of an impact, and the warnings. The line on energy always says how far the balance is off.
+fn closed_form_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
+    let run = outcome(scenario);
+    let line = |name: &str| run.text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
+    assert!(line("energy").contains(", balance off by "), "{}", run.text);
+    (line("closed form"), run.warnings)
+}
+
+#[test]
+fn without_a_closed_form_the_balance_of_energy_stands_in_for_it() {
+    let (line, _) = closed_form_and_warnings(&read(STEEL, &["law=jackson_green", "damping.viscous=0.1"]));
+    assert!(line.ends_with("  none"), "{line}");
+    // with an exponent of 1.4 near yield, unloading gives back no more than the work of loading, also without closed
+    // form
+    let soft = ["law.plm.unloading_exponent=1.4", "damping.hunt_crossley=1e-6", "impact.drop_height=6 um"];
+    let (line, warnings) =
+        closed_form_and_warnings(&read(STEEL, &[&soft[..], &["gravity.acceleration=9.81"]].concat()));
+    assert!(line.ends_with("  none"), "{line}");
+    assert!(matches!(&warnings[..], [warning] if warning.contains("an unloading exponent of 1.4")), "{warnings:?}");
+}

@@ -150,10 +150,7 @@ fn a_deviation_that_is_no_number_is_the_largest() {
         assert_eq!(largest(deviations.into_iter()), -0.3);
         deviations[place] = f64::NAN;
         assert!(largest(deviations.into_iter()).is_nan(), "{place}");
-        let worst = deviations.into_iter().fold(0.0, max_or_nan);
-        assert!(worst.is_nan(), "{place}");
     }
-    assert_eq!([0.1, 0.3, 0.2].into_iter().fold(0.0, max_or_nan), 0.3);
 }
 
 static COMPARED: LazyLock<Vec<Comparison>> =

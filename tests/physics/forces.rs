@@ -52,11 +52,6 @@ fn hunt_crossley_restitution_falls_by_two_thirds_of_chi_v() {
         let exact = oracle::solve(law, q, &damped(chi * scales.speed));
         let third = exact.restitution - (1.0 - 2.0 / 3.0 * chi_v + 4.0 / 9.0 * chi_v * chi_v);
         assert!(third.abs() < 0.5 * chi_v.powi(3) + 1e-15, "{chi_v}: {third:e}");
-        for (method, factor) in STEPPING {
-            let impact = contact.impact(speed, &solver(method, 1e-10), None).unwrap();
-            assert!(off(impact.restitution, exact.restitution) < factor * 1e-10);
-            assert!(off(impact.contact_time, exact.contact_time * scales.time()) < factor * 1e-10);
-        }
     }
     // the force never pulls, even with strong damping
     let impact = contact(100.0).impact(10.0, &Solver::default(), Some(100)).unwrap();

@@ -29,5 +29,4 @@ mod two_bodies;
 mod universe;
 mod verlet;
 mod waves;
-mod work;
 mod yielding;

@@ -85,17 +85,6 @@ fn a_table_has_the_columns_named_and_the_same_digits() {
     assert!(few.iter().all(|column| whole.contains(column)), "{few:?}");
 }
 
-#[test]
-fn an_elastic_half_space_has_no_plastic_columns() {
-    let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
-    let (table, _) = table(&format!("{elastic}[sweep]\n\"impact.speed\" = [1, 2]\n"));
-    let header = table.lines().next().unwrap();
-    assert_eq!(
-        header,
-        "case,impact_speed_m_per_s,restitution,contact_time_s,peak_force_N,peak_indentation_m,contact_radius_over_R,is_outside_law,recovered_fraction,status"
-    );
-}
-
 /// Without air a sphere that leaves with e v rises to e² h, and waves take a part of e.
 #[test]
 fn a_table_over_drop_heights_says_how_high_the_sphere_rises() {
