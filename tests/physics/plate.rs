@@ -66,7 +66,7 @@ impl OnPlate {
 }
 
 #[test]
-fn a_plate_that_takes_little_or_all_has_the_limits_of_the_equation() {
+fn published_numbers_and_limits_of_zener_s_equation_are_met() {
     // expansion in λ and the limit of large λ: 50-digit arithmetic of the equation; an elastic contact
     for inelasticity in [1e-4, 1e-3, 3e-3_f64] {
         let e = OnPlate::glass(5e-3).of_inelasticity(inelasticity, 1.0).impact(1.0, None).restitution;
@@ -75,45 +75,17 @@ fn a_plate_that_takes_little_or_all_has_the_limits_of_the_equation() {
         // the next term is of the order λ⁴
         assert!((e.ln() - want).abs() < 1e-9 + inelasticity.powi(4), "{inelasticity}: {:e}", e.ln() - want);
     }
+    // integrations that are published with three digits; more digits and results are in tests/reference/plate.csv
+    for (inelasticity, want) in [(0.05, 0.918), (0.1, 0.843), (0.2, 0.714), (0.4, 0.515), (1.0, 0.184)] {
+        let e = OnPlate::glass(5e-3).of_inelasticity(inelasticity, 0.7).impact(0.7, None).restitution;
+        assert!((e - want).abs() < 5e-4, "{inelasticity}: {e}");
+    }
     for inelasticity in [4.0, 8.0, 19.9_f64] {
         let tight = solver(Method::Rk8, 1e-12);
         let bodies = OnPlate::glass(5e-3).of_inelasticity(inelasticity, 1.0);
         let e = bodies.contact().impact(1.0, &tight, None).unwrap().restitution;
         let want = 0.679_293_063_936_485_3 * inelasticity.powi(-5);
         assert!((e - want).abs() < 1e-11, "{inelasticity}: {e:e} {want:e}");
-    }
-}
-
-#[test]
-fn published_numbers_of_zener_s_equation_are_met() {
-    // λ; e, δ_m/(T v), F_m/(K (T v)^1.5), compression and contact time over T: 50-digit arithmetic. Hertz and e of earlier
-    // integrations (0.918, 0.843, 0.714, 0.515, 0.184) are among them
-    let table = [
-        [0.05, 0.917_771_501_790_074_4, 1.057_057_073_74, 1.086_795_058_91, 1.588_096_760_98, 3.247_087_464_23],
-        [0.1, 0.843_339_410_924_882_9, 1.023_559_092_63, 1.035_545_965_4, 1.568_227_560_11, 3.278_494_988_22],
-        [0.2, 0.714_044_879_992_152_5, 0.963_711_881_102, 0.946_064_659_962, 1.531_307_977, 3.348_657_575_15],
-        [0.4, 0.514_639_320_824_364_6, 0.866_096_390_021, 0.806_026_541_103, 1.466_692_746_67, 3.520_670_006_07],
-        [1.0, 0.184_122_874_165_05, 0.676_291_016_156, 0.556_160_866_992, 1.321_277_037_58, 4.387_612_018_01],
-        [2.0, 0.020_682_506_960_711_01, 0.510_415_493_4, 0.364_658_022_951, 1.163_703_295_78, 8.483_224_154_57],
-        [10.0, 6.792_930_639_364_853e-6, 0.208_105_709_087, 0.094_934_920_697_5, 0.728_971_527_682, 112.186_460_853],
-    ];
-    let v = 0.7_f64;
-    for [inelasticity, wants @ ..] in table {
-        let bodies = OnPlate::glass(5e-3).of_inelasticity(inelasticity, v);
-        let (contact, impact) = (bodies.contact(), bodies.impact(v, None));
-        let stiffness = contact.pair().hertz_stiffness();
-        let unit = (contact.mass() / (stiffness * v.sqrt())).powf(0.4);
-        let force = stiffness * (unit * v).powf(1.5);
-        let gots = [
-            impact.restitution,
-            impact.peak_indentation / (unit * v),
-            impact.peak_force / force,
-            impact.loading_time / unit,
-            impact.contact_time / unit,
-        ];
-        for (got, want) in gots.into_iter().zip(wants) {
-            assert!((got - want).abs() < 2e-9 * want.max(1.0), "{inelasticity}: {got} {want}");
-        }
     }
 }
 
