@@ -6,10 +6,11 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::data::{Data, Row, Value};
+use crate::contact::material::Sphere;
 use crate::files::Counter;
 use crate::impact::ImpactError;
 use crate::impact::air::Flying;
-use crate::impact::indentation::{IndentationError, Indenter, StaticContact, Target};
+use crate::impact::indentation::{IndentationError, StaticContact, Target};
 use crate::numerics::functions::{ln, ln_1p};
 use crate::scenario::plan::Free;
 use crate::scenario::scene::Input;
@@ -227,8 +228,8 @@ impl<'a> Problem<'a> {
         self.go_on()?;
         let law = input.law();
         let (sphere, half_space) = input.bodies(&law);
-        let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
-        let contact = StaticContact::try_new(indenter, &half_space, law.get())?;
+        let sphere = Sphere { yield_strength: None, ..sphere };
+        let contact = StaticContact::try_new(&sphere, &half_space, law.get())?;
         let (mut targets, mut steps, mut last) = (Vec::new(), Vec::with_capacity(rows.len()), 0.0);
         for row in rows {
             let indentation = self.data.rows[*row].indentation.unwrap_or(0.0);

@@ -2,10 +2,10 @@
 
 use super::Scenario;
 use crate::contact::law::LawChoice;
-use crate::contact::material::{HalfSpace, Material};
+use crate::contact::material::{HalfSpace, Material, Sphere};
 use crate::error::Error;
 use crate::impact::Warning;
-use crate::impact::indentation::{Indenter, Specimen, Target};
+use crate::impact::indentation::{Specimen, Target};
 use crate::scenario::scene::{Input, Purpose, at, key};
 
 /// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
@@ -14,7 +14,7 @@ const MOST_ROWS: usize = 1_000_000;
 /// An indentation, as `[indentation]` describes it. All numbers are in SI, and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationScene {
-    pub indenter: Indenter,
+    pub sphere: Sphere,
     /// The half-spaces that it is pressed into; at least one.
     pub specimens: Vec<Specimen>,
     pub law: LawChoice,
@@ -40,20 +40,9 @@ impl Scenario {
         }
         self.check_flow(&self.input)?;
         self.check_strength(&self.input)?;
-        let sphere = self.input.sphere();
         let inputs: Vec<Input> = specimens.iter().map(|specimen| self.input_on(&specimen.half_space)).collect();
         let warnings = self.without_effect(&inputs, Purpose::Indentation);
-        Ok(IndentationScene {
-            indenter: Indenter {
-                radius: sphere.radius,
-                material: sphere.material,
-                yield_strength: sphere.yield_strength,
-            },
-            specimens,
-            law: self.input.law(),
-            targets,
-            warnings,
-        })
+        Ok(IndentationScene { sphere: self.input.sphere(), specimens, law: self.input.law(), targets, warnings })
     }
 
     fn input_on(&self, &HalfSpace { material, yield_strength, .. }: &HalfSpace) -> Input {

@@ -80,8 +80,8 @@ fn every_file_that_a_key_names_is_in_the_hash() {
 fn computed(input: &Input, of: Purpose) -> String {
     if of == Purpose::Indentation {
         let law = input.law();
-        let (Sphere { radius, material, yield_strength, .. }, half_space) = input.bodies(&law);
-        let contact = StaticContact::try_new(Indenter { radius, material, yield_strength }, &half_space, law.get());
+        let (sphere, half_space) = input.bodies(&law);
+        let contact = StaticContact::try_new(&sphere, &half_space, law.get());
         return format!("{:?}", contact.unwrap().indent(&[Target::Load(1e4), Target::Load(0.0)], None));
     }
     let contact = input.contact().unwrap();

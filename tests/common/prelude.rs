@@ -20,7 +20,7 @@ pub use plm_impact::error::Error;
 pub use plm_impact::evidence::bench::problems::problems;
 pub use plm_impact::evidence::validate::comparison::largest;
 pub use plm_impact::files::progress::Counter;
-pub use plm_impact::impact::indentation::{Indentation, IndentationError, Indenter, StaticContact};
+pub use plm_impact::impact::indentation::{Indentation, IndentationError, StaticContact};
 pub use plm_impact::impact::repeat::{Drive, Place, Repeat};
 pub use plm_impact::numerics::integrate::damped::DragStepper;
 pub use plm_impact::numerics::integrate::rk8::Rk8;

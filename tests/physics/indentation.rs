@@ -6,9 +6,8 @@ use plm_impact::impact::indentation::{Step, StepWarning, Target};
 use crate::common::prelude::*;
 
 /// The tungsten carbide sphere of Xie et al. 2024, section 4.3.
-fn indenter() -> Indenter {
-    let material = Material { youngs_modulus: 600e9, poissons_ratio: 0.23 };
-    Indenter { radius: 0.25e-3, material, yield_strength: None }
+fn indenter() -> Sphere {
+    Sphere::elastic(0.25e-3, Material { youngs_modulus: 600e9, poissons_ratio: 0.23 }, f64::NAN)
 }
 
 /// A Ti-xNb alloy of Table 3 of Xie et al. 2024.
@@ -17,7 +16,7 @@ fn alloy(youngs_modulus: f64, yield_strength: Option<f64>) -> HalfSpace {
 }
 
 fn contact(half_space: &HalfSpace, exponent: UnloadingExponent) -> StaticContact {
-    StaticContact::try_new(indenter(), half_space, &Plm { exponent, ..Plm::default() }).unwrap()
+    StaticContact::try_new(&indenter(), half_space, &Plm { exponent, ..Plm::default() }).unwrap()
 }
 
 fn ti_10_nb(exponent: UnloadingExponent) -> StaticContact {
@@ -121,10 +120,10 @@ fn above_the_dent_there_is_no_contact_and_no_force() {
 #[test]
 fn doubts_are_raised_once_by_the_step_that_gives_them() {
     // nothing says how hard a half-space will be that hardens
-    let strong = Indenter { yield_strength: Some(1.2e9), ..indenter() };
+    let strong = Sphere { yield_strength: Some(1.2e9), ..indenter() };
     let half_space = alloy(77e9, Some(630e6));
     let plm = Plm { flow: [None, Some(FlowCurve::Power { exponent: 0.01 })], ..Plm::default() };
-    let contact = StaticContact::try_new(strong, &half_space, &plm).unwrap();
+    let contact = StaticContact::try_new(&strong, &half_space, &plm).unwrap();
     let warnings = |targets: &[Target]| contact.indent(targets, None).unwrap().warnings;
     assert!(warnings(&[Load(1.0), Load(0.0)]).is_empty());
     let found = warnings(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);

@@ -8,15 +8,18 @@
 //!
 //! Xie et al. (2024), section 4.3; Oliver and Pharr (1992), J. Mater. Res. 7, 1564-1583, for the unloading stiffness.
 
-mod machine;
+mod stroke;
 
 use thiserror::Error;
 
-use crate::contact::law::{Branch, ContactLaw, ContactState, Law, OutsideLaw};
-use crate::contact::material::{HalfSpace, Material, OutOfFloatRange, Pair, PairError, Sphere, normal};
+use crate::contact::law::{Branch, ContactLaw, ContactState, Dent, Ground, Law, OutsideLaw};
+use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere, normal};
 use crate::impact::scales::Units;
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
-use machine::{Machine, Stroke};
+use stroke::Stroke;
+
+/// A step that moves by less than this share of the indentation counts as no move: it is rounding.
+const STILL: f64 = 1e-12;
 
 /// Where a step ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -157,41 +160,28 @@ pub struct Indentation {
     pub warnings: Vec<StepWarning>,
 }
 
-/// The sphere that indents. It needs no mass.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Indenter {
-    /// R \[m\].
-    pub radius: f64,
-    /// Elastic constants; may be rigid.
-    pub material: Material,
-    /// Its own yield strength \[Pa\], if known: only used to warn.
-    pub yield_strength: Option<f64>,
-}
-
-/// An indenter on a half-space under a law.
+/// A sphere on a half-space under a law.
 #[derive(Debug, Clone)]
 pub struct StaticContact {
-    indenter: Indenter,
-    /// Yield strength of the half-space \[Pa\], if it has one.
-    strength: Option<f64>,
+    /// Yield strengths of sphere and half-space \[Pa\], as far as they have one.
+    strengths: [Option<f64>; 2],
     pair: Pair,
     units: Units,
     law: Law,
 }
 
 impl StaticContact {
-    /// Pairs the bodies under a law (or Hertz alone, for a half-space without a yield strength).
+    /// Pairs the bodies under a law (or Hertz alone, for a half-space without a yield strength). The sphere needs no density.
     ///
     /// # Errors
     /// [`IndentationError::Range`] where a constant of the pair over- or underflows, [`IndentationError::Law`] for a law that
     /// has no loading or no unloading.
-    pub fn try_new(indenter: Indenter, half_space: &HalfSpace, law: &dyn ContactLaw) -> Result<Self, IndentationError> {
-        let radius = indenter.radius;
-        let Indenter { material, yield_strength, .. } = indenter;
-        let pair = Pair::try_new(&Sphere { radius, material, density: f64::NAN, yield_strength }, half_space)?;
+    pub fn try_new(sphere: &Sphere, half_space: &HalfSpace, law: &dyn ContactLaw) -> Result<Self, IndentationError> {
+        let pair = Pair::try_new(sphere, half_space)?;
         let units = Units::of(&pair);
         normal("force of the contact at first yield, or one radius deep (N)", units.force)?;
-        Ok(Self { indenter, strength: half_space.yield_strength, pair, units, law: law.of_pair(&pair)? })
+        let strengths = [sphere.yield_strength, half_space.yield_strength];
+        Ok(Self { strengths, pair, units, law: law.of_pair(&pair)? })
     }
 
     pub fn pair(&self) -> &Pair {
@@ -210,18 +200,25 @@ impl StaticContact {
     /// [`IndentationError`] naming the step.
     pub fn indent(&self, targets: &[Target], samples: Option<usize>) -> Result<Indentation, IndentationError> {
         let Units { length, force, .. } = self.units;
-        let mut machine = Machine::new(&self.law);
+        // the place of the sphere, and the dent that the half-space remembers
+        let (mut from, mut dent) = (0.0, None::<Dent>);
         let (mut steps, mut trace, mut warnings) = (Vec::with_capacity(targets.len()), Vec::new(), Vec::new());
         for (number, target) in (1..).zip(targets) {
-            let goal = match *target {
-                Target::Load(load) => machine.indentation_at_force(load / force),
+            let ground = Ground::new(&self.law, dent.as_ref());
+            let to = match *target {
+                Target::Load(load) => ground.indentation_at_force(load / force),
                 Target::Indentation(indentation) => indentation / length,
             };
-            let (indentation, radius) = (goal * length, self.pair.smaller_radius);
+            let (indentation, radius) = (to * length, self.pair.smaller_radius);
             if indentation.is_nan() || indentation > radius {
                 return Err(IndentationError::TooDeep { step: number, indentation, radius });
             }
-            let stroke = machine.go_to(goal).ok_or(IndentationError::NoMove { step: number })?;
+            if (to - from).abs() <= STILL * from.max(to) {
+                return Err(IndentationError::NoMove { step: number });
+            }
+            let after = dent.clone().filter(|_| ground.branch_at(to).is_some());
+            let after = after.unwrap_or_else(|| self.law.dented(self.law.loaded_to(to)));
+            let stroke = Stroke { ground, from, to, memory: after.unloading };
             let peak = &stroke.memory.peak;
             self.law.accept(&stroke.memory).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
@@ -238,13 +235,14 @@ impl StaticContact {
             }
             self.warn(number, &step, steps.last(), &mut warnings);
             steps.push(step);
+            (from, dent) = (to, Some(after));
         }
         Ok(Indentation { steps, trace, warnings })
     }
 
     fn row(&self, step: usize, stroke: &Stroke, (state, branch): (ContactState, Branch)) -> IndentationRow {
         let Units { length, force, .. } = self.units;
-        let approach = if branch == Branch::Separated { stroke.dent() } else { state.indentation };
+        let approach = if branch == Branch::Separated { stroke.ground.touch() } else { state.indentation };
         let sphere_indentation = self.pair.sphere_part(approach, state.elastic_approach) * length;
         IndentationRow {
             step,
@@ -259,7 +257,7 @@ impl StaticContact {
     fn step(&self, target: Target, stroke: &Stroke) -> Result<Step, OutOfFloatRange> {
         let Units { length, force, contact_radius } = self.units;
         let energy = self.units.energy();
-        let end = stroke.end();
+        let end = stroke.point(stroke.to);
         let row = self.row(0, stroke, end);
         let unloading = &stroke.memory;
         let peak = unloading.peak;
@@ -292,7 +290,7 @@ impl StaticContact {
     /// Adds the warnings that no step before this one had.
     fn warn(&self, number: usize, step: &Step, before: Option<&Step>, warnings: &mut Vec<StepWarning>) {
         let radius = self.pair.smaller_radius;
-        let left_out = left_out(&self.pair, &self.law, [self.indenter.yield_strength, self.strength]);
+        let left_out = left_out(&self.pair, &self.law, self.strengths);
         let of_step = |step: &Step| {
             let IndentationMemory { contact_radius, mean_pressure, .. } = step.memory;
             let yields = of_yielding(mean_pressure, left_out, "less comes back than computed");

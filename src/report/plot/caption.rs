@@ -60,8 +60,8 @@ pub fn captioned<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
 /// The sphere and the law of an indentation; its half-spaces have names in the key.
 pub fn of_indentation(scene: &IndentationScene) -> String {
     let sphere = [
-        Some(format!("R {}", quantity(scene.indenter.radius, Dimension::Length))),
-        Some(elastic(&scene.indenter.material)),
+        Some(format!("R {}", quantity(scene.sphere.radius, Dimension::Length))),
+        Some(elastic(&scene.sphere.material)),
     ];
     line(&[("sphere", &sphere), ("law", &[Some(law(&scene.law))])])
 }

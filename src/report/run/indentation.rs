@@ -3,8 +3,9 @@
 use std::fmt::Display;
 
 use super::outcome::{self, Outcome, RunOptions, file, texts, with_summary};
+use crate::contact::material::Sphere;
 use crate::error::{Error, ErrorKind};
-use crate::impact::indentation::{IndentationError, Indenter, StaticContact, Tested};
+use crate::impact::indentation::{IndentationError, StaticContact, Tested};
 use crate::impact::{of_elastic, of_half_space, of_sphere};
 use crate::report::plot;
 use crate::report::plot::caption::of_indentation;
@@ -21,12 +22,12 @@ pub fn compute(
 ) -> Result<(IndentationScene, Vec<Tested>, Vec<String>), Error> {
     let scene = scenario.indentation()?;
     let mut warnings = texts(&scene.warnings);
-    let Indenter { radius, material, yield_strength } = scene.indenter;
+    let Sphere { radius, material, yield_strength, .. } = scene.sphere;
     warnings.extend(of_sphere(radius, &material, yield_strength, None).map(|warning| warning.to_string()));
     let mut tested = Vec::new();
     for specimen in &scene.specimens {
         let name = specimen.name.as_deref();
-        let contact = StaticContact::try_new(scene.indenter, &specimen.half_space, scene.law.get());
+        let contact = StaticContact::try_new(&scene.sphere, &specimen.half_space, scene.law.get());
         let contact = contact.map_err(|reason| refused(scenario, None, reason))?;
         let indentation = contact.indent(&scene.targets, samples).map_err(|reason| refused(scenario, name, reason))?;
         let named = |warning: &dyn Display| {

@@ -6,8 +6,7 @@ use crate::common::prelude::*;
 
 fn pressed(law: &LawChoice) -> StaticContact {
     let (sphere, half_space) = Scene::case_3().parts();
-    let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
-    StaticContact::try_new(indenter, &half_space, law.get()).unwrap()
+    StaticContact::try_new(&sphere, &half_space, law.get()).unwrap()
 }
 
 /// Between about 1.1 and 2.5 yield indentations the law of Stronge would give back more energy than it takes. A step
@@ -22,9 +21,8 @@ fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
     slow.indent(&[To(0.5 * length), To(30.0 * length)], Some(100)).unwrap();
     // a law without loading is refused
     let (sphere, half_space) = Scene::case_3().parts();
-    let indenter = Indenter { radius: sphere.radius, material: sphere.material, yield_strength: None };
     let brake = LawChoice::from_name("brake").unwrap();
-    assert!(matches!(StaticContact::try_new(indenter, &half_space, brake.get()), Err(IndentationError::Law(_))));
+    assert!(matches!(StaticContact::try_new(&sphere, &half_space, brake.get()), Err(IndentationError::Law(_))));
 }
 
 /// A memory that was lost (NaN), or that no contact can have, is not taken for another one; and no indentation spoils a memory
