@@ -3,7 +3,7 @@
 
 use plm_impact::contact::strength::flow::FlowPoint;
 use plm_impact::evidence::validate::comparison::rms;
-use plm_impact::impact::reference::hardening::unloadings;
+use plm_impact::impact::reference::HARDENING;
 
 use crate::common::prelude::*;
 
@@ -119,22 +119,21 @@ fn an_exponent_that_no_branch_can_have_has_no_answer() {
 #[test]
 fn e_is_as_far_off_as_the_table_of_strengths_says() {
     let off_by = |strain: Option<f64>, exponent: UnloadingExponent| -> Vec<f64> {
-        let unloadings = unloadings().unwrap().into_iter();
-        let of_each = unloadings.map(|(materials, want)| {
-            let (strength, half_space) = (materials.yield_strength, materials.half_space());
-            let curve = materials.curve().unwrap();
+        let unloadings = HARDENING.rows().unwrap().into_iter();
+        let of_each = unloadings.map(|row| {
+            let (strength, half_space) = (row.number("yield_strength_Pa"), row.half_space());
+            let curve = row.curve().unwrap();
             let rise = curve.rise(strength, half_space.material.youngs_modulus);
             let ratio = strain.map_or(1.0, |strain| rise.at(strain));
             let half_space = HalfSpace { yield_strength: Some(ratio * strength), ..half_space };
             let bodies =
-                Bodies::new(&Pair::try_new(&Sphere::elastic(1.0, materials.sphere(), 1.0), &half_space).unwrap())
-                    .unwrap();
+                Bodies::new(&Pair::try_new(&Sphere::elastic(1.0, row.sphere(), 1.0), &half_space).unwrap()).unwrap();
             let flow = strain.is_none().then_some(curve);
             let law = Plm { exponent, flow: [None, flow], ..Plm::default() }.law(&bodies).unwrap();
             // F_Y δ_Y is proportional to the fifth power of the strength
-            let spent = want.spent / ratio.powi(5);
+            let spent = row.number("spent") / ratio.powi(5);
             let x = law.loading.pieces()[law.loading.index_at_work(spent)].indentation_at_work(spent);
-            (law.unloading(law.loaded_to(x)).capacity() / spent).sqrt() / want.restitution - 1.0
+            (law.unloading(law.loaded_to(x)).capacity() / spent).sqrt() / row.number("restitution") - 1.0
         });
         of_each.collect()
     };

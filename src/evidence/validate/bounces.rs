@@ -6,7 +6,7 @@ use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
 use crate::impact::STANDARD_GRAVITY;
 use crate::impact::air::{Flying, Medium};
-use crate::impact::reference::measured::{Click, clicks};
+use crate::impact::reference::{CLICKS, Row};
 
 const SOURCE: &str = "intervals between bounces of a table-tennis ball by students (Ali, Broggi, Cantarini), without a second witness, scenarios/clicks.csv";
 const IN_AIR: Group = Group::new("measured: restitution at a drop height over that at 8 cm, with air", SOURCE, "");
@@ -20,8 +20,9 @@ const AIR: Medium = Medium { density: 1.2, drag: Some(0.5), viscosity: f64::NAN 
 
 /// The restitution of the bounces between these intervals: the speed of each take-off over that of the landing before it. A contact
 /// lasts about a millisecond, which changes a restitution by 0.02 %, and is left in the intervals.
-fn restitution(drop: &[Click], flying: &Flying) -> f64 {
-    let take_offs: Vec<f64> = drop.iter().map(|click| flying.take_off_speed(click.interval)).collect();
+fn restitution(drop: &[Row], flying: &Flying) -> f64 {
+    let take_offs: Vec<f64> =
+        drop.iter().map(|click| flying.take_off_speed(click.number("bounce_interval_s"))).collect();
     let ratio = |pair: &[f64]| pair[1] / flying.landing_speed(flying.rise(pair[0]));
     mean(&take_offs.windows(2).map(ratio).collect::<Vec<_>>())
 }
@@ -29,8 +30,8 @@ fn restitution(drop: &[Click], flying: &Flying) -> f64 {
 /// The higher drops against the lowest, on which air has the least effect. The contact law has no part in it, so its coefficients
 /// change nothing.
 pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let clicks = clicks()?;
-    let drops: Vec<&[Click]> = clicks.chunk_by(|_, next| next.height.is_none()).collect();
+    let clicks = CLICKS.rows()?;
+    let drops: Vec<&[Row]> = clicks.chunk_by(|_, next| next.maybe("drop_height_cm").is_none()).collect();
     let Some((lowest, higher)) = drops.split_first() else { return Ok(Vec::new()) };
     let mut compared = Vec::new();
     for (group, flying) in [
@@ -39,7 +40,7 @@ pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     ] {
         let reference = restitution(lowest, &flying);
         for drop in higher {
-            let height = drop.first().and_then(|click| click.height).unwrap_or(f64::NAN);
+            let height = drop.first().map_or(f64::NAN, |click| click.number("drop_height_cm"));
             compared.push(group.compared(format!("{height} cm"), [reference, restitution(drop, &flying)]));
         }
     }

@@ -5,7 +5,7 @@
 use crate::contact::law::{ContactState, Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::reference::loading::{self, LoadingCurve};
-use crate::impact::reference::unloading::{self, UnloadingRow};
+use crate::impact::reference::{CURVES_OF_UNLOADINGS, Row, UNLOADINGS};
 
 /// One of the five pairs of materials.
 #[derive(Debug, Clone)]
@@ -19,7 +19,7 @@ pub struct Case {
 #[derive(Debug, Clone)]
 pub struct Cycle {
     /// The results of the finite elements.
-    pub row: UnloadingRow,
+    pub row: Row,
     /// The peak of the finite elements: x_m, f_m and the recovered approach ε_m = x_s,m/κ, with the indentation x_s,m of the sphere.
     pub peak: ContactState,
     /// x and f at points between peak and separation.
@@ -29,12 +29,12 @@ pub struct Cycle {
 impl Cycle {
     /// The name, such as "case3_small, x = 105.1".
     pub fn name(&self) -> String {
-        format!("{}, x = {}", self.row.run, crate::units::four_digits(self.row.x))
+        format!("{}, x = {}", self.row.text("run"), crate::units::four_digits(self.peak.indentation))
     }
 
     /// Residual indentation x_r of the finite elements.
     pub fn residual(&self) -> f64 {
-        self.row.residual_share * self.row.x
+        self.row.number("residual_share") * self.peak.indentation
     }
 }
 
@@ -56,19 +56,22 @@ impl Case {
 }
 
 pub fn cases() -> Result<Vec<Case>, Error> {
-    let (rows, points) = (unloading::unloadings()?, unloading::points()?);
-    let cycle = |row: &UnloadingRow, kappa: f64| {
-        let points = points.iter().filter(|point| point.run == row.run && point.cycle == row.cycle);
+    let (rows, points) = (UNLOADINGS.rows()?, CURVES_OF_UNLOADINGS.rows()?);
+    let cycle = |row: &Row, kappa: f64| {
+        let is_same = |point: &&Row| ["run", "cycle"].iter().all(|column| point.text(column) == row.text(column));
+        let point = |row: &Row| (row.number("x"), row.number("f"));
+        let (indentation, force) = point(row);
+        let elastic_approach = indentation * row.number("sphere_share") / kappa;
         Cycle {
-            peak: ContactState { indentation: row.x, force: row.f, elastic_approach: row.x * row.sphere_share / kappa },
-            points: points.map(|point| (point.x, point.f)).collect(),
+            peak: ContactState { indentation, force, elastic_approach },
+            points: points.iter().filter(is_same).map(point).collect(),
             row: row.clone(),
         }
     };
     let case = |loading: LoadingCurve| {
-        let of_case = rows.iter().filter(|row| row.case == loading.case);
+        let of_case = rows.iter().filter(|row| row.text("case") == loading.case);
         let mut cycles: Vec<Cycle> = of_case.map(|row| cycle(row, loading.pair.sphere_compliance)).collect();
-        cycles.sort_by(|a, b| a.row.x.total_cmp(&b.row.x));
+        cycles.sort_by(|a, b| a.peak.indentation.total_cmp(&b.peak.indentation));
         Case { loading, cycles }
     };
     Ok(loading::curves()?.into_iter().map(case).collect())

@@ -4,35 +4,34 @@ use super::comparison::{Comparison, EXPONENTS, Group, Quantity, compared};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::error::Error;
 use crate::impact::Impact;
-use crate::impact::reference::impacts::{self, ImpactRow, Sample};
-use crate::impact::reference::{self, DYNAMIC};
+use crate::impact::reference::{self, CURVES_OF_IMPACTS, DYNAMIC, IMPACTS, Row};
 use crate::scenario::Scenario;
 use crate::scenario::scene::Input;
 
 const QUANTITIES: [Quantity<Case>; 8] = [
     (Group::new("impact: restitution, exponent 3/2", DYNAMIC, ""), |case| {
-        Some([case.reference.restitution, case.impacts[0].restitution])
+        Some([case.reference.number("restitution"), case.impacts[0].restitution])
     }),
     (Group::new("impact: restitution, pressure-shape", DYNAMIC, ""), |case| {
-        Some([case.reference.restitution, case.impacts[1].restitution])
+        Some([case.reference.number("restitution"), case.impacts[1].restitution])
     }),
     (Group::new("impact: restitution, pressure-shape with waves", DYNAMIC, ""), |case| {
-        Some([case.reference.restitution, case.impacts[1].restitution_with_waves()?])
+        Some([case.reference.number("restitution"), case.impacts[1].restitution_with_waves()?])
     }),
     (Group::new("impact: energy radiated as waves", DYNAMIC, ""), |case| {
-        Some([case.reference.radiated_share, case.impacts[1].wave_loss_fraction?])
+        Some([case.reference.number("radiated_share"), case.impacts[1].wave_loss_fraction?])
     }),
     (Group::new("impact: contact time, exponent 3/2", DYNAMIC, "s"), |case| {
-        Some([case.reference.contact_time, case.impacts[0].contact_time])
+        Some([case.reference.number("contact_time_s"), case.impacts[0].contact_time])
     }),
     (Group::new("impact: contact time, pressure-shape", DYNAMIC, "s"), |case| {
-        Some([case.reference.contact_time, case.impacts[1].contact_time])
+        Some([case.reference.number("contact_time_s"), case.impacts[1].contact_time])
     }),
     (Group::new("impact: peak force", DYNAMIC, "N"), |case| {
-        Some([case.reference.peak_force, case.impacts[0].peak_force])
+        Some([case.reference.number("peak_force_N"), case.impacts[0].peak_force])
     }),
     (Group::new("impact: residual indentation", DYNAMIC, "m"), |case| {
-        Some([case.reference.residual_indentation, case.impacts[0].residual_indentation])
+        Some([case.reference.number("residual_indentation_m"), case.impacts[0].residual_indentation])
     }),
 ];
 
@@ -49,28 +48,28 @@ const SCENARIOS: [(&str, &str); 3] = [
 #[derive(Debug, Clone)]
 pub struct Case {
     /// The results of the finite elements, with the name, such as "D1".
-    pub reference: ImpactRow,
+    pub reference: Row,
     /// Samples of the finite elements, in the order of time.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<Row>,
     /// The impact by the law with each of [`EXPONENTS`], with a trace.
     pub impacts: [Impact; 2],
 }
 
 /// The inputs of the three impacts, and what the finite elements gave: results, and samples in the order of time.
-pub(super) fn scenes() -> Result<Vec<(Input, ImpactRow, Vec<Sample>)>, Error> {
-    let (references, samples) = (impacts::impacts()?, impacts::samples()?);
+pub(super) fn scenes() -> Result<Vec<(Input, Row, Vec<Row>)>, Error> {
+    let (references, samples) = (IMPACTS.rows()?, CURVES_OF_IMPACTS.rows()?);
     let scene = |&(name, text): &(&'static str, &str)| {
-        let reference = references.iter().find(|row| row.case == name).cloned();
-        let reference = reference.ok_or_else(|| reference::damaged(impacts::TABLE, &format!("has no row {name}")))?;
+        let reference = references.iter().find(|row| row.text("case") == name).cloned();
+        let reference = reference.ok_or_else(|| reference::damaged(DYNAMIC, &format!("has no row {name}")))?;
         let input = Scenario::from_text(name, text, &[])?.resolve()?;
-        Ok((input, reference, samples.iter().filter(|sample| sample.case == name).cloned().collect()))
+        Ok((input, reference, samples.iter().filter(|sample| sample.text("case") == name).cloned().collect()))
     };
     SCENARIOS.iter().map(scene).collect()
 }
 
 /// The three impacts.
 pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
-    let case = |(input, reference, samples): (Input, ImpactRow, Vec<Sample>)| {
+    let case = |(input, reference, samples): (Input, Row, Vec<Row>)| {
         let impact = |exponent| -> Result<Impact, Error> {
             let law = LawChoice::Plm(Plm::new(coefficients, exponent));
             let (sphere, half_space) = input.bodies(&law);
@@ -84,5 +83,5 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> 
 }
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    Ok(compared(&QUANTITIES, &cases(coefficients)?, |case| case.reference.case.clone()))
+    Ok(compared(&QUANTITIES, &cases(coefficients)?, |case| case.reference.text("case").to_owned()))
 }

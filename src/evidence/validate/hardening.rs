@@ -3,24 +3,27 @@
 use super::comparison::{Comparison, Group, Quantity, compared};
 use crate::contact::law::{ContactState, Law, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
-use crate::impact::reference::hardening::{self, Materials};
-use crate::impact::reference::unloading::Unloaded;
+use crate::impact::reference::{HARDENING, Row};
 
 const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 
 /// A load cycle by finite elements, and by the law.
-type Case = (Unloaded, AtEnergy);
+type Case = (Row, AtEnergy);
 
 const QUANTITIES: [Quantity<Case>; 5] = [
-    (group("hardening: restitution, pressure-shape"), |(row, state)| Some([row.restitution, state.restitution])),
-    (group("hardening: peak force"), |(row, state)| Some([row.f, state.peak.force])),
-    (group("hardening: peak indentation"), |(row, state)| Some([row.x, state.peak.indentation])),
+    (group("hardening: restitution, pressure-shape"), |(row, state)| {
+        Some([row.number("restitution"), state.restitution])
+    }),
+    (group("hardening: peak force"), |(row, state)| Some([row.number("f"), state.peak.force])),
+    (group("hardening: peak indentation"), |(row, state)| Some([row.number("x"), state.peak.indentation])),
     // a shallow dent would have a large relative deviation
     (
         Group::of_differences("hardening: residual indentation, deviation over peak indentation", REFERENCE, ""),
-        |(row, state)| Some([row.residual_share, state.peak.residual() / state.peak.indentation]),
+        |(row, state)| Some([row.number("residual_share"), state.peak.residual() / state.peak.indentation]),
     ),
-    (group("hardening: contact radius"), |(row, state)| Some([row.contact_radius, state.contact_radius])),
+    (group("hardening: contact radius"), |(row, state)| {
+        Some([row.number("contact_radius_over_R"), state.contact_radius])
+    }),
 ];
 
 const fn group(name: &'static str) -> Group {
@@ -45,11 +48,7 @@ pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEne
 }
 
 /// The law of these materials, and a_Y/R. Without `hardens` the law has no flow curve.
-pub(super) fn law(
-    materials: &Materials,
-    coefficients: &PlmCoefficients,
-    hardens: bool,
-) -> Result<Option<(Law, f64)>, Error> {
+pub(super) fn law(materials: &Row, coefficients: &PlmCoefficients, hardens: bool) -> Result<Option<(Law, f64)>, Error> {
     let flow = [None, materials.curve().filter(|_| hardens)];
     let plm = Plm { flow, ..Plm::new(coefficients, UnloadingExponent::PressureShape) };
     Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
@@ -57,11 +56,11 @@ pub(super) fn law(
 
 pub(super) fn unloadings(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let mut cases = Vec::new();
-    for (materials, row) in hardening::unloadings()? {
-        if let Some((law, yield_radius_ratio)) = law(&materials, coefficients, true)? {
-            let state = at_energy(&law, yield_radius_ratio, row.spent);
+    for row in HARDENING.rows()? {
+        if let Some((law, yield_radius_ratio)) = law(&row, coefficients, true)? {
+            let state = at_energy(&law, yield_radius_ratio, row.number("spent"));
             cases.push((row, state));
         }
     }
-    Ok(compared(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.material, row.x)))
+    Ok(compared(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.text("material"), row.number("x"))))
 }

@@ -54,24 +54,25 @@ fn references() -> Result<Vec<Reference>, Error> {
             sphere: input.sphere(),
             half_space: input.half_space(),
             speed: input.speed(),
-            restitution: row.restitution,
-            peak_force: row.peak_force,
-            peak_indentation: samples.iter().map(|sample| sample.indentation).fold(0.0, f64::max),
-            residual_indentation: row.residual_indentation,
-            contact_time: Some(row.contact_time),
+            restitution: row.number("restitution"),
+            peak_force: row.number("peak_force_N"),
+            peak_indentation: samples.iter().map(|sample| sample.number("indentation_m")).fold(0.0, f64::max),
+            residual_indentation: row.number("residual_indentation_m"),
+            contact_time: row.maybe("contact_time_s"),
         });
     }
     for (sphere, half_space, row) in quasi_static::load_cycles() {
         let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let Some(unit) = contact.pair().yield_point else { continue };
+        let [x, f, spent] = ["x", "f", "spent"].map(|column| row.number(column));
         all.push(Reference {
             sphere,
             half_space,
-            speed: (2.0 * row.spent * unit.force * unit.indentation / contact.reduced_mass()).sqrt(),
-            restitution: row.restitution,
-            peak_force: row.f * unit.force,
-            peak_indentation: row.x * unit.indentation,
-            residual_indentation: row.residual_share * row.x * unit.indentation,
+            speed: (2.0 * spent * unit.force * unit.indentation / contact.reduced_mass()).sqrt(),
+            restitution: row.number("restitution"),
+            peak_force: f * unit.force,
+            peak_indentation: x * unit.indentation,
+            residual_indentation: row.number("residual_share") * x * unit.indentation,
             contact_time: None,
         });
     }

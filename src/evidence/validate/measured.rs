@@ -10,7 +10,7 @@ use crate::contact::material::{HalfSpace, Material, Sphere, sphere_volume};
 use crate::contact::strength::hardness::Scale;
 use crate::error::Error;
 use crate::impact::Contact;
-use crate::impact::reference::measured::{self, Device};
+use crate::impact::reference::{DEVICES, Row};
 use crate::numerics::functions::{exp, ln};
 use crate::numerics::root;
 
@@ -23,18 +23,24 @@ const STEEL_DENSITY: f64 = 7850.0;
 
 const GROUP: Group = Group::new("measured: rebound of Leeb devices", REFERENCE, "");
 
-/// Restitution by a device on steel of this yield strength \[Pa\].
-pub(super) fn restitution(device: &Device, strength: f64, coefficients: &PlmCoefficients) -> Result<f64, Error> {
-    let sphere = Sphere::elastic(TIP, device.tip(), device.mass / sphere_volume(TIP));
+/// The test blocks, by their columns.
+const BLOCKS: [(&str, &str); 2] = [("hard block", "hard_block"), ("soft block", "soft_block")];
+
+/// Restitution by a device on steel of this yield strength \[Pa\]; it arrives with √(2 W/m).
+pub(super) fn restitution(device: &Row, strength: f64, coefficients: &PlmCoefficients) -> Result<f64, Error> {
+    let [energy, mass] = ["energy_J", "mass_kg"].map(|column| device.number(column));
+    let [youngs_modulus, poissons_ratio] =
+        ["tip_youngs_modulus_Pa", "tip_poissons_ratio"].map(|column| device.number(column));
+    let sphere = Sphere::elastic(TIP, Material { youngs_modulus, poissons_ratio }, mass / sphere_volume(TIP));
     let half_space = HalfSpace { density: Some(STEEL_DENSITY), ..HalfSpace::flat(STEEL, Some(strength)) };
     let law = Plm::new(coefficients, UnloadingExponent::PressureShape);
-    let impact = Contact::try_new(sphere, half_space, &law)?.closed_form(device.speed())?;
+    let impact = Contact::try_new(sphere, half_space, &law)?.closed_form((2.0 * energy / mass).sqrt())?;
     Ok(impact.measured_restitution())
 }
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the
 /// strength.
-fn strength_for(device: &Device, wanted: f64, coefficients: &PlmCoefficients) -> f64 {
+fn strength_for(device: &Row, wanted: f64, coefficients: &PlmCoefficients) -> f64 {
     let is_low = |strength: f64| restitution(device, exp(strength), coefficients).is_ok_and(|e| e < wanted);
     let (low, high) = root::halved(ln(1e7), ln(1e11), is_low);
     exp(0.5 * (low + high))
@@ -51,7 +57,7 @@ fn vickers(number: f64) -> f64 {
 
 /// Nothing is fitted: the strength is that of the hardness, without a strain rate.
 pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let devices = measured::devices()?;
+    let devices = DEVICES.rows()?;
     let Some(device) = devices.first() else { return Ok(Vec::new()) };
     let compared = |number: u16| {
         let (number, hardness) = (f64::from(number), vickers(number.into()));
@@ -64,14 +70,14 @@ pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Compariso
 }
 
 pub(super) fn rebounds(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let devices = measured::devices()?;
+    let devices = DEVICES.rows()?;
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
     let mut compared = Vec::new();
-    for (block, of_device) in measured::BLOCKS {
-        let strength = strength_for(first, of_device(first) / 1000.0, coefficients);
+    for (block, column) in BLOCKS {
+        let strength = strength_for(first, first.number(column) / 1000.0, coefficients);
         for device in others {
-            let case = format!("{block}, device {}, strength from D {:.0} MPa", device.name, strength / 1e6);
-            let numbers = [of_device(device) / 1000.0, restitution(device, strength, coefficients)?];
+            let case = format!("{block}, device {}, strength from D {:.0} MPa", device.text("device"), strength / 1e6);
+            let numbers = [device.number(column) / 1000.0, restitution(device, strength, coefficients)?];
             compared.push(GROUP.compared(case, numbers));
         }
     }

@@ -5,7 +5,7 @@ use super::comparison::{Comparison, Group};
 use crate::contact::law::{Plm, PlmCoefficients};
 use crate::contact::material::{HalfSpace, Material, Sphere};
 use crate::error::Error;
-use crate::impact::reference::measured;
+use crate::impact::reference::{REBOUNDS, SLIPS};
 use crate::impact::{Approach, Contact, Incidence, Rebound, Solver};
 use crate::numerics::functions::atan;
 
@@ -41,24 +41,26 @@ pub(super) fn rebound(contact: &Contact, angle: f64, friction: f64) -> Result<Op
 pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let alumina = alumina_on_glass()?;
     let mut compared = Vec::new();
-    for row in measured::rebounds()? {
-        let Some(after) = rebound(&alumina, row.angle.to_radians(), FRICTION)? else { continue };
-        let (group, numbers) = match row.quantity.as_str() {
-            "tangential_restitution" => (TANGENTIAL, [row.value, after.tangential_restitution]),
-            "spin_rad_per_s" => (SPIN, [row.value, after.spin].map(|spin| spin * RADIUS / SPEED)),
-            _ => (ANGLE, [row.value.to_radians(), after.angle]),
+    for row in REBOUNDS.rows()? {
+        let [angle, value] = ["angle_deg", "value"].map(|column| row.number(column));
+        let Some(after) = rebound(&alumina, angle.to_radians(), FRICTION)? else { continue };
+        let (group, numbers) = match row.text("quantity") {
+            "tangential_restitution" => (TANGENTIAL, [value, after.tangential_restitution]),
+            "spin_rad_per_s" => (SPIN, [value, after.spin].map(|spin| spin * RADIUS / SPEED)),
+            _ => (ANGLE, [value.to_radians(), after.angle]),
         };
-        compared.push(group.compared(format!("{} deg", row.angle), numbers));
+        compared.push(group.compared(format!("{angle} deg"), numbers));
     }
     // a rigid plane under an elastic sphere has the G*/E* of two equal bodies
     let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
     let half_space = HalfSpace::flat(body, None);
     let equal = Contact::try_new(Sphere::elastic(RADIUS, body, 2700.0), half_space, &Plm::default())?;
-    for row in measured::slips()? {
-        let angle = atan(FRICTION_OF_ELEMENTS * row.before);
+    for row in SLIPS.rows()? {
+        let before = row.number("slip_before");
+        let angle = atan(FRICTION_OF_ELEMENTS * before);
         let Some(after) = rebound(&equal, angle, FRICTION_OF_ELEMENTS)? else { continue };
-        let slip = -after.contact_point_restitution * row.before;
-        compared.push(SLIP.compared(format!("s_0/(mu v_n) = {}", row.before), [row.after, slip]));
+        let numbers = [row.number("slip_after"), -after.contact_point_restitution * before];
+        compared.push(SLIP.compared(format!("s_0/(mu v_n) = {before}"), numbers));
     }
     Ok(compared)
 }

@@ -15,9 +15,7 @@ use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::files::{Counter, OutputFile};
 use crate::impact::oblique::motion::TangentialMotion;
-use crate::impact::reference::hardening::unloadings;
-use crate::impact::reference::impacts::Sample;
-use crate::impact::reference::measured::{Steel, devices, rebounds, steels};
+use crate::impact::reference::{DEVICES, HARDENING, REBOUNDS, Row, STEELS};
 use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
 use crate::report::plot::{Axis, Chart, Panel, Pictures, Series, Style};
@@ -70,7 +68,10 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
         let of_case = |(i, case): (usize, &Case)| {
             let law = case.law(coefficients, exponent);
             let off = |x, e| (x, 100.0 * deviation(e, restitution(&law, x)));
-            let points = case.cycles.iter().filter_map(|cycle| Some(off(cycle.row.x, cycle.row.restitution?)));
+            let points = case
+                .cycles
+                .iter()
+                .filter_map(|cycle| Some(off(cycle.peak.indentation, cycle.row.maybe("restitution")?)));
             let name = if which == 0 { case.name() } else { String::new() };
             Series::points(name, points.collect()).styled(i)
         };
@@ -86,8 +87,8 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
 }
 
 fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
-    let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.row.x);
-    let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.row.x, cycle.row.restitution?)));
+    let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.peak.indentation);
+    let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.peak.indentation, cycle.row.maybe("restitution")?)));
     let mut series = vec![Series::points("finite elements", cycles.collect())];
     for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
         let law = case.law(coefficients, exponent);
@@ -103,20 +104,21 @@ fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
 /// Every so many samples of finite elements have a marker, so that the lines below stay visible.
 const SHOWN: usize = 4;
 
-/// An indentation: its name, its value in the reference, and its value in the law.
-type IndentationPart = (&'static str, fn(&Sample) -> f64, fn(&TraceRow) -> f64);
+/// An indentation: its name, its column of the reference, and its value in the law.
+type IndentationPart = (&'static str, &'static str, fn(&TraceRow) -> f64);
 
 const INDENTATIONS: [IndentationPart; 3] = [
-    ("approach δ", |sample| sample.indentation, |row| row.indentation),
-    ("sphere δₛ", |sample| sample.sphere_indentation, |row| row.sphere_indentation),
-    ("half-space δₕ", |sample| sample.half_space_indentation, |row| row.half_space_indentation),
+    ("approach δ", "indentation_m", |row| row.indentation),
+    ("sphere δₛ", "sphere_indentation_m", |row| row.sphere_indentation),
+    ("half-space δₕ", "half_space_indentation_m", |row| row.half_space_indentation),
 ];
 
 /// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
 fn impact(case: &dynamic::Case) -> Picture {
     let (mut series, mut of_sphere) = (Vec::new(), Vec::new());
-    for (i, (name, of_sample, of_row)) in INDENTATIONS.into_iter().enumerate() {
-        let points = case.samples.iter().step_by(SHOWN).map(|sample| (of_sample(sample), sample.force));
+    for (i, (name, column, of_row)) in INDENTATIONS.into_iter().enumerate() {
+        let samples = case.samples.iter().step_by(SHOWN);
+        let points = samples.map(|sample| (sample.number(column), sample.number("force_N")));
         let mut drawn = vec![Series::points(name, points.collect()).styled(i)];
         for (which, impact) in case.impacts.iter().enumerate() {
             let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
@@ -125,13 +127,13 @@ fn impact(case: &dynamic::Case) -> Picture {
         if i == 1 { of_sphere = drawn } else { series.extend(drawn) }
     }
     let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
-    notes.push(format!("  finite elements: {:.4}", case.reference.restitution));
+    notes.push(format!("  finite elements: {:.4}", case.reference.number("restitution")));
     let of_law = case.impacts.iter().zip(EXPONENTS);
     notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution)));
     let with_waves = case.impacts[1].restitution_with_waves();
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
-    let (name, slug) = (&case.reference.case, case.reference.case.to_lowercase());
+    let (name, slug) = (case.reference.text("case"), case.reference.text("case").to_lowercase());
     let title = format!("Impact {name} at {}", quantity(case.impacts[0].speed, Dimension::Speed));
     let chart = Chart::new(title, axes, series).with_side(Axis::linear("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
@@ -139,18 +141,19 @@ fn impact(case: &dynamic::Case) -> Picture {
 }
 
 /// Materials that harden, and their names in the picture.
-const HARDENING: [(&str, &str); 3] =
+const METALS: [(&str, &str); 3] =
     [("c3n10", "steel, N = 0.1"), ("alvoce", "aluminium, Voce"), ("cun30", "copper, N = 0.3")];
 
 /// Restitution against depth on half-spaces that harden, by the law with the flow curve and with the initial yield
 /// strength.
 fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
-    let rows = unloadings()?;
+    let rows = HARDENING.rows()?;
     let mut series = Vec::new();
-    for (i, (name, called)) in HARDENING.into_iter().enumerate() {
-        let of_material: Vec<_> = rows.iter().filter(|(_, row)| row.material == name).collect();
-        let Some((materials, _)) = of_material.first() else { continue };
-        let points: Vec<(f64, f64)> = of_material.iter().map(|(_, row)| (row.x, row.restitution)).collect();
+    for (i, (name, called)) in METALS.into_iter().enumerate() {
+        let of_material: Vec<_> = rows.iter().filter(|row| row.text("material") == name).collect();
+        let Some(materials) = of_material.first() else { continue };
+        let point = |row: &&Row| (row.number("x"), row.number("restitution"));
+        let points: Vec<(f64, f64)> = of_material.iter().map(point).collect();
         let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
         series.push(Series::points(called, points).styled(i));
         for (which, hardens) in [true, false].into_iter().enumerate() {
@@ -183,15 +186,16 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
     };
     for case in cases.iter().filter(|case| case.loading.case == "case3") {
         let law = case.law(coefficients, UnloadingExponent::PressureShape);
-        let rows = case.cycles.iter().map(|cycle| &cycle.row);
-        let points = rows.clone().filter_map(|row| Some((row.contact_radius, row.restitution?))).collect();
-        let deepest = rows.map(|row| row.x).fold(1.0, f64::max);
+        let point = |row: &Row| Some((row.number("contact_radius_over_R"), row.maybe("restitution")?));
+        let points = case.cycles.iter().filter_map(|cycle| point(&cycle.row)).collect();
+        let deepest = case.cycles.iter().map(|cycle| cycle.peak.indentation).fold(1.0, f64::max);
         add("half-space: dent", &law, case.loading.yield_radius_ratio, points, deepest);
     }
     for (name, called) in YIELDING {
-        let of_pair: Vec<_> = all.iter().filter(|cycle| cycle.row.case == name).collect();
+        let of_pair: Vec<_> = all.iter().filter(|cycle| cycle.row.text("case") == name).collect();
         let Some(first) = of_pair.first() else { continue };
-        let points = of_pair.iter().map(|cycle| (cycle.row.contact_radius, cycle.row.restitution)).collect();
+        let point = |row: &Row| (row.number("contact_radius_over_R"), row.number("e"));
+        let points = of_pair.iter().map(|cycle| point(&cycle.row)).collect();
         let deepest = of_pair.iter().map(|cycle| cycle.at_depth).fold(1.0, f64::max);
         add(called, &first.law, first.bodies.yield_radius_ratio(), points, deepest);
     }
@@ -207,13 +211,18 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
 /// The rebound hardness of steels against their tensile strength: as measured, and by the law with two strengths that are
 /// often used as yield strength. The 0.2 % strength of a structural steel is 0.65 of the tensile.
 fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
-    let steels = steels()?;
+    let steels = STEELS.rows()?;
+    let end = |steel: &Row, which: &str| {
+        (steel.number(&format!("{which}_tensile_strength_MPa")), steel.number(&format!("{which}_HLD")))
+    };
     // a point of NaN separates the steels
-    let ranges = steels.iter().map(Steel::ends).flat_map(|[low, high]| [low, high, (f64::NAN, f64::NAN)]).collect();
+    let ranges = steels.iter().flat_map(|steel| [end(steel, "low"), end(steel, "high"), (f64::NAN, f64::NAN)]);
+    let ranges = ranges.collect();
     let mut series =
         vec![Series::line("measured, ten steels", ranges).and("each from end to end of its range").styled(0)];
     let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
-    for (device, (i, (share, name, assumption))) in devices()?.iter().take(1).cycle().zip(lines.into_iter().enumerate())
+    for (device, (i, (share, name, assumption))) in
+        DEVICES.rows()?.iter().take(1).cycle().zip(lines.into_iter().enumerate())
     {
         let mut points = Vec::new();
         for step in 0..=60 {
@@ -231,8 +240,10 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
 /// The tangential restitution against the angle: measured, by the program, by the spring of DEM codes, and of a rigid
 /// body.
 fn oblique() -> Result<Picture, Error> {
-    let measured = rebounds()?.into_iter().filter(|row| row.quantity == "tangential_restitution");
-    let measured = Series::points("measured, alumina on glass", measured.map(|row| (row.angle, row.value)).collect());
+    let rows = REBOUNDS.rows()?;
+    let measured = rows.iter().filter(|row| row.text("quantity") == "tangential_restitution");
+    let measured = measured.map(|row| (row.number("angle_deg"), row.number("value"))).collect();
+    let measured = Series::points("measured, alumina on glass", measured);
     let contact = alumina_on_glass()?;
     let motion = TangentialMotion::elastic().map_err(ImpactError::from)?;
     let (chi, j) = (contact.chi(), contact.slip_factor());

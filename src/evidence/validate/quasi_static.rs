@@ -6,40 +6,35 @@ use super::comparison::{Comparison, Group};
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::reference::STATIC;
-use crate::impact::reference::loading::LoadingPoint;
 use crate::units::four_digits;
 
 /// The exponents of the unloading with which the law is compared.
 const PAPER: UnloadingExponent = UnloadingExponent::Paper;
 const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
 
-/// A quantity along the loading curve: its name, its value by the finite elements, and its value by the law at the same depth.
-type LoadingQuantity = (Group, fn(&LoadingPoint) -> f64, fn(&Case, &Law, f64) -> f64);
+/// A quantity along the loading curve: its name, its column of the finite elements, and its value by the law at the same depth.
+type LoadingQuantity = (Group, &'static str, fn(&Case, &Law, f64) -> f64);
 
 const LOADING: [LoadingQuantity; 3] = [
-    (Group::new("loading: force", STATIC, "F_Y"), |point| point.force, |_, law, x| law.loading.force(x)),
-    (
-        Group::new("loading: sphere indentation", STATIC, "delta"),
-        |point| point.sphere_share,
-        |case, law, x| case.sphere_compliance() * law.loaded_to(x).elastic_approach / x,
-    ),
-    (
-        Group::new("loading: contact radius", STATIC, "R"),
-        |point| point.contact_radius,
-        |case, law, x| law.contact_radius(&law.loaded_to(x)) * case.loading.yield_radius_ratio,
-    ),
+    (Group::new("loading: force", STATIC, "F_Y"), "F_over_FY", |_, law, x| law.loading.force(x)),
+    (Group::new("loading: sphere indentation", STATIC, "delta"), "delta_s_over_delta", |case, law, x| {
+        case.sphere_compliance() * law.loaded_to(x).elastic_approach / x
+    }),
+    (Group::new("loading: contact radius", STATIC, "R"), "a_over_R", |case, law, x| {
+        law.contact_radius(&law.loaded_to(x)) * case.loading.yield_radius_ratio
+    }),
 ];
 
 /// Compares the loading curves at their points from first yield on.
 pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let (mut compared, cases) = (Vec::new(), cases()?);
-    for (group, of_point, of_law) in LOADING {
+    for (group, column, of_law) in LOADING {
         for case in &cases {
             let law = case.law(coefficients, PAPER);
-            for point in case.loading.points.iter().filter(|point| point.indentation >= 1.0) {
-                let x = point.indentation;
+            for point in case.loading.points.iter().filter(|point| point.number("delta_over_deltaY") >= 1.0) {
+                let x = point.number("delta_over_deltaY");
                 let name = format!("{}, x = {}", case.name(), four_digits(x));
-                compared.push(group.compared(name, [of_point(point), of_law(case, &law, x)]));
+                compared.push(group.compared(name, [point.number(column), of_law(case, &law, x)]));
             }
         }
     }
@@ -64,14 +59,17 @@ const CYCLES: [CycleQuantity; 4] = [
     (
         Group::of_differences("load cycle: residual indentation, deviation over peak indentation", STATIC, "delta_m"),
         PAPER,
-        |law, cycle| Some([cycle.row.residual_share, law.loaded_to(cycle.row.x).residual() / cycle.row.x]),
+        |law, cycle| {
+            let x = cycle.peak.indentation;
+            Some([cycle.row.number("residual_share"), law.loaded_to(x).residual() / x])
+        },
     ),
     (Group::new("load cycle: restitution, exponent 3/2", STATIC, ""), PAPER, of_restitution),
     (Group::new("load cycle: restitution, pressure-shape", STATIC, ""), SHAPE, of_restitution),
 ];
 
 fn of_restitution(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
-    Some([cycle.row.restitution?, restitution(law, cycle.row.x)])
+    Some([cycle.row.maybe("restitution")?, restitution(law, cycle.peak.indentation)])
 }
 
 /// Compares every load cycle: first the dent that the law gives from the peak of the finite elements, then dent and restitution

@@ -3,10 +3,10 @@
 use super::comparison::{self, Comparison, Group, Quantity};
 use super::hardening::{AtEnergy, at_energy};
 use crate::contact::law::{Bodies, Law, Plm, PlmCoefficients, UnloadingExponent};
-use crate::contact::material::{HalfSpace, Hold, Material, Sphere};
+use crate::contact::material::{HalfSpace, Hold, Material, Pair, PairError, Sphere};
 use crate::error::Error;
 use crate::impact::Contact;
-use crate::impact::reference::yielding::{Cycle, cycles};
+use crate::impact::reference::{Row, YIELDING};
 
 const SOURCE: &str = "finite elements, CalculiX 2.20, src/impact/reference/fe_yielding.csv";
 
@@ -15,7 +15,7 @@ const LEAST_ELEMENTS: f64 = 9.0;
 
 /// A load cycle by the finite elements and by the law.
 pub(super) struct Compared {
-    pub(super) row: Cycle,
+    pub(super) row: Row,
     pub(super) law: Law,
     pub(super) bodies: Bodies,
     /// x of the finite elements.
@@ -24,33 +24,45 @@ pub(super) struct Compared {
 }
 
 impl Compared {
-    fn new(row: Cycle, coefficients: &PlmCoefficients) -> Result<Option<Self>, Error> {
-        let pair = row.pair()?;
-        let Some(bodies) = Bodies::new(&pair) else { return Ok(None) };
+    fn new(row: Row, coefficients: &PlmCoefficients) -> Result<Option<Self>, Error> {
+        let Some(bodies) = Bodies::new(&pair(&row)?) else { return Ok(None) };
         let law = Plm::new(coefficients, UnloadingExponent::PressureShape).of_bodies(&bodies);
         let point = bodies.yield_point;
-        let at_energy = at_energy(&law, bodies.yield_radius_ratio(), row.spent / (point.force * point.indentation));
-        let at_depth = row.peak_indentation / point.indentation;
+        let at_energy =
+            at_energy(&law, bodies.yield_radius_ratio(), row.number("W_J") / (point.force * point.indentation));
+        let at_depth = row.number("delta_m") / point.indentation;
         Ok(Some(Self { row, law, bodies, at_depth, at_energy }))
     }
 }
 
+/// The two bodies of a row. A load cycle is slow, so they have no density.
+fn pair(row: &Row) -> Result<Pair, PairError> {
+    let body = |name: &str| {
+        let [youngs_modulus, poissons_ratio] =
+            ["youngs_modulus", "poissons_ratio"].map(|key| row.number(&format!("{name}.{key}")));
+        (Material { youngs_modulus, poissons_ratio }, row.maybe(&format!("{name}.yield_strength")))
+    };
+    let ((material, yield_strength), (half_space, strength)) = (body("sphere"), body("half_space"));
+    let sphere = Sphere::elastic(row.number("sphere.radius"), material, f64::NAN);
+    Pair::try_new(&Sphere { yield_strength, ..sphere }, &HalfSpace::flat(half_space, strength))
+}
+
 /// The cycles with enough elements in contact.
 pub(super) fn compared(coefficients: &PlmCoefficients) -> Result<Vec<Compared>, Error> {
-    let rows = cycles()?.into_iter().filter(|row| row.elements >= LEAST_ELEMENTS);
+    let rows = YIELDING.rows()?.into_iter().filter(|row| row.number("elements_in_contact") >= LEAST_ELEMENTS);
     rows.filter_map(|row| Compared::new(row, coefficients).transpose()).collect()
 }
 
 const QUANTITIES: [Quantity<Compared>; 4] = [
     (Group::new("sphere or both yield: restitution, pressure-shape", SOURCE, ""), |cycle| {
-        Some([cycle.row.restitution, cycle.at_energy.restitution])
+        Some([cycle.row.number("e"), cycle.at_energy.restitution])
     }),
     (Group::new("sphere or both yield: force at the same depth", SOURCE, "N"), |cycle| {
-        Some([cycle.row.peak_force, cycle.law.loading.force(cycle.at_depth) * cycle.bodies.yield_point.force])
+        Some([cycle.row.number("F_N"), cycle.law.loading.force(cycle.at_depth) * cycle.bodies.yield_point.force])
     }),
     (Group::new("sphere or both yield: contact radius at the same depth", SOURCE, "R"), |cycle| {
         let radius = cycle.law.contact_radius(&cycle.law.loaded_to(cycle.at_depth));
-        Some([cycle.row.contact_radius, radius * cycle.bodies.yield_radius_ratio()])
+        Some([cycle.row.number("contact_radius_over_R"), radius * cycle.bodies.yield_radius_ratio()])
     }),
     (
         Group::of_differences(
@@ -60,13 +72,14 @@ const QUANTITIES: [Quantity<Compared>; 4] = [
         ),
         |cycle| {
             let of_law = cycle.law.loaded_to(cycle.at_depth).residual() / cycle.at_depth;
-            Some([cycle.row.residual_indentation / cycle.row.peak_indentation, of_law])
+            Some([cycle.row.number("residual_m") / cycle.row.number("delta_m"), of_law])
         },
     ),
 ];
 
 pub(super) fn load_cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let name = |cycle: &Compared| format!("{}, a/R = {}", cycle.row.case, cycle.row.contact_radius);
+    let name =
+        |cycle: &Compared| format!("{}, a/R = {}", cycle.row.text("case"), cycle.row.number("contact_radius_over_R"));
     Ok(comparison::compared(&QUANTITIES, &compared(coefficients)?, name))
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::unloading::{self, Unloaded};
+use super::{Row, UNLOADINGS};
 use crate::contact::law::Bodies;
 use crate::contact::material::{HalfSpace, Material, Sphere};
 use crate::error::Error;
@@ -17,34 +17,24 @@ const MATERIALS: [(&str, [f64; 3]); 5] = [
 ];
 
 // a damaged table gives no points in pictures; the test below would find it
-static UNLOADED: LazyLock<Vec<Unloaded>> = LazyLock::new(|| unloaded().unwrap_or_default());
+static UNLOADED: LazyLock<Vec<Row>> = LazyLock::new(|| unloaded().unwrap_or_default());
 
-fn unloaded() -> Result<Vec<Unloaded>, Error> {
-    let complete = |row: unloading::UnloadingRow| {
-        Some(Unloaded {
-            spent: row.spent?,
-            restitution: row.restitution?,
-            material: row.case,
-            x: row.x,
-            f: row.f,
-            contact_radius: row.contact_radius,
-            residual_share: row.residual_share,
-        })
-    };
-    Ok(unloading::unloadings()?.into_iter().filter_map(complete).collect())
+/// The unloadings whose loading is known back to first yield.
+fn unloaded() -> Result<Vec<Row>, Error> {
+    Ok(UNLOADINGS.rows()?.into_iter().filter(|row| row.maybe("spent").is_some()).collect())
 }
 
 /// The unloadings of the case that has these materials, by rising depth; none for other materials. Quasi-static results in
 /// units of the yield point do not depend on the radius.
-pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Unloaded> {
+pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Row> {
     let materials = [sphere_modulus, bodies.modulus(), bodies.yield_point.strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;
     let case = MATERIALS.iter().find(|(_, of_case)| of_case.iter().copied().zip(materials).all(is_near));
     let Some((case, _)) = case.filter(|_| (bodies.yield_point.poissons_ratio - 0.3).abs() <= 1e-9) else {
         return Vec::new();
     };
-    let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.material == *case).collect();
-    rows.sort_by(|a, b| a.x.total_cmp(&b.x));
+    let mut rows: Vec<_> = UNLOADED.iter().filter(|row| row.text("case") == *case).collect();
+    rows.sort_by(|a, b| a.number("x").total_cmp(&b.number("x")));
     rows
 }
 
@@ -57,9 +47,9 @@ pub(super) fn bodies(case: &str) -> Option<(Material, HalfSpace)> {
 }
 
 /// Every unloading, with a sphere of 5 mm and the half-space of its case.
-pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static Unloaded)> {
+pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static Row)> {
     UNLOADED.iter().filter_map(|row| {
-        let (sphere, half_space) = bodies(&row.material)?;
+        let (sphere, half_space) = bodies(row.text("case"))?;
         Some((Sphere::elastic(5e-3, sphere, 7850.0), half_space, row))
     })
 }
@@ -72,14 +62,14 @@ mod tests {
     fn the_tables_are_whole() {
         // of 63 unloadings four have no loading curve that reaches back to first yield
         let rows = unloaded().unwrap_or_default();
-        assert_eq!((rows.len(), unloading::unloadings().unwrap_or_default().len()), (59, 63));
+        assert_eq!((rows.len(), UNLOADINGS.rows().unwrap_or_default().len()), (59, 63));
         for (case, _) in MATERIALS {
-            assert!(rows.iter().any(|row| row.material == case));
+            assert!(rows.iter().any(|row| row.text("case") == case));
         }
         // recovered work f ε/(n + 1) with n between 1.35 and 1.55 for every unloading but the shallowest
-        for row in rows.iter().filter(|row| row.x > 5.0) {
-            let recovered = row.restitution * row.restitution * row.spent;
-            let n = row.f * row.x * (1.0 - row.residual_share) / recovered - 1.0;
+        for row in rows.iter().filter(|row| row.number("x") > 5.0) {
+            let [x, f, spent, restitution] = ["x", "f", "spent", "restitution"].map(|column| row.number(column));
+            let n = f * x * (1.0 - row.number("residual_share")) / (restitution * restitution * spent) - 1.0;
             assert!((1.2..1.6).contains(&n), "{row:?}: {n}");
         }
     }

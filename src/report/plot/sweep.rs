@@ -267,7 +267,7 @@ fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     let (low, high) = extremes(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
     let points: Vec<_> = quasi_static::unloadings(contact.sphere().material.youngs_modulus, &bodies)
         .into_iter()
-        .map(|row| ((2.0 * row.spent * energy / contact.reduced_mass()).sqrt(), row.restitution))
+        .map(|row| ((2.0 * row.number("spent") * energy / contact.reduced_mass()).sqrt(), row.number("restitution")))
         .filter(|(speed, _)| (low..=high).contains(speed))
         .collect();
     (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(Style::BLACK))
