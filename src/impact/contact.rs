@@ -133,12 +133,6 @@ impl Contact {
         Ok(Self { pair, law, scales, yield_speed, elastic_speed, rates: None, rated: None, ..*self })
     }
 
-    /// The scales of another pair of the same bodies, if the loading curve of this contact is theirs too, in its own units.
-    pub(super) fn scales_of_same_curve(&self, pair: &Pair) -> Result<Option<Scales>, ImpactError> {
-        let is_same = self.pair.shares() == pair.shares() && self.law.has_one_curve();
-        Ok(if is_same { Some(Scales::of_pair(pair, self.reduced_mass)?) } else { None })
-    }
-
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].
     #[inline]
     pub fn with_moment_of_inertia(mut self, moment: f64) -> Self {

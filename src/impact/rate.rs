@@ -18,7 +18,8 @@ use std::sync::Arc;
 
 use super::contact::{Contact, Rated, Rates};
 use super::error::ImpactError;
-use crate::contact::law::{Ground, LawChoice};
+use super::scales::Scales;
+use crate::contact::law::{Ground, LawChoice, Plm};
 use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
 use crate::contact::strength::rate::Rate;
 use crate::numerics::integrate::IntegrationError;
@@ -104,7 +105,7 @@ impl Contact {
 
     /// δ_m \[m\] of the impact on fresh surface with these factors, without gravity, damping and plate.
     fn depth(&self, rates: &Rates, factors: [f64; 2], speed: f64) -> Result<f64, ImpactError> {
-        let deepest = |contact: &Self, scales: &super::scales::Scales| {
+        let deepest = |contact: &Self, scales: &Scales| {
             let q = speed / scales.speed;
             let ground = Ground::from(&contact.law);
             let (last, distance) = ground.turn(0.4 * q * q, 0.0);
@@ -114,8 +115,9 @@ impl Contact {
             return Ok(deepest(self, &self.scales));
         }
         let pair = self.pair_of(factors)?;
-        if let Some(scales) = self.scales_of_same_curve(&pair)? {
-            return Ok(deepest(self, &scales));
+        // the loading curve of the PLM is the same in units of any strength
+        if self.pair().shares() == pair.shares() && self.law.has_one_curve() {
+            return Ok(deepest(self, &Scales::of_pair(&pair, self.reduced_mass())?));
         }
         let raised = self.raised(rates, factors)?;
         Ok(deepest(&raised, &raised.scales))
@@ -139,11 +141,13 @@ impl Contact {
             return Ok(contact);
         }
         let pair = self.pair_of(factors)?;
-        let mut law = rates.law.clone();
-        if let LawChoice::Plm(plm) = &mut law {
-            plm.rate_factors = factors;
+        match &rates.law {
+            // a flow curve is raised as a whole
+            LawChoice::Plm(plm) if plm.flow != [None, None] => {
+                self.of_pair(pair, &Plm { rate_factors: factors, ..plm.clone() })
+            }
+            law => self.of_pair(pair, law.get()),
         }
-        self.of_pair(pair, law.get())
     }
 
     /// This contact, which relaxes to the strength of another one where the sphere turns.
