@@ -160,12 +160,6 @@ impl From<PairError> for crate::error::Error {
     }
 }
 
-impl From<OutOfFloatRange> for crate::error::Error {
-    fn from(error: OutOfFloatRange) -> Self {
-        Self::caused_by(ErrorKind::Failed, &error)
-    }
-}
-
 /// `value`, if it is a normal positive number.
 pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFloatRange> {
     if value.is_normal() && value > 0.0 { Ok(value) } else { Err(OutOfFloatRange { quantity, value }) }

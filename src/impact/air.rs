@@ -156,7 +156,7 @@ impl Flying {
         match self.drag {
             Drag::None => 0.5 * speed * speed / self.pull,
             Drag::Constant(k) => ln_1p(k * speed * speed / self.pull) / (2.0 * k),
-            Drag::Sphere { .. } => self.risen(0.0, speed, |v| v),
+            Drag::Sphere { .. } => self.risen(speed, |v| v),
         }
     }
 
@@ -165,7 +165,7 @@ impl Flying {
         match self.drag {
             Drag::None => speed / self.pull,
             Drag::Constant(k) => atan(speed * (k / self.pull).sqrt()) / (k * self.pull).sqrt(),
-            Drag::Sphere { .. } => self.risen(0.0, speed, |_| 1.0),
+            Drag::Sphere { .. } => self.risen(speed, |_| 1.0),
         }
     }
 
@@ -192,9 +192,7 @@ impl Flying {
             }
             Drag::Sphere { .. } if to_top >= 0.0 => {
                 let slope = |v: f64| 1.0 / -(self.pull + self.deceleration(v));
-                bracketed((0.0, speed), self.pull * to_top, is_near, |v| {
-                    (to_top - self.risen(0.0, v, |_| 1.0), slope(v))
-                })
+                bracketed((0.0, speed), self.pull * to_top, is_near, |v| (to_top - self.risen(v, |_| 1.0), slope(v)))
             }
             Drag::Sphere { terminal, .. } => {
                 let rate = |depth: f64| -self.falling(depth.min(DEEPEST)).1;
@@ -223,14 +221,14 @@ impl Flying {
         }
     }
 
-    /// ∫ part du/(g' + d) between two speeds.
-    fn risen(&self, from: f64, to: f64, part: fn(f64) -> f64) -> f64 {
+    /// ∫ part du/(g' + d) from rest to a speed.
+    fn risen(&self, speed: f64, part: fn(f64) -> f64) -> f64 {
         let Drag::Sphere { turn, .. } = self.drag else { return f64::NAN };
         let between = |from: f64, to: f64| {
             integrate(to - from, |below, _| part(from + below) / (self.pull + self.deceleration(from + below)))
         };
-        let middle = turn.clamp(from, to);
-        between(from, middle) + between(middle, to)
+        let middle = turn.min(speed);
+        between(0.0, middle) + between(middle, speed)
     }
 
     /// On the way down at the speed v_t (1 − e^(−depth)): this speed, and dt/d(depth) = v_t e^(−depth)/(g' − d).

@@ -88,10 +88,6 @@ impl ScaledForces {
         self.weight == 0.0 && self.is_conservative()
     }
 
-    pub(super) fn without_drag(&self) -> Self {
-        Self { weight: self.weight, ..Self::NONE }
-    }
-
     /// True if there is no damping and no plate, so that only the dent takes energy.
     #[inline]
     pub(super) fn is_conservative(&self) -> bool {
@@ -132,9 +128,8 @@ impl ScaledForces {
     /// Where the unloading branch carries the weight; at most its peak.
     pub(super) fn static_on_unloading(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
         let distance = unloading.recovered_at(self.weight);
-        let of_power = unloading.is_power().then(|| unloading.exponent * self.weight / distance);
-        let slope = of_power.unwrap_or_else(|| unloading.slope_of(distance));
-        StaticPoint { indentation: ground.dent(&unloading.peak).residual() + distance, distance, slope }
+        let indentation = ground.dent(&unloading.peak).residual() + distance;
+        StaticPoint { indentation, distance, slope: unloading.slope_of(distance) }
     }
 
     pub(super) fn static_on_loading(&self, ground: Ground) -> StaticPoint {

@@ -9,7 +9,7 @@ use super::verlet;
 use crate::contact::law::Ground;
 use crate::numerics::integrate::library::{Library, Scheme};
 use crate::numerics::integrate::rk8::Rk8;
-use crate::numerics::integrate::{Effort, IntegrationError, Integrator};
+use crate::numerics::integrate::{Drag, Effort, IntegrationError, Integrator};
 use crate::units::names::named;
 
 named! {
@@ -71,7 +71,8 @@ pub(super) const FINEST: f64 = 1e-13;
 
 /// The contact time of an impact at q = v/V without damping and plate.
 pub(super) fn free_time(ground: Ground, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
-    let exact = closed_form::solve_with(ground, q, &forces.without_drag(), Solver::AUTO.tolerance)?;
+    let exact =
+        closed_form::solve_with(ground, q, &ScaledForces { drag: Drag::NONE, ..*forces }, Solver::AUTO.tolerance)?;
     Ok(exact.map_or(f64::NAN, |exact| exact.contact_time))
 }
 

@@ -13,7 +13,7 @@
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
 use super::scales::{ACCELERATION, Scales};
-use crate::contact::law::{ContactState, Ground, Unloading};
+use crate::contact::law::{Ground, Unloading};
 use crate::contact::material::{HalfSpace, OutOfFloatRange, normal};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::functions::{atan2, gamma, ln_1p};
@@ -83,11 +83,7 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
         let (end, exit) = next.map_or((turn, 0.0), |next| (next.start, speed_at(next.work)));
         integral += match &piece.shape {
             Shape::Power { exponent, offset: 0.0, .. } if next.is_none() => {
-                let run = end - piece.start;
-                power_integral(
-                    &ContactState { indentation: run, force: piece.force_at(end), elastic_approach: run },
-                    *exponent,
-                )
+                power_integral(piece.force_at(end), end - piece.start, *exponent)
             }
             Shape::Straight { slope, .. } => straight_integral(*slope, piece.force_at(end), piece.force, entry, exit),
             // no closed form here
@@ -100,14 +96,12 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
     integral
 }
 
-/// From rest at a peak along f = f_m (d/ε)^n to d = 0, or the other way:
+/// From rest at a force f_m along f = f_m (d/ε)^n to d = 0, or the other way:
 /// n² (f_m²/ε) u_0 B((2n − 1)/(n + 1), 3/2)/(n + 1) with u_0² = 2c f_m ε/(n + 1).
-fn power_integral(peak: &ContactState, exponent: f64) -> f64 {
-    let ContactState { force, elastic_approach, .. } = *peak;
-    let n = exponent;
-    let fastest = (2.0 * ACCELERATION * force * elastic_approach / (n + 1.0)).sqrt();
+fn power_integral(force: f64, length: f64, n: f64) -> f64 {
+    let fastest = (2.0 * ACCELERATION * force * length / (n + 1.0)).sqrt();
     let shape = if n == 1.5 { HERTZ } else { n * n / (n + 1.0) * beta((2.0 * n - 1.0) / (n + 1.0)) };
-    shape * (force * force / elastic_approach) * fastest
+    shape * (force * force / length) * fastest
 }
 
 /// n²/(n + 1) B((2n − 1)/(n + 1), 3/2) for n = 3/2: 0.9 B(0.8, 1.5).

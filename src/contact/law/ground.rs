@@ -53,7 +53,7 @@ impl Law {
 }
 
 /// A law, and the dent if it was loaded before.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Ground<'a> {
     pub law: &'a Law,
     /// The force over x on the way in, with the work from first touch.
@@ -179,7 +179,7 @@ impl<'a> Ground<'a> {
 
     /// The unloading branch from a peak. On the branch of a dent it is that branch.
     pub fn unloading(&self, peak: ContactState) -> Unloading {
-        self.branch_at(peak.indentation).map_or_else(|| self.law.unloading(peak), |branch| branch.below(peak))
+        self.branch_at(peak.indentation).map_or_else(|| self.law.unloading(peak), |branch| branch.up_to(peak))
     }
 
     /// The unloading branch from a turn at a distance from the start of a piece, where the kinetic energy was this. With a

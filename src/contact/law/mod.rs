@@ -34,7 +34,7 @@ pub use published::{Loading, OutsideLaw};
 pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// How a contact unloads that was loaded beyond the elastic regime.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub enum LoadingRule {
     /// Back along Hertz's curve, at any load.
     Elastic,
@@ -56,7 +56,7 @@ named! {
 }
 
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Law {
     pub loading: Arc<Curve>,
     /// Where the loading holds.
@@ -67,7 +67,7 @@ pub struct Law {
 }
 
 /// The law at the turn of a metal that relaxes there (`law/relaxed.rs`).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Relaxed {
     /// In units of its own yield point.
     law: Law,
@@ -241,7 +241,8 @@ impl Law {
                 let peak = self.loaded_to(x);
                 // a metal that has relaxed goes up its branch until that meets the loading curve
                 let relaxed = memory.filter(|_| self.relaxed.is_some());
-                match relaxed.map(|old| self.unloading(old).beyond(x)) {
+                let force_beyond = |old: &Unloading| old.branch().force_beyond(x - old.peak.residual());
+                match relaxed.map(|old| force_beyond(&self.unloading(old))) {
                     Some(force) if force < peak.force => (force, memory),
                     _ => (peak.force, Some(peak)),
                 }

@@ -207,12 +207,6 @@ impl fmt::Debug for Published {
     }
 }
 
-impl PartialEq for Published {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.radius, &other.radius) && Arc::ptr_eq(&self.recovery, &other.recovery)
-    }
-}
-
 impl Published {
     /// A point of the loading curve that took the work `spent`.
     fn loaded(&self, indentation: f64, force: f64, spent: f64) -> PeakState {

@@ -104,7 +104,7 @@ impl Law {
             end *= 2.0;
         }
         let (below, _) = halved(0.0, end, |recovered| over(recovered) < 0.0);
-        branch.lengthened(ContactState {
+        branch.up_to(ContactState {
             indentation: residual + below,
             force: piece.force_beyond(below),
             elastic_approach: below,

@@ -143,12 +143,6 @@ impl Unloading {
         Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
     }
 
-    /// True if the branch is the power law of its exponent.
-    #[inline]
-    pub(crate) fn is_power(&self) -> bool {
-        self.curve.is_none()
-    }
-
     /// The time from the peak to x_r, times the speed there over ε_m.
     #[inline]
     pub(crate) fn turning_time(&self) -> f64 {
@@ -167,26 +161,15 @@ impl Unloading {
         curve.time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
     }
 
-    /// Returns this branch from a lower point of it, where a reload turned.
+    /// Returns this branch with another end: where a reload turned on it, or a point beyond.
     #[inline]
     #[must_use]
-    pub fn below(&self, peak: ContactState) -> Self {
+    pub fn up_to(&self, peak: ContactState) -> Self {
         match self.curve {
             None => Self::power(peak, self.exponent),
-            Some(_) if peak.indentation >= self.peak.indentation => *self,
+            Some(_) if peak.indentation == self.peak.indentation => *self,
             Some(curve) => Self::along(peak, curve),
         }
-    }
-
-    /// Returns this branch with another end, on it or beyond.
-    #[must_use]
-    pub(super) fn lengthened(&self, peak: ContactState) -> Self {
-        self.curve.map_or_else(|| Self::power(peak, self.exponent), |curve| Self::along(peak, curve))
-    }
-
-    /// Force at x ≥ x_m, if the branch went on.
-    pub(super) fn beyond(&self, x: f64) -> f64 {
-        self.branch().force_beyond(x - self.peak.residual())
     }
 
     /// The state at a distance from x_r, at most the peak. The distance has digits that x has lost.

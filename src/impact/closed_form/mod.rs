@@ -13,7 +13,6 @@ use super::scales::ACCELERATION;
 use crate::contact::law::{Ground, Unloading};
 use crate::numerics::curve::crossing::Reached;
 use crate::numerics::curve::piece::{Piece, Shape};
-use crate::numerics::curve::poly::Poly;
 use crate::numerics::functions::atan;
 use crate::numerics::integrate::IntegrationError;
 use crate::numerics::power::{arctangent, power_time};
@@ -115,20 +114,11 @@ fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
         Shape::Power { exponent, offset: 0.0, .. } => power_time(*exponent, distance, entry, exit),
         Shape::Power { exponent, offset, .. } => {
             let begun = 2.0 * ACCELERATION * piece.force * offset / (exponent + 1.0);
-            late_time(*exponent, [*offset, distance], (entry * entry + begun).sqrt(), [entry, exit])
+            // the time from the zero of the force, where the speed is `whole`, less the time from there to the start
+            let whole = (entry * entry + begun).sqrt();
+            power_time(*exponent, offset + distance, whole, exit) - power_time(*exponent, *offset, whole, entry)
         }
-        Shape::Polynomial(poly) => time_on_polynomial(poly, distance, exit),
+        Shape::Polynomial(poly) => poly.time(distance, distance, exit, ACCELERATION),
         Shape::Branch(branch) => branch.time(distance, distance, exit, ACCELERATION),
     }
-}
-
-/// The time from the zero of a power law, where the speed is `whole`, less the time from there to the start of the piece.
-#[cold]
-fn late_time(exponent: f64, [offset, distance]: [f64; 2], whole: f64, [entry, exit]: [f64; 2]) -> f64 {
-    power_time(exponent, offset + distance, whole, exit) - power_time(exponent, offset, whole, entry)
-}
-
-#[cold] // the times on the other pieces are faster without this code among them
-fn time_on_polynomial(poly: &Poly, distance: f64, exit: f64) -> f64 {
-    poly.time(distance, distance, exit, ACCELERATION)
 }

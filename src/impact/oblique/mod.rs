@@ -237,7 +237,7 @@ impl<'a> ObliqueImpact<'a> {
             return Ok(SlipChange::known(self.sliding_ratio(), true));
         }
         // the normal motion of all elastic impacts is the same
-        let is_elastic = self.case.ground.law.rule == LoadingRule::Elastic && self.case.forces.is_none();
+        let is_elastic = matches!(self.case.ground.law.rule, LoadingRule::Elastic) && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
             TangentialMotion::elastic()?
@@ -268,7 +268,7 @@ impl<'a> ObliqueImpact<'a> {
     pub(super) fn rebound(&self, slip: &SlipChange) -> Result<Rebound, OutOfFloatRange> {
         let [normal, tangential] = self.speeds;
         let (rebound, _) = self.contact.speeds_after(normal, self.outcome.restitution);
-        let [_, tangential_speed, spin] = self.at(self.slip * slip.ratio);
+        let [tangential_speed, spin] = self.at(self.slip * slip.ratio);
         let lost = self.lost(slip);
         let whole = normal * normal + tangential * tangential;
         if !(tangential_speed.is_finite() && spin.is_finite() && lost.is_finite()) {
@@ -303,7 +303,7 @@ impl<'a> ObliqueImpact<'a> {
         let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
         let moment = mass * radius / (self.contact.own_slip_factor() - 1.0) * radius;
         let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
-        let [_, speed, spin] = self.at(self.slip * slip.ratio);
+        let [speed, spin] = self.at(self.slip * slip.ratio);
         let (before, spin_before) = (self.speeds[1], self.incidence.spin);
         let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
         let of_target = self.target(self.slip * slip.ratio).zip(self.contact.target_mass());
@@ -320,12 +320,12 @@ impl<'a> ObliqueImpact<'a> {
         }
     }
 
-    /// Slip speed, tangential speed and spin where the slip speed is this.
-    fn at(&self, slip: f64) -> [f64; 3] {
+    /// Tangential speed and spin where the slip speed is this.
+    fn at(&self, slip: f64) -> [f64; 2] {
         let share = self.contact.reduced_mass() / self.contact.mass();
         let change = share * ((slip - self.slip) / self.contact.slip_factor());
         let spin = self.incidence.spin - (self.contact.own_slip_factor() - 1.0) * change / self.contact.sphere().radius;
-        [slip, self.speeds[1] + change, spin]
+        [self.speeds[1] + change, spin]
     }
 
     /// Speed along the surface and spin of a second ball where the slip speed is this.
@@ -353,7 +353,7 @@ impl<'a> ObliqueImpact<'a> {
                 (share * self.slip, direction * mu * scales.force * of_force)
             }
         };
-        let [slip_speed, tangential_speed, spin] = self.at(slip_speed);
+        let [tangential_speed, spin] = self.at(slip_speed);
         FrictionState { slip_speed, friction_force, tangential_speed, spin }
     }
 }

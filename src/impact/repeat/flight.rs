@@ -95,10 +95,7 @@ impl Flight {
 
     /// Speed downwards \[m/s\], as δ' is.
     pub fn speed_at(&self, time: f64) -> f64 {
-        if self.flying.is_in_air() {
-            return -self.flying.speed_after(self.speed, time);
-        }
-        self.flying.gravity * time - self.speed
+        -self.flying.speed_after(self.speed, time)
     }
 
     /// The highest point \[m\].

@@ -219,14 +219,11 @@ impl Path<'_> {
 
     /// Ends a leg in the state `at`; inside of it the contact force was `largest` at most.
     pub(super) fn arrive(&self, landing: Landing, at: State, state: &mut State, largest: f64) -> Arrival {
-        let landed = State { distance: self.landed_at(landing, at.distance), ..at };
+        // at the end of the leg exactly, or where the motion came to
+        let distance = if landing == Landing::End { self.leg.end() } else { at.distance };
+        let landed = State { distance, ..at };
         let begun = std::mem::replace(state, landed);
         Arrival { landing, largest_force: max_or_nan(largest, self.larger_force(&begun, state)) }
-    }
-
-    /// The distance of a landing: exactly the end's, or where the motion came to.
-    pub(super) fn landed_at(&self, landing: Landing, distance: f64) -> f64 {
-        if landing == Landing::End { self.leg.end() } else { distance }
     }
 }
 

@@ -99,7 +99,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
         Some(branch) => {
             let indentation = piece.start + distance;
             let force = branch.stiffness() * distance.powf(branch.exponent);
-            branch.below(ContactState { indentation, force, elastic_approach: distance })
+            branch.up_to(ContactState { indentation, force, elastic_approach: distance })
         }
         None => ground.unloading(ground.loaded_to(piece.start + distance)),
     };

@@ -32,7 +32,7 @@ const WIDEST: f64 = 0.6;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flattening {
     /// f_P.
-    plain: Arc<Curve>,
+    pub(super) plain: Arc<Curve>,
     /// 0.8 Σ β_i (E*/E_i*) a_Y/R_i.
     recovery: f64,
     /// Largest a/R of the finite elements behind it.
@@ -104,10 +104,5 @@ impl Flattening {
     /// The share of ε_line that comes back at x > 1, where the strength is σ_rep = r σ_Y.
     pub(super) fn recovered(&self, x: f64, r: f64) -> f64 {
         1.0 - self.recovery * (x.sqrt() - r)
-    }
-
-    /// f_P.
-    pub(super) fn plain_force(&self, x: f64) -> f64 {
-        self.plain.force(x)
     }
 }

@@ -64,7 +64,7 @@ impl PlmRule {
     fn equivalent(&self, peak: &ContactState) -> f64 {
         match &self.flattening {
             Some(flattening) if peak.indentation > 1.0 => {
-                let force = flattening.plain_force(peak.indentation);
+                let force = flattening.plain.force(peak.indentation);
                 force / self.plain_approach(peak.indentation, force)
             }
             _ => peak.force / peak.elastic_approach,
