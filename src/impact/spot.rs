@@ -21,13 +21,6 @@ impl Spot {
         Self::default()
     }
 
-    /// A place of a contact that was loaded to `memory`, in units of the yield point. The place is fresh if that state, or
-    /// the half-space, is elastic.
-    pub fn loaded_to(contact: &Contact, memory: ContactState) -> Self {
-        let yields = memory.indentation > contact.law.recovers_until();
-        Self { dent: yields.then(|| contact.law.dented(memory)) }
-    }
-
     /// The largest state so far, in units of the yield point; `None` if the place never yielded.
     pub fn memory(&self) -> Option<ContactState> {
         Some(self.dent.as_ref()?.unloading.peak)
