@@ -129,8 +129,19 @@ impl Contact {
     /// This contact with the strengths of another pair of the same bodies, which no rate raises any more.
     pub(super) fn of_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let (scales, law, yield_speed) = Self::law_of(&pair, self.reduced_mass, law)?;
+        Ok(self.of_law(pair, law, scales, yield_speed))
+    }
+
+    /// This contact with another pair of the same bodies, the law of that pair, and what follows from it.
+    pub(super) fn of_law(&self, pair: Pair, law: Law, scales: Scales, yield_speed: f64) -> Self {
         let elastic_speed = yield_speed;
-        Ok(Self { pair, law, scales, yield_speed, elastic_speed, rates: None, rated: None, ..*self })
+        Self { pair, law, scales, yield_speed, elastic_speed, rates: None, rated: None, ..*self }
+    }
+
+    /// The scales of another pair of the same bodies, if the loading curve of this contact is theirs too, in its own units.
+    pub(super) fn scales_of_same_curve(&self, pair: &Pair) -> Result<Option<Scales>, ImpactError> {
+        let is_same = self.pair.shares() == pair.shares() && self.law.has_one_curve();
+        Ok(if is_same { Some(Scales::of_pair(pair, self.reduced_mass)?) } else { None })
     }
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].

@@ -19,7 +19,7 @@ use std::sync::Arc;
 use super::contact::{Contact, Rated, Rates};
 use super::error::ImpactError;
 use super::scales::Scales;
-use crate::contact::law::{Ground, LawChoice, Plm};
+use crate::contact::law::{Bodies, Ground, LawChoice};
 use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
 use crate::contact::strength::rate::Rate;
 use crate::numerics::integrate::IntegrationError;
@@ -115,9 +115,8 @@ impl Contact {
             return Ok(deepest(self, &self.scales));
         }
         let pair = self.pair_of(factors)?;
-        // the loading curve of the PLM is the same in units of any strength
-        if self.pair().shares() == pair.shares() && self.law.has_one_curve() {
-            return Ok(deepest(self, &Scales::of_pair(&pair, self.reduced_mass())?));
+        if let Some(scales) = self.scales_of_same_curve(&pair)? {
+            return Ok(deepest(self, &scales));
         }
         let raised = self.raised(rates, factors)?;
         Ok(deepest(&raised, &raised.scales))
@@ -141,13 +140,16 @@ impl Contact {
             return Ok(contact);
         }
         let pair = self.pair_of(factors)?;
-        match &rates.law {
-            // a flow curve is raised as a whole
-            LawChoice::Plm(plm) if plm.flow != [None, None] => {
-                self.of_pair(pair, &Plm { rate_factors: factors, ..plm.clone() })
-            }
-            law => self.of_pair(pair, law.get()),
+        if let (LawChoice::Plm(plm), Some(scales), Some(bodies)) =
+            (&rates.law, self.scales_of_same_curve(&pair)?, Bodies::new(&pair))
+        {
+            return Ok(self.of_law(pair, plm.of_same_curve(&self.law, &bodies), scales, scales.speed));
         }
+        let mut law = rates.law.clone();
+        if let LawChoice::Plm(plm) = &mut law {
+            plm.rate_factors = factors;
+        }
+        self.of_pair(pair, law.get())
     }
 
     /// This contact, which relaxes to the strength of another one where the sphere turns.

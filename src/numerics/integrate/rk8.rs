@@ -77,7 +77,7 @@ impl Rk8 {
         let c = path.factor;
         match &path.piece.shape {
             Shape::Straight { slope, .. } => {
-                traverse!(Straight::new(c * path.piece.force, c * slope, path.pull))
+                traverse!(Straight::<PULLED>::new(c * path.piece.force, c * slope, path.pull))
             }
             Shape::Power { stiffness, exponent: 1.5, .. } => {
                 traverse!(Power::<true, PULLED>::new(c * stiffness, 1.5, path.pull))

@@ -48,7 +48,7 @@ impl Flattening {
         yield_radius_ratio: f64,
         plastic_from: f64,
         plain: Arc<Curve>,
-        equivalents: impl Fn(f64, f64) -> [f64; 2],
+        mut equivalents: impl FnMut(f64, f64) -> [f64; 2],
         radius: impl Fn(f64, f64) -> f64,
     ) -> (Curve, Self) {
         let (mut softening, mut recovery) = (0.0, 0.0);
@@ -60,7 +60,7 @@ impl Flattening {
         // where the indentation is R no law holds any more
         let end = 1.0 / (yield_radius_ratio * yield_radius_ratio);
         // φ, and whether it keeps this value: A is never less than a/a_Y
-        let flat = |x: f64, force: f64| {
+        let mut flat = |x: f64, force: f64| {
             let [equivalent, in_strength] = equivalents(x, force);
             let is_wide = || radius(x, equivalent) * yield_radius_ratio >= WIDEST;
             let is_held = x >= end || equivalent * yield_radius_ratio >= WIDEST && is_wide();

@@ -87,4 +87,18 @@ impl ElasticLine {
         let piece = self.pieces.iter().rev().find(|piece| piece.force <= force).or(self.pieces.first());
         piece.map_or(force, |piece| piece.approach(force))
     }
+
+    /// ε as [`Self::at`] gives it, for forces that lie near each other: it begins to look at the piece of the force before.
+    pub(super) fn nearby(&self) -> impl FnMut(f64) -> f64 + '_ {
+        let (pieces, mut place) = (&self.pieces, 0);
+        move |force| {
+            while place > 0 && pieces[place].force > force {
+                place -= 1;
+            }
+            while pieces.get(place + 1).is_some_and(|next| next.force <= force) {
+                place += 1;
+            }
+            pieces.get(place).map_or(force, |piece| piece.approach(force))
+        }
+    }
 }

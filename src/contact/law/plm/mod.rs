@@ -78,6 +78,12 @@ impl Plm {
         Law::plm(loading, rule)
     }
 
+    /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_one_curve`]).
+    pub(crate) fn of_same_curve(&self, law: &Law, bodies: &Bodies) -> Law {
+        let rule = self.coefficients.rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent);
+        Law::plm(Arc::clone(&law.loading), rule)
+    }
+
     /// The curve of a half-space that does not harden.
     fn perfect(&self, pair: &Pair) -> Arc<Curve> {
         let [kappa, _] = pair.shares();
@@ -113,7 +119,7 @@ impl Plm {
             bodies.yield_radius_ratio(),
             self.coefficients.plastic_from(rho),
             plain,
-            |x, force| rule.equivalents(x, force),
+            rule.equivalents(),
             |x, equivalent| rule.radius_at(x, equivalent),
         );
         (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })

@@ -71,12 +71,17 @@ impl PlmRule {
         }
     }
 
-    /// A at a point (x, f) beyond first yield of a law without a flat, and A in units of the strength that the body that flows
-    /// has reached there.
-    pub(super) fn equivalents(&self, x: f64, force: f64) -> [f64; 2] {
-        let equivalent = force / self.plain_approach(x, force);
-        let of_shape = |hardening: &Hardening| hardening.shape(x, equivalent).equivalent;
-        [equivalent, self.hardening.as_ref().map_or(equivalent, of_shape)]
+    /// A at points (x, f) beyond first yield of a law without a flat, and A in units of the strength that the body that flows has
+    /// reached there.
+    pub(super) fn equivalents(&self) -> impl FnMut(f64, f64) -> [f64; 2] + '_ {
+        let mut on_line = self.line.nearby();
+        move |x, force| match &self.hardening {
+            None => [force / on_line(force).min(x); 2],
+            Some(hardening) => {
+                let equivalent = force / hardening.elastic_approach(x, force, 1.0);
+                [equivalent, hardening.shape(x, equivalent).equivalent]
+            }
+        }
     }
 
     /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.

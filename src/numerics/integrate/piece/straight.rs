@@ -5,19 +5,19 @@ use crate::numerics::integrate::{Drag, Path};
 
 /// Without drag: g = −(a + b y), y = d. A pull is part of a, which may then be negative.
 #[derive(Debug, Clone, Copy)]
-pub struct Straight {
+pub struct Straight<const PULLED: bool> {
     pub a: f64,
     pub b: f64,
 }
 
-impl Straight {
+impl<const PULLED: bool> Straight<PULLED> {
     #[inline(always)]
     pub fn new(at_start: f64, slope: f64, pull: f64) -> Self {
         Self { a: at_start - pull, b: slope }
     }
 }
 
-impl Field for Straight {
+impl<const PULLED: bool> Field for Straight<PULLED> {
     const IS_TIME: bool = true;
     const IS_POLYNOMIAL: bool = true;
     #[inline(always)]
@@ -39,7 +39,7 @@ impl Field for Straight {
     #[inline(always)]
     fn at_potential(self, potential: f64) -> f64 {
         let root = (self.a * self.a + 2.0 * self.b * potential).max(0.0).sqrt();
-        if self.a > 0.0 { 2.0 * potential / (self.a + root) } else { (root - self.a) / self.b }
+        if PULLED && self.a <= 0.0 { (root - self.a) / self.b } else { 2.0 * potential / (self.a + root) }
     }
 }
 
