@@ -21,6 +21,8 @@ named! {
         Liggghts = "liggghts",
         /// Yade, `ViscElMat`.
         Yade = "yade",
+        /// MercuryDPM, a species with e and contact time.
+        Mercury = "mercury",
         /// A table e(v) as CSV.
         Csv = "csv",
     }
@@ -34,6 +36,7 @@ impl Target {
             Self::Liggghts | Self::Yade => Some(
                 "no test runs these lines in that code; once a ball on a wall was, with e within 1 %: compare one rebound first",
             ),
+            Self::Mercury => Some("these lines were never run in that code: compare one rebound first"),
         }
     }
 
@@ -69,14 +72,19 @@ pub(super) struct Head<'a> {
 impl Head<'_> {
     /// All lines for a code; `table` holds the impacts of a table e(v).
     pub fn lines(&self, request: &Request, table: &[Impact]) -> Result<String, Error> {
+        let comment = match request.target {
+            Target::Mercury => "//",
+            _ => "#",
+        };
         let mut text = String::new();
         for line in self.about(request) {
-            let _ = writeln!(text, "# {line}");
+            let _ = writeln!(text, "{comment} {line}");
         }
         text += &match request.target {
             Target::Lammps => self.lammps(),
             Target::Liggghts => self.liggghts(),
             Target::Yade => self.yade()?,
+            Target::Mercury => self.mercury(),
             Target::Csv => pairs(table),
         };
         Ok(text)
@@ -262,6 +270,33 @@ impl Head<'_> {
             2.0 * damping,
             self.time_step()
         ))
+    }
+
+    fn mercury(&self) -> String {
+        let (kind, friction) = match self.bare.friction {
+            None => ("", String::new()),
+            Some(friction) => (
+                "SlidingFriction",
+                format!(
+                    "species.setSlidingStiffness({:.9e});\nspecies.setSlidingFrictionCoefficient({friction});\n",
+                    TANGENTIAL * self.stiffness()
+                ),
+            ),
+        };
+        let of_mass = match self.bare.ball {
+            None => "2 m: a wall has no mass",
+            Some(_) => "twice the effective mass of the two spheres",
+        };
+        format!(
+            "LinearViscoelastic{kind}Species species;\nspecies.setDensity({:.9e});\n\
+             species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // {of_mass}\n\
+             {friction}setTimeStep({:.3e});\n",
+            self.bare.contact.sphere().density,
+            self.impact.contact_time,
+            self.e,
+            self.bare.contact.reduced_mass(),
+            self.time_step()
+        )
     }
 }
 
