@@ -40,11 +40,15 @@ pub enum ImpactError {
     },
     /// A moment of inertia that is too small for the steps of friction.
     #[error(
-        "with so small a moment of inertia the contact point swings too fast for the steps of friction: from {least:.3e} kg m^2 on it is computed here, and a solid sphere has {solid:.3e} kg m^2"
+        "with so small a moment of inertia the contact point swings too fast for the steps of friction: {}",
+        match least {
+            Some(least) => format!("from {least:.3e} kg m^2 on it is computed here, and a solid sphere has {solid:.3e} kg m^2"),
+            None => "here none is large enough, as the contact lasts so long: leave out angle and spin, or take a thicker plate".to_owned(),
+        }
     )]
     SmallInertia {
-        /// The least one \[kg m²\].
-        least: f64,
+        /// The least one \[kg m²\]; `None` if none is large enough.
+        least: Option<f64>,
         /// The moment of inertia of a solid sphere \[kg m²\].
         solid: f64,
     },

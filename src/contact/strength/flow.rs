@@ -90,9 +90,8 @@ pub enum FlowError {
     },
     /// The curve is steeper than the elastic line.
     #[error(
-        "between plastic strain {} and {} the flow stress rises by {} per strain, more than Young's modulus of the body, {}: no metal hardens so; give {}",
-        number(*.from),
-        number(*.to),
+        "{} the flow stress rises by {} per strain, more than Young's modulus of the body, {}: no metal hardens so; give {}",
+        if to.is_finite() { format!("between plastic strain {} and {}", number(*.from), number(*.to)) } else { "at every plastic strain".to_owned() },
         describe(*.slope, Dimension::Pressure),
         describe(*.modulus, Dimension::Pressure),
         if *.is_measured { "points farther apart, or a larger yield strength" } else { "a smaller rise, or a larger yield strength" }

@@ -262,7 +262,8 @@ impl<'a> ObliqueImpact<'a> {
         let share = LARGEST_SWINGS / swings;
         let j = self.contact.slip_factor() * share * share;
         let of_sphere = mass * radius * radius;
-        Err(ImpactError::SmallInertia { least: of_sphere / (j - 1.0), solid: 0.4 * of_sphere })
+        let least = (j > 1.0).then(|| of_sphere / (j - 1.0));
+        Err(ImpactError::SmallInertia { least, solid: 0.4 * of_sphere })
     }
 
     pub(super) fn rebound(&self, slip: &SlipChange) -> Result<Rebound, OutOfFloatRange> {
