@@ -43,14 +43,15 @@ fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Opt
         .map(|(_, candidate)| candidate)
 }
 
-/// The candidates of which `word` is a part, or nearly one: "aluminum" of "aluminium-6061-t6".
+/// The candidates of which `word` is a part, or that have all of its parts, or nearly so: "aluminum" and "6061-aluminium" of
+/// "aluminium-6061-t6".
 fn related<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
+    const MARKS: [char; 4] = ['-', '_', '.', ' '];
     let lower = word.to_lowercase();
     let is_like = |candidate: &&&str| {
         let whole = candidate.to_lowercase();
-        let mut parts = whole.split(['-', '_', '.', ' ']);
-        lower.chars().count() > 2
-            && (whole.contains(&lower) || parts.any(|part| 4 * strsim::osa_distance(&lower, part) <= part.len()))
+        let has = |own: &str| whole.split(MARKS).any(|part| 4 * strsim::osa_distance(own, part) <= part.len());
+        lower.chars().count() > 2 && (whole.contains(&lower) || lower.split(MARKS).all(has))
     };
     candidates.iter().filter(is_like).copied().collect()
 }

@@ -10,7 +10,7 @@ use crate::impact::Method;
 use crate::numerics::power::max_or_nan;
 use crate::report::plot::{Axis, Chart, Series};
 use crate::report::text::files::written;
-use crate::units::{markdown, number};
+use crate::units::markdown;
 
 pub type Measured = (Problem, Vec<Measurement>);
 
@@ -113,9 +113,15 @@ fn time_to_reach(measurements: &[Measurement], method: Method, threshold: f64) -
     reaching.map(|m| m.ns_per_impact).min_by(f64::total_cmp)
 }
 
-/// To two digits.
+/// To two or three digits.
 fn microseconds(ns: f64) -> String {
-    number(format!("{:.1e}", 1e-3 * ns).parse().unwrap_or(f64::NAN))
+    let us = 1e-3 * ns;
+    let decimals = match us {
+        ..0.0995 => 3,
+        ..9.95 => 2,
+        _ => 0,
+    };
+    format!("{us:.decimals$}")
 }
 
 /// Time of one impact \[µs\] by method and threshold. Behind that of a library method stands how many times as long as rk8 it
