@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use plm_impact::units::{Dimension, describe};
+
 use crate::common::prelude::*;
 
 fn with_rate(rate: &str) -> String {
@@ -26,6 +28,13 @@ fn a_material_gives_its_rate_only_if_it_is_asked() {
     assert!((number - higher).abs() < 0.01 && line.ends_with("half_space.rate = \"material\""), "{line} {higher}");
     let (said, _) = Desk::with(&asked).ends(&["check", "s.toml"], 0);
     assert!(!said.contains("With the strain rate of") && said.contains("strength raised by"), "{said}");
+    // the yield point that is printed, and that of the JSON, are those at the strain rate of the speed
+    let (json, _) = Desk::with(&asked).ends(&["check", "s.toml", "--json"], 0);
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let own = scene(&asked, NONE).contact().unwrap().at_speed(3.0).unwrap();
+    let force = own.pair().yield_point.unwrap().force;
+    assert_eq!(json["contact"]["yield_force_N"], force);
+    assert!(said.contains(&describe(force, Dimension::Force)), "{said}");
 }
 
 /// Every row of a table has the strength of its own speed, on a grid and drawn, with its columns.

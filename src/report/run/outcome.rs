@@ -93,11 +93,10 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
     let key = match reason {
         ImpactError::Law(OutsideLaw::Exponent { .. }) => "law.plm.unloading_exponent",
         ImpactError::Law(_) => "law",
-        ImpactError::Plate(_) => "half_space.thickness",
+        ImpactError::Plate(_) | ImpactError::SmallInertia { least: None, .. } => "half_space.thickness",
         ImpactError::Hollow(_) => "half_space.radius",
         ImpactError::FreeUnderGravity | ImpactError::NoBall => "half_space.mass",
         ImpactError::NoClosedForm => "solver.method",
-        ImpactError::SmallInertia { least: None, .. } => "half_space.thickness",
         ImpactError::SmallInertia { .. } => "sphere.moment_of_inertia",
         ImpactError::TooDeep { .. } => speeds.into_iter().find(|key| scenario.document.has(key)).unwrap_or(speeds[0]),
         ImpactError::Range(_) | ImpactError::Integration(_) => "",

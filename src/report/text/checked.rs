@@ -1,5 +1,7 @@
 //! The output of `check --json`: the inputs, and the numbers that follow from them before anything is run.
 
+use std::borrow::Cow;
+
 use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
@@ -37,10 +39,18 @@ pub fn contact() -> Vec<Reported<Contact>> {
     }
 }
 
+/// The contact with the strengths at the strain rate of the speed, where they depend on it.
+pub(super) fn at_its_speed<'a>(input: &Input, contact: &'a Contact) -> Cow<'a, Contact> {
+    let [speed, _] = input.approach().components();
+    let own = if contact.has_rate() { contact.at_speed(speed).ok() } else { None };
+    own.map_or(Cow::Borrowed(contact), Cow::Owned)
+}
+
 /// A scenario of impacts; of a table, it is its first case.
 pub fn of_contact(input: &Input, contact: &Contact) -> Map<String, Value> {
     let inputs = Inputs::new(input).json().into();
-    Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), fields(&self::contact(), contact).into())])
+    let numbers = fields(&self::contact(), &at_its_speed(input, contact)).into();
+    Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), numbers)])
 }
 
 /// A table: also its size and its columns.
