@@ -70,7 +70,8 @@ def main() -> None:
 
     into.mkdir(parents=True, exist_ok=True)
     plugin = into / "plmplugin.so"
-    with tempfile.TemporaryDirectory(dir=into) as scratch:
+    # a folder that begins with a dot is no part of the package, for whoever lists its modules meanwhile
+    with tempfile.TemporaryDirectory(dir=into, prefix=".") as scratch:
         made = Path(scratch) / plugin.name
         command = [os.environ.get("CXX", "g++"), "-O2", "-fPIC", "-shared", "-std=c++17", "-DLAMMPS_SMALLBIG"]
         command += [f"-DPLM_LAMMPS_VERSION={arguments.lammps_version or number}", f'-DPLM_LAMMPS_NAME="{name}"']
