@@ -66,8 +66,7 @@ pub enum Origin<'a> {
 struct EarlierResults {
     /// The files beside the summary.
     files: Vec<String>,
-    /// What they are, in words, where they give way to others; `None` for results of this scenario with its text and overrides
-    /// unchanged.
+    /// Says whose results the new ones replace. It is `None` if they are of this scenario, with the same text and overrides.
     replaced: Option<String>,
 }
 

@@ -1,5 +1,6 @@
 //! Warns where a table leaves the range of the model. Before the sweep starts, one impact is computed at each corner of
-//! the grid, or in the tails of the distributions; of very many corners a sample is. The rows of a table carry no warnings.
+//! the grid, or in the tails of the distributions. If there are very many corners, this is done at a sample of them. The rows of
+//! a table carry no warnings.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng as _, SeedableRng as _};

@@ -170,7 +170,7 @@ impl<F: Form> Table<'_, F> {
         remove_folder(&folder).map_err(file("cannot be removed", &folder))
     }
 
-    /// Reads a file that ought to hold these cases; whether it is whole.
+    /// Reads a file that ought to hold these cases. Returns true if it is whole.
     fn read(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(Count)) -> Result<bool, Error> {
         self.form.read(path, cases.end - cases.start, count).map_err(file("cannot be read", path))
     }

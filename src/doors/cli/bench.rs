@@ -68,4 +68,5 @@ fn table_rates(is_quick: bool) -> Result<(usize, [f64; 2]), Error> {
     Ok((plan.column_names().len(), rates))
 }
 
+/// The scenario of that table.
 const TABLE: &str = include_str!("../../../scenarios/restitution-vs-speed.toml");

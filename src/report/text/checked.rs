@@ -1,7 +1,5 @@
 //! The output of `check --json`: the inputs, and the numbers that follow from them before anything is run.
 
-use std::borrow::Cow;
-
 use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
@@ -40,10 +38,9 @@ pub fn contact() -> Vec<Reported<Contact>> {
 }
 
 /// The contact with the strengths at the strain rate of the speed, where they depend on it.
-pub(super) fn at_its_speed<'a>(input: &Input, contact: &'a Contact) -> Cow<'a, Contact> {
+pub(super) fn at_its_speed(input: &Input, contact: &Contact) -> Contact {
     let [speed, _] = input.approach().components();
-    let own = if contact.has_rate() { contact.at_speed(speed).ok() } else { None };
-    own.map_or(Cow::Borrowed(contact), Cow::Owned)
+    contact.at_speed(speed).unwrap_or_else(|_| contact.clone())
 }
 
 /// A scenario of impacts; of a table, it is its first case.

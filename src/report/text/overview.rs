@@ -19,7 +19,7 @@ type Row = [String; 2];
 pub fn overview(input: &Input, contact: &Contact) -> String {
     let mut rows = Vec::new();
     let [speed, _] = input.approach().components();
-    let contact = &*checked::at_its_speed(input, contact);
+    let contact = &checked::at_its_speed(input, contact);
     let law = input.law();
     for [key, text] in self::rows(&Inputs::new(input)) {
         match key.as_str() {
