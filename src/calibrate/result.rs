@@ -173,7 +173,7 @@ impl Calibration<'_> {
 
 fn rejected(law: &str, reason: &str, p: f64) -> Verdict {
     Verdict::Contradicted(format!(
-        "the law {law} does not fit these data within their noise: {reason}, p = {}; look at the residuals, and at other laws with --law all",
+        "the law {law} does not fit these data within their noise: {reason}, p = {}; look at the residuals, and at other laws with --all-laws",
         four_digits(p)
     ))
 }

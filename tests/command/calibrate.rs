@@ -334,7 +334,7 @@ fn the_law_that_made_the_data_is_ranked_first() {
     let data =
         swept("[law.thornton]\n[sweep]\n\"impact.speed\" = { logspace = [\"0.1 m/s\", \"10 m/s\"], points = 12 }\n");
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}"));
-    let (desk, summary) = calibrated(&text, &data, &[&["--law", "all"], &DRAWN[..]].concat(), 3);
+    let (desk, summary) = calibrated(&text, &data, &[&["--all-laws"], &DRAWN[..]].concat(), 3);
     let laws = summary["laws"].as_array().unwrap();
     assert_eq!(laws[0]["law"], "thornton");
     near(&laws[0]["values"][0], 345e6, 1e-6);

@@ -185,7 +185,7 @@ fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
         names.sort();
         names
     };
-    desk.ends(&[&calibrate[..], &["--law", "all"]].concat(), 0);
+    desk.ends(&[&calibrate[..], &["--all-laws"]].concat(), 0);
     assert!(desk.files("o").contains(&"laws.png".to_owned()) && desk.files("o") == listed());
     // other options, another kind of scene by force, another format, another kind again
     let sweep = "sweep={\"impact.speed\"=[1,2]}";
@@ -220,7 +220,7 @@ fn signals_end_other_long_work_at_once_and_nothing_is_left() {
     // impacts that take some milliseconds each, and all of them hours
     let slow = ["--set", "solver.method=verlet", "--set", "solver.steps_per_contact=1000000", "--out", "out/deep"];
     let repeat = [&["run", "repeat.toml", "--set", "repeat.impacts=100000"][..], &slow].concat();
-    let calibrate = [&["calibrate", "calibrate.toml", "--law", "all"][..], &slow].concat();
+    let calibrate = [&["calibrate", "calibrate.toml", "--all-laws"][..], &slow].concat();
     for (name, number, want) in [("-INT", 2, 130), ("-TERM", 15, 143)] {
         let is_stopped = |output: Output, arguments: &[&str]| {
             let said = text(&output.stderr);

@@ -48,9 +48,9 @@ pub struct Arguments {
     /// Height of the fall before that measurement: --drop-height "1 m"
     #[arg(long, value_name = "HEIGHT", conflicts_with = "speed")]
     drop_height: Option<String>,
-    /// Fit every other law too, and rank them
-    #[arg(long, value_name = "all", value_parser = all)]
-    law: Option<()>,
+    /// Fit every other law too, and rank the laws
+    #[arg(long)]
+    all_laws: bool,
     #[command(flatten)]
     output: Output,
 }
@@ -59,10 +59,6 @@ pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load_with(&arguments.settings()?)?;
     scenario.wanted()?;
     arguments.output.once(arguments.scenario.name(), scenario)
-}
-
-fn all(law: &str) -> Result<(), String> {
-    if law == "all" { Ok(()) } else { Err(format!("one law is chosen by --set law={law}")) }
 }
 
 impl Arguments {
@@ -84,7 +80,7 @@ impl Arguments {
             ("impact.drop_height", &self.drop_height),
         ];
         settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
-        if self.law.is_some() {
+        if self.all_laws {
             // under the law of Hertz nothing yields
             let laws = (LAWS.known)().into_iter().filter(|law| law != "hertz");
             let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();

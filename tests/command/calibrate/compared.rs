@@ -101,7 +101,7 @@ fn what_is_not_determined_is_not_given_as_a_number() {
     let text = super::scenario(&format!("data = \"d.csv\"\n{}", super::STRENGTH));
     let desk = Desk::with(text);
     desk.put("d.csv", super::restitutions());
-    let said = desk.call(&["calibrate", "s.toml", "--law", "all", "--out", "o", "--pictures", "none"]);
+    let said = desk.call(&["calibrate", "s.toml", "--all-laws", "--out", "o", "--pictures", "none"]);
     let said = String::from_utf8(said.stdout).unwrap();
     let of_springs = said.lines().find(|line| line.starts_with("walton_braun")).unwrap();
     assert!(of_springs.contains("not determined"), "{said}");

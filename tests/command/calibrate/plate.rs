@@ -83,7 +83,7 @@ fn the_interval_on_a_plate_is_that_of_the_derivatives() {
         data + &format!("{speed},{}\n", e(345e6, *speed))
     });
     let text = format!("{PLATE}[calibrate]\ndata = \"d.csv\"\nnoise = {{ restitution = {sd} }}\n");
-    let (desk, summary) = calibrated(&text, &data, &["--law", "all", "--pictures", "svg"], 0);
+    let (desk, summary) = calibrated(&text, &data, &["--all-laws", "--pictures", "svg"], 0);
     let slope = |speed: &f64| (e(346e6, *speed) - e(344e6, *speed)) / 2e6 / sd;
     let wanted = 1.0 / speeds.iter().map(|speed| slope(speed).powi(2)).sum::<f64>().sqrt();
     near(&summary["keys"][0]["sd"], wanted, 1e-2);
