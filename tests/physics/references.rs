@@ -90,14 +90,16 @@ fn every_way_to_an_impact_comes_to_the_references() {
             let scene = row.scene();
             let contact = scene.contact().unwrap();
             let impact = |solver: &Solver, samples| contact.impact(scene.speed(), solver, samples).unwrap();
-            // the default tolerance is 1e-10; as a row of a table the impact has the closed form
-            let mut row_allows = 1e-8;
+            // at the default tolerance of 1e-10, as README states it
+            let of_default = 2e-11;
+            // a row of a table has the closed form
+            let mut row_allows = of_default;
             if row.maybe("half_space.thickness").is_none() {
                 assert_near(&row, &contact, &contact.closed_form(scene.speed()).unwrap(), exact);
                 row_allows = 1e-12;
             }
-            assert_near(&row, &contact, &impact(&Solver::default(), None), 1e-8);
-            assert_near(&row, &contact, &impact(&Solver::default(), Some(50)), 1e-8);
+            assert_near(&row, &contact, &impact(&Solver::default(), None), of_default);
+            assert_near(&row, &contact, &impact(&Solver::default(), Some(50)), of_default);
             for (method, allowed) in [(Method::Rk8, of_rk8), (Method::Dop853, of_library), (Method::Dopri5, of_library)]
             {
                 assert_near(&row, &contact, &impact(&solver(method, 1e-12), None), allowed);
