@@ -216,7 +216,7 @@ impl Law {
 
     /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1).
     ///
-    /// Compared with finite elements, the radius of the PLM is within 5 % up to a = 0.48 R. A mean pressure computed from it
+    /// Compared with finite elements, the radius of the PLM is within 6 % up to a = 0.48 R. A mean pressure computed from it
     /// has twice the error, with the opposite sign.
     pub fn contact_radius(&self, peak: &ContactState) -> f64 {
         if let Some(radius) = self.relaxed_radius(peak) {

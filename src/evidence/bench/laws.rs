@@ -31,7 +31,7 @@ const ROWS: u32 = 1000;
 /// law are then in the caches, as they are for the rows.
 const CONTACTS: u32 = 20;
 
-/// Times every law that loads, a steel ball of 5 mm on steel of 345 MPa; the PLM also with the other exponent of unloading and
+/// Times every law that loads, a steel ball of 5 mm radius on steel of 345 MPa; the PLM also with the other exponent of unloading and
 /// on a half-space that hardens, and at an angle. The laws take turns.
 pub fn rates(rounds: u32) -> Result<Vec<Rate>, ImpactError> {
     let shaped = Plm { exponent: UnloadingExponent::PressureShape, ..Plm::default() };

@@ -95,13 +95,14 @@ fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactErr
 fn of_users() -> Result<[Problem; 3], ImpactError> {
     let (law, speed) = steel_ball(Some(0.2), 3.0)?;
     let exact = closed_form::solve(&law, speed);
-    let about = "PLM, 5 mm steel sphere at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
+    let about =
+        "PLM, steel sphere of 5 mm radius at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
     let hardened = Problem { name: "hardened", about, law, speed, forces: ScaledForces::NONE, exact };
     let (law, speed) = steel_ball(None, 3.0)?;
     let forces = ScaledForces { drag: Damping::Viscous(0.1).drag(1.0), ..ScaledForces::NONE };
     let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
     let exact = run(&law, speed, &forces, None, &solver, None)?.outcome;
-    let about = "PLM, 5 mm steel sphere on steel at 3 m/s, with a tenth of critical viscous damping";
+    let about = "PLM, steel sphere of 5 mm radius on steel at 3 m/s, with a tenth of critical viscous damping";
     let damped = Problem { name: "damped", about, law, speed, forces, exact };
     let (law, speed) = steel_ball(None, 1.0)?;
     let forces = ScaledForces {
@@ -116,7 +117,7 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
         loading_time: 0.672_461_093_074_569_8,
         ..by_rk8
     };
-    let about = "PLM, 5 mm steel sphere on steel at 1 m/s, on a plate with Zener's number 0.2";
+    let about = "PLM, steel sphere of 5 mm radius on steel at 1 m/s, on a plate with Zener's number 0.2";
     Ok([hardened, damped, Problem { name: "plate", about, law, speed, forces, exact }])
 }
 
@@ -156,7 +157,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         // restitution and contact time of the PLM: 50-digit energy balance and quadrature, as in `tests/reference/hard_cases.py`
         plm(
             "shallow",
-            "PLM, 5 mm steel sphere on steel at 0.1 m/s; 6.7 times the yield indentation",
+            "PLM, steel sphere of 5 mm radius on steel at 0.1 m/s; 6.7 times the yield indentation",
             sphere(5e-3, 210e9),
             345e6,
             0.1,
@@ -165,7 +166,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         )?,
         plm(
             "deep",
-            "PLM, 35 mm sphere (104 GPa) on a half-space of 120 MPa at 5 m/s; 1119 times the yield indentation",
+            "PLM, sphere of 35 mm radius (104 GPa) on a half-space of 120 MPa at 5 m/s; 1119 times the yield indentation",
             sphere(35e-3, 104e9),
             120e6,
             5.0,
@@ -174,7 +175,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         )?,
         plm(
             "soft sphere",
-            "PLM, 35 mm sphere four times softer than the half-space (kappa = 0.8) at 1 m/s",
+            "PLM, sphere of 35 mm radius, four times softer than the half-space (kappa = 0.8) at 1 m/s",
             sphere(35e-3, 52e9),
             50e6,
             1.0,

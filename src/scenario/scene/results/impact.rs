@@ -108,7 +108,8 @@ fn target(row: &Essentials, place: usize) -> Option<f64> {
 #[allow(clippy::too_many_lines)] // one list, which is read from top to bottom
 pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
     results! { |single: Single<'a>|
-        /// Rebound speed over impact speed; `null` for a sphere that is released at first touch.
+        /// Relative normal speed after the impact over the relative normal speed before it; `null` for a sphere that is released at first
+        /// touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
         /// The range of the restitution in words: from the range of the hardness of a material by name, from the error of the
         /// law against finite elements, from the theory of a plate, and from errors of e that a warning gives in figures, added
@@ -211,10 +212,10 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "elastic_approach_m" in Length: single.impact.elastic_approach;
         /// How much closer the bodies stay: the depth of the dent and of the flat on the sphere; 0 without both.
         "residual_indentation_m" in Length as "dent depth" [Strength: |row| Some(row.residual_indentation)];
-        /// The part of it that is a dent in the half-space. Where both bodies flow the parts are an estimate, backed up to a contact
-        /// radius of 0.11 of the sphere's.
+        /// The part of the residual indentation that is a dent in the half-space. Where both bodies yield, the division is an
+        /// estimate, validated up to a contact radius of 0.11 of the sphere's.
         "dent_depth_m" in Length as "of it in the half-space {}" [Flat: |row| Some(row.dent_depth())];
-        /// The part of it that is a flat on the sphere.
+        /// The part of the residual indentation that is a flat on the sphere.
         "flat_depth_m" in Length as "flat on the sphere {}" [Flat: |row| Some(row.flat_depth)];
         /// Diameter of the flat on the sphere: that of the contact at the peak; `null` without one.
         "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
