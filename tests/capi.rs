@@ -13,11 +13,15 @@ use std::sync::LazyLock;
 use plm_impact::impact::{Contact, FrictionStep, Memory};
 use plm_impact::scenario::Scenario;
 
+#[path = "common/golden.rs"]
+mod golden;
+
+use golden::assert_golden;
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// `PLM_IMPACT_HEADER=write cargo test --test capi` renews the header.
 #[test]
 fn the_header_is_that_of_the_source() {
     let source = root().join("src/doors/c/mod.rs");
@@ -34,11 +38,7 @@ fn the_header_is_that_of_the_source() {
     made.write(&mut text);
     let text = String::from_utf8(text).unwrap();
     let path = root().join("src/doors/c/plm_impact.h");
-    if std::env::var_os("PLM_IMPACT_HEADER").is_some() {
-        fs::write(&path, &text).unwrap();
-    }
-    let stored = fs::read_to_string(&path).unwrap();
-    assert!(text == stored, "src/doors/c/plm_impact.h is not the header of src/doors/c/mod.rs; this is:\n{text}");
+    assert_golden(&path, text);
 }
 
 /// The library that this test is linked with, as cargo says it. `built` is the folder of what is built, `debug` or `release`.

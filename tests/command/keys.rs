@@ -3,12 +3,14 @@
 use plm_impact::scenario::schema::schema;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 use plm_impact::impact::indentation::Target;
 use plm_impact::scenario::Source;
 use plm_impact::scenario::scene::key::{Form, Part};
 use plm_impact::scenario::scene::{KEYS, Purpose, without_effect};
 
+use crate::common::golden::assert_golden;
 use crate::common::prelude::*;
 
 mod pages;
@@ -21,7 +23,6 @@ fn the_command_prints_the_schema() {
     assert_eq!(serde_json::from_str::<Value>(&text(&output.stdout)).unwrap(), schema());
 }
 
-/// `PLM_IMPACT_PAGES=write` writes the tables anew; read them then.
 #[test]
 fn the_reference_pages_have_the_tables_of_the_program() {
     let mut tables = 0;
@@ -30,11 +31,7 @@ fn the_reference_pages_have_the_tables_of_the_program() {
         let page = std::fs::read_to_string(&path).unwrap();
         let (fresh, count) = renewed(&page);
         tables += count;
-        if std::env::var("PLM_IMPACT_PAGES").is_ok_and(|what| what == "write") {
-            std::fs::write(&path, &fresh).unwrap();
-        } else {
-            assert!(fresh == page, "{name} is stale: PLM_IMPACT_PAGES=write cargo test --test command keys");
-        }
+        assert_golden(Path::new(&path), fresh);
     }
     assert_eq!(tables, 3);
     let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/keys.md")).unwrap();

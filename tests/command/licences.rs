@@ -1,4 +1,4 @@
-//! The notices of what is linked in. `PLM_IMPACT_LICENSES=write cargo test --test command licences` writes them anew, from the
+//! The notices of what is linked in. `UPDATE=1 cargo test --test command licences` writes them anew, from the
 //! sources of the crates that cargo has loaded.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,6 +10,7 @@ use std::process::Command;
 use serde_json::Value;
 
 use crate::common::command::call;
+use crate::common::golden::is_updating;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -129,7 +130,7 @@ fn written() -> String {
             add("fonts DejaVu 2.37", &read(fonts.join("LICENSE")));
         }
     }
-    let mut file = "The licences of the fonts and crates that plm-impact is linked with. Every text stands once, below the names of those\nwho have it. `PLM_IMPACT_LICENSES=write cargo test --test command licences` writes this file.\n".to_owned();
+    let mut file = "The licences of the fonts and crates that plm-impact is linked with. Every text stands once, below the names of those\nwho have it. `UPDATE=1 cargo test --test command licences` writes this file.\n".to_owned();
     for (text, names) in groups.values() {
         let names: String = names.iter().fold(String::new(), |all, name| all + "> " + name + "\n");
         write!(file, "\n{}\n\n{names}\n{text}\n", "=".repeat(100)).unwrap();
@@ -140,7 +141,7 @@ fn written() -> String {
 #[test]
 fn every_crate_that_is_linked_has_its_notice_and_the_command_prints_it() {
     let path = root().join("src/doors/licenses.txt");
-    if std::env::var_os("PLM_IMPACT_LICENSES").is_some() {
+    if is_updating() && read(&path) != written() {
         // the command that is built already has the old ones
         return fs::write(&path, written()).unwrap();
     }
@@ -149,7 +150,7 @@ fn every_crate_that_is_linked_has_its_notice_and_the_command_prints_it() {
     let mut named: BTreeSet<String> = named.map(str::to_owned).collect();
     assert!(named.remove("fonts DejaVu 2.37") && file.contains("Bitstream Vera Fonts Copyright"));
     let other: Vec<_> = named.symmetric_difference(&linked()).cloned().collect();
-    assert!(other.is_empty(), "{other:?}: PLM_IMPACT_LICENSES=write cargo test --test command licences");
+    assert!(other.is_empty(), "{other:?}: UPDATE=1 cargo test --test command licences");
     let printed = call(root(), &["--licenses"]);
     assert!(printed.status.success());
     let printed = String::from_utf8(printed.stdout).unwrap();

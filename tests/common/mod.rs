@@ -2,6 +2,7 @@
 #![allow(dead_code, unused_imports)]
 
 pub mod command;
+pub mod golden;
 pub mod picture;
 pub mod prelude;
 pub mod reference;
