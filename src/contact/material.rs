@@ -4,7 +4,8 @@
 use thiserror::Error;
 
 use crate::error::ErrorKind;
-use crate::numerics::functions::exp;
+use crate::numerics::functions::{atan, exp};
+use crate::numerics::root::falls_through;
 use crate::units::{Dimension, human, number};
 
 /// An isotropic elastic material.
@@ -120,6 +121,26 @@ pub struct YieldPoint {
     pub contact_radius: f64,
 }
 
+impl YieldPoint {
+    /// First yield of a softer body of this strength \[Pa\] and Poisson's ratio, in a pair of this effective radius \[m\] and
+    /// modulus \[Pa\].
+    fn new(
+        flow: Flow,
+        strength: f64,
+        poissons_ratio: f64,
+        radius: f64,
+        effective_modulus: f64,
+    ) -> Result<Self, OutOfFloatRange> {
+        let factor = yield_factor(poissons_ratio);
+        let pressure = std::f64::consts::PI * factor * strength;
+        let a_over_r = pressure / (2.0 * effective_modulus);
+        let indentation = normal("yield indentation (m)", a_over_r * a_over_r * radius)?;
+        let contact_radius = a_over_r * radius;
+        let force = normal("yield force (N)", 2.0 / 3.0 * pressure * contact_radius * contact_radius)?;
+        Ok(Self { flow, strength, poissons_ratio, factor, indentation, force, contact_radius })
+    }
+}
+
 /// A quantity of the pair that double precision cannot hold.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
@@ -152,6 +173,9 @@ pub enum PairError {
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
     Hollow(#[from] Hollow),
+    /// A number that no body has.
+    #[error(transparent)]
+    Invalid(#[from] InvalidInput),
 }
 
 impl From<PairError> for crate::error::Error {
@@ -287,8 +311,10 @@ impl Pair {
     /// Pairs a sphere with a half-space. The sphere's density does not matter.
     ///
     /// # Errors
-    /// [`PairError`] where effective radius, modulus or yield point over- or underflow, and for a hollow that is too narrow.
+    /// [`PairError`] where effective radius, modulus or yield point over- or underflow, for a hollow that is too narrow, and for
+    /// numbers that no body has.
     pub fn try_new(sphere: &Sphere, half_space: &HalfSpace) -> Result<Self, PairError> {
+        check_bodies(sphere, half_space)?;
         let radius = match half_space.radius {
             None => sphere.radius,
             Some(hollow) if hollow < 0.0 && -hollow < 2.0 * sphere.radius => {
@@ -309,24 +335,7 @@ impl Pair {
         let radii = [Some(sphere.radius), half_space.ball_radius()];
         let are_equal = half_space.ball_radius() == Some(sphere.radius) && bodies[0] == bodies[1];
         let yield_point = strength
-            .map(|strength| {
-                let poissons_ratio = material.poissons_ratio;
-                let factor = yield_factor(poissons_ratio);
-                let pressure = std::f64::consts::PI * factor * strength;
-                let a_over_r = pressure / (2.0 * effective_modulus);
-                let indentation = normal("yield indentation (m)", a_over_r * a_over_r * radius)?;
-                let a_y = a_over_r * radius;
-                let force = normal("yield force (N)", 2.0 / 3.0 * pressure * a_y * a_y)?;
-                Ok::<_, OutOfFloatRange>(YieldPoint {
-                    flow,
-                    strength,
-                    poissons_ratio,
-                    factor,
-                    indentation,
-                    force,
-                    contact_radius: a_y,
-                })
-            })
+            .map(|strength| YieldPoint::new(flow, strength, material.poissons_ratio, radius, effective_modulus))
             .transpose()?;
         let geometry_radius = if are_equal { sphere.radius } else { radius };
         Ok(Self {
@@ -339,6 +348,15 @@ impl Pair {
             yield_point,
             balls: Ball::both(&flow, radii, radius, compliances, are_equal),
         })
+    }
+
+    /// This pair where the strength at first yield is so many times as large. How the bodies share the flow stays as it is.
+    pub(crate) fn with_raised_strength(&self, factor: f64) -> Result<Self, OutOfFloatRange> {
+        let raised = |point: YieldPoint| {
+            let strength = point.strength * factor;
+            YieldPoint::new(point.flow, strength, point.poissons_ratio, self.radius, self.effective_modulus)
+        };
+        Ok(Self { yield_point: self.yield_point.map(raised).transpose()?, ..*self })
     }
 
     /// The sphere's own part of an approach: its share of the elastic one, and the flat that it keeps.
@@ -371,7 +389,87 @@ impl Pair {
     }
 }
 
-/// C_ν = 1.30075 + 0.87825 ν + 0.54373 ν² \[1\] (Xie et al. 2024, Eq. 18), ν of the half-space; 1.61316 at ν = 0.3.
+/// C_ν \[1\] of the softer body. For ν ≥ 0 it is 1.30075 + 0.87825 ν + 0.54373 ν² (Xie et al. 2024, Eq. 18): 1.61316 at ν = 0.3.
+///
+/// Eq. 18 is a fit for ν ≥ 0. For ν < 0 the yield point is computed, in proportion, so that C_ν is continuous at ν = 0, where Eq. 18
+/// is 0.1 % above the computed value.
 pub fn yield_factor(poissons_ratio: f64) -> f64 {
+    /// The polynomial over the computed value at ν = 0.
+    const AT_ZERO: f64 = 1.300_75 / 1.299_305_016_713_737_4;
+    if poissons_ratio < 0.0 {
+        return AT_ZERO * computed_yield_factor(poissons_ratio);
+    }
     1.300_75 + poissons_ratio * (0.878_25 + 0.543_73 * poissons_ratio)
+}
+
+/// The largest Hertz pressure over the largest von Mises stress under it. The largest stress is on the axis at the depth ζ a, or at
+/// the rim of the contact (Johnson 1985, ch. 3.4):
+///
+/// ```text
+/// axis   |3/(2(1 + ζ²)) − (1 + ν)(1 − ζ arctan(1/ζ))|
+/// rim    (1 − 2ν)/√3
+/// ```
+///
+/// From ν = −0.37 downwards the rim yields first.
+fn computed_yield_factor(poissons_ratio: f64) -> f64 {
+    let growth = |depth: f64| {
+        let square = 1.0 + depth * depth;
+        (1.0 + poissons_ratio) * (atan(1.0 / depth) - depth / square) - 3.0 * depth / (square * square)
+    };
+    // the stress on the axis has one maximum, and the growth is negative at ζ = 2 for every ν
+    let depth = falls_through((0.0, 2.0), growth);
+    let axis = 1.5 / (1.0 + depth * depth) - (1.0 + poissons_ratio) * (1.0 - depth * atan(1.0 / depth));
+    let rim = (1.0 - 2.0 * poissons_ratio) / 3.0_f64.sqrt();
+    1.0 / axis.max(rim)
+}
+
+/// A number of a body, of gravity or of damping that no body has.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error("{quantity} = {} is not allowed: {rule}", number(*.value))]
+pub struct InvalidInput {
+    /// The name of the number, with its unit.
+    pub quantity: &'static str,
+    pub value: f64,
+    /// What is allowed.
+    pub rule: &'static str,
+}
+
+impl InvalidInput {
+    /// Checks that a number is within its range.
+    pub(crate) fn check(
+        quantity: &'static str,
+        value: f64,
+        is_allowed: bool,
+        rule: &'static str,
+    ) -> Result<(), InvalidInput> {
+        if is_allowed { Ok(()) } else { Err(Self { quantity, value, rule }) }
+    }
+}
+
+/// Checks the numbers of two bodies, as a scenario does.
+fn check_bodies(sphere: &Sphere, half_space: &HalfSpace) -> Result<(), InvalidInput> {
+    let check = InvalidInput::check;
+    let positive = "it must be a positive number";
+    let is_positive = |value: f64| value > 0.0 && value.is_finite();
+    let names = [
+        ["Young's modulus of the sphere (Pa)", "Poisson's ratio of the sphere", "yield strength of the sphere (Pa)"],
+        [
+            "Young's modulus of the half-space (Pa)",
+            "Poisson's ratio of the half-space",
+            "yield strength of the half-space (Pa)",
+        ],
+    ];
+    let bodies = [(sphere.material, sphere.yield_strength), (half_space.material, half_space.yield_strength)];
+    check("radius of the sphere (m)", sphere.radius, is_positive(sphere.radius), positive)?;
+    for ([modulus, ratio, limit], (material, strength)) in names.into_iter().zip(bodies) {
+        let Material { youngs_modulus, poissons_ratio } = material;
+        check(modulus, youngs_modulus, youngs_modulus > 0.0, positive)?;
+        let is_in_range = poissons_ratio > -1.0 && poissons_ratio < 0.5;
+        check(ratio, poissons_ratio, is_in_range, "it must be larger than -1 and smaller than 0.5")?;
+        if let Some(strength) = strength {
+            check(limit, strength, is_positive(strength), positive)?;
+        }
+    }
+    let modulus = half_space.material.youngs_modulus;
+    check(names[1][0], modulus, modulus.is_finite(), "only the sphere can be rigid")
 }

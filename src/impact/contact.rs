@@ -37,11 +37,11 @@ pub(super) struct Rates {
 pub struct Rated {
     /// 0.2 w \[1/s\].
     pub strain_rate: f64,
-    /// g of the body that yields.
+    /// g of the body that yields; where both bodies flow, the mean of both by their shares of the flow.
     pub factor: f64,
-    /// g_t of that body.
+    /// g_t, where the sphere turns.
     pub factor_at_turn: f64,
-    /// How its strength rises; `None` if the rate of the other body alone is known.
+    /// How the strength rises; `None` if the body with a rate does not flow.
     pub(super) rate: Option<Rate>,
 }
 
@@ -136,12 +136,6 @@ impl Contact {
     pub(super) fn of_law(&self, pair: Pair, law: Law, scales: Scales, yield_speed: f64) -> Self {
         let elastic_speed = yield_speed;
         Self { pair, law, scales, yield_speed, elastic_speed, rates: None, rated: None, ..*self }
-    }
-
-    /// The scales of another pair of the same bodies, if the loading curve of this contact is theirs too, in its own units.
-    pub(super) fn scales_of_same_curve(&self, pair: &Pair) -> Result<Option<Scales>, ImpactError> {
-        let is_same = self.pair.shares() == pair.shares() && self.law.has_one_curve();
-        Ok(if is_same { Some(Scales::of_pair(pair, self.reduced_mass)?) } else { None })
     }
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].

@@ -11,6 +11,15 @@
 //! turns back towards the half-space before the contact force has vanished: phase curves do not cross, so every later swing
 //! lies inside of this one and ends in it. Or it ends where an overdamped sphere (ζ from 0.9 on) has crept up to its static
 //! indentation, to one part in a thousand.
+//!
+//! On a plate the momentum of the sphere stays where the force falls at once from f_1 to f_2, as it does where the metal relaxes:
+//!
+//! ```text
+//! p = u + y f   =>   u rises by y (f_1 − f_2)
+//! ```
+//!
+//! So the bodies still approach a little after the relaxation, along the unloading branch. They turn before that meets the loading
+//! curve, as u + y f only falls. The peak of the results is that before the relaxation.
 
 use super::forces::{ScaledForces, StaticPoint};
 use super::outcome::{Fate, Outcome};
@@ -64,6 +73,7 @@ pub fn integrate<'a, I: Integrator>(
             break landing == Landing::Rest;
         }
         piece += 1;
+        give_way(&mut at, ground.fall_at_start(piece), drag);
         if recorder.is_on() && !ground.piece(piece).is_joint {
             let is_yield = ground.piece(piece).start == ground.elastic_until();
             recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, &at);
@@ -88,10 +98,24 @@ pub fn integrate<'a, I: Integrator>(
         path.leg = Leg::Back(end);
         let static_point = may_creep.then(|| forces.static_on_unloading(ground, &unloading));
         path.rest = static_point.and_then(|point| forces.rest(&point, point.distance));
-        let turned = at;
-        let landing = go(&path, &mut at, None, recorder)?;
-        if recorder.is_on() && ground.step(&unloading) > 0.0 {
-            recorder.mark(Event::Relaxation, &turned);
+        let step = ground.step(&unloading);
+        give_way(&mut at, step, drag);
+        let relaxed = at;
+        let mut landing = Landing::Turning;
+        if at.speed > 0.0 {
+            path.leg = Leg::Outward(f64::INFINITY);
+            landing = go(&path, &mut at, None, recorder)?;
+            if step > 0.0 {
+                recorder.mark(Event::Relaxation, &relaxed);
+            }
+            at.speed = 0.0;
+            path.leg = Leg::Back(end);
+        }
+        if landing == Landing::Turning {
+            landing = go(&path, &mut at, None, recorder)?;
+        }
+        if step > 0.0 && relaxed.speed == 0.0 {
+            recorder.mark(Event::Relaxation, &relaxed);
         }
         if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured {
             fate = Fate::Separated;
@@ -124,6 +148,15 @@ fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
     let distance = 1e-22 * forces.static_on_loading(ground).distance;
     let speed = (2.0 * distance * pull).sqrt();
     State { time: speed / pull, distance, speed, loss: 0.0 }
+}
+
+/// The speed and the loss where the force falls at once by so much. Only a plate gives way.
+fn give_way(at: &mut State, fall: f64, drag: Drag) {
+    let gained = ACCELERATION * drag.theta * fall;
+    if gained != 0.0 {
+        at.loss -= gained * (at.speed + 0.5 * gained);
+        at.speed += gained;
+    }
 }
 
 /// The way along a piece of the loading curve.

@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use super::result::Impact;
 use super::solve::{FINEST, Method, Solver, run};
 use super::{closed_form, validity};
-use crate::contact::law::{ContactState, Dent, Ground, LoadingRule};
+use crate::contact::law::{Dent, Ground, LoadingRule, Unloading};
 use crate::numerics::integrate::IntegrationError;
 
 impl Case<'_> {
@@ -92,14 +92,14 @@ impl Contact {
         rated.as_ref().unwrap_or(self).impact_under(None, approach, solver, samples).map(|(impact, ..)| impact)
     }
 
-    /// The impact with its ground and peak, on fresh surface or in a dent.
+    /// The impact with its ground and unloading branch, on fresh surface or in a dent.
     pub(super) fn impact_under<'a>(
         &'a self,
         dent: Option<&'a Dent>,
         approach: Approach,
         solver: &Solver,
         samples: Option<usize>,
-    ) -> Result<(Impact, Ground<'a>, ContactState), ImpactError> {
+    ) -> Result<(Impact, Ground<'a>, Unloading), ImpactError> {
         let [speed, _] = approach.components();
         let case = self.case(dent, speed)?;
         let Case { ground, q, forces, .. } = case;
@@ -115,6 +115,6 @@ impl Contact {
             impact.add_friction(&inclined, approach)?;
             impact.warnings.extend(validity::of_oblique(self, &impact, approach));
         }
-        Ok((impact, ground, unloading.peak))
+        Ok((impact, ground, unloading))
     }
 }

@@ -11,8 +11,11 @@
 //! Johnson-Cook 0.014 to 0.03, Cowper-Symonds): e rms 1.0 %, contact time 0.8 %, depth 1.7 %, peak force −2.2 to +0.6 %. With one
 //! factor, at any rate, e is off by up to 9.5 %: the flow stress relaxes within a microsecond where the sphere turns.
 //!
-//! The factor is that of the impact of the same normal speed on fresh surface, without gravity, damping and plate. Each body has
-//! its own factor at the same w.
+//! The factor is that of the impact of the same normal speed on fresh surface, without gravity, damping and plate.
+//!
+//! The bodies share the flow by their strengths without a rate, so that the same bodies flow on the way in and at the turn. g is the
+//! factor of the body that flows alone. Where both bodies flow, g = β g_s + (1 − β) g_h, with the share β of the sphere in the
+//! flow ([`Flow`]).
 
 use std::sync::Arc;
 
@@ -20,7 +23,7 @@ use super::contact::{Contact, Rated, Rates};
 use super::error::ImpactError;
 use super::scales::Scales;
 use crate::contact::law::{Bodies, Ground, LawChoice};
-use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere};
+use crate::contact::material::{Flow, OutOfFloatRange};
 use crate::contact::strength::rate::Rate;
 use crate::numerics::integrate::IntegrationError;
 
@@ -30,9 +33,20 @@ const SHARES: [f64; 2] = [0.2, 0.015];
 /// A round gains one digit at least, and two with usual constants.
 const MOST_ROUNDS: u64 = 60;
 
-/// The body that yields, or the softer one: 0 for the sphere, 1 for the half-space.
-fn yielding(pair: &Pair) -> usize {
-    usize::from(!pair.yield_point.is_some_and(|point| point.flow.is_sphere))
+impl Rates {
+    /// The factor of the strength of bodies that share the flow in this way, at a strain rate \[1/s\].
+    fn factor(&self, flow: &Flow, strain_rate: f64) -> f64 {
+        let [sphere, half_space] = self.of_bodies.map(|of_body| of_body.map_or(1.0, |rise| rise.factor(strain_rate)));
+        // exact where one body flows alone, and where both factors are equal
+        if flow.sphere_share == 1.0 { sphere } else { half_space + flow.sphere_share * (sphere - half_space) }
+    }
+
+    /// How the strength rises that the factor belongs to: of the softer body, or of the other one if it flows too.
+    fn of_flow(&self, flow: &Flow) -> Option<Rate> {
+        let [sphere, half_space] = self.of_bodies;
+        let harder = flow.of_softer([half_space, sphere]);
+        flow.of_softer(self.of_bodies).or(harder.filter(|_| flow.is_of_both()))
+    }
 }
 
 impl Contact {
@@ -72,82 +86,74 @@ impl Contact {
 
     #[cold]
     fn of_rate(&self, rates: &Rates, speed: f64) -> Result<Self, ImpactError> {
-        let (w, [loading, turn]) = self.factors(rates, speed)?;
-        let raised = self.raised(rates, loading)?;
-        let body = yielding(raised.pair());
-        let (factor, factor_at_turn, rate) = (loading[body], turn[body], rates.of_bodies[body]);
-        let rated = Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn, rate };
-        let ratio = factor_at_turn / factor;
-        let mut contact = if turn == loading { raised } else { raised.relaxing_to(self.raised(rates, turn)?, ratio) };
-        contact.rated = Some(rated);
+        let Some(point) = self.pair().yield_point else { return self.raised(rates, 1.0) };
+        let (w, factor) = self.loading_factor(rates, &point.flow, speed)?;
+        let factor_at_turn = rates.factor(&point.flow, SHARES[1] * w);
+        let raised = self.raised(rates, factor)?;
+        let mut contact = if factor_at_turn == factor {
+            raised
+        } else {
+            raised.relaxing_to(self.raised(rates, factor_at_turn)?, factor_at_turn / factor)
+        };
+        let rate = rates.of_flow(&point.flow);
+        contact.rated = Some(Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn, rate });
         Ok(contact)
     }
 
-    /// w, and the factors of sphere and half-space while the sphere goes in and where it turns.
-    fn factors(&self, rates: &Rates, speed: f64) -> Result<(f64, [[f64; 2]; 2]), ImpactError> {
-        let at = |rate: f64| rates.of_bodies.map(|of_body| of_body.map_or(1.0, |rise| rise.factor(rate)));
-        let mut factors = [1.0; 2];
+    /// w, and the factor of the strength while the sphere goes in.
+    fn loading_factor(&self, rates: &Rates, flow: &Flow, speed: f64) -> Result<(f64, f64), ImpactError> {
+        let mut factor = 1.0;
         for _ in 0..MOST_ROUNDS {
-            let depth = self.depth(rates, factors, speed)?;
+            let depth = self.depth(rates, factor, speed)?;
             let w = if speed == 0.0 { 0.0 } else { speed / (self.pair().radius * depth).sqrt() };
-            let next = at(SHARES[0] * w);
-            let is_found = (0..2).all(|body| (next[body] - factors[body]).abs() < 1e-14 * next[body]);
-            factors = next;
+            let next = rates.factor(flow, SHARES[0] * w);
+            let is_found = (next - factor).abs() < 1e-14 * next;
+            factor = next;
             if is_found {
-                return Ok((w, [factors, at(SHARES[1] * w)]));
+                return Ok((w, factor));
             }
-            if let Some(value) = factors.into_iter().find(|factor| !factor.is_finite()) {
-                return Err(OutOfFloatRange { quantity: "factor of the strength at this rate of strain", value }.into());
+            if !factor.is_finite() {
+                let quantity = "factor of the strength at this rate of strain";
+                return Err(OutOfFloatRange { quantity, value: factor }.into());
             }
         }
-        Err(IntegrationError::TooManySteps { steps: MOST_ROUNDS }.into())
+        Err(IntegrationError::UnsettledRate { rounds: MOST_ROUNDS }.into())
     }
 
-    /// δ_m \[m\] of the impact on fresh surface with these factors, without gravity, damping and plate.
-    fn depth(&self, rates: &Rates, factors: [f64; 2], speed: f64) -> Result<f64, ImpactError> {
+    /// δ_m \[m\] of the impact on fresh surface with this factor, without gravity, damping and plate.
+    fn depth(&self, rates: &Rates, factor: f64, speed: f64) -> Result<f64, ImpactError> {
         let deepest = |contact: &Self, scales: &Scales| {
             let q = speed / scales.speed;
             let ground = Ground::from(&contact.law);
             let (last, distance) = ground.turn(0.4 * q * q, 0.0);
             (ground.piece(last).start + distance) * scales.length
         };
-        if factors == [1.0; 2] {
+        if factor == 1.0 {
             return Ok(deepest(self, &self.scales));
         }
-        let pair = self.pair_of(factors)?;
-        if let Some(scales) = self.scales_of_same_curve(&pair)? {
-            return Ok(deepest(self, &scales));
+        if self.law.has_one_curve() {
+            let pair = self.pair().with_raised_strength(factor)?;
+            return Ok(deepest(self, &Scales::of_pair(&pair, self.reduced_mass())?));
         }
-        let raised = self.raised(rates, factors)?;
+        let raised = self.raised(rates, factor)?;
         Ok(deepest(&raised, &raised.scales))
     }
 
-    /// The bodies with these factors of their strengths.
-    fn pair_of(&self, [of_sphere, of_half_space]: [f64; 2]) -> Result<Pair, PairError> {
-        let times = |strength: Option<f64>, factor: f64| strength.map(|strength| strength * factor);
-        let (sphere, half_space) = (self.sphere(), self.half_space());
-        Pair::try_new(
-            &Sphere { yield_strength: times(sphere.yield_strength, of_sphere), ..*sphere },
-            &HalfSpace { yield_strength: times(half_space.yield_strength, of_half_space), ..*half_space },
-        )
-    }
-
-    /// This contact with these factors, without a rate.
-    fn raised(&self, rates: &Rates, factors: [f64; 2]) -> Result<Self, ImpactError> {
-        if factors == [1.0; 2] {
+    /// This contact with this factor, without a rate.
+    fn raised(&self, rates: &Rates, factor: f64) -> Result<Self, ImpactError> {
+        if factor == 1.0 {
             let mut contact = self.clone();
             contact.rates = None;
             return Ok(contact);
         }
-        let pair = self.pair_of(factors)?;
-        if let (LawChoice::Plm(plm), Some(scales), Some(bodies)) =
-            (&rates.law, self.scales_of_same_curve(&pair)?, Bodies::new(&pair))
-        {
+        let pair = self.pair().with_raised_strength(factor)?;
+        if let (LawChoice::Plm(plm), true, Some(bodies)) = (&rates.law, self.law.has_one_curve(), Bodies::new(&pair)) {
+            let scales = Scales::of_pair(&pair, self.reduced_mass())?;
             return Ok(self.of_law(pair, plm.of_same_curve(&self.law, &bodies), scales, scales.speed));
         }
         let mut law = rates.law.clone();
         if let LawChoice::Plm(plm) = &mut law {
-            plm.rate_factors = factors;
+            plm.rate_factor = factor;
         }
         self.of_pair(pair, law.get())
     }

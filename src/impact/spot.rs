@@ -49,15 +49,15 @@ impl Contact {
         if let Some(rated) = self.rated_at(speed)? {
             return self.rated_on(spot, &rated, approach, solver, samples);
         }
-        let (impact, ground, peak) = self.impact_under(spot.dent.as_ref(), approach, solver, samples)?;
-        if !ground.is_elastic_to(peak.indentation) {
-            spot.dent = Some(self.law.dented(peak));
+        let (impact, ground, unloading) = self.impact_under(spot.dent.as_ref(), approach, solver, samples)?;
+        if ground.keeps_mark_of(&unloading.peak) {
+            spot.dent = Some(self.law.dented(unloading.peak));
         }
         Ok(impact)
     }
 
-    /// An impact of a rated contact: it goes up the old branch until that meets the loading curve of its own rate. The spot
-    /// remembers in the units of this contact.
+    /// An impact of a rated contact: it goes up the old branch to its end, and on until that meets the loading curve of its own
+    /// rate. The spot remembers in the units of this contact.
     fn rated_on(
         &self,
         spot: &mut Spot,
@@ -67,14 +67,13 @@ impl Contact {
         samples: Option<usize>,
     ) -> Result<Impact, ImpactError> {
         let (length, force) = (rated.scales.length / self.scales.length, rated.scales.force / self.scales.force);
-        let met = spot.dent.as_ref().map(|dent| {
-            let branch = dent.unloading.scaled(1.0 / length, 1.0 / force);
-            rated.law.dented_by(rated.law.met_by(&branch))
-        });
-        let (impact, ground, peak) = rated.impact_under(met.as_ref(), approach, solver, samples)?;
-        if !ground.is_elastic_to(peak.indentation) {
-            let unloading = rated.law.unloading(peak).scaled(length, force);
-            spot.dent = Some(self.law.dented_by(unloading));
+        let met = spot
+            .dent
+            .as_ref()
+            .map(|dent| rated.law.dent_of_other_rate(&dent.unloading.scaled(1.0 / length, 1.0 / force)));
+        let (impact, ground, unloading) = rated.impact_under(met.as_ref(), approach, solver, samples)?;
+        if ground.keeps_mark_of(&unloading.peak) {
+            spot.dent = Some(self.law.dented_by(unloading.scaled(length, force)));
         }
         Ok(impact)
     }

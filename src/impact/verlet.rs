@@ -24,12 +24,49 @@ struct Remembering<'a> {
     touch: f64,
     deepest: f64,
     unloading: Option<Unloading>,
+    /// Where the metal relaxes on a plate, the bodies approach a little further, along the unloading branch.
+    after_relaxation: AfterRelaxation,
+}
+
+/// What has happened since the metal relaxed on a plate.
+#[derive(Clone, Copy, PartialEq)]
+enum AfterRelaxation {
+    NotYet,
+    Approaching,
+    Parting,
 }
 
 impl<'a> Remembering<'a> {
     fn of(ground: Ground<'a>, drag: Drag) -> Self {
         let deepest = ground.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
-        Self { ground, drag, touch: ground.touch(), deepest, unloading: ground.branch().copied() }
+        let unloading = ground.branch().copied();
+        Self { ground, drag, touch: ground.touch(), deepest, unloading, after_relaxation: AfterRelaxation::NotYet }
+    }
+
+    /// The speed that the sphere gains against a plate at this speed, where it turns and the metal relaxes: its momentum stays
+    /// as the force falls (`course.rs`).
+    fn relaxed(&mut self, speed: f64) -> f64 {
+        if speed >= 0.0 || self.drag.theta == 0.0 || self.ground.law.relaxed.is_none() {
+            return 0.0;
+        }
+        if self.after_relaxation != AfterRelaxation::NotYet {
+            self.after_relaxation = AfterRelaxation::Parting;
+            return 0.0;
+        }
+        let unloading = self.branch_from(self.deepest);
+        let fall = self.ground.step(&unloading);
+        if fall > 0.0 {
+            (self.unloading, self.after_relaxation) = (Some(unloading), AfterRelaxation::Approaching);
+        }
+        ACCELERATION * self.drag.theta * fall
+    }
+
+    /// The unloading branch from the deepest step, where the metal has not relaxed before.
+    fn branch_from(&self, deepest: f64) -> Unloading {
+        match self.unloading {
+            Some(unloading) if self.after_relaxation != AfterRelaxation::NotYet => unloading,
+            _ => self.ground.unloading(self.loaded_to(deepest)),
+        }
     }
 
     /// The piece of the loading curve at a distance.
@@ -48,7 +85,8 @@ impl<'a> Remembering<'a> {
     /// Force of the law, what damping adds to it, and the deceleration by drag on the motion alone.
     fn at(&mut self, distance: f64, speed: f64) -> (f64, f64, f64) {
         let drag = self.drag;
-        if distance > self.deepest || (distance == self.deepest && self.unloading.is_none()) {
+        let is_loading = distance > self.deepest && self.after_relaxation == AfterRelaxation::NotYet;
+        if is_loading || (distance == self.deepest && self.unloading.is_none()) {
             (self.deepest, self.unloading) = (distance, None);
             let (x, piece) = (self.touch + distance, self.piece_at(distance));
             let force = piece.force_at(x);
@@ -122,8 +160,13 @@ impl<'a> VerletMotion<'a> {
 
     /// Goes a step, with the force of damping at the speed half a step before; gives the force of the law and the total one.
     fn advance(&mut self) -> (f64, f64) {
-        let (step, from) = (self.step, self.state);
-        let half = from.speed + 0.5 * step * self.acceleration;
+        let (step, mut from) = (self.step, self.state);
+        let mut half = from.speed + 0.5 * step * self.acceleration;
+        let gained = self.contact.relaxed(half);
+        if gained > 0.0 {
+            from.loss -= gained * (half + 0.5 * gained);
+            half += gained;
+        }
         let distance = from.distance + step * half;
         let (force, of_damping, on_motion) = self.contact.at(distance, half);
         let total = max_or_nan(force + of_damping, 0.0);
@@ -137,11 +180,17 @@ impl<'a> VerletMotion<'a> {
     }
 }
 
+/// A contact that is passed in fewer steps has no result.
+const LEAST_STEPS: u64 = 5;
+/// A run that gives back more than this share of the speed has no result; one above 1 is warned of.
+const MOST_RESTITUTION: f64 = 1.05;
+
 /// Marches in steps of `step`. The peak is the deepest step. The run ends with the first step on the way out in which no force
 /// pushes; or, for a captured sphere, with the first step in which the sphere moves inwards again.
 ///
 /// # Errors
-/// [`IntegrationError::TooManySteps`] if there is no end within `most_steps`.
+/// [`IntegrationError::TooManyFixedSteps`] if there is no end within `most_steps`, [`IntegrationError::CoarseSteps`] if the steps
+/// are too long to follow the contact.
 pub(crate) fn march(
     ground: Ground,
     q: f64,
@@ -164,7 +213,7 @@ pub(crate) fn march(
         largest_force = max_or_nan(largest_force, total);
         let mut state = motion.state;
         let time = state.time;
-        if state.distance > peak.distance {
+        if state.distance > peak.distance && motion.contact.after_relaxation == AfterRelaxation::NotYet {
             peak = state;
             let acceleration = motion.acceleration;
             let until = if acceleration < 0.0 { (state.speed / -acceleration).clamp(-step, step) } else { 0.0 };
@@ -177,8 +226,9 @@ pub(crate) fn march(
         // the total force of Hunt and Crossley vanishes before the law's only through rounding or a coarse step
         let pushes = if forces.drag.lifts_off() { total } else { force };
         let lifts_off = is_back && pushes == 0.0 && state.speed < 0.0;
-        let is_slower = is_back && state.speed >= 0.0;
-        let deepest = || ground.unloading(motion.contact.loaded_to(peak.distance));
+        let is_slower =
+            is_back && state.speed >= 0.0 && motion.contact.after_relaxation != AfterRelaxation::Approaching;
+        let deepest = || motion.contact.branch_from(peak.distance);
         let stays = || {
             if forces.is_conservative() {
                 is_back && forces.captures(&deepest(), q) && force <= forces.weight
@@ -195,9 +245,15 @@ pub(crate) fn march(
             let residual = ground.dent(&unloading.peak).residual() - motion.contact.touch;
             state = motion.contact.left_at(&before, &state, step, ACCELERATION * forces.weight, residual);
         }
+        let restitution = if separates { -state.speed / q } else { 0.0 };
+        // under gravity a slow sphere that sinks into its dent leaves faster than it came
+        let makes_energy = forces.weight == 0.0 && restitution > MOST_RESTITUTION;
+        if separates && n < LEAST_STEPS || makes_energy {
+            return Err(IntegrationError::CoarseSteps { steps: n, restitution });
+        }
         let outcome = Outcome {
             unloading,
-            restitution: if separates { -state.speed / q } else { 0.0 },
+            restitution,
             largest_force: ground.reported_force(&unloading, Some(largest_force)),
             loading_time: if is_back { turns_at.min(state.time) } else { peak.time },
             contact_time: state.time,
@@ -217,7 +273,7 @@ pub(crate) fn march(
         let points = trace.map_or_else(Vec::new, of_samples);
         return Ok(Computed { fixed_steps, points, ..Computed::new(outcome, work) });
     }
-    Err(IntegrationError::TooManySteps { steps: most_steps })
+    Err(IntegrationError::TooManyFixedSteps { steps: most_steps })
 }
 
 /// True if an overdamped sphere has come near its static indentation.

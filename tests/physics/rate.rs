@@ -1,5 +1,9 @@
 //! Strengths that rise with the strain rate: references, finite elements, limits, and what holds for any constants.
 
+mod flow;
+mod random;
+mod same_spot;
+
 use plm_impact::impact::Spot;
 
 use crate::common::prelude::*;

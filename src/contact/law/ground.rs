@@ -31,6 +31,8 @@ pub struct Dent {
     /// The unloading branch from the largest state so far.
     pub unloading: Unloading,
     way_in: Arc<Curve>,
+    /// True if the branch was made at another rate of strain than that of the law.
+    is_of_other_rate: bool,
 }
 
 impl Law {
@@ -41,14 +43,19 @@ impl Law {
 
     /// The dent of a spot with this unloading branch, which ends on the loading curve.
     pub(crate) fn dented_by(&self, unloading: Unloading) -> Dent {
-        let ContactState { indentation: start, force, .. } = unloading.peak;
+        self.dented_with(unloading, unloading.peak.force, false)
+    }
+
+    /// As [`Law::dented_by`], where the loading behind the branch goes on with this force.
+    pub(super) fn dented_with(&self, unloading: Unloading, force: f64, is_of_other_rate: bool) -> Dent {
+        let start = unloading.peak.indentation;
         let index = self.loading.index_at(start);
         let (cut, behind) = (&self.loading.pieces()[index], &self.loading.pieces()[index + 1..]);
         let (stored, spent) = (unloading.capacity(), cut.work_at(start));
         let first = Piece { start, force, work: stored, is_joint: false, shape: cut.shape.later(start - cut.start) };
         let behind = behind.iter().map(|piece| Piece { work: stored + (piece.work - spent), ..piece.clone() });
         let pieces = [unloading.branch(), first].into_iter().chain(behind).collect();
-        Dent { unloading, way_in: Arc::new(Curve::new(pieces)) }
+        Dent { unloading, way_in: Arc::new(Curve::new(pieces)), is_of_other_rate }
     }
 }
 
@@ -59,6 +66,7 @@ pub struct Ground<'a> {
     /// The force over x on the way in, with the work from first touch.
     pub way_in: &'a Curve,
     branch: Option<&'a Unloading>,
+    is_of_other_rate: bool,
 }
 
 impl<'a> From<&'a Law> for Ground<'a> {
@@ -73,7 +81,8 @@ impl<'a> Ground<'a> {
     #[inline]
     pub fn new(law: &'a Law, dent: Option<&'a Dent>) -> Self {
         let way_in = dent.map_or(&*law.loading, |dent| &dent.way_in);
-        Self { law, way_in, branch: dent.map(|dent| &dent.unloading) }
+        let is_of_other_rate = dent.is_some_and(|dent| dent.is_of_other_rate);
+        Self { law, way_in, branch: dent.map(|dent| &dent.unloading), is_of_other_rate }
     }
 
     /// The unloading branch that a reload runs back up; `None` on fresh surface.
@@ -104,6 +113,19 @@ impl<'a> Ground<'a> {
     #[inline(always)]
     pub(crate) fn is_elastic_to(&self, x: f64) -> bool {
         x <= self.branch().map_or_else(|| self.law.recovers_until(), |branch| branch.peak.indentation)
+    }
+
+    /// True if an impact that turned at this peak leaves a dent, or a deeper one. A peak without a residual indentation leaves none.
+    pub(crate) fn keeps_mark_of(&self, peak: &ContactState) -> bool {
+        !self.is_elastic_to(peak.indentation) && peak.residual() > 0.0
+    }
+
+    /// How far the force falls on the way in where a piece begins: at the end of a branch that was made at another rate of strain.
+    pub(crate) fn fall_at_start(&self, index: usize) -> f64 {
+        match self.branch {
+            Some(branch) if index == 1 && self.is_of_other_rate => branch.peak.force - self.piece(index).force,
+            _ => 0.0,
+        }
     }
 
     /// x of first touch: x_r of the branch, 0 on fresh surface.
@@ -179,7 +201,14 @@ impl<'a> Ground<'a> {
 
     /// The unloading branch from a peak. On the branch of a dent it is that branch.
     pub fn unloading(&self, peak: ContactState) -> Unloading {
-        self.branch_at(peak.indentation).map_or_else(|| self.law.unloading(peak), |branch| branch.up_to(peak))
+        if let Some(branch) = self.branch_at(peak.indentation) {
+            return branch.up_to(peak);
+        }
+        let unloading = self.law.unloading(peak);
+        if self.is_of_other_rate {
+            return unloading.in_dent(self.touch(), self.way_in.work(peak.indentation));
+        }
+        unloading
     }
 
     /// The unloading branch from a turn at a distance from the start of a piece, where the kinetic energy was this. With a
@@ -212,7 +241,12 @@ impl<'a> Ground<'a> {
     /// See [`Law::accept`].
     #[inline]
     pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
-        self.law_at(unloading.peak.indentation).map_or(Ok(()), |law| law.accept(unloading))
+        let Some(law) = self.law_at(unloading.peak.indentation) else { return Ok(()) };
+        // the law answers for the branch on fresh surface, not for what a dent made of it
+        if self.is_of_other_rate {
+            return law.accept(&law.unloading(law.loaded_to(unloading.peak.indentation)));
+        }
+        law.accept(unloading)
     }
 
     /// Work from first touch to a state on the way in; on the branch it follows from ε, which has more digits than x.

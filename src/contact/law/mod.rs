@@ -115,7 +115,7 @@ impl Law {
     /// How fresh surface unloads from a point (x, f) of the loading curve that took the work `spent`.
     #[inline(always)]
     fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
-        if let Some(unloading) = self.relaxed_at(x) {
+        if let Some(unloading) = self.relaxed_at(x, force, || spent) {
             return unloading;
         }
         match self.rule_at(x) {
@@ -143,10 +143,13 @@ impl Law {
     /// The unloading branch from a peak. Where loading was elastic (ε = x), n = 3/2 whatever the rule. It never gives back
     /// more than was spent (`unloading::allowed_exponent`).
     pub fn unloading(&self, peak: ContactState) -> Unloading {
-        if let Some(unloading) = self.relaxed_at(peak.indentation) {
+        let spent = || self.loading.work(peak.indentation);
+        // the force of a memory is already that behind the relaxation
+        if self.relaxed.is_some()
+            && let Some(unloading) = self.relaxed_at(peak.indentation, self.loading.force(peak.indentation), spent)
+        {
             return unloading;
         }
-        let spent = || self.loading.work(peak.indentation);
         match self.rule_at(peak.indentation) {
             LoadingRule::Elastic => Unloading::power(peak, 1.5),
             LoadingRule::Polyline(rule) => rule.unloading(peak, spent()),

@@ -3,14 +3,15 @@
 //! ```text
 //! loading   f_g(x), a law of the strength g σ, in units of its yield point
 //! turn      f_t, ε_t, n of the law of the strength g_t σ at the same δ, with r = g_t/g ≤ 1
-//!           x = r² x_t,  f = r³ f_t,  ε = r² ε_t
+//!           x = r² x_t,  f = min(f_g, r³ f_t),  ε = r² ε_t
 //! ```
 //!
-//! At the turn the force falls from f_g to f_t, and the dent takes the energy. Fresh surface that turns at x_t ≤ 1 stays
-//! elastic.
+//! At the turn the force falls from f_g to f, and the dent takes the energy. Just beyond first yield r³ f_t would be above f_g by up
+//! to 10⁻⁴, as the first straight piece of the law at the turn lies above Hertz's curve: the force then stays f_g. The work that was
+//! spent is that of the loading, and the branch gives back no more than that. Fresh surface that turns at x_t ≤ 1 stays elastic.
 
-use super::unloading::{ContactState, Unloading};
-use super::{Ground, Law, LoadingRule, Relaxed};
+use super::unloading::{ContactState, GRAZING, Unloading, allowed_exponent};
+use super::{Dent, Ground, Law, LoadingRule, Relaxed};
 use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::root::halved;
 
@@ -29,11 +30,19 @@ impl Relaxed {
         self.law.limits.elastic_until * length
     }
 
-    /// The unloading branch of a surface that was loaded to x.
-    fn left_at(&self, x: f64) -> Unloading {
-        let [length, force] = self.units();
-        let unloading = self.law.unloading(self.law.loaded_to(x / length));
-        let scaled = unloading.scaled(length, force);
+    /// The unloading branch of a surface that was loaded to x with this force, where the loading took the work `spent`.
+    fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
+        let [per_length, per_force] = self.units();
+        let (own, most, spent) = (x / per_length, force / per_force, spent / (per_length * per_force));
+        let own_force = self.law.loading.force(own);
+        let unloading = if own_force <= most {
+            self.law.left_at(own, own_force, spent)
+        } else {
+            // shape and approach are those of the law at the turn; f x is more than any branch gives back
+            let lowered = self.law.left_at(own, own_force, own_force * own).scaled(1.0, most / own_force);
+            Unloading { exponent: allowed_exponent(spent, &lowered.peak, lowered.exponent), ..lowered }
+        };
+        let scaled = unloading.scaled(per_length, per_force);
         // the depth is that of the impact, to the last bit, and no more than that comes back
         let elastic_approach = scaled.peak.elastic_approach.min(x);
         Unloading { peak: ContactState { indentation: x, elastic_approach, ..scaled.peak }, ..scaled }
@@ -64,11 +73,11 @@ impl Law {
         self.relaxed.as_ref().map_or(self.limits.elastic_until, |relaxed| relaxed.until())
     }
 
-    /// How fresh surface unloads from x, if the metal relaxes there.
+    /// How fresh surface unloads from a point (x, f) of the loading curve that took the work `spent`, if the metal relaxes there.
     #[inline(always)]
-    pub(super) fn relaxed_at(&self, x: f64) -> Option<Unloading> {
+    pub(super) fn relaxed_at(&self, x: f64, force: f64, spent: impl FnOnce() -> f64) -> Option<Unloading> {
         let relaxed = self.relaxed.as_ref()?;
-        (x > relaxed.until() * (1.0 + f64::EPSILON)).then(|| relaxed.left_at(x))
+        (x > relaxed.until() * (1.0 + f64::EPSILON)).then(|| relaxed.left_at(x, force, spent()))
     }
 
     /// The law at the turn, with the branch in the units of that law; `None` if the metal does not relax.
@@ -81,34 +90,53 @@ impl Law {
     #[inline(always)]
     pub(super) fn relaxed_radius(&self, peak: &ContactState) -> Option<f64> {
         let relaxed = self.relaxed.as_ref()?;
-        let own = relaxed.own(&Unloading::power(*peak, 1.5)).peak;
-        (peak.indentation > relaxed.until()).then(|| relaxed.law.contact_radius(&own) * relaxed.ratio)
+        let [length, _] = relaxed.units();
+        let of_law = || relaxed.law.contact_radius(&relaxed.law.loaded_to(peak.indentation / length));
+        (peak.indentation > relaxed.until()).then(|| of_law() * relaxed.ratio)
     }
 
-    /// How far the force falls where a loading turns at this branch.
+    /// How far the force falls where a loading turns at this branch; 0 where that is rounding.
     pub(crate) fn step(&self, unloading: &Unloading) -> f64 {
         let ContactState { indentation, force, .. } = unloading.peak;
         match self.relaxed {
-            Some(_) if indentation > self.recovers_until() => (self.loading.force(indentation) - force).max(0.0),
+            Some(_) if indentation > self.recovers_until() => {
+                let fall = self.loading.force(indentation) - force;
+                if fall > GRAZING * force { fall } else { 0.0 }
+            }
             _ => 0.0,
         }
     }
 
-    /// The branch up to the place where it meets this loading curve. It may become longer or shorter by that.
-    pub(crate) fn met_by(&self, branch: &Unloading) -> Unloading {
-        let (piece, residual) = (branch.branch(), branch.peak.residual());
-        let over = |recovered: f64| piece.force_beyond(recovered) - self.loading.force(residual + recovered);
+    /// The dent with this unloading branch, which was made at another rate of strain. A reload goes up the branch to its end, and
+    /// on along the same curve until that meets this loading curve. Where the branch ends above this loading curve, as after a much
+    /// faster impact, the force falls to the loading curve there.
+    pub(crate) fn dent_of_other_rate(&self, branch: &Unloading) -> Dent {
+        let (piece, old) = (branch.branch(), branch.peak);
+        let over = |recovered: f64| piece.force_beyond(recovered) - self.loading.force(old.residual() + recovered);
+        if over(old.elastic_approach) >= 0.0 {
+            return self.dented_with(*branch, self.loading.force(old.indentation), true);
+        }
         // a branch is steeper than any loading curve
-        let mut end = branch.peak.elastic_approach;
+        let mut end = 2.0 * old.elastic_approach;
         while over(end) < 0.0 && end.is_finite() {
             end *= 2.0;
         }
-        let (below, _) = halved(0.0, end, |recovered| over(recovered) < 0.0);
-        branch.up_to(ContactState {
-            indentation: residual + below,
-            force: piece.force_beyond(below),
-            elastic_approach: below,
-        })
+        let (below, _) = halved(old.elastic_approach, end, |recovered| over(recovered) < 0.0);
+        let force = piece.force_beyond(below);
+        let met = ContactState { indentation: old.residual() + below, force, elastic_approach: below };
+        self.dented_with(branch.up_to(met), force, true)
+    }
+}
+
+impl Unloading {
+    /// This branch in a dent with that residual indentation, in which the impact has spent this work: the dent becomes no
+    /// shallower, and the branch gives back no more than was spent.
+    pub(super) fn in_dent(&self, residual: f64, spent: f64) -> Self {
+        let elastic_approach = self.peak.elastic_approach.min(self.peak.indentation - residual);
+        let peak = ContactState { elastic_approach, ..self.peak };
+        let exponent = allowed_exponent(spent, &peak, self.exponent);
+        let is_same = elastic_approach == self.peak.elastic_approach && exponent == self.exponent;
+        if is_same { *self } else { Self::power(peak, exponent) }
     }
 }
 

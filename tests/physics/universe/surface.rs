@@ -72,10 +72,10 @@ pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judged {
     let Ok(alone) = alone.closed_form(run.speed()) else { return Ok(false) };
     let of_alone = alone.rated.unwrap();
     let w = run.speed() / (run.contact.pair().radius * alone.peak_indentation).sqrt();
-    // the half-space has the rate; a sphere that yields in its place has none
+    // the half-space has the rate, and its factor counts by its share of the flow without it
     let [_, rate] = run.scene.input().unwrap().rates();
-    let is_sphere = run.own().pair().yield_point.unwrap().flow.is_sphere;
-    let factor = |w| if is_sphere { 1.0 } else { rate.unwrap().factor(w) };
+    let share = 1.0 - run.contact.pair().yield_point.unwrap().flow.sphere_share;
+    let factor = |w| 1.0 + share * (rate.unwrap().factor(w) - 1.0);
     for (got, want) in [
         (of_alone.strain_rate, 0.2 * w),
         (of_alone.factor, factor(0.2 * w)),

@@ -24,8 +24,8 @@ pub mod rule;
 use std::sync::{Arc, LazyLock};
 
 use super::contact_law::{Bodies, ContactLaw};
-use super::published::{LawParts, Loading, PeakState, Recovered};
-use super::{ContactState, Law, OutsideLaw, UnloadingExponent, UnloadingShape};
+use super::published::{LawParts, Loading, PeakState};
+use super::{Law, OutsideLaw, UnloadingExponent};
 use crate::contact::material::Pair;
 use crate::contact::strength::flow::FlowCurve;
 use crate::numerics::curve::{Curve, Once};
@@ -47,35 +47,68 @@ pub struct Plm {
     pub exponent: UnloadingExponent,
     /// How sphere and half-space harden; `None` for a constant strength.
     pub flow: [Option<FlowCurve>; 2],
-    /// By how much the rate of strain raises their whole flow curves; the strengths of the bodies have it already.
-    pub rate_factors: [f64; 2],
+    /// By how much the rate of strain raises the whole flow curve of the body that yields; its strength has it already.
+    pub rate_factor: f64,
     /// The curve of the first pair, with the coefficients and the κ² that it was made of: pairs of the same share it.
     pub first: Once<(Arc<PlmCoefficients>, f64, Arc<Curve>)>,
 }
 
 impl Default for Plm {
     fn default() -> Self {
-        static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
-            LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
         Self {
-            coefficients: Arc::clone(&BUILT_IN),
+            coefficients: Arc::clone(Self::built_in()),
             exponent: UnloadingExponent::Paper,
             flow: [None, None],
-            rate_factors: [1.0; 2],
+            rate_factor: 1.0,
             first: Once::default(),
         }
     }
 }
 
 impl Plm {
+    /// The built-in coefficients, which all laws share.
+    fn built_in() -> &'static Arc<PlmCoefficients> {
+        static BUILT_IN: LazyLock<Arc<PlmCoefficients>> =
+            LazyLock::new(|| Arc::new(PlmCoefficients::built_in().clone()));
+        &BUILT_IN
+    }
+
     /// The PLM of these coefficients, with this exponent.
     pub fn new(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Self {
         Self { coefficients: Arc::new(coefficients.clone()), exponent, ..Self::default() }
     }
 
     pub fn of_bodies(&self, bodies: &Bodies) -> Law {
-        let (loading, rule) = self.flattened(bodies);
+        self.unloading_by(self, bodies)
+    }
+
+    /// The loading of this PLM with the unloading of another one, or of itself.
+    pub(in crate::contact::law) fn unloading_by(&self, other: &Self, bodies: &Bodies) -> Law {
+        let (loading, mut rule) = self.flattened(bodies);
+        if !std::ptr::eq(self, other) {
+            (_, rule) = other.flattened(bodies);
+        }
         Law::plm(loading, rule)
+    }
+
+    /// Checks that the coefficients and the flow curves make a law for these bodies.
+    ///
+    /// # Errors
+    /// [`OutsideLaw::Coefficients`], [`OutsideLaw::BothFlow`] and [`OutsideLaw::Flow`].
+    pub(in crate::contact::law) fn check(&self, bodies: &Bodies) -> Result<(), OutsideLaw> {
+        // the coefficients that a file or the program brings are checked where they are read
+        if !std::ptr::eq(&raw const *self.coefficients, &raw const **Self::built_in()) {
+            self.coefficients.check_rules()?;
+        }
+        let flows = bodies.yield_point.flow;
+        let [sphere, half_space] = &self.flow;
+        if flows.is_of_both() && (sphere.is_some() || half_space.is_some()) {
+            return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
+        }
+        if let Some(flow) = flows.of_softer([sphere, half_space]) {
+            flow.is_flatter_than(bodies.modulus(), bodies.yield_point.strength / self.rate_factor)?;
+        }
+        Ok(())
     }
 
     /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_one_curve`]).
@@ -100,7 +133,7 @@ impl Plm {
         let [sphere, half_space] = &self.flow;
         let flows = bodies.yield_point.flow;
         let Some(flow) = flows.of_softer([sphere, half_space]) else { return (perfect, rule) };
-        let slow = bodies.yield_point.strength / flows.of_softer(self.rate_factors);
+        let slow = bodies.yield_point.strength / self.rate_factor;
         let rise = flow.rise(slow, bodies.modulus());
         let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
         (Arc::new(hardening.loading(&perfect)), PlmRule { hardening: Some(hardening), ..rule })
@@ -128,27 +161,18 @@ impl Plm {
 
 impl ContactLaw for Plm {
     fn rules(&self, bodies: &Bodies) -> LawParts {
-        let (curve, rule) = self.halves(bodies);
+        let (curve, rule) = self.flattened(bodies);
         let (limits, of_radius) = (rule.limits(), rule.clone());
         let radius = move |x, force| of_radius.contact_radius(&of_radius.state(x, force));
-        let recovery = move |at: PeakState| {
-            let of_plm = rule.state(at.indentation, at.force);
-            let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
-            let exponent = rule.asked(&ContactState { elastic_approach, ..of_plm });
-            Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
-        };
-        LawParts::of(Loading { curve, limits, radius: Arc::new(radius) }, Arc::new(recovery))
+        let loading = Loading { curve, limits, radius: Arc::new(radius) };
+        LawParts {
+            loading: self.check(bodies).map(|()| loading),
+            recovery: Arc::new(move |at: PeakState| rule.recovered(&at)),
+        }
     }
 
     fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
-        let flows = bodies.yield_point.flow;
-        let [sphere, half_space] = &self.flow;
-        if flows.is_of_both() && (sphere.is_some() || half_space.is_some()) {
-            return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
-        }
-        if let Some(flow) = flows.of_softer([sphere, half_space]) {
-            flow.is_flatter_than(bodies.modulus(), bodies.yield_point.strength / flows.of_softer(self.rate_factors))?;
-        }
+        self.check(bodies)?;
         Ok(self.of_bodies(bodies))
     }
 }

@@ -1,0 +1,138 @@
+//! Series on one spot where a strength rises with the strain rate: a dent becomes no shallower, and no impact gains energy.
+
+use crate::common::prelude::*;
+
+/// The impacts of a series on one spot, by the closed form where there is one.
+fn series(text: &str, speeds: &[f64]) -> Vec<Impact> {
+    let contact = contact(&format!("{text}\n[impact]\nspeed = 1.0"), NONE);
+    let mut spot = Spot::fresh();
+    let mut shot = |speed: &f64| contact.impact_on(&mut spot, *speed, &solver(Method::Auto, 1e-11), None).unwrap();
+    speeds.iter().map(&mut shot).collect()
+}
+
+fn dents(impacts: &[Impact]) -> Vec<f64> {
+    impacts.iter().map(|impact| impact.residual_indentation).collect()
+}
+
+/// The shots after the deepest dent are slower than the one that made it: they turn in the dent, and leave it as it is.
+fn turn_in_the_old_dent(impacts: &[Impact], first: usize) {
+    let dent = impacts[first - 1].residual_indentation;
+    assert!(dent > 0.0);
+    for impact in &impacts[first..] {
+        assert!(off(impact.residual_indentation, dent) < 1e-12, "{:?}", dents(impacts));
+        assert!(impact.rated.is_none() && impact.energy.plastic == Some(0.0));
+    }
+}
+
+#[test]
+fn a_slower_impact_leaves_the_dent_as_it_is() {
+    let free = r#"
+        [sphere]
+        radius = 0.00031167528426585155
+        youngs_modulus = 413363689.69793886
+        poissons_ratio = 0.2546961870320391
+        density = 19973.074132639682
+        yield_strength = 33319133.595487084
+        rate = { johnson_cook = { c = 0.002236154828685046, reference = 0.001 }, tested_at = 7.35510292444888 }
+        [half_space]
+        youngs_modulus = 728950311.2448938
+        poissons_ratio = 0.4999
+        yield_strength = 3740857.195866987
+        flow_stress = { power = { exponent = 0.4194819384368634 } }
+        rate = { johnson_cook = { c = 0.002236154828685046, reference = 0.001 }, tested_at = 7.35510292444888 }
+        radius = 0.0008837770896373699
+        [law]
+        plm = { unloading_exponent = "pressure-shape" }
+    "#;
+    let impacts = series(
+        free,
+        &[0.009_152_665_943_031_487, 0.028_003_095_724_817_777, 0.014_737_109_871_953_263, 0.011_167_023_142_073_155],
+    );
+    assert!(impacts.iter().all(|impact| impact.restitution == 1.0));
+    turn_in_the_old_dent(&impacts, 2);
+
+    let small = r"
+        [sphere]
+        radius = 1.9693133433434576e-06
+        youngs_modulus = 355783174711.9749
+        poissons_ratio = 0.34327596826714946
+        density = 1324.9929621564957
+        [half_space]
+        youngs_modulus = 3651230789.769234
+        poissons_ratio = 0.25857404271360035
+        yield_strength = 2678116.9106851066
+        rate = { cowper_symonds = { rate = 879409.7449669742, exponent = 3.3183199218482073 }, tested_at = 0.001 }
+        radius = 5.616105103704115e-07
+        [law]
+        plm = { unloading_exponent = 1.3761732161115219 }
+    ";
+    let speeds = [
+        1.512_691_419_151_420_4e-05,
+        1.292_521_398_928_124_6e-05,
+        2.641_722_857_972_204e-05,
+        1.590_310_141_457_172e-05,
+    ];
+    let impacts = series(small, &speeds);
+    turn_in_the_old_dent(&impacts[..2], 1);
+    turn_in_the_old_dent(&impacts, 3);
+    assert!(impacts[3].restitution == 1.0 && impacts[2].restitution < 1.0);
+}
+
+/// On a plate the dent stays too, and e is that of the branch.
+#[test]
+fn a_slower_impact_on_a_plate_leaves_the_dent_as_it_is() {
+    let plate = r#"
+        [sphere]
+        radius = 0.0056072985118644034
+        youngs_modulus = 109224331.33507206
+        poissons_ratio = -0.2
+        density = 6790.846883249364
+        yield_strength = 1497865.3242291461
+        rate = { johnson_cook = { c = 0.0023338127023028957, reference = 1.0 }, tested_at = 0.001 }
+        [half_space]
+        youngs_modulus = 265948114.15400252
+        poissons_ratio = 0.0
+        yield_strength = 754198.4839450017
+        flow_stress = { power = { exponent = 0.2612492042793711 } }
+        rate = { johnson_cook = { c = 0.0023338127023028957, reference = 1.0 }, tested_at = 0.001 }
+        density = 172.99260614261908
+        thickness = 0.05820951536372766
+        [law]
+        plm = { unloading_exponent = "pressure-shape" }
+    "#;
+    let speeds = [
+        0.001_407_951_268_570_883,
+        0.004_807_113_472_066_758,
+        0.000_908_980_476_779_836_2,
+        0.004_633_367_484_938_759_5,
+    ];
+    let impacts = series(plate, &[&speeds[..], &[0.002_817_033_316_231_018_4]].concat());
+    turn_in_the_old_dent(&impacts, 2);
+    assert!(impacts.iter().all(|impact| impact.restitution < 0.994));
+}
+
+/// An impact that yields but leaves no residual indentation leaves the surface fresh.
+#[test]
+fn a_peak_without_a_residual_indentation_is_no_dent() {
+    let nylon_on_copper = r#"
+        [sphere]
+        radius = "10 mm"
+        youngs_modulus = "3 GPa"
+        poissons_ratio = 0.38
+        density = "1150 kg/m^3"
+        [half_space]
+        youngs_modulus = "115 GPa"
+        poissons_ratio = 0.34
+        yield_strength = "60 MPa"
+        rate = { johnson_cook = { c = 0.025 } }
+    "#;
+    let impacts = series(nylon_on_copper, &[1.0, 1.0, 3.0]);
+    assert!(impacts[0].rated.is_some_and(|rated| rated.factor > 1.0));
+    for impact in &impacts[..2] {
+        assert_eq!((impact.restitution, impact.residual_indentation), (1.0, 0.0));
+    }
+    // both are the impact on fresh surface, and so is a faster one that leaves a dent
+    assert_eq!(impacts[0].essentials, impacts[1].essentials);
+    let fresh = series(nylon_on_copper, &[3.0]);
+    assert_eq!(impacts[2].essentials, fresh[0].essentials);
+}
