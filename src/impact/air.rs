@@ -110,6 +110,17 @@ impl Flying {
         self.drag != Drag::None || self.pull != self.gravity
     }
 
+    /// g less the buoyancy \[m/s²\].
+    pub fn pull(&self) -> f64 {
+        self.pull
+    }
+
+    /// Share of the energy m g h of a fall from this height \[m\] that the air takes, buoyancy counted.
+    pub fn loss_fraction(&self, height: f64) -> f64 {
+        let speed = self.landing_speed(height);
+        1.0 - speed * speed / (2.0 * self.gravity * height)
+    }
+
     /// The speed at which the drag carries the weight \[m/s\]; infinite without air.
     pub fn terminal_speed(&self) -> f64 {
         match self.drag {

@@ -37,6 +37,7 @@ impl Contact {
     /// Under gravity the speed may be 0: a sphere that is let go at rest.
     #[inline]
     pub(super) fn case<'a>(&'a self, dent: Option<&'a Dent>, speed: f64) -> Result<Case<'a>, ImpactError> {
+        self.forces().check()?;
         let gravity = self.forces().gravity.unwrap_or(0.0);
         if gravity > 0.0 && self.target_mass().is_some() {
             return Err(ImpactError::FreeUnderGravity);

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::plate::PlateError;
 use crate::contact::law::OutsideLaw;
-use crate::contact::material::{Hollow, OutOfFloatRange, PairError};
+use crate::contact::material::{Hollow, InvalidInput, OutOfFloatRange, PairError};
 use crate::error::{Error as Failure, ErrorKind};
 use crate::numerics::integrate::IntegrationError;
 use crate::units::{Dimension, human};
@@ -15,6 +15,9 @@ pub enum ImpactError {
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
     Hollow(#[from] Hollow),
+    /// A number that no body, gravity or damping has.
+    #[error(transparent)]
+    Invalid(#[from] InvalidInput),
     #[error(transparent)]
     Integration(#[from] IntegrationError),
     /// The law has no answer for this impact.
@@ -75,6 +78,7 @@ impl From<PairError> for ImpactError {
         match error {
             PairError::Range(error) => error.into(),
             PairError::Hollow(error) => error.into(),
+            PairError::Invalid(error) => error.into(),
         }
     }
 }

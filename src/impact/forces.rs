@@ -19,6 +19,7 @@ use super::plate::Plate;
 use super::scales::ACCELERATION;
 use crate::contact::law::unloading::GRAZING;
 use crate::contact::law::{Ground, Unloading};
+use crate::contact::material::InvalidInput;
 use crate::impact::air::Flying;
 use crate::numerics::integrate::{Drag, Rest};
 
@@ -55,6 +56,21 @@ pub struct Forces {
 }
 
 impl Forces {
+    /// Checks gravity and damping, as a scenario does.
+    #[inline]
+    pub(super) fn check(&self) -> Result<(), InvalidInput> {
+        let rule = "it must be 0 or a positive number";
+        let check = |quantity, value: f64| InvalidInput::check(quantity, value, value >= 0.0 && value.is_finite(), rule);
+        if let Some(gravity) = self.gravity {
+            check("gravity (m/s^2)", gravity)?;
+        }
+        match self.damping {
+            None => Ok(()),
+            Some(Damping::HuntCrossley(chi)) => check("damping of Hunt and Crossley (s/m)", chi),
+            Some(Damping::Viscous(zeta)) => check("viscous damping", zeta),
+        }
+    }
+
     /// True if the law acts alone.
     pub fn is_none(&self) -> bool {
         self.gravity.is_none() && self.damping.is_none() && self.plate.is_none()

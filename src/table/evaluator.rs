@@ -1,13 +1,14 @@
 //! Computes the rows of the cases of a plan.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use crate::contact::law::LawChoice;
 use crate::impact::{Contact, Essentials, ImpactError};
 use crate::numerics::integrate::IntegrationError;
 use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
 use crate::scenario::scene::results::Needs;
-use crate::scenario::scene::{Body, Input, Key, Uncertainty, at};
+use crate::scenario::scene::{Body, Input, Key, Uncertainty};
 use crate::units::named;
 
 named! {
@@ -19,6 +20,8 @@ named! {
         StepUnderflow = "step_underflow",
         /// The integrator ran out of steps.
         TooManySteps = "too_many_steps",
+        /// The fixed steps are too long for the contact.
+        CoarseSteps = "coarse_steps",
         /// The state was not finite.
         NotFinite = "not_finite",
         /// The case lies outside the range of the law.
@@ -35,7 +38,7 @@ named! {
 impl From<ImpactError> for Failure {
     fn from(error: ImpactError) -> Self {
         match error {
-            ImpactError::Range(_) => Self::OutOfFloatRange,
+            ImpactError::Range(_) | ImpactError::Invalid(_) => Self::OutOfFloatRange,
             // the scenario refuses a target under gravity, and one at an angle that is no ball
             ImpactError::Law(_)
             | ImpactError::TooDeep { .. }
@@ -46,9 +49,14 @@ impl From<ImpactError> for Failure {
             ImpactError::Plate(_) => Self::OutsidePlate,
             ImpactError::NoClosedForm => Self::NoClosedForm,
             ImpactError::Integration(IntegrationError::StepUnderflow { .. }) => Self::StepUnderflow,
-            ImpactError::Integration(IntegrationError::TooManySteps { .. } | IntegrationError::Creeping { .. }) => {
-                Self::TooManySteps
-            }
+            ImpactError::Integration(
+                IntegrationError::TooManySteps { .. }
+                | IntegrationError::TooManyFixedSteps { .. }
+                | IntegrationError::UnsettledRate { .. }
+                | IntegrationError::TooManyFrictionSteps { .. }
+                | IntegrationError::Creeping { .. },
+            ) => Self::TooManySteps,
+            ImpactError::Integration(IntegrationError::CoarseSteps { .. }) => Self::CoarseSteps,
             ImpactError::Integration(IntegrationError::NotFinite { .. }) => Self::NotFinite,
         }
     }
@@ -128,6 +136,9 @@ impl RowLaw {
     }
 }
 
+/// The most contacts that are kept for the rows of a grid.
+const MAX_CONTACTS: u64 = 1 << 16;
+
 fn shows_band(plan: &Plan) -> bool {
     plan.results().iter().any(|column| column.needs == Needs::Band)
 }
@@ -140,18 +151,19 @@ pub struct Evaluator<'a> {
     derives: [bool; 2],
     /// True if the table shows the band of e.
     has_band: bool,
-    /// Input and contact of every combination of the axes that change the contact. Empty if there are too many
-    /// combinations.
-    contacts: Vec<(Input, RowContact)>,
+    /// The contact of every combination of the axes that change the contact, made when its first row needs it. Empty if there
+    /// are too many combinations.
+    contacts: Vec<OnceLock<Box<RowContact>>>,
     /// For every axis, how far apart its neighbouring values are in `contacts`; 0 if the axis does not change the
     /// contact.
     strides: Vec<u64>,
 }
 
 impl<'a> Evaluator<'a> {
-    /// Computes the contact of every combination, if there are at most 10⁴ combinations (about 1 kB each).
+    /// An evaluator that keeps the contact of every combination, if there are at most [`MAX_CONTACTS`] of them. So the order
+    /// of the axes hardly changes the time of a table: rows that share their contact need not follow each other.
+    #[allow(clippy::cast_possible_truncation)] // at most MAX_CONTACTS
     pub fn new(plan: &'a Plan) -> Self {
-        const MOST_CONTACTS: u64 = 10_000;
         let (mut strides, mut combinations) = (Vec::new(), 1_u64);
         match &plan.cases {
             Cases::Grid(axes) => {
@@ -166,33 +178,24 @@ impl<'a> Evaluator<'a> {
                 }
             }
         }
-        let has_band = shows_band(plan);
-        let mut row_law = RowLaw::new(&plan.input, plan.axes().iter().any(Axis::changes_law), has_band);
-        let combination = |index: u64| {
-            // at the first places of the other axes
-            let axes = plan.axes().iter().zip(&strides);
-            let places: Vec<u64> =
-                axes.map(|(axis, stride)| index.checked_div(*stride).unwrap_or(0) % axis.len()).collect();
-            let input = plan.input_at(&places);
-            let known = row_law.contact_of(&input);
-            (input, known)
-        };
-        let contacts =
-            if combinations <= MOST_CONTACTS { (0..combinations).map(combination).collect() } else { Vec::new() };
-        Self::with_contacts(plan, has_band, contacts, strides)
+        let count = if combinations <= MAX_CONTACTS { combinations as usize } else { 0 };
+        let contacts = std::iter::repeat_with(OnceLock::new).take(count).collect();
+        Self::with_contacts(plan, contacts, strides)
     }
 
     /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
     /// changes it.
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let input = &plan.input;
-        let has_band = shows_band(plan);
-        let known = |contact: &Contact| (input.clone(), RowContact::new(input, &input.law(), Some(contact), has_band));
-        Self::with_contacts(plan, has_band, contact.map(known).into_iter().collect(), Vec::new())
+        let row_contact = |contact: &Contact| {
+            OnceLock::from(Box::new(RowContact::new(input, &input.law(), Some(contact), shows_band(plan))))
+        };
+        Self::with_contacts(plan, contact.map(row_contact).into_iter().collect(), Vec::new())
     }
 
-    fn with_contacts(plan: &'a Plan, has_band: bool, contacts: Vec<(Input, RowContact)>, strides: Vec<u64>) -> Self {
-        Self { plan, derives: Body::ALL.map(|body| plan.derives_strength(body)), has_band, contacts, strides }
+    fn with_contacts(plan: &'a Plan, contacts: Vec<OnceLock<Box<RowContact>>>, strides: Vec<u64>) -> Self {
+        let derives = Body::ALL.map(|body| plan.derives_strength(body));
+        Self { plan, derives, has_band: shows_band(plan), contacts, strides }
     }
 
     /// The number of swept values of a row.
@@ -200,24 +203,9 @@ impl<'a> Evaluator<'a> {
         self.plan.paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
     }
 
-    /// The input at these places. It is made from that of the plan or of its combination, never from that of the row before,
-    /// as a law or a material brings numbers of its own and takes others away.
-    fn put_at(&self, axes: &[Axis], places: &[u64], input: &mut Input) {
-        let Some((known, _)) = self.known(places) else {
-            *input = self.plan.input_at(places);
-            return;
-        };
-        // the contact is known: of the keys that change it a row needs gravity alone, for the speed of a fall
-        let gravity = at!("gravity.acceleration");
-        input.set(gravity, known.number(gravity));
-        for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.keeps_contact()) {
-            axis.put(*place, input);
-        }
-    }
-
-    /// The prepared contact of the combination at these places.
-    #[allow(clippy::cast_possible_truncation)] // at most 10⁴
-    fn known(&self, places: &[u64]) -> Option<&(Input, RowContact)> {
+    /// Where the contact of the combination at these places is kept.
+    #[allow(clippy::cast_possible_truncation)] // at most MAX_CONTACTS
+    fn kept(&self, places: &[u64]) -> Option<&OnceLock<Box<RowContact>>> {
         let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
         self.contacts.get(index as usize)
     }
@@ -253,27 +241,26 @@ impl<'a> Evaluator<'a> {
         let mut row_law = RowLaw::new(&input, axes.iter().any(Axis::changes_law), self.has_band);
         for _ in cases {
             rows.swept.extend(places.iter().map(|place| *place as f64));
-            let known = match self.known(&places) {
-                Some((_, known)) => known,
+            let contact = match self.kept(&places) {
+                Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_of(&input))),
                 None => own.get_or_insert_with(|| row_law.contact_of(&input)),
             };
-            self.row(&input, known, rows);
+            self.row(&input, contact, rows);
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
-            let mut is_new = false;
+            let mut brings_values = false;
             for (axis, place) in axes.iter().zip(&mut places).rev() {
                 *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
-                if axis.keeps_contact() {
-                    axis.put(*place, &mut input);
-                } else {
-                    is_new = true;
+                axis.put(*place, &mut input);
+                brings_values |= axis.brings_values();
+                if !axis.keeps_contact() {
+                    own = None;
                 }
                 if *place > 0 {
                     break;
                 }
             }
-            if is_new {
-                own = None;
-                self.put_at(axes, &places, &mut input);
+            if brings_values {
+                input = self.plan.input_at(&places);
             }
         }
     }
@@ -319,11 +306,11 @@ impl<'a> Evaluator<'a> {
                 }
                 key.set(&mut input, new);
             }
-            let known = match self.contacts.first().filter(|_| is_one) {
-                Some((_, known)) => known,
+            let contact = match self.contacts.first().filter(|_| is_one) {
+                Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_of(&input))),
                 None => own.get_or_insert_with(|| row_law.contact_of(&input)),
             };
-            self.row(&input, known, rows);
+            self.row(&input, contact, rows);
         }
     }
 }

@@ -175,6 +175,14 @@ pub enum OutsideLaw {
         /// The energy given back over that spent, less 1.
         gain: f64,
     },
+    /// A table of coefficients that breaks a rule.
+    #[error("the coefficients of the law: {key} is not allowed: {rule}")]
+    Coefficients {
+        /// The place in the table.
+        key: &'static str,
+        /// What is allowed there.
+        rule: &'static str,
+    },
     /// The points or the numbers make no flow curve.
     #[error("the flow curve of the body that yields: {0}")]
     Flow(#[from] FlowError),

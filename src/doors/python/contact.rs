@@ -107,12 +107,17 @@ impl Contact {
     /// this number of rows evenly spaced in time, and a row for every event.
     #[pyo3(signature = (speed=None, *, samples=None))]
     fn impact(slf: &Bound<'_, Self>, speed: Option<&Bound<'_, PyAny>>, samples: Option<i64>) -> PyResult<Impact> {
+        // without a speed it is that of the scenario, which may be that of a fall
+        let falls = speed.is_none();
         let speed = slf.get().speed(speed)?;
         if let Some(samples) = samples {
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
         let samples = samples.and_then(|samples| samples.try_into().ok());
-        let impact = Impact::compute(slf.py(), slf.clone().unbind(), speed, samples)?;
+        let mut impact = Impact::compute(slf.py(), slf.clone().unbind(), speed, samples)?;
+        if falls {
+            impact.result.warnings.extend(slf.get().input.flight_warnings());
+        }
         warn(slf.py(), 1, &texts(&impact.result.warnings))?;
         Ok(impact)
     }
@@ -243,7 +248,7 @@ impl Impact {
         let contact = self.contact.get();
         let own = self.own.as_ref().unwrap_or(&contact.inner);
         let band = self.band.get_or_init(|| band(&contact.input, own, self.result.speed, &self.result.essentials));
-        Single { contact: own, impact: &self.result, band: band.as_ref() }
+        Single { contact: own, impact: &self.result, band: band.as_ref(), drop_height: contact.input.drop_height() }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

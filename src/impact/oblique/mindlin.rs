@@ -84,6 +84,18 @@ impl SlipChange {
         Self { ratio, error: 0.0, is_sliding, end: 0.0, steps: Vec::new() }
     }
 
+    /// The change from a σ_0 that is this share of the one that was run. Both are so small that no spring slips but at the rim, and
+    /// σ goes in proportion.
+    pub(super) fn scaled(mut self, share: f64) -> Self {
+        for step in &mut self.steps {
+            if let Friction::Partial(friction) = &mut step.friction {
+                *friction = friction.map(|part| part * share);
+                step.rate /= share;
+            }
+        }
+        self
+    }
+
     /// σ/σ_0 and T at a time, where the contact has this force and this impulse so far.
     pub(super) fn at(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
         let step = self.steps.partition_point(|step| step.start <= time).saturating_sub(1);
@@ -231,7 +243,7 @@ impl TangentialMotion<'_> {
             while state.rim.time < end {
                 count += 1;
                 if count > MOST {
-                    return Err(IntegrationError::TooManySteps { steps: MOST });
+                    return Err(IntegrationError::TooManyFrictionSteps { steps: MOST });
                 }
                 let left = end - state.rim.time;
                 length = length.min(LONGEST * duration);

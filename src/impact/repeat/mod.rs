@@ -156,7 +156,7 @@ impl Repeat {
                     position = flight.position_at(flight.duration);
                     approach = hit.next_approach(flight.landing_speed);
                 };
-                sequence.remaining_time = sequence.geometric_rest(gravity);
+                sequence.remaining_time = sequence.estimated_rest(&flying);
             }
         }
         sequence.warnings.sort_by_key(|(_, warning)| !warning.is_grave());

@@ -3,6 +3,7 @@
 use std::ops::Deref;
 
 use super::flight::Flight;
+use crate::impact::air::Flying;
 use crate::impact::{Approach, Energy, Essentials, Fate, ForcesResult, Impact, Method, Oblique, Warning};
 use crate::numerics::power::max_or_nan;
 use crate::units::names::named;
@@ -67,8 +68,9 @@ pub struct Sequence {
     pub fall: Option<Flight>,
     pub end: End,
     /// Time from the last separation until the sphere would rest, if the last e held for all bounces to come \[s\]:
-    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v. Contact times are left out, and where e rises
-    /// as the speed falls this is a lower bound. `None` where it is infinite (e of 1 or more), or nothing bounces.
+    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v; in air the sum of the flights in air. Contact
+    /// times are left out, and where e rises as the speed falls this is a lower bound. `None` where it is infinite (e of 1 or
+    /// more), where more than 10 000 flights in air would follow, or nothing bounces.
     pub remaining_time: Option<f64>,
     pub method: Method,
     /// The first warning of each kind, with the number of its impact.
@@ -180,9 +182,40 @@ impl Sequence {
         }
     }
 
-    pub(super) fn geometric_rest(&self, gravity: f64) -> Option<f64> {
+    /// [`Sequence::remaining_time`] of flights under these forces.
+    pub(super) fn estimated_rest(&self, flying: &Flying) -> Option<f64> {
         let last = self.hits.last().filter(|_| matches!(self.end, End::Impacts | End::Until))?;
-        let missing = 1.0 - last.measured_restitution();
-        (missing > 0.0).then(|| 2.0 * last.rebound_speed / gravity / missing)
+        let (speed, restitution) = (last.rebound_speed, last.measured_restitution());
+        let missing = 1.0 - restitution;
+        match flying.is_in_air() {
+            _ if missing <= 0.0 => None,
+            true => rest_in_air(flying, speed, restitution),
+            false => Some(2.0 * speed / flying.gravity / missing),
+        }
     }
+}
+
+/// The time until rest of bounces in air with this restitution < 1, the first one at this take-off speed.
+///
+/// The rest of the series after a take-off at v lasts at least as long as if every flight lost the share of the next one, and at
+/// most as long as without drag. The two limits meet as the speed falls.
+fn rest_in_air(flying: &Flying, take_off: f64, restitution: f64) -> Option<f64> {
+    const MOST_FLIGHTS: u32 = 10_000;
+    const ACCURACY: f64 = 1e-6;
+    let (mut time, mut speed) = (0.0, take_off);
+    for _ in 0..MOST_FLIGHTS {
+        if speed <= 0.0 {
+            return Some(time);
+        }
+        let height = flying.rise(speed);
+        let flight = flying.rise_time(speed) + flying.fall_time(height);
+        let next = restitution * flying.landing_speed(height);
+        let least = flight / (1.0 - next / speed);
+        let most = 2.0 * speed / (flying.pull() * (1.0 - restitution));
+        if most - least <= ACCURACY * (time + least) {
+            return Some(time + 0.5 * (least + most));
+        }
+        (time, speed) = (time + flight, next);
+    }
+    None
 }

@@ -41,30 +41,53 @@ impl std::ops::Add for Effort {
     }
 }
 
-/// Most steps of a leg, accepted and rejected. Only with a drag of hundreds of times the critical one is more needed: explicit
+/// Most steps of a leg, accepted and rejected. Only with a drag of hundreds of times the critical one are more needed: explicit
 /// steps are then no longer than the fast decay, and the creep lasts as long as the slow decay. The ratio of the two grows
 /// with the square of the drag.
-pub(crate) const MOST_STEPS: u64 = 1_000_000;
+pub(crate) const MOST_STEPS: u64 = 100_000;
 
-/// Why an integration stopped.
+/// Why an integration stopped. Times and steps are dimensionless.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum IntegrationError {
     /// The step became too small to advance.
-    #[error(
-        "step size underflow at dimensionless time {time:e} (step {step:e}); loosen the tolerance or use another method"
-    )]
+    #[error("step size underflow: a step is too small to move the sphere; loosen the tolerance or use another method")]
     StepUnderflow { time: f64, step: f64 },
     /// More steps than any impact needs.
     #[error(
-        "no landing within {steps} steps; loosen the tolerance, or use method = \"auto\", which takes the closed form where there is one"
+        "no end of the contact within {steps} steps; loosen the tolerance, or use method = \"auto\", which takes the closed form where there is one"
     )]
     TooManySteps { steps: u64 },
+    /// More steps of fixed length than any impact needs.
+    #[error(
+        "no end of the contact within {steps} fixed steps, because the contact lasts much longer than without damping; use method = \"rk8\""
+    )]
+    TooManyFixedSteps { steps: u64 },
+    /// Fixed steps that are too long to follow the contact.
+    #[error(
+        "the fixed steps are too long for this contact: verlet passes it in {steps} steps and finds a restitution of {restitution:.3}; raise solver.steps_per_contact, or use another method than verlet"
+    )]
+    CoarseSteps {
+        /// Steps in contact.
+        steps: u64,
+        /// e of the run.
+        restitution: f64,
+    },
+    /// A strain rate that does not settle.
+    #[error(
+        "strain rate and strength do not settle within {rounds} rounds, because the strength rises too steeply with the rate; lower the sensitivity to the rate of strain"
+    )]
+    UnsettledRate { rounds: u64 },
+    /// More steps of friction than any impact needs.
+    #[error(
+        "friction needs more than {steps} steps in this contact; lower the coefficient of friction, or leave out angle and spin"
+    )]
+    TooManyFrictionSteps { steps: u64 },
     /// A motion damped far beyond critical, which creeps, or whose fast decay leaves only tiny steps.
     #[error(
         "no end of the contact within {steps} steps: it is damped so strongly that it creeps, or that steps are no longer than the fast decay; lower the damping, whose unit may be mistaken"
     )]
     Creeping { steps: u64 },
-    #[error("the state became infinite or not a number at dimensionless time {time:e}")]
+    #[error("the state became infinite or not a number")]
     NotFinite { time: f64 },
 }
 

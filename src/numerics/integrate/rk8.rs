@@ -105,16 +105,17 @@ impl Rk8 {
             let (this, last) = if is_far { (h, f64::INFINITY) } else { leg.target.limit(&now, h) };
             let (mut next, error) = leg.step(field, &now, this);
             self.work.force_evaluations += EVALUATIONS;
-            if error > 1.0 {
+            // NaN where a stage left the range of a formula: a shorter step may stay inside
+            if error > 1.0 || error.is_nan() {
                 self.work.rejected += 1;
-                h = resized(this, error);
+                h = if error.is_nan() { 0.5 * this.abs() } else { resized(this, error) };
+                if !(now.u.is_finite() && now.g.is_finite() && h.is_finite()) {
+                    return Err(IntegrationError::NotFinite { time: now.t });
+                }
                 if now.y + h * now.u == now.y && now.u + h * now.g == now.u {
                     return Err(IntegrationError::StepUnderflow { time: now.t, step: h });
                 }
                 continue;
-            }
-            if error.is_nan() {
-                return Err(IntegrationError::NotFinite { time: now.t });
             }
             self.work.steps += 1;
             let mut length = this;

@@ -26,7 +26,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let contact = contact.at_speed(speed).map_err(refuse)?;
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
     impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
-    impact.warnings.extend(input.doubts_of_air());
+    impact.warnings.extend(input.flight_warnings());
     Ok((input, contact, impact))
 }
 
@@ -64,7 +64,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         Ok(captioned(drawn, &caption(&input, &[])))
     })?);
     let band = band(&input, &contact, impact.speed, &impact.essentials);
-    let single = Single { contact: &contact, impact: &impact, band: band.as_ref() };
+    let single = Single { contact: &contact, impact: &impact, band: band.as_ref(), drop_height: input.drop_height() };
     let files = with_summary(files, provenance, fields(&results(), &single), &Inputs::new(&input))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&single, options.detail), files))
 }

@@ -99,7 +99,7 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
         ImpactError::NoClosedForm => "solver.method",
         ImpactError::SmallInertia { .. } => "sphere.moment_of_inertia",
         ImpactError::TooDeep { .. } => speeds.into_iter().find(|key| scenario.document.has(key)).unwrap_or(speeds[0]),
-        ImpactError::Range(_) | ImpactError::Integration(_) => "",
+        ImpactError::Range(_) | ImpactError::Invalid(_) | ImpactError::Integration(_) => "",
     };
     let document = &scenario.document;
     if document.has(key) {

@@ -51,7 +51,7 @@ impl Series<'_> {
 
 /// How the time of bouncing after the end of the series is estimated.
 const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
-                         for all bounces to come and contact times left out (a lower bound where e rises as the speed \
+                         for all bounces to come and contact times left out, or with [air] the sum of these flights (a lower bound where e rises as the speed \
                          falls); null if e is 1 or more, or the sphere stays in its dent";
 
 /// The results of a series, in the order of `summary.json`.

@@ -10,9 +10,8 @@ use crate::contact::materials::{MaterialEntry, all};
 use crate::impact::air::{Flying, Medium};
 use crate::impact::{
     Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
-    Solver, Warning, WarningKind,
+    Solver,
 };
-use crate::units::percent;
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
 pub const DEFAULT_SAMPLES: usize = 400;
@@ -83,36 +82,6 @@ impl Input {
             Some(Flying::in_air(gravity, &medium, self.radius()?, self.mass()?))
         };
         falls.then(|| in_air().unwrap_or(in_vacuum))
-    }
-
-    /// Warns of a fall without air that air would slow, and of a ball that is so light that the
-    /// air that moves with it counts.
-    pub fn doubts_of_air(&self) -> Option<Warning> {
-        /// Air of a room, and the drag of a smooth sphere.
-        const USUAL: Medium = Medium { density: 1.2, drag: Some(0.47), viscosity: f64::NAN };
-        let (radius, mass) = (self.radius()?, self.mass()?);
-        if let Some(air) = self.air() {
-            let added = 0.5 * Flying::buoyancy(air.density, radius, mass);
-            return (added > 0.003).then(|| {
-                let text = format!(
-                    "the air that moves with so light a ball has {} of its mass, which is neglected: heights and times may be off by as much",
-                    percent(added)
-                );
-                Warning::new(WarningKind::InAir, added, text)
-            });
-        }
-        let height = self.number(at!("impact.drop_height")).filter(|height| *height > 0.0)?;
-        // a body with a tip falls in a guide
-        let is_ball = self.number(at!("sphere.mass")).is_none();
-        let flying = Flying::in_air(self.falling_gravity(), &USUAL, radius, mass);
-        let slower = 1.0 - flying.landing_speed(height) / self.speed();
-        (is_ball && slower > 0.005).then(|| {
-            let text = format!(
-                "in air the ball arrives {} slower: add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
-                percent(slower)
-            );
-            Warning::new(WarningKind::InAir, slower, text)
-        })
     }
 
     /// The air, if it is given.

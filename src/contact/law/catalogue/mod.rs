@@ -21,7 +21,8 @@ pub mod yigit_christoforou;
 
 use super::contact_law::{About, Bodies, ContactLaw};
 pub use super::plm;
-use super::published::LawParts;
+use super::published::{LawParts, OutsideLaw};
+use super::Law;
 use crate::contact::strength::flow::FlowCurve;
 
 macro_rules! laws {
@@ -140,7 +141,34 @@ pub struct Combined {
     pub unloading: Box<LawChoice>,
 }
 
+impl LawChoice {
+    /// The law whose loading, and the law whose unloading this one has.
+    fn halves(&self) -> [&Self; 2] {
+        match self {
+            Self::Combined(Combined { loading, unloading }) => {
+                let ([loading, _], [_, unloading]) = (loading.halves(), unloading.halves());
+                [loading, unloading]
+            }
+            law => [law; 2],
+        }
+    }
+}
+
 impl ContactLaw for Combined {
+    /// The PLM with its own unloading is the PLM.
+    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
+        let ([loading, _], [_, unloading]) = (self.loading.halves(), self.unloading.halves());
+        if let LawChoice::Plm(plm) = unloading {
+            plm.check(bodies)?;
+        }
+        if let (LawChoice::Plm(loading), LawChoice::Plm(unloading)) = (loading, unloading) {
+            loading.check(bodies)?;
+            return Ok(loading.unloading_by(unloading, bodies));
+        }
+        let LawParts { loading, recovery } = self.rules(bodies);
+        Ok(Law::published(loading?, recovery))
+    }
+
     fn rules(&self, bodies: &Bodies) -> LawParts {
         let [loading, unloading] = [&self.loading, &self.unloading].map(|half| half.get().rules(bodies));
         LawParts { recovery: unloading.recovery, ..loading }

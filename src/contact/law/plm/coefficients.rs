@@ -9,7 +9,7 @@ use thiserror::Error;
 use super::contact_radius::RadiusTable;
 use super::lines::{ElasticLine, LineSlopes};
 use super::rule::PlmRule;
-use crate::contact::law::{Law, UnloadingExponent};
+use crate::contact::law::{Law, OutsideLaw, UnloadingExponent};
 use crate::contact::material::Pair;
 use crate::numerics::curve::Curve;
 
@@ -161,6 +161,14 @@ impl PlmCoefficients {
         match rules.iter().find(|(holds, ..)| !holds) {
             Some((_, key, value, rule)) => Err(CoefficientsError::Value { key, value: format!("{value:?}"), rule }),
             None => Ok(()),
+        }
+    }
+
+    /// [`Self::check`], as an error of the law.
+    pub(super) fn check_rules(&self) -> Result<(), OutsideLaw> {
+        match self.check() {
+            Err(CoefficientsError::Value { key, rule, .. }) => Err(OutsideLaw::Coefficients { key, rule }),
+            Err(CoefficientsError::Form(_)) | Ok(()) => Ok(()),
         }
     }
 

@@ -3,8 +3,12 @@
 //! ```text
 //! a = â/(Λ G)
 //! Λ: the shape of the contact pressure, straight in A = â/a_Y; 1 is Hertz, 3π/8 is uniform pressure
-//! G = 1 + (g + g_κ κ²) max(0, â/R − g_0): a deep contact is narrower than that of a half-space
+//! G = 1 + (g + g_κ κ²) max(0, â/R − g_0 − max(0, a_Y/R − g_0)/A): a deep contact is narrower than that of a half-space
 //! ```
+//!
+//! An elastic contact has the radius of Hertz at every depth. G was fitted to finite elements of bodies that yield at a_Y/R < g_0:
+//! there the last term is 0. A harder body is elastic beyond g_0, and the last term makes G = 1 up to first yield (A = 1). The
+//! term decays with 1/A, so that a contact far beyond first yield has the fitted G.
 //!
 //! Force, elastic approach and restitution do not depend on G. Dent radius and mean pressure do.
 
@@ -61,6 +65,10 @@ impl RadiusTable {
 
     /// G at A, of a table in units of a_Y.
     pub fn geometry_at(&self, equivalent_radius: f64) -> f64 {
-        1.0 + self.geometry_slope * (equivalent_radius - self.geometry_from).max(0.0)
+        let beyond = equivalent_radius - self.geometry_from;
+        // a body that yields beyond g_0 has Hertz's radius up to first yield
+        let elastic = 1.0 - self.geometry_from;
+        let beyond = if elastic > 0.0 { beyond - elastic / equivalent_radius } else { beyond };
+        1.0 + self.geometry_slope * beyond.max(0.0)
     }
 }

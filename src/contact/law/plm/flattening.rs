@@ -101,8 +101,9 @@ impl Flattening {
         (curve.with_crossings(), Self { plain, recovery: recovery * yield_radius_ratio, widest })
     }
 
-    /// The share of ε_line that comes back at x > 1, where the strength is σ_rep = r σ_Y.
+    /// The share of ε_line that comes back at x > 1, where the strength is σ_rep = r σ_Y. Beyond δ = R, where no law holds, it
+    /// stays positive.
     pub(super) fn recovered(&self, x: f64, r: f64) -> f64 {
-        1.0 - self.recovery * (x.sqrt() - r)
+        1.0 - (self.recovery * (x.sqrt() - r)).min(RECOVERY)
     }
 }

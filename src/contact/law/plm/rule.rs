@@ -4,9 +4,9 @@ use super::contact_radius::RadiusTable;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
 use super::lines::ElasticLine;
-use crate::contact::law::published::Limits;
+use crate::contact::law::published::{Limits, PeakState, Recovered};
 use crate::contact::law::unloading::{
-    ContactState, Unloading, UnloadingExponent, allowed_exponent, pressure_shape_exponent,
+    ContactState, Unloading, UnloadingExponent, UnloadingShape, allowed_exponent, pressure_shape_exponent,
 };
 
 /// How the PLM unloads beyond first yield.
@@ -93,24 +93,46 @@ impl PlmRule {
     /// The exponent that is asked for; that of Hertz where there is no dent.
     #[inline(always)]
     pub(crate) fn asked(&self, peak: &ContactState) -> f64 {
+        self.exponent_at(peak, || self.equivalent(peak))
+    }
+
+    /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
+    /// rule, so A is this force over the elastic approach that belongs to it.
+    pub(super) fn recovered(&self, at: &PeakState) -> Recovered {
+        let of_plm = self.state(at.indentation, at.force);
+        let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
+        let equivalent = || match at.elastic_approach {
+            None if at.indentation > 1.0 => at.force / self.plain_approach(at.indentation, at.force),
+            _ => at.force / elastic_approach,
+        };
+        let exponent = self.exponent_at(&ContactState { elastic_approach, ..of_plm }, equivalent);
+        Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
+    }
+
+    /// The exponent that is asked for at a peak with this A.
+    #[inline(always)]
+    fn exponent_at(&self, peak: &ContactState, equivalent: impl FnOnce() -> f64) -> f64 {
         match self.exponent {
             UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
-            UnloadingExponent::PressureShape if peak.indentation > 1.0 => self.pressure_shape(peak),
+            UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
+                self.pressure_shape(peak.indentation, equivalent())
+            }
             _ => 1.5,
         }
     }
 
-    /// The exponent that follows from the shape of the contact pressure at a peak beyond first yield.
+    /// The exponent that follows from the shape of the contact pressure at x beyond first yield, where A is this. It is at least
+    /// 1: a force with a smaller exponent would leave the contact with an infinite stiffness.
     #[inline(always)]
-    fn pressure_shape(&self, peak: &ContactState) -> f64 {
-        let equivalent = self.equivalent(peak);
-        match &self.hardening {
+    fn pressure_shape(&self, x: f64, equivalent: f64) -> f64 {
+        let exponent = match &self.hardening {
             None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
             Some(hardening) => {
-                let shape = hardening.shape(peak.indentation, equivalent);
+                let shape = hardening.shape(x, equivalent);
                 pressure_shape_exponent(self.radius.ratio_at(shape.equivalent)) - shape.exponent_loss()
             }
-        }
+        };
+        exponent.max(1.0)
     }
 
     /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.

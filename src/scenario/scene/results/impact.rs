@@ -18,6 +18,8 @@ pub struct Single<'a> {
     pub impact: &'a Impact,
     /// The range in which e is expected, if it is known.
     pub band: Option<&'a Band>,
+    /// The height of the fall \[m\], if it is given.
+    pub drop_height: Option<f64>,
 }
 
 /// The lowest and the highest e that are to be expected.
@@ -150,9 +152,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "rebound_height_m" in Length as "rebound height" [Flight: |row| row.rebound_height];
         /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
         "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: single.in_air().and_then(|flying| {
-            let height = flying.drop_height(single.impact.speed);
-            let fallen = 1.0 - single.impact.speed * single.impact.speed / (2.0 * flying.gravity * height);
-            height.is_finite().then_some(fallen)
+            // near the terminal speed the height cannot be found from the speed
+            let from_given = |height: &f64| flying.landing_speed(*height) == single.impact.speed;
+            let height = single.drop_height.filter(from_given);
+            let height = height.unwrap_or_else(|| flying.drop_height(single.impact.speed));
+            height.is_finite().then(|| flying.loss_fraction(height))
         });
         /// Speed at which the drag of the air carries the weight.
         "terminal_speed_m_per_s" in Speed if AIR: single.in_air().map(|flying| flying.terminal_speed());
