@@ -17,7 +17,7 @@ use tempfile::TempDir;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 const TUTORIAL: &str = "scenarios/tutorial.md";
-const PAGES: [&str; 13] = [
+const PAGES: [&str; 14] = [
     "README.md",
     "src/README.md",
     "scenarios/README.md",
@@ -26,6 +26,7 @@ const PAGES: [&str; 13] = [
     "scenarios/results.md",
     "scenarios/tables.md",
     "scenarios/trust.md",
+    "scenarios/units.md",
     TUTORIAL,
     "plots/bench/README.md",
     "plots/bench/python.md",

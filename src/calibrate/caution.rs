@@ -2,8 +2,10 @@
 //! at the ends are computed: those with the smallest and the largest value of every column, and the slowest and the fastest.
 
 use super::Calibration;
+use super::data::Value;
 use super::problem::Problem;
 use crate::impact::Warning;
+use crate::scenario::scene::{Measured, at};
 
 impl Calibration<'_> {
     /// The worst warning of each kind, with the line of its impact, which measurements of the scenario itself do not have. A
@@ -16,7 +18,19 @@ impl Calibration<'_> {
             let Ok(contact) = input.contact() else { continue };
             let Ok(impact) = contact.impact(input.speed(), &input.solver(), None) else { continue };
             let line = Some(problem.data.rows[row].line).filter(|line| *line > 0);
-            for warning in impact.warnings {
+            let height = input.number(at!("impact.drop_height"));
+            let risen = |value: &Value| match value.quantity {
+                Measured::ReboundHeight => Some(value.value),
+                // a restitution of a drop test is that of its heights
+                Measured::Restitution | Measured::BounceInterval => {
+                    Some(impact.restitution * impact.restitution * height?)
+                }
+                _ => None,
+            };
+            let values = problem.data.values.iter().filter(|value| value.row == row);
+            let risen = values.filter_map(risen).reduce(f64::max);
+            let of_flight = input.height_warning().into_iter().chain(input.measured_air_warning(risen));
+            for warning in impact.warnings.into_iter().chain(of_flight) {
                 warning.keep_worst(&mut worst, || line);
             }
         }

@@ -214,8 +214,10 @@ impl Data {
             if field.is_empty() {
                 match column.role {
                     Role::Key(at) if KEYS[at].path.starts_with("impact.") => {
-                        let before = self.values.iter().rev().find(|value| value.row + 1 == row);
-                        let interval = before.filter(|value| value.quantity == Measured::BounceInterval);
+                        // the line before may have other measured values too, left and right of its interval
+                        let is_interval =
+                            |value: &&Value| value.row + 1 == row && value.quantity == Measured::BounceInterval;
+                        let interval = self.values.iter().rev().find(is_interval);
                         read.interval_before = Some(interval.map(|value| value.value).ok_or_else(|| {
                             refuse("is empty, and the line before has no bounce_interval from which the speed follows; give a value".to_owned())
                         })?);

@@ -169,11 +169,21 @@ impl Noise {
 fn scatter(residuals: &[f64], keys: usize, is_robust: bool) -> f64 {
     let (count, freedom) = (residuals.len() as f64, (residuals.len() - keys) as f64);
     if is_robust {
-        let mut sizes: Vec<f64> = residuals.iter().map(|residual| residual.abs()).collect();
-        sizes.sort_by(f64::total_cmp);
-        1.482_602_218_505_602 * sizes[sizes.len() / 2] * (count / freedom).sqrt()
+        1.482_602_218_505_602 * median(residuals.iter().map(|residual| residual.abs())) * (count / freedom).sqrt()
     } else {
         (residuals.iter().map(|residual| residual * residual).sum::<f64>() / freedom).sqrt()
+    }
+}
+
+/// The median: of an even number of values the mean of the two in the middle. NaN without values.
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut sorted: Vec<f64> = values.collect();
+    sorted.sort_by(f64::total_cmp);
+    let middle = sorted.len() / 2;
+    match (sorted.get(middle), sorted.get(middle.wrapping_sub(1))) {
+        (Some(upper), Some(lower)) if sorted.len().is_multiple_of(2) => 0.5 * (lower + upper),
+        (Some(value), _) => *value,
+        (None, _) => f64::NAN,
     }
 }
 
@@ -212,4 +222,17 @@ pub(super) fn in_order(problem: &Problem, residuals: &[f64]) -> Vec<f64> {
         a.quantity.cmp(&b.quantity).then(speeds[a.row].total_cmp(&speeds[b.row]))
     });
     sorted.into_iter().map(|i| residuals[i]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::median;
+
+    #[test]
+    fn the_median_of_an_even_number_is_the_mean_of_the_two_in_the_middle() {
+        assert_eq!(median([4.0, 1.0, 3.0, 9.0].into_iter()), 3.5);
+        assert_eq!(median([4.0, 1.0, 9.0].into_iter()), 4.0);
+        assert_eq!(median([7.0].into_iter()), 7.0);
+        assert!(median(std::iter::empty()).is_nan());
+    }
 }

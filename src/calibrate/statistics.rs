@@ -55,7 +55,7 @@ pub fn runs_test(residuals: &[f64]) -> Option<Runs> {
     let runs = 1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as u64;
     let ways = |n: u64, k: u64| if k > n { f64::NEG_INFINITY } else { ln_binomial(n, k) };
     let all = ways(above + below, above);
-    let p_of_chi_square = |runs: u64| {
+    let probability_of = |runs: u64| {
         let half = runs / 2;
         let probability = |a: u64, b: u64| exp(ways(above - 1, a) + ways(below - 1, b) - all);
         if runs.is_multiple_of(2) {
@@ -64,6 +64,6 @@ pub fn runs_test(residuals: &[f64]) -> Option<Runs> {
             probability(half, half - 1) + probability(half - 1, half)
         }
     };
-    let p = to_twelve_digits((2..=runs).map(p_of_chi_square).sum::<f64>().min(1.0));
-    Some(Runs { p, least: to_twelve_digits(p_of_chi_square(2)) })
+    let p = to_twelve_digits((2..=runs).map(probability_of).sum::<f64>().min(1.0));
+    Some(Runs { p, least: to_twelve_digits(probability_of(2)) })
 }

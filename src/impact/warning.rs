@@ -60,6 +60,8 @@ pub enum WarningKind {
     Mismatch,
     /// A fall that air would slow, or a ball so light that air moves with it.
     InAir,
+    /// A drop height far above that of a test, as where a unit is mistaken.
+    HighDrop,
     /// A sphere so small and slow that adhesion counts.
     Adhesion,
     /// A key or a table of the scenario that has no effect.

@@ -241,6 +241,11 @@ fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
     let [from, to] = pair([quantity; 2], ends)?;
     let points = points.ok_or_else(|| Fault::at(value, "points, the number of values, is missing"))?;
     let points = count(&POINTS, points)?;
+    if from.to_bits() == to.to_bits() && points > 1 {
+        let message =
+            format!("both ends are equal, which would be the same rows {points} times; give two ends, or points = 1");
+        return Err(Fault::at(ends, message));
+    }
     if !is_log {
         return Ok(Values::Spaced { from, to, points, decades: None });
     }

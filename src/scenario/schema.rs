@@ -122,10 +122,17 @@ fn reference(quantity: &Quantity) -> Value {
     json!({ "$ref": format!("#/$defs/{}", quantity.name.replace(' ', "%20")) })
 }
 
-/// A number in SI within its range, or a text with a unit that is not one of another dimension.
+/// A number in SI within its range, or a text with a unit that is not one of another dimension. A unit of this dimension may end in
+/// one of another, as "Pa s" does.
 fn quantity_of(quantity: &Quantity) -> Value {
-    let others: Vec<String> = quantity.dimension.units_of_others().map(|unit| unit.replace('^', "\\^")).collect();
-    let pattern = format!("^(?!.*[0-9.\\s]({})\\s*$)\\s*[+\u{2212}-]?[0-9.]", others.join("|"));
+    fn alternatives<'u>(units: impl Iterator<Item = &'u str>) -> String {
+        units.map(|unit| unit.replace('^', "\\^")).collect::<Vec<_>>().join("|")
+    }
+    let (own, others) = (quantity.dimension.unit_names(), quantity.dimension.units_of_others());
+    let (own, others) = (alternatives(own), alternatives(others));
+    let number = "\\s*[+\u{2212}-]?[0-9.]";
+    let with_own = format!("{number}[0-9.eE+\u{2212}-]*\\s*({own})\\s*$");
+    let pattern = format!("^(?:{with_own}|(?!.*[0-9.\\s]({others})\\s*$){number})");
     let example = quantity.example.trim_matches('"');
     let text = json!({ "type": "string", "pattern": pattern, "examples": [example] });
     json!({ "anyOf": [ranged("number", quantity), text] })

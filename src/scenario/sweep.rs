@@ -4,7 +4,7 @@ use super::Scenario;
 use super::axes::{METHOD, RandomKeys};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
-use crate::scenario::plan::{Cases, MOST_CASES, Plan};
+use crate::scenario::plan::{Cases, MOST_CASES, Plan, RESTITUTION};
 use crate::scenario::scene::results::{Column, columns};
 use crate::scenario::scene::{At, OTHER, Purpose, at};
 
@@ -32,8 +32,11 @@ impl Scenario {
         plan.warnings = self.without_effect(&plan.with_words(), Purpose::Impact);
         self.choose_columns(&mut plan)?;
         plan.pictures = self.chosen("output.picture", at!("output.picture"), &plan)?;
-        if plan.pictures.is_some() && plan.is_monte_carlo() {
-            return refuse("output.picture", HISTOGRAM.to_owned());
+        if let (Some(columns), Some(pictures)) = (&mut plan.columns, &plan.pictures)
+            && matches!(plan.cases, Cases::MonteCarlo { .. })
+        {
+            // a resumed run reads the values of a histogram back
+            columns.extend(pictures);
         }
         if let Some((path, problem)) = plan.unused() {
             return refuse(path, problem);
@@ -93,8 +96,3 @@ impl Scenario {
 
 /// A distribution with a smaller share in the allowed range is taken for a mistake.
 const LEAST_KEPT: f64 = 1e-3;
-
-const HISTOGRAM: &str = "random cases have a histogram of the restitution: leave the key out, or draw the columns of the table with another tool";
-
-/// A table always has this result: a resumed run reads it back.
-const RESTITUTION: &str = "restitution";

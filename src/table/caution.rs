@@ -39,16 +39,15 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
     for places in chosen {
         let mut input = plan.input.clone();
         put(axes, &places, &mut input);
-        let Some(impact) = shared.map_or_else(
+        let impact = shared.map_or_else(
             || {
                 let contact = input.contact().ok()?;
                 impact(&contact, &input)
             },
             |contact| impact(contact, &input),
-        ) else {
-            continue;
-        };
-        for warning in impact.warnings {
+        );
+        let of_impact = impact.map_or_else(Vec::new, |impact| impact.warnings);
+        for warning in of_impact.into_iter().chain(input.flight_warnings()) {
             let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
             warning.keep_worst(&mut worst, || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", "));
         }
@@ -79,14 +78,7 @@ fn corner(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
 /// The places of the smallest and the largest value of an axis, or of all its words.
 fn ends(axis: &Axis) -> Vec<u64> {
     let mut places: Vec<u64> = match &axis.setting {
-        // a list may be in any order
-        Setting::Number { values: Values::List(values), .. } => {
-            let all = || (0..).zip(values);
-            let smallest = all().min_by(|a, b| a.1.total_cmp(b.1));
-            let largest = all().max_by(|a, b| a.1.total_cmp(b.1));
-            smallest.into_iter().chain(largest).map(|(place, _)| place).collect()
-        }
-        Setting::Number { .. } => vec![0, axis.len() - 1],
+        Setting::Number { .. } => axis.extreme_places().to_vec(),
         // of the methods only fixed steps have warnings of their own
         Setting::Words { words, .. } if matches!(words[..], [Word::Method(_), ..]) => {
             let verlet = words.iter().position(|word| matches!(word, Word::Method(Method::Verlet)));

@@ -1,23 +1,24 @@
 //! How rows are counted: as results, as rows outside the range of a law, or as failures.
 
 use super::Failure;
-use super::statistics::Statistics;
+use super::statistics::{Distribution, Statistics};
 use crate::impact::Essentials;
 use crate::scenario::plan::Plan;
+use crate::scenario::scene::results::Column;
 
-/// How a row counts: its coefficient of restitution e, which a sphere that was released at rest does not have; or why there is
-/// no result.
-pub type Count = Result<Option<f64>, Failure>;
+/// How a row counts: its values of the columns of [`Plan::statistics_columns`], NaN where it has none; or why there is no result.
+pub type Count = Result<Vec<f64>, Failure>;
 
-/// How a computed row counts.
-pub fn count(result: &Result<Essentials, Failure>) -> Count {
-    result.as_ref().map(|row| row.has_speed().then_some(row.restitution)).map_err(|failure| *failure)
+/// How a computed row counts. `columns` are those that have statistics.
+pub fn count(result: &Result<Essentials, Failure>, columns: &[Column]) -> Count {
+    let values = |row: &Essentials| columns.iter().map(|column| (column.value)(row).unwrap_or(f64::NAN)).collect();
+    result.as_ref().map(values).map_err(|failure| *failure)
 }
 
 /// The count of a row that was read back; `None` for an unknown status.
-pub(super) fn written(status: &str, restitution: Option<f64>) -> Option<Count> {
+pub(super) fn written(status: &str, values: Vec<f64>) -> Option<Count> {
     if status == OK {
-        return Some(Ok(restitution));
+        return Some(Ok(values));
     }
     Failure::find(status).map(Err)
 }
@@ -29,7 +30,7 @@ pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
     result.as_ref().map_or_else(|failure| failure.name(), |_| OK)
 }
 
-/// Counts of rows, and the statistics of e.
+/// Counts of rows, and the statistics of their columns.
 #[derive(Debug, Clone, Default)]
 pub struct Tally {
     pub rows: u64,
@@ -37,16 +38,15 @@ pub struct Tally {
     pub failures: u64,
     /// Rows outside the range of the law.
     pub outside_law: u64,
-    /// True if values are random; only then e goes into the statistics.
-    is_random: bool,
-    /// Statistics of e; empty if the values are not random.
-    pub statistics: Statistics,
+    /// The columns of [`Plan::statistics_columns`], the restitution first. Empty if the values are not random.
+    pub statistics: Vec<(Column, Statistics)>,
 }
 
 impl Tally {
     /// No rows of this plan yet.
     pub fn new(plan: &Plan) -> Self {
-        Self { is_random: plan.is_monte_carlo(), ..Self::default() }
+        let statistics = plan.statistics_columns().into_iter().map(|column| (column, Statistics::default())).collect();
+        Self { statistics, ..Self::default() }
     }
 
     /// Counts a row. The statistics depend on the order of the rows in their last digits.
@@ -56,8 +56,16 @@ impl Tally {
             // an answer, not a failure
             Err(Failure::OutsideLaw) => self.outside_law += 1,
             Err(_) => self.failures += 1,
-            Ok(Some(restitution)) if self.is_random => self.statistics.push(restitution),
-            Ok(_) => {}
+            Ok(values) => {
+                for ((_, statistics), value) in self.statistics.iter_mut().zip(values) {
+                    statistics.push(value);
+                }
+            }
         }
+    }
+
+    /// The distribution of every column that has values.
+    pub fn distributions(&self) -> Vec<(Column, Distribution)> {
+        self.statistics.iter().filter_map(|(column, all)| Some((*column, all.distribution()?))).collect()
     }
 }

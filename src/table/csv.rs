@@ -10,6 +10,7 @@ use super::count::{Count, status, written};
 use super::form::Form;
 use crate::files::NewFile;
 use crate::scenario::plan::{Plan, Values};
+use crate::scenario::scene::results::Column as ResultColumn;
 
 /// Writes rows as lines of text.
 #[derive(Debug)]
@@ -17,8 +18,8 @@ pub struct Csv {
     header: Vec<u8>,
     /// The columns; those of an axis with its values as text, so that they are converted once.
     fields: Vec<(Column, Vec<Vec<u8>>)>,
-    /// Place of e among the fields; every table has it.
-    restitution: usize,
+    /// The places of the columns with statistics among the fields.
+    with_statistics: Vec<usize>,
 }
 
 /// An axis with up to this number of values is converted to text before the first row, which takes some milliseconds.
@@ -37,10 +38,11 @@ fn rendered(column: &Column) -> Vec<Vec<u8>> {
 impl Csv {
     pub fn new(plan: &Plan) -> Self {
         let names = plan.column_names();
-        let restitution = names.iter().position(|name| name == "restitution").unwrap_or(1);
+        let place = |column: &ResultColumn| names.iter().position(|name| name == column.name);
+        let with_statistics = plan.statistics_columns().iter().filter_map(place).collect();
         let fields = columns(plan).into_iter().map(|column| (rendered(&column), column));
         let fields = fields.map(|(texts, column)| (column, texts)).collect();
-        Self { header: (names.join(",") + "\n").into_bytes(), fields, restitution }
+        Self { header: (names.join(",") + "\n").into_bytes(), fields, with_statistics }
     }
 
     /// These rows as lines.
@@ -87,9 +89,15 @@ impl Csv {
     fn count(&self, line: &[u8]) -> Option<Count> {
         let line = std::str::from_utf8(line).ok()?;
         let (before, status) = line.rsplit_once(',')?;
-        let restitution = before.split(',').nth(self.restitution)?;
-        let restitution = if restitution.is_empty() { None } else { Some(restitution.parse().ok()?) };
-        written(status, restitution)
+        if self.with_statistics.is_empty() {
+            return written(status, Vec::new());
+        }
+        let fields: Vec<&str> = before.split(',').collect();
+        let value = |place: &usize| match *fields.get(*place)? {
+            "" => Some(f64::NAN),
+            field => field.parse().ok(),
+        };
+        written(status, self.with_statistics.iter().map(value).collect::<Option<_>>()?)
     }
 }
 

@@ -205,6 +205,7 @@ impl<F: Form> Table<'_, F> {
             };
             Error::new(ErrorKind::Stopped(130), format!("interrupted after {rows} of {total} rows; {then}"))
         };
+        let with_statistics = job.plan.statistics_columns();
         // rows of pieces that are done: their memory serves the next ones
         let spare = Mutex::new(Vec::new());
         let compute = |cases: Range<u64>| {
@@ -217,7 +218,7 @@ impl<F: Form> Table<'_, F> {
             rows.clear();
             self.evaluator.rows(cases.clone(), &mut rows);
             let piece = self.form.encode(&rows).map_err(file("cannot be encoded", &self.path(&self.name)))?;
-            let counts = rows.results.iter().map(count).collect();
+            let counts = rows.results.iter().map(|row| count(row, &with_statistics)).collect();
             spare.lock().unwrap_or_else(PoisonError::into_inner).push(rows);
             Ok(Made { cases, piece: Some(piece), counts })
         };

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use arrow_array::cast::AsArray as _;
 use arrow_array::types::Float64Type;
-use arrow_array::{ArrayRef, Int64Array, RecordBatch, StringArray};
+use arrow_array::{Array as _, ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::{ArrowError, Schema, SchemaRef};
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
@@ -36,13 +36,16 @@ pub(super) struct Parquet {
     columns: Vec<Column>,
     words: Vec<Option<Arc<StringArray>>>,
     schema: SchemaRef,
+    /// The names of the columns with statistics.
+    with_statistics: Vec<&'static str>,
 }
 
 impl Parquet {
     pub(super) fn new(plan: &Plan) -> Result<Self, ParquetError> {
         let columns = columns(plan);
         let words = columns.iter().map(|column| Some(Arc::new(StringArray::from(column.words()?)))).collect();
-        let mut parquet = Self { columns, words, schema: Arc::new(Schema::empty()) };
+        let with_statistics = plan.statistics_columns().into_iter().map(|column| column.name).collect();
+        let mut parquet = Self { columns, words, schema: Arc::new(Schema::empty()), with_statistics };
         // the types are those of the arrays
         let fields = |arrays: Vec<ArrayRef>| {
             let names = plan.column_names().into_iter().zip(arrays).zip(&parquet.columns);
@@ -83,23 +86,24 @@ impl Parquet {
     }
 }
 
-/// Counts the rows of a file; whether there are so many, and all are whole.
-fn count_rows(file: File, rows: u64, count: &mut dyn FnMut(Count)) -> Result<bool, ParquetError> {
+/// Counts the rows of a file; whether there are so many, and all are whole. `names` are the columns with statistics.
+fn count_rows(file: File, names: &[&str], rows: u64, count: &mut dyn FnMut(Count)) -> Result<bool, ParquetError> {
     let reader = ParquetRecordBatchReaderBuilder::try_new(file)?;
     if u64::try_from(reader.metadata().file_metadata().num_rows()).ok() != Some(rows) {
         return Ok(false);
     }
-    let mask = ProjectionMask::columns(reader.parquet_schema(), ["restitution", "status"]);
+    let mask = ProjectionMask::columns(reader.parquet_schema(), names.iter().copied().chain(["status"]));
     for batch in reader.with_projection(mask).build()? {
         let batch = batch?;
-        let columns = batch.column_by_name("restitution").zip(batch.column_by_name("status"));
-        let Some((values, states)) = columns else { return Ok(false) };
-        let (Some(values), Some(states)) = (values.as_primitive_opt::<Float64Type>(), states.as_string_opt::<i32>())
-        else {
-            return Ok(false);
-        };
-        for (value, state) in values.iter().zip(states.iter()) {
-            let Some(one) = written(state.unwrap_or_default(), value) else { return Ok(false) };
+        let numbers = |name: &&str| batch.column_by_name(name)?.as_primitive_opt::<Float64Type>();
+        let columns: Option<Vec<_>> = names.iter().map(numbers).collect();
+        let states = batch.column_by_name("status").and_then(|column| column.as_string_opt::<i32>());
+        let Some((columns, states)) = columns.zip(states) else { return Ok(false) };
+        for (row, state) in states.iter().enumerate() {
+            let value = |column: &&Float64Array| if column.is_valid(row) { column.value(row) } else { f64::NAN };
+            let Some(one) = written(state.unwrap_or_default(), columns.iter().map(value).collect()) else {
+                return Ok(false);
+            };
             count(one);
         }
     }
@@ -138,7 +142,7 @@ impl Form for Parquet {
 
     fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<bool> {
         // a file that is no Parquet is torn too
-        Ok(count_rows(File::open(path)?, rows, count).unwrap_or(false))
+        Ok(count_rows(File::open(path)?, &self.with_statistics, rows, count).unwrap_or(false))
     }
 }
 

@@ -10,6 +10,8 @@ macro_rules! dimensions {
         }
 
         impl Dimension {
+            pub const ALL: &'static [Self] = &[$(Self::$dimension),+];
+
             const fn words(self) -> [&'static str; 4] {
                 match self {
                     $(Self::$dimension => [$name, $unit, $suffix, $example],)+

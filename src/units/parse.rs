@@ -4,21 +4,55 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::Dimension;
+use super::format::capital;
 use super::names::did_you_mean;
 use super::table::{Scale, UNITS, Unit};
 use crate::error::Error;
 
-fn known(unit: &str, dimension: Dimension) -> String {
+/// Other spellings of units, each with the unit that is meant. Letter by letter some are nearer to another unit.
+const LIKELY: [(&str, &str); 14] = [
+    ("inches", "in"),
+    ("foot", "ft"),
+    ("feet", "ft"),
+    ("meter", "m"),
+    ("metre", "m"),
+    ("microns", "micron"),
+    ("kmh", "km/h"),
+    ("km/hr", "km/h"),
+    ("kmph", "km/h"),
+    ("fps", "ft/s"),
+    ("lbs", "lb"),
+    ("pound", "lb"),
+    ("ounce", "oz"),
+    ("gram", "g"),
+];
+
+/// The end of a message about an unknown unit: the unit that is likely meant, if there is one, and all units.
+fn unknown_unit_hint(unit: &str, dimension: Dimension) -> String {
     let all = match dimension {
         Dimension::Ratio => "none, or %".to_owned(),
-        _ => dimension.units().map(|unit| unit.name).collect::<Vec<_>>().join(", "),
+        _ => dimension.unit_names().collect::<Vec<_>>().join(", "),
     };
     let rest = format!("units of {} are {all}", dimension.name());
     // "m/sec" and "m s^-1" are near to no name letter by letter
     let joined = plain_spelling(unit).replace(' ', "").replace("sec", "s");
     let guess = joined.replace("s-", "/s").replace("m-", "/m").replace("/s1", "/s");
-    did_you_mean(&guess, dimension.units().map(|unit| unit.name), '"', &rest)
+    let same = dimension.unit_names().find(|name| plain_spelling(name).replace(' ', "").eq_ignore_ascii_case(&guess));
+    let likely = || {
+        let lower = guess.to_lowercase();
+        let meant = LIKELY.iter().find(|(written, _)| *written == lower || format!("{written}s") == lower);
+        meant.and_then(|(_, meant)| dimension.unit_names().find(|name| name == meant))
+    };
+    match same.or_else(likely) {
+        Some(unit) => format!(", did you mean \"{unit}\"? {}", capital(&rest)),
+        // one letter makes another unit of a short name: km/h is no mile an hour
+        None if guess.chars().count() <= MAX_SHORT => format!("; {rest}"),
+        None => did_you_mean(&guess, dimension.unit_names(), '"', &rest),
+    }
 }
+
+/// A unit with so few letters is not guessed from its letters.
+const MAX_SHORT: usize = 3;
 
 /// Reads a quantity with its unit and gives it in SI.
 ///
@@ -32,8 +66,11 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Error> {
 pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> Result<f64, String> {
     let no_number = || format!("\"{text}\" does not begin with a number; write {name} such as {example}");
     // printed text, which tables and pages have, has another minus than a keyboard
-    let plain = text.trim().replace('\u{2212}', "-");
-    let (number, unit) = split(&plain);
+    let mut plain = text.trim().replace('\u{2212}', "-");
+    for (sign, fraction) in FRACTIONS {
+        plain = plain.replace(sign, fraction);
+    }
+    let (number, unit) = split(plain.trim());
     if !number.bytes().any(|byte| byte.is_ascii_digit()) {
         return Err(no_number());
     }
@@ -53,13 +90,20 @@ pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> 
             "\"{text}\" has a number that cannot be read; write plain digits with one decimal point, such as {example}"
         ));
     }
+    if let Some((number, unit)) = split_fraction(number, unit) {
+        let inch = SPELLINGS.get(&plain_spelling(unit)).filter(|unit| ["in", "inch"].contains(&unit.name));
+        let of_inches = inch.filter(|unit| unit.dimension == dimension).and_then(|unit| unit.scale.apply(&number));
+        let no_inches =
+            || format!("\"{text}\" has a fraction, which only inches have; write a decimal number, such as {example}");
+        return of_inches.ok_or_else(no_inches);
+    }
     match SPELLINGS.get(&plain_spelling(unit)) {
         Some(unit) if unit.dimension == dimension => unit.scale.apply(number).ok_or_else(no_number),
         Some(other) => {
             let found = other.dimension.name();
             Err(format!("\"{text}\" is {found}, but {} is needed, such as {}", dimension.name(), dimension.example()))
         }
-        None => Err(format!("unknown unit \"{unit}\" in \"{text}\"{}", known(unit, dimension))),
+        None => Err(format!("unknown unit \"{unit}\" in \"{text}\"{}", unknown_unit_hint(unit, dimension))),
     }
 }
 
@@ -110,15 +154,42 @@ fn split(text: &str) -> (&str, &str) {
     (&text[..end], text[end..].trim_start())
 }
 
-/// One spelling for all of "kg/m^3", "kg / m³", "kg/m**3", "kg/m3"; "µm" with either sign, "um".
+/// Fractions that are one character.
+const FRACTIONS: [(char, &str); 7] =
+    [('½', " 1/2"), ('¼', " 1/4"), ('¾', " 3/4"), ('⅛', " 1/8"), ('⅜', " 3/8"), ('⅝', " 5/8"), ('⅞', " 7/8")];
+
+/// The decimal number of a fraction, "1/2", "1 1/2" or "1-1/2", and the unit behind it; `None` if there is none. `number` and `rest`
+/// are the parts of a text by [`split`].
+fn split_fraction<'t>(number: &str, rest: &'t str) -> Option<(String, &'t str)> {
+    let (whole, numerator, behind) = match rest.strip_prefix('/') {
+        Some(behind) => (0, number.parse::<i32>().ok()?, behind),
+        None => {
+            let (numerator, behind) = rest.strip_prefix('-').unwrap_or(rest).split_once('/')?;
+            (number.parse().ok()?, i32::from(numerator.parse::<u16>().ok()?), behind)
+        }
+    };
+    let (denominator, unit) = behind.split_at(behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len()));
+    let share =
+        f64::from(numerator) / f64::from(denominator.parse::<u16>().ok().filter(|denominator| *denominator > 0)?);
+    let value = if whole < 0 { f64::from(whole) - share } else { f64::from(whole) + share };
+    Some((value.to_string(), unit.trim_start()))
+}
+
+/// One spelling for all of "kg/m^3", "kg / m³", "kg/m**3", "kg/m3"; "Pa·s", "Pa*s"; "µm" with either sign, "um"; 1" and 1″.
 fn plain_spelling(unit: &str) -> String {
     let plain = |c: char| match c {
         '\u{b5}' | '\u{3bc}' => Some('u'),
         '²' => Some('2'),
         '³' => Some('3'),
         '^' => None,
+        // the signs of a product
+        '\u{b7}' | '\u{22c5}' | '*' => Some(' '),
         c => Some(c),
     };
+    if ["\"", "\u{2033}", "\u{201d}", "''"].contains(&unit) {
+        return "in".to_owned();
+    }
     let parts: Vec<&str> = unit.split('/').map(str::trim).collect();
-    parts.join("/").replace("**", "").chars().filter_map(plain).collect()
+    let all: String = parts.join("/").replace("**", "").chars().filter_map(plain).collect();
+    all.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -40,6 +40,7 @@ pub(super) const UNITS: &[Unit] = &[
     shown("mm", Length, -3),
     read("cm", Length, Scale::Ten(-2)),
     read("in", Length, Scale::Times(0.0254)), // international inch and foot, exact
+    read("inch", Length, Scale::Times(0.0254)),
     read("ft", Length, Scale::Times(0.3048)),
     shown("m", Length, 0),
     shown("km", Length, 3),
@@ -52,6 +53,8 @@ pub(super) const UNITS: &[Unit] = &[
     shown("mm/s", Speed, -3),
     read("cm/s", Speed, Scale::Ten(-2)),
     read("km/h", Speed, Scale::Over(3.6)),
+    read("kph", Speed, Scale::Over(3.6)),
+    read("in/s", Speed, Scale::Times(0.0254)),
     read("ft/s", Speed, Scale::Times(0.3048)),
     read("mph", Speed, Scale::Times(0.44704)), // 5280 ft an hour, exact
     shown("m/s", Speed, 0),
@@ -67,6 +70,8 @@ pub(super) const UNITS: &[Unit] = &[
     shown("µg", Mass, -9),
     shown("mg", Mass, -6),
     shown("g", Mass, -3),
+    read("oz", Mass, Scale::Times(0.028_349_523_125)), // a sixteenth of a pound, exact
+    read("lb", Mass, Scale::Times(0.453_592_37)),      // international pound, exact
     shown("kg", Mass, 0),
     shown("t", Mass, 3),
     shown("µPa s", Viscosity, -6),
@@ -74,11 +79,13 @@ pub(super) const UNITS: &[Unit] = &[
     read("cP", Viscosity, Scale::Ten(-3)),
     shown("Pa s", Viscosity, 0),
     shown("kg/m^3", Density, 0),
+    read("lb/ft^3", Density, Scale::Times(16.018_463_373_960_138)), // 0.45359237 kg / (0.3048 m)^3
     shown("g/cm^3", Density, 3),
     read("g/cc", Density, Scale::Ten(3)),
     read("kg/dm^3", Density, Scale::Ten(3)),
     read("kg/l", Density, Scale::Ten(3)),
     read("t/m^3", Density, Scale::Ten(3)),
+    read("lb/in^3", Density, Scale::Times(27_679.904_710_203_12)), // 0.45359237 kg / (0.0254 m)^3
     shown("Pa", Pressure, 0),
     read("N/m^2", Pressure, Scale::Ten(0)),
     shown("kPa", Pressure, 3),
@@ -88,6 +95,8 @@ pub(super) const UNITS: &[Unit] = &[
     read("kgf/mm^2", Pressure, Scale::Times(9.80665e6)),
     read("ksi", Pressure, Scale::Times(6_894_757.293_168_361)), // 1000 psi
     shown("GPa", Pressure, 9),
+    read("Mpsi", Pressure, Scale::Times(6_894_757_293.168_362)), // 10^6 psi
+    read("Msi", Pressure, Scale::Times(6_894_757_293.168_362)),
     shown("TPa", Pressure, 12),
     read("psi", Pressure, Scale::Times(6_894.757_293_168_361)), // lbf/in^2: 0.45359237 kg x 9.80665 m/s^2 / (0.0254 m)^2
     shown("nN", Force, -9),
@@ -120,6 +129,8 @@ pub(super) const UNITS: &[Unit] = &[
     read("s^-1", StrainRate, Scale::Ten(0)),
     read("1/ms", StrainRate, Scale::Ten(3)),
     read("g mm^2", MomentOfInertia, Scale::Ten(-9)),
+    read("oz in^2", MomentOfInertia, Scale::Times(1.828_997_833_932_5e-5)), // 0.028349523125 kg x (0.0254 m)^2
+    read("lb in^2", MomentOfInertia, Scale::Times(2.926_396_534_292e-4)),   // 0.45359237 kg x (0.0254 m)^2
     read("g cm^2", MomentOfInertia, Scale::Ten(-7)),
     read("kg mm^2", MomentOfInertia, Scale::Ten(-6)),
     shown("kg m^2", MomentOfInertia, 0),
@@ -127,6 +138,11 @@ pub(super) const UNITS: &[Unit] = &[
 ];
 
 impl Dimension {
+    /// The names of the units of this dimension, in rising order.
+    pub fn unit_names(self) -> impl Iterator<Item = &'static str> {
+        self.units().map(|unit| unit.name)
+    }
+
     /// The names of the units of all other dimensions.
     pub fn units_of_others(self) -> impl Iterator<Item = &'static str> {
         UNITS.iter().filter(move |unit| unit.dimension != self).map(|unit| unit.name)

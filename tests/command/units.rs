@@ -6,14 +6,61 @@ use plm_impact::units::{Dimension, describe, exact, human, parse, quantity, si};
 
 #[test]
 fn every_spelling_gives_the_number_that_si_digits_give() {
-    use Dimension::{Acceleration, Density, InverseSpeed, Length, Pressure, Ratio, Speed};
-    let dimensions = [Acceleration, Density, InverseSpeed, Length, Pressure, Ratio, Speed];
     let rows: Vec<(String, String, f64)> = records(include_str!("spellings.csv"));
-    assert_eq!(rows.len(), 48);
+    assert_eq!(rows.len(), 72);
     for (spelling, name, want) in rows {
-        let dimension = dimensions.into_iter().find(|dimension| format!("{dimension:?}") == name).unwrap();
+        let dimension = *Dimension::ALL.iter().find(|dimension| format!("{dimension:?}") == name).unwrap();
         assert_eq!(parse(&spelling, dimension).ok(), Some(want), "{spelling}");
     }
+}
+
+/// The hint names the unit that is meant. A unit of few letters is not guessed from its letters, as one letter makes another unit
+/// of a speed.
+#[test]
+fn an_unknown_unit_gets_the_likely_one_or_the_list() {
+    use Dimension::{Length, Mass, MomentOfInertia, Pressure, Speed, Viscosity};
+    let table = [
+        ("5 kmh", Speed, Some("km/h")),
+        ("5 km/hr", Speed, Some("km/h")),
+        ("5 KPH", Speed, Some("kph")),
+        ("5 m/sec", Speed, Some("m/s")),
+        ("5 mpx", Speed, None),
+        ("5 inches", Length, Some("in")),
+        ("5 feet", Length, Some("ft")),
+        ("5 mn", Length, None),
+        ("5 lbs", Mass, Some("lb")),
+        ("5 ounces", Mass, Some("oz")),
+        ("5 mpa", Pressure, Some("MPa")),
+        ("5 pa s", Viscosity, Some("Pa s")),
+        ("5 kgm^2", MomentOfInertia, Some("kg m^2")),
+    ];
+    for (text, dimension, want) in table {
+        let message = parse(text, dimension).unwrap_err().to_string();
+        match want {
+            Some(unit) => assert!(message.contains(&format!("did you mean \"{unit}\"?")), "{message}"),
+            None => assert!(!message.contains("did you mean"), "{message}"),
+        }
+        assert!(message.contains(&format!("nits of {} are", dimension.name())), "{message}");
+    }
+    for text in ["1/2 mm", "1/0 in", "1 1/2 kg"] {
+        assert!(parse(text, Length).is_err(), "{text}");
+    }
+    assert!(parse("1/2 in", Mass).is_err());
+}
+
+#[test]
+fn the_command_lists_every_unit_and_every_scale_of_hardness() {
+    let output = Desk::with("").call(&["units"]);
+    assert_eq!(output.status.code(), Some(0));
+    let list = text(&output.stdout);
+    for dimension in Dimension::ALL {
+        for unit in dimension.unit_names() {
+            assert!(list.contains(unit), "{unit}");
+            let size = parse(&format!("1 {unit}"), *dimension);
+            assert!(size.is_ok_and(|size| size > 0.0), "{unit}");
+        }
+    }
+    assert!(list.contains("HV, HB (76 to 570), HRB (41 to 99.5), HRC (20.3 to 68)"), "{list}");
 }
 
 #[test]

@@ -99,6 +99,10 @@ def test_what_the_schema_refuses_the_program_refuses_too(
         '"7850 kg/m^3" -> "7.85 g/cm\u00b3"',
         '"345 MPa" -> "345 N/mm^2"',
         'speed = "3 m/s" -> speed = "300 cm/s"',
+        'radius = "5 mm" -> radius = "1/2 in"',
+        'radius = "5 mm" -> radius = "1 inch"',
+        '[impact]\nspeed = "3 m/s" -> [air]\ndensity = 1.2\nviscosity = "1.8e-5 Pa s"\n[impact]\ndrop_height = 1',
+        '[impact]\nspeed = "3 m/s" -> [air]\ndensity = 1.2\nviscosity = "1.8e-5 Pa·s"\n[impact]\ndrop_height = 1',
         'youngs_modulus = "210 GPa" -> youngs_modulus = "rigid"',
         'speed = "3 m/s" -> [sweep]\n"impact.speed" = ["1 m/s", 2]',
     ],
@@ -111,3 +115,11 @@ def test_what_the_schema_takes_the_program_takes_too(
     assert old in STEEL and validator.is_valid(tomllib.loads(text))
     (tmp_path / "right.toml").write_text(text)
     assert subprocess.run([command, "check", tmp_path / "right.toml"], capture_output=True).returncode == 0
+
+
+def test_every_example_of_the_schema_keeps_to_its_pattern(validator: jsonschema.protocols.Validator) -> None:
+    forms = [form for quantity in validator.schema["$defs"].values() for form in quantity["anyOf"] if "examples" in form]
+    examples = [(form, example) for form in forms for example in form["examples"] if example]
+    assert len(examples) > 30
+    for form, example in examples:
+        assert validator.evolve(schema=form).is_valid(example), example

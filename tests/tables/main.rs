@@ -9,6 +9,7 @@ mod files;
 mod limits;
 mod machines;
 mod one_row;
+mod pairs;
 mod parquet;
 mod parts;
 

@@ -50,6 +50,23 @@ fn bodies(axes: &[(&str, &[&str])]) -> String {
     if has("half_space.hardness") { steel.replace("yield_strength = \"345 MPa\"\n", "") } else { steel }
 }
 
+/// Asserts that a row has the bits of a single run. With partial slip a row is within 1e-5 and a single run within 1e-7.
+pub fn assert_same(row: &Result<Essentials, Failure>, single: &Result<Essentials, Failure>, what: &str) {
+    let slips = |of: &Result<Essentials, Failure>| {
+        let rebound = of.as_ref().ok().and_then(|of| of.rebound)?;
+        (!rebound.is_sliding && rebound.psi != 0.0).then_some(rebound.contact_point_restitution)
+    };
+    let (mut row, mut single) = (*row, *single);
+    if let (Some(of_row), Some(of_single)) = (slips(&row), slips(&single)) {
+        assert!((of_row - of_single).abs() <= 1e-5, "{what}: {of_row} {of_single}");
+        for of in [&mut row, &mut single].into_iter().flatten() {
+            of.rebound = None;
+        }
+    }
+    // as text, because some numbers are NaN where nothing slips
+    assert_eq!(format!("{row:?}"), format!("{single:?}"), "{what}");
+}
+
 /// Compares every row with its single case, and returns how many have numbers.
 fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
     let text = bodies(axes);
@@ -69,20 +86,7 @@ fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
         let scene = scene(&text, &set);
         let single = scene.contact().and_then(|contact| contact.impact(scene.approach(), &scene.solver(), None));
         let single = single.map(|impact| impact.essentials).map_err(Failure::from);
-        // with partial slip a row is within 1e-5 and a single run within 1e-7; all else has the same bits
-        let slips = |of: &Result<Essentials, Failure>| {
-            let rebound = of.as_ref().ok().and_then(|of| of.rebound)?;
-            (!rebound.is_sliding && rebound.psi != 0.0).then_some(rebound.contact_point_restitution)
-        };
-        let (mut row, mut single) = (*row, single);
-        if let (Some(of_row), Some(of_single)) = (slips(&row), slips(&single)) {
-            assert!((of_row - of_single).abs() <= 1e-5, "{set:?}: {of_row} {of_single}");
-            for of in [&mut row, &mut single].into_iter().flatten() {
-                of.rebound = None;
-            }
-        }
-        // as text, because some numbers are none where nothing slips
-        assert_eq!(format!("{row:?}"), format!("{single:?}"), "{set:?}");
+        assert_same(row, &single, &format!("{set:?}"));
     }
     rows.iter().filter(|row| row.is_ok()).count()
 }

@@ -25,7 +25,9 @@ fn grid() -> String {
 /// 12 000 random rows, some of them without restitution.
 fn random() -> String {
     let strength = r#""half_space.yield_strength" = { lognormal = { mean = "345 MPa", sd = "60 MPa" } }"#;
-    format!("{STEEL}[monte_carlo]\nsamples = 12000\nseed = 11\n{strength}\n")
+    // a resumed run reads the columns with statistics back
+    let asked = "[output]\ncolumns = [\"peak_force_N\"]\npicture = [\"contact_time_s\"]\n";
+    format!("{STEEL}[monte_carlo]\nsamples = 12000\nseed = 11\n{strength}\n{asked}")
 }
 
 /// The command on this scenario, with parts of so many rows.

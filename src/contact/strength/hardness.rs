@@ -3,7 +3,7 @@
 //! ```text
 //! Vickers  p = 9.80665 HV/0.9272 MPa: the force in kgf over the area of the faces of the pyramid, times that area over
 //!          its projection
-//! HB, HRC  converted to Vickers by a table; a number outside of the table is refused
+//! HB, HRB, HRC  converted to Vickers by a table; a number outside of the table is refused
 //! σ        the flow stress, at a plastic strain of 0.08, for which an indentation by the law has this pressure
 //!          (`law::plm::hardness`): p/2.9 for soft metals, p/2.35 for the hardest steels
 //! ```
@@ -26,6 +26,7 @@ named! {
         Vickers = "HV",
         /// Brinell, with a ball of hard metal.
         Brinell = "HB",
+        RockwellB = "HRB",
         RockwellC = "HRC",
     }
 }
@@ -57,9 +58,20 @@ pub struct OutsideTable {
 }
 
 impl Scale {
-    /// The scale of this symbol; HBW is a newer name of HB.
+    /// The scale of this symbol in capitals or not, such as HRC or HRc; HBW is a newer name of HB, and HRBW of HRB.
     pub fn from_symbol(symbol: &str) -> Option<Self> {
-        Self::find(if symbol == "HBW" { "HB" } else { symbol })
+        let capitals = symbol.to_ascii_uppercase();
+        Self::find(match &*capitals {
+            "HBW" => "HB",
+            "HRBW" => "HRB",
+            other => other,
+        })
+    }
+
+    /// The first and the last number of the conversion table; `None` for Vickers, which needs none.
+    pub fn range(self) -> Option<(f64, f64)> {
+        let table = self.table();
+        Some((table.first()?.0, table.last()?.0))
     }
 
     /// Mean pressure \[Pa\] under the pyramid of a Vickers test, for a metal of this hardness.
@@ -83,8 +95,7 @@ impl Scale {
     /// The Vickers hardness, by its table.
     fn converted(self, value: f64) -> Result<f64, OutsideTable> {
         let table = self.table();
-        let end = |row: Option<&(f64, f64)>| row.map_or(f64::NAN, |row| row.0);
-        let range = (end(table.first()), end(table.last()));
+        let range = self.range().unwrap_or((f64::NAN, f64::NAN));
         between(&table, value).ok_or(OutsideTable { value, scale: self, range })
     }
 
@@ -131,6 +142,9 @@ mod tests {
             (Scale::Brinell, 309.0, 325.0),
             (Scale::Brinell, 76.0, 80.0),
             (Scale::Brinell, 570.0, 600.0),
+            (Scale::RockwellB, 41.0, 85.0),
+            (Scale::RockwellB, 83.35, 165.0),
+            (Scale::RockwellB, 99.5, 250.0),
             (Scale::RockwellC, 20.3, 240.0),
             (Scale::RockwellC, 40.8, 400.0),
             (Scale::RockwellC, 60.95, 720.0),
@@ -149,6 +163,10 @@ mod tests {
         for (rockwell, astm) in [(30.0, 302.0), (45.0, 446.0), (60.0, 697.0)] {
             assert_relative_eq!(vickers(Scale::RockwellC.mean_pressure(rockwell)?), astm, max_relative = 0.03);
         }
+        // HRB 55 is 100 HV in ASTM E140, HRB 80 is 150, HRB 90 is 185, HRB 98 is 228
+        for (rockwell, astm) in [(55.0, 100.0), (80.0, 150.0), (90.0, 185.0), (98.0, 228.0)] {
+            assert_relative_eq!(vickers(Scale::RockwellB.mean_pressure(rockwell)?), astm, max_relative = 0.05);
+        }
         Ok(())
     }
 
@@ -157,6 +175,8 @@ mod tests {
         for (scale, value) in [
             (Scale::RockwellC, 20.0),
             (Scale::RockwellC, 68.1),
+            (Scale::RockwellB, 40.9),
+            (Scale::RockwellB, 99.6),
             (Scale::Brinell, 75.0),
             (Scale::Brinell, 571.0),
             (Scale::Brinell, f64::NAN),
@@ -166,6 +186,7 @@ mod tests {
         }
         assert_eq!(Scale::RockwellC.of_mean_pressure(2e9), None);
         assert_eq!(Scale::from_symbol("HBW"), Some(Scale::Brinell));
-        assert_eq!(Scale::from_symbol("HRB"), None);
+        assert_eq!(Scale::from_symbol("HRc"), Some(Scale::RockwellC));
+        assert_eq!(Scale::from_symbol("HRA"), None);
     }
 }

@@ -13,6 +13,7 @@ mod scenario;
 mod shells;
 mod sweep;
 pub mod terminal;
+mod units;
 mod validate;
 mod watched;
 
@@ -65,6 +66,7 @@ enum Command {
     },
     Materials(materials::Arguments),
     Keys(keys::Arguments),
+    Units(units::Arguments),
     /// Print the JSON Schema of a scenario, for editors and for programs that write scenarios
     #[command(after_help = "Examples:
   plm-impact schema > scenario.schema.json
@@ -93,6 +95,7 @@ pub fn run() -> Result<(), Error> {
         Command::Laws { json: true } => terminal::print_json(&format!("{:#}\n", data())),
         Command::Laws { json: false } => terminal::print(&list()),
         Command::Keys(arguments) => keys::keys(&arguments),
+        Command::Units(arguments) => units::units(&arguments),
         Command::Materials(arguments) => materials::materials(&arguments),
         Command::Schema => terminal::print(&format!("{:#}\n", schema())),
         Command::Validate(arguments) => validate::validate(&arguments),

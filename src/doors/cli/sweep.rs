@@ -95,6 +95,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         let written = with_threads(threads, || job.run())??;
         Ok((directory, plan, written))
     })?;
+    let about = text::sweep::lines(&plan, &written.tally);
     let mut files = Vec::new();
     if shard.is_none() {
         let leaves = "the table is written, its summary is not; give the same command again";
@@ -113,7 +114,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     };
     let names = std::iter::once(written.table.display().to_string()).chain(files.iter().map(|file| file.name.clone()));
     let wrote = format!("{found}wrote {}", names.collect::<Vec<_>>().join(", "));
-    output.report(&text::sweep::lines(&written.tally), &files, wrote)?;
+    output.report(&about, &files, wrote)?;
     let Tally { failures, rows, .. } = written.tally;
     if failures == 0 {
         return Ok(());

@@ -1,5 +1,5 @@
 //! Pictures of a sweep: e, or other results, along an axis of numbers, in columns by words, and as a map over two long axes;
-//! or a histogram of e of random cases.
+//! or a histogram of e, and of other columns, of random cases.
 
 use super::{Style, caption, captioned, extremes, title_of, words_of};
 use crate::contact::law::Bodies;
@@ -7,9 +7,10 @@ use crate::contact::strength::hardness::vickers;
 use crate::impact::reference::quasi_static;
 use crate::impact::{Essentials, Rebound};
 use crate::report::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
-use crate::scenario::plan::{Axis, Cases, Plan, Setting, Word};
+use crate::scenario::plan::{Axis, Cases, Plan, RESTITUTION, Setting, Word};
 use crate::scenario::scene::results::impact::results;
 use crate::scenario::scene::results::{Column, Shown, columns};
+use crate::table::statistics::Statistics;
 use crate::table::{Evaluator, Failure, Rows, Tally};
 use crate::units::{Dimension, capital, four_digits, quantity};
 
@@ -25,8 +26,6 @@ const MOST_WORDS: u64 = 13;
 const MOST_CELLS: u64 = 200;
 /// A map is drawn if both axes have at least this number of values.
 const LONG: u64 = 8;
-/// The result that is drawn unless the scenario names others.
-const RESTITUTION: &str = "restitution";
 const BARS: usize = 60;
 
 /// The pictures of a plan with their names.
@@ -36,7 +35,10 @@ pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
 
 fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
     let Cases::Grid(axes) = &plan.cases else {
-        return bars(tally).map(|drawn| ("restitution_histogram".to_owned(), drawn)).into_iter().collect();
+        let is_drawn = |name| plan.pictures.as_ref().is_none_or(|names| names.contains(&name));
+        let drawn = tally.statistics.iter().filter(|(column, _)| is_drawn(column.name));
+        let drawn = drawn.filter_map(|(column, all)| Some((format!("{}_histogram", column.name), bars(column, all)?)));
+        return drawn.collect();
     };
     let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
     if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
@@ -159,22 +161,8 @@ impl ResultPicture<'_> {
         self.result.name == RESTITUTION
     }
 
-    fn dimension(&self) -> Dimension {
-        match results().iter().find(|result| result.name == self.result.name).map(|result| result.shown) {
-            Some(Shown::In(dimension)) => dimension,
-            _ => Dimension::Ratio,
-        }
-    }
-
-    /// The name of the result, and its axis.
     fn axis(&self) -> (String, plot::Axis) {
-        if self.is_restitution() {
-            return ("Restitution".to_owned(), plot::Axis::linear("Restitution e", ""));
-        }
-        let (name, dimension) = (self.result.name, self.dimension());
-        let title = title_of(name.trim_end_matches(dimension.suffix()));
-        let axis = plot::Axis::linear(&title, dimension.si_unit());
-        (title, axis)
+        result_axis(self.result.name)
     }
 
     /// Curves along one axis, one for each value of the other.
@@ -228,7 +216,8 @@ impl ResultPicture<'_> {
             let value = self.value(&[place]);
             let name = format!("{} {}", number + 1, label(&self.axes[0], place));
             let sides = [number as f64 + 0.6, number as f64 + 1.4];
-            let text = if value.is_finite() { quantity(value, self.dimension()) } else { "none".to_owned() };
+            let text =
+                if value.is_finite() { quantity(value, dimension_of(self.result.name)) } else { "none".to_owned() };
             Series::column(name, sides, value).and(text).styled(number)
         };
         let series: Vec<Series> = some_places(&self.axes[0], MOST_WORDS).into_iter().enumerate().map(column).collect();
@@ -287,12 +276,36 @@ fn yield_speed(plan: &Plan, axis: Option<&Axis>, place: u64) -> Option<f64> {
     input.contact().ok().filter(|contact| !contact.has_rate())?.yield_speed()
 }
 
-fn bars(tally: &Tally) -> Option<Chart> {
-    let (low, high, counts) = tally.statistics.histogram(BARS)?;
-    let e = tally.statistics.distribution()?;
-    let lines = [("mean", e.mean), ("5 %", e.quantile_05), ("50 %", e.quantile_50), ("95 %", e.quantile_95)];
-    let lines = lines.into_iter().map(|(name, value)| (value, format!("{name}: {value:.4}")));
-    let x = plot::Axis::linear("Restitution e", "");
-    let notes = [format!("standard deviation: {:.4}", e.standard_deviation), format!("samples: {}", e.samples)];
-    Some(histogram("Restitution of random cases", x, (low, high), &counts, lines).with_notes(notes))
+/// The dimension of a result.
+fn dimension_of(name: &str) -> Dimension {
+    match results().iter().find(|result| result.name == name).map(|result| result.shown) {
+        Some(Shown::In(dimension)) => dimension,
+        _ => Dimension::Ratio,
+    }
+}
+
+/// The name of a result, and its axis.
+fn result_axis(name: &str) -> (String, plot::Axis) {
+    if name == RESTITUTION {
+        return ("Restitution".to_owned(), plot::Axis::linear("Restitution e", ""));
+    }
+    let dimension = dimension_of(name);
+    let title = title_of(name.trim_end_matches(dimension.suffix()));
+    let axis = plot::Axis::linear(&title, dimension.si_unit());
+    (title, axis)
+}
+
+/// The histogram of a column of random cases; `None` where all values are equal.
+fn bars(column: &Column, statistics: &Statistics) -> Option<Chart> {
+    let (low, high, counts) = statistics.histogram(BARS)?;
+    let all = statistics.distribution()?;
+    let dimension = dimension_of(column.name);
+    let text = |value: f64| {
+        if column.name == RESTITUTION { format!("{value:.4}") } else { quantity(value, dimension) }
+    };
+    let lines = [("mean", all.mean), ("5 %", all.quantile_05), ("50 %", all.quantile_50), ("95 %", all.quantile_95)];
+    let lines = lines.into_iter().map(|(name, value)| (value, format!("{name}: {}", text(value))));
+    let (title, x) = result_axis(column.name);
+    let notes = [format!("standard deviation: {}", text(all.standard_deviation)), format!("samples: {}", all.samples)];
+    Some(histogram(&format!("{title} of random cases"), x, (low, high), &counts, lines).with_notes(notes))
 }

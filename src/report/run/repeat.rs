@@ -36,7 +36,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
     let mut idle = scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact);
-    idle.extend(input.doubts_of_air());
+    idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
     let Some(options) = options else {

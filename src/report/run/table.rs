@@ -37,13 +37,14 @@ pub fn rows<P: Send>(
     let step = if plan.microseconds() > SLOW { 16 } else { 1024 };
     let evaluator = Evaluator::new(plan);
     let mut tally = Tally::new(plan);
+    let with_statistics = plan.statistics_columns();
     let make = |piece: u64| {
         if progress.is_stopped() {
             return Err(Error::new(ErrorKind::Stopped(130), "the table was stopped"));
         }
         let mut rows = Rows::default();
         evaluator.rows(piece * step..plan.count().min((piece + 1) * step), &mut rows);
-        let counts: Vec<_> = rows.results.iter().map(count).collect();
+        let counts: Vec<_> = rows.results.iter().map(|row| count(row, &with_statistics)).collect();
         Ok((encode(&rows), counts))
     };
     in_order(0..plan.count().div_ceil(step), make, |(piece, counts)| {
@@ -72,7 +73,7 @@ pub fn outcome(
     let provenance = Provenance { files: names, ..scenario.provenance(options.command) };
     let mut files = files(plan, tally, &warnings, provenance, options.pictures)?;
     files.extend(table);
-    Ok(Outcome::done(warnings, lines(tally), files))
+    Ok(Outcome::done(warnings, lines(plan, tally), files))
 }
 
 /// The warnings about a table of this plan; `known` is its contact, if that is made already.

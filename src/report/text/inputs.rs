@@ -7,7 +7,7 @@ use crate::contact::law::plm::hardness::flow_stress;
 use crate::impact::Method;
 use crate::scenario::plan::{Axis, Plan, Word};
 use crate::scenario::scene::quantity::FACTOR;
-use crate::scenario::scene::{Body, Input, KeyValue, Part, at, key_of, partner};
+use crate::scenario::scene::{Body, Input, KeyValue, Part, key_of, partner};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,19 +60,22 @@ impl Inputs {
             }
         }
         let varies = |key: &str| varied.contains(&key);
-        // what follows from a material, a hardness or a height that varies
+        // what follows from anything that varies, as the speed of a fall in air from the radius
+        let others: Vec<Self> = plan.with_other_values().iter().map(Self::new).collect();
+        let is_another = |own: &KeyValue, other: &KeyValue| own.path == other.path && own.value != other.value;
+        let is_shared = |own: &KeyValue| !others.iter().flat_map(|other| &other.0).any(|other| is_another(own, other));
+        // what follows from a material or a hardness that varies
         let follows = |path: &str| {
-            let of_body = Body::ALL.into_iter().any(|body| {
+            Body::ALL.into_iter().any(|body| {
                 let material = body.material();
                 varies(material) && (path.starts_with(material) || path == strength_from(body))
                     || plan.derives_strength(body) && (path == body.yield_strength() || path == constraint(body))
-            });
-            let falls = plan.input.number(at!("impact.drop_height")).is_some() && varies("gravity.acceleration");
-            of_body || path == "impact.speed" && falls
+            })
         };
-        entries.retain(|KeyValue { path, part, .. }| {
+        entries.retain(|entry @ KeyValue { path, part, .. }| {
+            let is_given_by_rows = varies(path) || partner(path).is_some_and(varies) || follows(path);
             // a table has no trace
-            *part != Part::Output && !varies(path) && !partner(path).is_some_and(varies) && !follows(path)
+            *part != Part::Output && !is_given_by_rows && is_shared(entry)
         });
         Self(entries)
     }

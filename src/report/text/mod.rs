@@ -13,6 +13,7 @@ pub(crate) mod repeat;
 pub mod series;
 pub mod sweep;
 mod terminal;
+pub mod units;
 
 pub use files::trace;
 pub use terminal::{Detail, impact as table};

@@ -1,6 +1,6 @@
 //! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
 
-use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Setting, Values, Variable};
+use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Variable};
 use crate::units::{aligned, percent};
 
 /// An axis with at most so many values is listed value by value.
@@ -29,12 +29,19 @@ fn values(axis: &Axis) -> String {
     if count <= MOST_LISTED {
         return (0..count).map(|place| axis.label(place)).collect::<Vec<_>>().join(", ");
     }
-    let spacing = match (&axis.setting, axis.is_logarithmic) {
-        (Setting::Number { .. }, true) => ", evenly in the logarithm",
-        (Setting::Number { values: Values::Spaced { decades: None, .. }, .. }, _) => ", evenly",
-        _ => "",
-    };
-    format!("{count} values from {} to {}{spacing}", axis.label(0), axis.label(count - 1))
+    let (first, last) = (axis.label(0), axis.label(count - 1));
+    if axis.is_logarithmic {
+        return format!("{count} values from {first} to {last}, evenly in the logarithm");
+    }
+    if axis.is_even {
+        return format!("{count} values from {first} to {last}, evenly");
+    }
+    let [low, high] = axis.extreme_places();
+    let is_rising = (1..count).all(|place| axis.number(place - 1) < axis.number(place));
+    if is_rising || !axis.words().is_empty() {
+        return format!("{count} values from {first} to {last}");
+    }
+    format!("{count} values between {} and {}, in the order of the list", axis.label(low), axis.label(high))
 }
 
 fn distribution(variable: &Variable) -> String {

@@ -4,13 +4,15 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use crate::scenario::plan::{Cases, Plan, Variable};
+use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
+use crate::scenario::scene::results::Column;
 use crate::scenario::scene::results::{Reported, fields, lists, results};
 use crate::table::Tally;
 use crate::table::statistics::Distribution;
+use crate::units::four_digits;
 
-/// Counts of the rows of a table; if the cases are random, the statistics of their restitutions.
-type Totals<'a> = (&'a Tally, Option<Distribution>);
+/// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns.
+type Totals<'a> = (&'a Tally, Option<Distribution>, Option<Value>);
 
 /// The results of the rows, in the order of `summary.json`.
 pub fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
@@ -35,6 +37,30 @@ pub fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
         "restitution.quantile_95" if RANDOM: totals.1.map(|e| e.quantile_95);
         /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the bins that they come from.
         "restitution.quantile_resolution" if RANDOM: totals.1.map(|e| e.quantile_resolution);
+        /// The distribution of every other column that output.columns or output.picture names, see below.
+        "columns" if NAMED_COLUMNS: totals.2.clone();
+    }
+}
+
+/// The distribution of a column of random cases.
+pub fn distributions() -> Vec<Reported<(Column, Distribution)>> {
+    results! { |one: (Column, Distribution)|
+        /// Name of the column, with its unit.
+        "column": one.0.name;
+        /// Values that the distribution is made of.
+        "samples": one.1.samples;
+        /// Mean, in the unit of the column.
+        "mean": one.1.mean;
+        /// Standard deviation, with n - 1 in the denominator.
+        "standard_deviation" in Deviation: one.1.standard_deviation;
+        /// 5 % of the values are smaller.
+        "quantile_05": one.1.quantile_05;
+        /// Half of the values are smaller.
+        "quantile_50": one.1.quantile_50;
+        /// 5 % of the values are larger.
+        "quantile_95": one.1.quantile_95;
+        /// 0 where the quantiles are exact (up to 10^6 samples), else the width of the widest bin that they come from.
+        "quantile_resolution": one.1.quantile_resolution;
     }
 }
 
@@ -56,7 +82,10 @@ pub fn drawn() -> Vec<Reported<Variable>> {
 
 /// The results by their names. The warnings are about the scene; of those about rows the worst of each kind.
 pub fn found(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Value> {
-    let mut results = fields(&totals(), &(tally, tally.statistics.distribution()));
+    let all = tally.distributions();
+    let (e, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|(column, _)| column.name == RESTITUTION);
+    let columns = (!others.is_empty()).then(|| lists(&distributions(), &others));
+    let mut results = fields(&totals(), &(tally, e.first().map(|(_, e)| *e), columns));
     if let Cases::MonteCarlo { seed, variables, .. } = &plan.cases {
         results.insert("random".to_owned(), lists(&drawn(), variables));
         results.insert("seed".to_owned(), (*seed).into());
@@ -66,15 +95,23 @@ pub fn found(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Val
 }
 
 /// The lines about a finished table, for the terminal.
-pub fn lines(tally: &Tally) -> String {
+pub fn lines(plan: &Plan, tally: &Tally) -> String {
     let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
     if tally.outside_law > 0 {
         let _ = writeln!(text, "{} rows where the law has no answer (status outside_law)", tally.outside_law);
     }
-    if let Some(e) = tally.statistics.distribution() {
-        let _ = writeln!(text, "restitution: mean {:.6}, standard deviation {:.6}", e.mean, e.standard_deviation);
-        let (low, middle, high) = (e.quantile_05, e.quantile_50, e.quantile_95);
-        let _ = writeln!(text, "quantiles:   5 % {low:.6}, 50 % {middle:.6}, 95 % {high:.6}");
+    for (column, all) in tally.distributions() {
+        let (name, is_restitution) = (column.name, column.name == RESTITUTION);
+        let number = |value: f64| if is_restitution { format!("{value:.6}") } else { four_digits(value) };
+        if all.is_constant && all.samples > 1 {
+            let (keys, mean) = (plan.paths().join(" and "), number(all.mean));
+            let _ = writeln!(text, "{name}: {mean} in all cases: it does not depend on {keys} here");
+            continue;
+        }
+        let (mean, deviation) = (number(all.mean), number(all.standard_deviation));
+        let _ = writeln!(text, "{name}: mean {mean}, standard deviation {deviation}");
+        let [low, middle, high] = [all.quantile_05, all.quantile_50, all.quantile_95].map(number);
+        let _ = writeln!(text, "quantiles:   5 % {low}, 50 % {middle}, 95 % {high}");
     }
     text
 }

@@ -94,22 +94,35 @@ impl Word {
 pub struct Axis {
     pub setting: Setting,
     part: Part,
-    /// True if pictures show it on a logarithmic scale.
+    /// True if pictures show it on a logarithmic scale: its values are evenly spaced in the logarithm.
     pub is_logarithmic: bool,
+    /// True if its values are evenly spaced by their definition.
+    pub is_even: bool,
 }
 
 impl Axis {
     /// An axis of a numeric key.
     pub fn of_number(key: &'static Key, values: Values) -> Self {
         let is_logarithmic = matches!(values, Values::Spaced { decades: Some(_), .. });
-        Self { setting: Setting::Number { key, values: values.tabulated() }, part: key.part, is_logarithmic }
+        let is_even = matches!(values, Values::Spaced { decades: None, .. });
+        Self { setting: Setting::Number { key, values: values.tabulated() }, part: key.part, is_logarithmic, is_even }
     }
 
     pub fn of_words(path: &'static str, words: Vec<Word>) -> Self {
         // the axis of laws is no key, but a table
         let key = EVERY_KEY.iter().find(|key| key.path == path);
         let part = key.map_or(Part::Law, |key| key.part);
-        Self { setting: Setting::Words { path, words }, part, is_logarithmic: false }
+        Self { setting: Setting::Words { path, words }, part, is_logarithmic: false, is_even: false }
+    }
+
+    /// The places of its smallest and its largest number. For words they are the first and the last.
+    pub fn extreme_places(&self) -> [u64; 2] {
+        let Setting::Number { values: Values::List(values), .. } = &self.setting else { return [0, self.len() - 1] };
+        // a list may be in any order
+        let all = || (0..).zip(values);
+        let smallest = all().min_by(|a, b| a.1.total_cmp(b.1));
+        let largest = all().max_by(|a, b| a.1.total_cmp(b.1));
+        [smallest, largest].map(|end| end.map_or(0, |(place, _)| place))
     }
 
     /// The key, as in the file.
@@ -153,6 +166,11 @@ impl Axis {
     /// True if the law with its flow curve may change along it, as it does with a material that hardens.
     pub fn changes_law(&self) -> bool {
         self.part.changes_law() || !self.words().is_empty()
+    }
+
+    /// True if its words bring numbers of their own, or take away those of another word: laws and materials.
+    pub fn brings_values(&self) -> bool {
+        matches!(self.words(), [Word::Law(_) | Word::Material(_), ..])
     }
 
     /// Puts value `i` into an input. A law or a material brings numbers of its own: for several axes there is

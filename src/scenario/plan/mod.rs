@@ -37,6 +37,9 @@ pub struct Plan {
     pub pictures: Option<Vec<&'static str>>,
 }
 
+/// A table always has this result.
+pub const RESTITUTION: &str = "restitution";
+
 /// The key of the yield strength, which may follow from a hardness.
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
 pub const HARDNESS: &str = "half_space.hardness";
@@ -98,6 +101,20 @@ impl Plan {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
         let all = columns().into_iter();
         all.filter(|column| self.missing(column.needs).is_none() && is_wanted(column.name)).collect()
+    }
+
+    /// The columns whose distribution is reported, the restitution first: those that the scenario names among its columns or
+    /// pictures. None where nothing is random.
+    pub fn statistics_columns(&self) -> Vec<Column> {
+        if !self.is_monte_carlo() {
+            return Vec::new();
+        }
+        let named = [&self.columns, &self.pictures];
+        let is_named = |name| named.iter().any(|names| names.as_ref().is_some_and(|names| names.contains(&name)));
+        let mut all: Vec<Column> = self.results();
+        all.retain(|column| column.name == RESTITUTION || is_named(column.name));
+        all.sort_by_key(|column| column.name != RESTITUTION);
+        all
     }
 
     /// Why a table has no column that needs this; `None` if it has.
@@ -179,6 +196,36 @@ impl Plan {
             all = all.iter().flat_map(|input| (0..axis.len()).map(move |place| with(input, place))).collect();
         }
         all
+    }
+
+    /// Inputs in which one thing that varies has another value than in the input of the plan: values all along an axis, or all
+    /// over a distribution. A value that is not the same in all of them is not shared by the rows.
+    pub fn with_other_values(&self) -> Vec<Input> {
+        const MAX_VALUES: u64 = 16;
+        match &self.cases {
+            Cases::Grid(axes) => {
+                let other_values = |(number, axis): (usize, &Axis)| {
+                    let (last, count) = (axis.len() - 1, axis.len().min(MAX_VALUES));
+                    let at = move |i: u64| {
+                        let mut places = vec![0; axes.len()];
+                        // an axis may have 2^63 values, and 15 times as many do not overflow this way
+                        places[number] = last / (count - 1) * i + last % (count - 1) * i / (count - 1);
+                        self.input_at(&places)
+                    };
+                    (1..count).map(at).collect::<Vec<_>>()
+                };
+                axes.iter().enumerate().flat_map(other_values).collect()
+            }
+            Cases::MonteCarlo { variables, .. } => {
+                let with = |variable: &Variable, share: f64| {
+                    let mut input = self.input.clone();
+                    variable.key.set(&mut input, Some(variable.value(share)));
+                    input
+                };
+                let shares = [0.001, 0.25, 0.75, 0.999];
+                variables.iter().flat_map(|variable| shares.map(|share| with(variable, share))).collect()
+            }
+        }
     }
 
     fn methods(&self) -> Vec<Method> {

@@ -4,6 +4,7 @@ pub(crate) mod at;
 pub mod band;
 pub(crate) mod body_material;
 mod effect;
+mod flight;
 pub mod input;
 pub mod key;
 pub mod keys;

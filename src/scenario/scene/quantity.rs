@@ -215,7 +215,7 @@ impl Quantity {
         let value = match hardness::written(text).filter(|_| self.is_hardness) {
             Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string())?,
             None => units::parse_as(text, self.dimension, self.name, self.example).map_err(|error| {
-                if self.is_hardness { format!("{error}; or a hardness in HV, HB or HRC") } else { error }
+                if self.is_hardness { format!("{error}; or a hardness in HV, HB, HRB or HRC") } else { error }
             })?,
         };
         self.check_written(value, || format!("\"{text}\" = {}", units::si(value, self.dimension)))

@@ -42,3 +42,61 @@ fn clicks_give_the_restitution_that_made_them() {
     assert!((of(AIR) - e).abs() < 1e-4, "{}", of(AIR));
     assert!(of("") < e - 1e-3, "{}", of(""));
 }
+
+/// The speed of a line follows from the interval of the line before, whatever else was measured there.
+#[test]
+fn an_interval_is_read_left_and_right_of_other_columns() {
+    let text = scenario("noise = { bounce_interval = 1e-3, contact_time = 1e-6 }", "");
+    let heads = ["drop_height_m,bounce_interval_s,contact_time_us", "drop_height_m,contact_time_us,bounce_interval_s"];
+    let rows = [["0.5,0.5,30", ",0.4,30"], ["0.5,30,0.5", ",30,0.4"]];
+    let [right, left] = [0, 1].map(|i| {
+        let data = format!("{}\n{}\n{}\n", heads[i], rows[i][0], rows[i][1]);
+        let desk = crate::common::prelude::Desk::with(&text);
+        std::fs::write(desk.path("d.csv"), data).unwrap();
+        let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
+        assert_ne!(output.status.code(), Some(2), "{}", crate::common::prelude::text(&output.stderr));
+        desk.json("o/summary.json")["keys"][0]["estimate"].as_f64().unwrap()
+    });
+    assert!((right / left - 1.0).abs() < 1e-9, "{right} {left}");
+    // without an interval the height stays unknown
+    let desk = crate::common::prelude::Desk::with(&text);
+    std::fs::write(desk.path("d.csv"), "drop_height_m,bounce_interval_s,contact_time_us\n0.5,,30\n,0.4,30\n").unwrap();
+    let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
+/// Measured heights without `[air]`: the loss in the air counts twice, on the way down and up. In `[calibrate.measured]` too.
+#[test]
+fn heights_without_air_are_warned_of_with_both_ways() {
+    let bodies = "[sphere]\nradius = \"1 mm\"\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.22\ndensity = \"2500 kg/m^3\"\n\
+                  [half_space]\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.33\n[impact]\ndrop_height = \"0.5 m\"\n";
+    let data = "drop_height_m,rebound_height_m\n0.5,0.2\n0.3,0.13\n0.7,0.26\n";
+    let warnings = |air: &str, calibrate: &str, data: &str| {
+        let desk = crate::common::prelude::Desk::with(&format!("{bodies}{air}[calibrate]\n{calibrate}\n"));
+        std::fs::write(desk.path("d.csv"), data).unwrap();
+        let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
+        let said = crate::common::prelude::text(&output.stderr);
+        said.lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let share = |warnings: &[String]| -> Option<f64> {
+        let text = warnings.iter().find(|text| text.contains("without [air] the loss in the air"))?;
+        text.split("e is taken ").nth(1)?.split(' ').next()?.parse().ok()
+    };
+    let of_file = share(&warnings("", "data = \"d.csv\"", data)).unwrap();
+    // by another way: a sphere in air of density 1.2 and drag 0.47 falls with v^2 = v_t^2 (1 - exp(-2 g h/v_t^2)), where
+    // v_t^2 = 2 m g/(rho c A): 1 - v/sqrt(2 g h) of the fall and the same of a fall from the rebound height
+    let slower = |height: f64| {
+        let beta = 1.2 * 0.47 * 3.0 / (4.0 * 2500.0 * 1e-3);
+        let x = beta * height;
+        1.0 - ((1.0 - (-x).exp()) / x).sqrt()
+    };
+    let want = 100.0 * (slower(0.7) + slower(0.26));
+    assert!((of_file / want - 1.0).abs() < 0.02, "{of_file} {want}");
+    let measured = share(&warnings("", "measured.rebound_height = \"0.2 m\"", data)).unwrap();
+    let want = 100.0 * (slower(0.5) + slower(0.2));
+    assert!((measured / want - 1.0).abs() < 0.02, "{measured} {want}");
+    assert_eq!(share(&warnings(AIR, "data = \"d.csv\"", data)), None);
+    // millimetres that are taken for metres
+    let high = warnings("", "data = \"d.csv\"", "drop_height_m,rebound_height_m\n1000,205\n500,110\n");
+    assert!(high.iter().any(|text| text.contains("a drop height of 1 km is far above")), "{high:?}");
+}

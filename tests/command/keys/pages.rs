@@ -1,8 +1,9 @@
-//! The tables of the reference pages (`scenarios/keys.md`, `results.md`): every key, every result, every material, as Markdown.
+//! The tables of the reference pages (`scenarios/keys.md`, `results.md`, `units.md`): every key, every
+//! result, every material, every unit, as Markdown.
 
 use std::fmt::Write as _;
 
-use plm_impact::report::text::{calibrate, checked, indentation, materials, series, sweep};
+use plm_impact::report::text::{calibrate, checked, indentation, materials, series, sweep, units};
 use plm_impact::scenario::reference::written;
 use plm_impact::scenario::scene::key::AnyKey;
 use plm_impact::scenario::scene::results::{Reported, Shown, impact, trace};
@@ -13,7 +14,7 @@ use crate::common::prelude::*;
 /// A part of a page: its name, and its text.
 type Part = (&'static str, fn() -> String);
 
-const PARTS: [Part; 3] = [("keys", keys), ("results", of_results), ("materials", of_materials)];
+const PARTS: [Part; 4] = [("keys", keys), ("results", of_results), ("materials", of_materials), ("units", units_table)];
 
 /// A page in which every table between two marks is written anew, and the number of these tables. The marks are comments such as
 /// `<!-- keys: written by a test -->`.
@@ -28,6 +29,10 @@ pub fn renewed(page: &str) -> (String, usize) {
         format!("{before}{begin}\n\n{}{end}{after}", text())
     };
     (PARTS.iter().fold(page.to_owned(), write), count)
+}
+
+fn units_table() -> String {
+    markdown(&units::rows()) + "\n"
 }
 
 fn of_materials() -> String {
@@ -48,7 +53,7 @@ fn file<T>(title: &str, results: &[Reported<T>]) -> FileOfResults {
 }
 
 /// The files of results of every kind of scene.
-fn files() -> [FileOfResults; 13] {
+fn files() -> [FileOfResults; 14] {
     [
         file("One impact: `summary.json`, and columns of tables (\u{25a6})", &impact::results()),
         file("One impact: `trace.csv`", &trace::results()),
@@ -59,6 +64,7 @@ fn files() -> [FileOfResults; 13] {
         file("Indentation: every step of a half-space", &indentation::step()),
         file("Indentation: `trace.csv`", &indentation::columns()),
         file("Tables: `summary.json`", &sweep::totals()),
+        file("Tables: every other named column in `summary.json`", &sweep::distributions()),
         file("Tables: every random key in `summary.json`", &sweep::drawn()),
         file("Calibrations: `summary.json`", &calibrate::results()),
         file("Calibrations: every key in `summary.json`", &calibrate::key()),

@@ -84,3 +84,52 @@ fn quantiles_of_a_known_distribution() {
     assert_eq!(got["quantile_resolution"], 0.0);
     assert_eq!(summary["random"][0]["truncated_to"], "> 1 and <= 2");
 }
+
+const SIZES: &str =
+    "[monte_carlo]\nsamples = 2000\nseed = 2\n\"sphere.radius\" = { lognormal = { mean = \"5 mm\", sd = \"1 mm\" } }\n";
+
+/// Every column that output names has its distribution and its histogram; e of this law does not depend on the size.
+#[test]
+fn named_columns_have_quantiles_and_histograms() {
+    let asked = "[output]\ncolumns = [\"contact_time_s\"]\npicture = [\"dent_diameter_m\"]\n";
+    let desk = Desk::with(&format!("{STEEL}{SIZES}{asked}"));
+    let output = desk.call(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    assert!(said.contains("in all cases: it does not depend on sphere.radius"), "{said}");
+    assert!(said.contains("dent_diameter_m: mean"), "{said}");
+    let pictures = desk.files("out").into_iter().filter(|name| name.ends_with("svg")).collect::<Vec<_>>();
+    assert_eq!(pictures, ["dent_diameter_m_histogram.svg"]);
+    let table = desk.read("out/table.csv");
+    let summary = desk.summary();
+    let columns = summary["columns"].as_array().unwrap();
+    assert_eq!(columns.len(), 2);
+    for (entry, name) in columns.iter().zip(["contact_time_s", "dent_diameter_m"]) {
+        assert_eq!(entry["column"], name);
+        let mut values: Vec<f64> = column(&table, name).iter().map(|text| text.parse().unwrap()).collect();
+        values.sort_by(f64::total_cmp);
+        let n = values.len();
+        assert_eq!((n, &entry["samples"]), (2000, &json!(2000)));
+        let mean = values.iter().sum::<f64>() / n as f64;
+        assert_relative_eq!(entry["mean"].as_f64().unwrap(), mean, max_relative = 1e-12);
+        // n - 1 = 1999 is no multiple of 20, so that each quantile lies between two values
+        for (key, below) in [("quantile_05", 99), ("quantile_50", 999), ("quantile_95", 1899)] {
+            assert!((values[below]..=values[below + 1]).contains(&entry[key].as_f64().unwrap()), "{name} {key}");
+        }
+    }
+}
+
+/// A column without scatter has no histogram, whose one bar would say nothing.
+#[test]
+fn a_constant_column_has_no_histogram() {
+    let desk = Desk::with(&format!("{STEEL}{SIZES}"));
+    let output = desk.call(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(desk.files("out").iter().all(|name| !name.ends_with("svg")), "{:?}", desk.files("out"));
+    // a scatter of the strength does change e
+    let strengths = "[monte_carlo]\nsamples = 50\nseed = 2\n\"half_space.yield_strength\" = { uniform = [3e8, 4e8] }\n";
+    let desk = Desk::with(&format!("{STEEL}{strengths}"));
+    let output = desk.call(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
+    assert!(!text(&output.stdout).contains("does not depend"));
+    assert!(desk.files("out").contains(&"restitution_histogram.svg".to_owned()));
+}

@@ -142,6 +142,7 @@ pub(crate) const VISCOUS: &str = "there is viscous damping";
 pub(crate) const TABLES: &str = "in tables only";
 pub(crate) const OUTSIDE: &str = "there are such rows";
 pub(crate) const RANDOM: &str = "the cases are random";
+pub(crate) const NAMED_COLUMNS: &str = "the cases are random, and output names other columns";
 pub(crate) const VERLET: &str = "the method is verlet";
 pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
 pub(crate) const CAPTURED: &str = "the sphere stays in its dent";

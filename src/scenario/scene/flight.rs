@@ -1,0 +1,90 @@
+//! Warnings about the flight of a sphere: a height that is no laboratory's, and air that the scenario leaves out.
+
+use super::{Input, at};
+use crate::impact::air::{Flying, Medium};
+use crate::impact::{Warning, WarningKind};
+use crate::units::{Dimension, percent, quantity};
+
+/// Air that slows a ball by a smaller share is left out without a warning.
+const MAX_SLOWING: f64 = 0.005;
+
+impl Input {
+    /// The height of the fall \[m\], if it is given.
+    pub fn drop_height(&self) -> Option<f64> {
+        self.number(at!("impact.drop_height"))
+    }
+
+    /// Warnings about the flight before the impact: a height that is no laboratory's, and what the air does.
+    pub fn flight_warnings(&self) -> impl Iterator<Item = Warning> {
+        [self.height_warning(), self.doubts_of_air()].into_iter().flatten()
+    }
+
+    /// Asks for the unit of a drop height that is far above that of a test.
+    pub fn height_warning(&self) -> Option<Warning> {
+        const MAX_USUAL: f64 = 100.0;
+        let height = self.drop_height().filter(|height| *height > MAX_USUAL)?;
+        let text = format!(
+            "a drop height of {} is far above that of a drop test: check its unit. A number alone is in m, and a column drop_height_mm is in mm",
+            quantity(height, Dimension::Length)
+        );
+        Some(Warning::new(WarningKind::HighDrop, height, text))
+    }
+
+    /// Warns of a fall without air that air would slow, and of a ball that is so light that the
+    /// air that moves with it counts.
+    pub fn doubts_of_air(&self) -> Option<Warning> {
+        if self.air().is_some() {
+            return self.added_mass_warning();
+        }
+        let slower = self.slowing_by_air(self.drop_height()?)?;
+        (slower > MAX_SLOWING).then(|| {
+            let text = format!(
+                "in air the ball arrives {} slower: add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
+                percent(slower)
+            );
+            Warning::new(WarningKind::InAir, slower, text)
+        })
+    }
+
+    /// Warns of a key that is found from heights without `[air]`: the loss in the air, before the impact and after it, then counts as
+    /// a loss of the impact. `risen` is the height that the ball rises to, if it is measured by one.
+    pub fn measured_air_warning(&self, risen: Option<f64>) -> Option<Warning> {
+        let (None, Some(risen)) = (self.air(), risen) else { return self.doubts_of_air() };
+        let fallen = self.drop_height();
+        let ways: Vec<f64> =
+            [fallen, Some(risen)].into_iter().flatten().filter_map(|height| self.slowing_by_air(height)).collect();
+        let slower: f64 = ways.iter().sum();
+        (slower > MAX_SLOWING * ways.len() as f64).then(|| {
+            let text = format!(
+                "e is taken {} too low, and the keys deviate with it: without [air] the loss in the air counts as a loss of the impact. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
+                percent(slower)
+            );
+            Warning::new(WarningKind::InAir, slower, text)
+        })
+    }
+
+    fn added_mass_warning(&self) -> Option<Warning> {
+        let (air, radius, mass) = (self.air()?, self.radius()?, self.mass()?);
+        let added = 0.5 * Flying::buoyancy(air.density, radius, mass);
+        (added > 0.003).then(|| {
+            let text = format!(
+                "the air that moves with so light a ball has {} of its mass, which is neglected: heights and times may be off by as much",
+                percent(added)
+            );
+            Warning::new(WarningKind::InAir, added, text)
+        })
+    }
+
+    /// The share by which the air of a room makes a ball slower at the end of a fall from this height; `None` for a body with a tip,
+    /// which falls in a guide.
+    fn slowing_by_air(&self, height: f64) -> Option<f64> {
+        /// Air of a room, and the drag of a smooth sphere.
+        const USUAL: Medium = Medium { density: 1.2, drag: Some(0.47), viscosity: f64::NAN };
+        let (radius, mass) = (self.radius()?, self.mass()?);
+        let is_ball = self.number(at!("sphere.mass")).is_none();
+        let gravity = self.falling_gravity();
+        let [in_air, in_vacuum] = [Flying::in_air(gravity, &USUAL, radius, mass), Flying::in_vacuum(gravity)];
+        let slower = 1.0 - in_air.landing_speed(height) / in_vacuum.landing_speed(height);
+        (is_ball && height > 0.0).then_some(slower)
+    }
+}
