@@ -8,6 +8,7 @@ use super::problem::NoAnswer;
 use super::profile::Ends;
 use super::statistics::{Runs, p_of_chi_square};
 use crate::scenario::plan::Free;
+use crate::scenario::scene::Input;
 use crate::units::{four_digits, percent};
 
 /// With `robust`, residuals of more than this many standard deviations are outliers.
@@ -101,6 +102,11 @@ impl Verdict {
 }
 
 impl Calibration<'_> {
+    /// The input of the first impact of the data with the values that were found.
+    pub fn input(&self) -> Input {
+        self.fit.problem.input_of(0, &self.fit.best().shares)
+    }
+
     /// True if the law fits: by the outliers, then by chi-square if the noise is known, or by the signs of the residuals if it
     /// is estimated.
     pub fn verdict(&self) -> Verdict {

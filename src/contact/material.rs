@@ -227,6 +227,9 @@ pub fn left_behind(flat_share: f64) -> &'static str {
     }
 }
 
+/// The ratio q from which on the softer body yields alone.
+pub const ALONE_FROM: f64 = 1.25;
+
 impl Flow {
     /// Shares the flow between two bodies. It takes the pressures of sphere and half-space at first yield, and their compliances
     /// E*/E_i*.
@@ -237,7 +240,7 @@ impl Flow {
         } else {
             (of_sphere / of_half_space, half_space, sphere)
         };
-        let alone = ((ratio - 1.0) / 0.25).min(1.0);
+        let alone = ((ratio - 1.0) / (ALONE_FROM - 1.0)).min(1.0);
         let of_harder = (1.0 - alone) * harder;
         let remaining = if ratio < 2.0 { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
         Self {

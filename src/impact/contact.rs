@@ -22,6 +22,8 @@ pub struct Named {
     pub half_space: Option<&'static MaterialEntry>,
     /// True if the strengths of sphere and half-space are their hardness, without an exponent of hardening.
     pub is_by_hardness: [bool; 2],
+    /// True if the strengths of sphere and half-space are those of the impact itself, such as calibrated ones.
+    pub is_of_impact: [bool; 2],
 }
 
 /// How the strengths of the bodies rise with the rate, and the law that they go into.
@@ -210,6 +212,11 @@ impl Contact {
     /// damping, whose force is not that of the law, and on a plate, which takes energy in another way.
     pub fn waves(&self) -> Option<&Waves> {
         self.waves.as_ref().filter(|_| !self.forces.have_drag())
+    }
+
+    /// True if the law has a flow curve of the body that yields.
+    pub fn has_hardening(&self) -> bool {
+        self.law.hardening().is_some()
     }
 
     /// The contact radius at a peak \[m\].

@@ -17,8 +17,8 @@ use crate::numerics::integrate::IntegrationError;
 pub struct Essentials {
     /// e \[1\].
     pub restitution: f64,
-    /// The lowest and the highest e that are to be expected \[1\]. A table fills it in where a material leaves the hardness open.
-    pub band: Option<[f64; 2]>,
+    /// Both ends of the interval of e \[1\]. A table fills it in.
+    pub restitution_interval: Option<[f64; 2]>,
     /// First touch to separation \[s\], by [`Method::Verlet`](super::Method::Verlet) within its last step; infinite for a
     /// captured sphere.
     pub contact_time: f64,
@@ -136,7 +136,7 @@ impl Essentials {
         let contact_time = if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time };
         Ok(Self {
             restitution: outcome.restitution,
-            band: None,
+            restitution_interval: None,
             contact_time,
             peak_force: normal("peak force (N)", outcome.largest_force * scales.force)?,
             peak_indentation: peak.indentation * scales.length,

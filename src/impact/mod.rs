@@ -39,7 +39,7 @@ pub mod verlet;
 mod warning;
 pub mod waves;
 
-pub use bodies::TOO_HIGH;
+pub use bodies::{TOO_HIGH, TOO_HIGH_BY};
 pub(crate) use bodies::{left_out, of_elastic, of_flow, of_half_space, of_sphere, of_yielding};
 pub use contact::{Contact, Named, Rated};
 pub use error::ImpactError;

@@ -8,7 +8,7 @@ use crate::impact::{Contact, Essentials, ImpactError};
 use crate::numerics::integrate::IntegrationError;
 use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
 use crate::scenario::scene::results::Needs;
-use crate::scenario::scene::{Body, Input, Key, Uncertainty};
+use crate::scenario::scene::{Body, HardnessRanges, Input, Key, Uncertainty};
 use crate::units::named;
 
 named! {
@@ -104,12 +104,12 @@ struct RowContact {
 
 impl RowContact {
     /// The contact of an input under its law; `known` is it, if it is made already.
-    fn new(input: &Input, law: &LawChoice, known: Option<&Contact>, has_band: bool) -> Self {
+    fn new(input: &Input, law: &LawChoice, known: Option<&Contact>, ranges: Option<&HardnessRanges>) -> Self {
         let (sphere, half_space) = input.bodies(law);
         let pair = || input.pair(sphere, half_space, law).map_err(Failure::from);
         let contact = known.cloned().map_or_else(pair, Ok);
-        let with_band = contact.as_ref().ok().filter(|_| has_band);
-        let uncertainty = with_band.and_then(|contact| Uncertainty::new(input, contact));
+        let uncertainty =
+            contact.as_ref().ok().zip(ranges).and_then(|(contact, ranges)| Uncertainty::new(input, contact, law, ranges));
         Self { strengths: [sphere.yield_strength, half_space.yield_strength], contact, uncertainty }
     }
 }
@@ -119,12 +119,15 @@ impl RowContact {
 struct RowLaw {
     changes: bool,
     law: LawChoice,
-    has_band: bool,
+    /// The ranges of hardness of the last row, if the table shows the interval of e. Rows with the same strengths share them.
+    ranges: Option<HardnessRanges>,
 }
 
 impl RowLaw {
-    fn new(input: &Input, changes: bool, has_band: bool) -> Self {
-        Self { changes, law: input.law(), has_band }
+    fn new(input: &Input, changes: bool, has_interval: bool) -> Self {
+        let law = input.law();
+        let ranges = has_interval.then(|| HardnessRanges::new(input, &law));
+        Self { changes: changes || input.has_flow_of_materials(), law, ranges }
     }
 
     /// The bodies of a row and their law.
@@ -132,15 +135,17 @@ impl RowLaw {
         if self.changes {
             self.law = input.law();
         }
-        RowContact::new(input, &self.law, None, self.has_band)
+        let law = &self.law;
+        self.ranges = self.ranges.take().map(|ranges| ranges.renewed(input, law));
+        RowContact::new(input, law, None, self.ranges.as_ref())
     }
 }
 
 /// The most contacts that are kept for the rows of a grid.
 const MAX_CONTACTS: u64 = 1 << 16;
 
-fn shows_band(plan: &Plan) -> bool {
-    plan.results().iter().any(|column| column.needs == Needs::Band)
+fn shows_interval(plan: &Plan) -> bool {
+    plan.results().iter().any(|column| column.needs == Needs::Interval)
 }
 
 /// A plan, with the numbers that its rows have in common, computed once.
@@ -149,8 +154,8 @@ pub struct Evaluator<'a> {
     plan: &'a Plan,
     /// True if the yield strengths of sphere and half-space follow from the swept values ([`Plan::derives_strength`]).
     derives: [bool; 2],
-    /// True if the table shows the band of e.
-    has_band: bool,
+    /// True if the table shows the interval of e.
+    has_interval: bool,
     /// The contact of every combination of the axes that change the contact, made when its first row needs it. Empty if there
     /// are too many combinations.
     contacts: Vec<OnceLock<Box<RowContact>>>,
@@ -187,15 +192,16 @@ impl<'a> Evaluator<'a> {
     /// changes it.
     pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let input = &plan.input;
-        let row_contact = |contact: &Contact| {
-            OnceLock::from(Box::new(RowContact::new(input, &input.law(), Some(contact), shows_band(plan))))
-        };
+        let law = input.law();
+        let ranges = shows_interval(plan).then(|| HardnessRanges::new(input, &law));
+        let row_contact =
+            |contact: &Contact| OnceLock::from(Box::new(RowContact::new(input, &law, Some(contact), ranges.as_ref())));
         Self::with_contacts(plan, contact.map(row_contact).into_iter().collect(), Vec::new())
     }
 
     fn with_contacts(plan: &'a Plan, contacts: Vec<OnceLock<Box<RowContact>>>, strides: Vec<u64>) -> Self {
         let derives = Body::ALL.map(|body| plan.derives_strength(body));
-        Self { plan, derives, has_band: shows_band(plan), contacts, strides }
+        Self { plan, derives, has_interval: shows_interval(plan), contacts, strides }
     }
 
     /// The number of swept values of a row.
@@ -228,7 +234,7 @@ impl<'a> Evaluator<'a> {
         let row = contact.as_ref().map_err(|error| *error);
         let mut row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
         if let (Ok(row), Ok(contact), Some(uncertainty)) = (&mut row, contact, uncertainty) {
-            row.band = uncertainty.range(contact, input.approach(), row);
+            row.restitution_interval = uncertainty.ends(contact, input.approach(), row);
         }
         rows.results.push(row);
     }
@@ -238,7 +244,7 @@ impl<'a> Evaluator<'a> {
         let mut places = places(axes, cases.start);
         let mut input = self.plan.input_at(&places);
         let mut own: Option<RowContact> = None;
-        let mut row_law = RowLaw::new(&input, axes.iter().any(Axis::changes_law), self.has_band);
+        let mut row_law = RowLaw::new(&input, axes.iter().any(Axis::changes_law), self.has_interval);
         for _ in cases {
             rows.swept.extend(places.iter().map(|place| *place as f64));
             let contact = match self.kept(&places) {
@@ -296,7 +302,7 @@ impl<'a> Evaluator<'a> {
     ) {
         let mut input = self.plan.input.clone();
         let mut own: Option<RowContact> = None;
-        let mut row_law = RowLaw::new(&input, keys.iter().any(|key| key.part.changes_law()), self.has_band);
+        let mut row_law = RowLaw::new(&input, keys.iter().any(|key| key.part.changes_law()), self.has_interval);
         let is_one = !keys.iter().any(|key| key.part.changes_contact());
         for case in cases {
             for (place, key) in keys.iter().enumerate() {

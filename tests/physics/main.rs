@@ -16,6 +16,7 @@ mod hard_cases;
 mod hardening;
 mod hertz;
 mod indentation;
+mod interval;
 mod landing;
 mod law;
 mod laws;

@@ -2,7 +2,7 @@
 //! axes; but for friction with partial slip, which a row computes to 1e-5.
 
 use plm_impact::scenario::plan::places;
-use plm_impact::scenario::scene::band::band;
+use plm_impact::scenario::scene::restitution_interval;
 
 use crate::common::prelude::*;
 
@@ -116,9 +116,9 @@ fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
     for (row, metal) in rows_of(text, &[&sweep, "impact.speed=3"]).results.iter().zip(metals) {
         let single = scene(text, &[format!("half_space.material={metal}"), "impact.speed=3".to_owned()]);
         let want = single.contact().unwrap().row(3.0, &Solver::AUTO).unwrap();
-        // the band is that of `plm-impact run`
-        let band = band(&single, &single.contact().unwrap(), 3.0, &want).unwrap();
-        assert_eq!(row.unwrap(), Essentials { band: Some([band.low, band.high]), ..want }, "{metal}");
+        // the interval is that of `plm-impact run`
+        let interval = restitution_interval(&single, &single.contact().unwrap(), 3.0, &want).unwrap();
+        assert_eq!(row.unwrap(), Essentials { restitution_interval: Some([interval.low, interval.high]), ..want }, "{metal}");
     }
 }
 

@@ -43,6 +43,33 @@ named! {
     }
 }
 
+named! {
+    /// Metals whose strengths rise alike with the strain rate.
+    #[derive(Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum RateClass {
+        /// Quenched steel.
+        QuenchedSteel = "quenched_steel",
+        /// Mild steel and aluminium.
+        MildSteelOrAluminium = "mild_steel_or_aluminium",
+        /// Copper.
+        Copper = "copper",
+    }
+}
+
+impl RateClass {
+    /// By how much the strain rate of an impact raises e above the e by a slow test: the smallest and the largest share, between 0.1
+    /// and 30 m/s.
+    pub fn rise(self) -> [f64; 2] {
+        match self {
+            // the smallest value is that of Leeb's conversion of hardness
+            Self::QuenchedSteel => [0.014, 0.10],
+            Self::MildSteelOrAluminium => [0.0, 0.10],
+            Self::Copper => [0.0, 0.27],
+        }
+    }
+}
+
 impl Property {
     pub fn dimension(self) -> Dimension {
         match self {
@@ -85,6 +112,10 @@ pub struct MaterialEntry {
     pub class: Class,
     /// The metal hardens, but no two sources agree on the exponent.
     pub lacks_exponent: bool,
+    /// The class of metals by which its strength rises with the strain rate, if it is known.
+    pub rate_class: Option<RateClass>,
+    /// At room temperature the metal is near half of its melting temperature, and creeps.
+    pub creeps: bool,
     /// A remark for the user.
     pub note: Option<String>,
     /// The known properties, in the order of [`Property::ALL`].
@@ -128,6 +159,11 @@ impl MaterialEntry {
             youngs_modulus: self.value(Property::YoungsModulus),
             poissons_ratio: self.value(Property::PoissonsRatio),
         }
+    }
+
+    /// By how much the strain rate of an impact raises e; `None` where it is not known.
+    pub fn rate_rise(&self) -> Option<[f64; 2]> {
+        self.rate_class.map(RateClass::rise)
     }
 
     /// True if the material yields. Glass, ceramics and polymers are computed as elastic.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Class, Known, MaterialEntry, Property, Written};
+use super::{Class, Known, MaterialEntry, Property, RateClass, Written};
 use crate::contact::strength::hardness;
 use crate::error::Error;
 use crate::units;
@@ -24,6 +24,9 @@ struct Raw {
     class: Class,
     #[serde(default)]
     lacks_exponent: bool,
+    rate_class: Option<RateClass>,
+    #[serde(default)]
+    creeps: bool,
     note: Option<String>,
     #[serde(flatten)]
     known: BTreeMap<Property, RawKnown>,
@@ -44,9 +47,11 @@ struct RawKnown {
 /// [`Error`] for a text of another form, a value that is not allowed, and a source without an entry.
 pub fn read(text: &str) -> Result<Vec<MaterialEntry>, Error> {
     let File { basis, sources, material } = toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
-    let entry = |Raw { name, title, class, lacks_exponent, note, known }: Raw| {
+    let entry = |raw: Raw| {
+        let Raw { name, title, class, lacks_exponent, rate_class, creeps, note, known } = raw;
         let known = known.into_iter().map(|(property, raw)| raw.known(&name, property, &basis, &sources));
-        Ok(MaterialEntry { known: known.collect::<Result<_, Error>>()?, name, title, class, lacks_exponent, note })
+        let known = known.collect::<Result<_, Error>>()?;
+        Ok(MaterialEntry { name, title, class, lacks_exponent, rate_class, creeps, note, known })
     };
     material.into_iter().map(entry).collect()
 }

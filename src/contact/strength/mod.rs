@@ -2,4 +2,5 @@
 
 pub mod flow;
 pub mod hardness;
+pub mod kind;
 pub mod rate;

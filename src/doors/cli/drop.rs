@@ -13,7 +13,7 @@ use plm_impact::scenario::Scenario;
 
 use super::scenario::write_new;
 
-/// One impact of a ball by the names of two materials: its e with a band, rebound height, dent, force and time
+/// One impact of a ball by the names of two materials: its e with an interval, rebound height, dent, force and time
 ///
 /// The exponent of the unloading is the one that comes nearest to finite elements ("pressure-shape").
 #[derive(Debug, Args)]
@@ -48,6 +48,18 @@ pub struct Arguments {
     /// Yield strength of what is hit, in place of that of its material
     #[arg(long, conflicts_with = "hardness")]
     strength: Option<String>,
+    /// Which stress the strength is: "flow" in the impact, or the 0.2 % "proof" stress
+    #[arg(long, value_name = "KIND")]
+    strength_kind: Option<String>,
+    /// Yield strength of the ball, in place of that of its material
+    #[arg(long, value_name = "STRENGTH", conflicts_with = "ball_hardness")]
+    ball_strength: Option<String>,
+    /// Which stress the strength of the ball is: "flow" or "proof"
+    #[arg(long, value_name = "KIND")]
+    ball_strength_kind: Option<String>,
+    /// Hardness of the ball, in place of that of its material, such as "63 HRC"
+    #[arg(long, value_name = "HARDNESS")]
+    ball_hardness: Option<String>,
     /// Hardness of what is hit, in place of that of its material, such as "300 HV"
     #[arg(long)]
     hardness: Option<String>,
@@ -91,11 +103,15 @@ impl Arguments {
         };
         key(&mut text, "material", Some(&self.ball));
         key(&mut text, "diameter", Some(&self.diameter));
+        key(&mut text, "yield_strength", self.ball_strength.as_deref());
+        key(&mut text, "hardness", self.ball_hardness.as_deref());
+        key(&mut text, "strength_kind", self.ball_strength_kind.as_deref());
         text.push_str("\n[half_space]\n");
         key(&mut text, "material", Some(&self.on));
         key(&mut text, "thickness", self.thickness.as_deref());
         key(&mut text, "yield_strength", self.strength.as_deref());
         key(&mut text, "hardness", self.hardness.as_deref());
+        key(&mut text, "strength_kind", self.strength_kind.as_deref());
         text.push_str("\n[impact]\n");
         key(&mut text, "drop_height", self.from.as_deref());
         key(&mut text, "speed", self.speed.as_deref());
@@ -104,7 +120,7 @@ impl Arguments {
             let _ = write!(text, "\n[friction]\ncoefficient = {friction:?}\n");
         }
         text.push_str(
-            "\n[law.plm]\n# within 1 % of finite elements; 1.5 is the law of the paper, whose e is 3 % low\n",
+            "\n[law.plm]\n# error of e 1 % (rms) against finite elements; with 1.5, the exponent of the paper, e is 3 % too low\n",
         );
         key(&mut text, "unloading_exponent", Some("pressure-shape"));
         text

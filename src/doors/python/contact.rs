@@ -20,8 +20,8 @@ use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
 use crate::scenario::scene::quantity::SAMPLES;
 use crate::scenario::scene::results::fields;
-use crate::scenario::scene::results::impact::{Band, Single, results};
-use crate::scenario::scene::{Purpose, at, band};
+use crate::scenario::scene::results::impact::{Single, results};
+use crate::scenario::scene::{Purpose, RestitutionInterval, at, restitution_interval, strength_notes};
 use crate::scenario::{Kind, Scenario, Source};
 use crate::units::did_you_mean;
 
@@ -118,7 +118,8 @@ impl Contact {
         if falls {
             impact.result.warnings.extend(slf.get().input.flight_warnings());
         }
-        warn(slf.py(), 1, &texts(&impact.result.warnings))?;
+        let warnings = [texts(&impact.result.warnings), impact.notes.clone()].concat();
+        warn(slf.py(), 1, &warnings)?;
         Ok(impact)
     }
 
@@ -229,8 +230,10 @@ pub struct Impact {
     /// The contact with the strength of this impact, where that depends on the speed.
     own: Option<impact::Contact>,
     samples: Option<usize>,
-    /// The band of e. It is computed when the first result is asked for, and then serves all results.
-    band: OnceLock<Option<Band>>,
+    /// The interval of e. It is computed when the first result is asked for, and then serves all results.
+    interval: OnceLock<Option<RestitutionInterval>>,
+    /// What the user should know of the strength and of the exponent behind e.
+    notes: Vec<String>,
 }
 
 impl Impact {
@@ -241,14 +244,21 @@ impl Impact {
             Ok((holder.computed(own.as_ref(), speed, samples)?, own))
         };
         let (result, own) = py.detach(computed).map_err(exception)?;
-        Ok(Self { contact, result, own, samples, band: OnceLock::new() })
+        let notes = if result.has_dent() {
+            strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), &holder.input.law())
+        } else {
+            Vec::new()
+        };
+        Ok(Self { contact, result, own, samples, interval: OnceLock::new(), notes })
     }
 
     fn single(&self) -> Single<'_> {
         let contact = self.contact.get();
         let own = self.own.as_ref().unwrap_or(&contact.inner);
-        let band = self.band.get_or_init(|| band(&contact.input, own, self.result.speed, &self.result.essentials));
-        Single { contact: own, impact: &self.result, band: band.as_ref(), drop_height: contact.input.drop_height() }
+        let interval = || restitution_interval(&contact.input, own, self.result.speed, &self.result.essentials);
+        let interval = self.interval.get_or_init(interval).as_ref();
+        let drop_height = contact.input.drop_height();
+        Single { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.

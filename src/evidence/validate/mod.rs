@@ -9,6 +9,7 @@ pub mod comparison;
 pub mod dynamic;
 mod figure_10;
 mod hardening;
+pub mod law_error;
 pub mod laws;
 mod measured;
 mod oblique;

@@ -177,7 +177,7 @@ const YIELDING: [(&str, &str); 2] = [("S1", "sphere: flat"), ("S3", "both")];
 
 /// Restitution against contact radius, where the half-space yields, the sphere, or both.
 fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, Error> {
-    let (all, mut series) = (compared(coefficients)?, Vec::new());
+    let (all, mut series) = (compared(coefficients, UnloadingExponent::PressureShape)?, Vec::new());
     let mut add = |called: &str, law: &Law, ratio: f64, points: Vec<(f64, f64)>, deepest: f64| {
         let style = series.len() / 2;
         series.push(Series::points(called, points).styled(style));

@@ -20,13 +20,13 @@ pub(super) struct Compared {
     pub(super) bodies: Bodies,
     /// x of the finite elements.
     pub(super) at_depth: f64,
-    at_energy: AtEnergy,
+    pub(super) at_energy: AtEnergy,
 }
 
 impl Compared {
-    fn new(row: Row, coefficients: &PlmCoefficients) -> Result<Option<Self>, Error> {
+    fn new(row: Row, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Result<Option<Self>, Error> {
         let Some(bodies) = Bodies::new(&pair(&row)?) else { return Ok(None) };
-        let law = Plm::new(coefficients, UnloadingExponent::PressureShape).of_bodies(&bodies);
+        let law = Plm::new(coefficients, exponent).of_bodies(&bodies);
         let point = bodies.yield_point;
         let at_energy =
             at_energy(&law, bodies.yield_radius_ratio(), row.number("W_J") / (point.force * point.indentation));
@@ -48,9 +48,9 @@ fn pair(row: &Row) -> Result<Pair, PairError> {
 }
 
 /// The cycles with enough elements in contact.
-pub(super) fn compared(coefficients: &PlmCoefficients) -> Result<Vec<Compared>, Error> {
+pub(super) fn compared(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Result<Vec<Compared>, Error> {
     let rows = YIELDING.rows()?.into_iter().filter(|row| row.number("elements_in_contact") >= LEAST_ELEMENTS);
-    rows.filter_map(|row| Compared::new(row, coefficients).transpose()).collect()
+    rows.filter_map(|row| Compared::new(row, coefficients, exponent).transpose()).collect()
 }
 
 const QUANTITIES: [Quantity<Compared>; 4] = [
@@ -80,7 +80,7 @@ const QUANTITIES: [Quantity<Compared>; 4] = [
 pub(super) fn load_cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let name =
         |cycle: &Compared| format!("{}, a/R = {}", cycle.row.text("case"), cycle.row.number("contact_radius_over_R"));
-    Ok(comparison::compared(&QUANTITIES, &compared(coefficients)?, name))
+    Ok(comparison::compared(&QUANTITIES, &compared(coefficients, UnloadingExponent::PressureShape)?, name))
 }
 
 const WEIR_TALLON: Group = Group::new(

@@ -1,10 +1,10 @@
-//! The warnings that say how far e may be off, or that nobody knows how far. The band of e follows from them.
+//! The warnings that say how far e may be off, or that nobody knows how far. The interval of e has them as parts.
 
 use std::f64::consts::PI;
 
 use crate::contact::law::Law;
 use crate::contact::material::{Hold, Pair};
-use crate::impact::bodies::{MOST_TOO_HIGH, left_out, of_flow, of_materials, of_yielding};
+use crate::impact::bodies::{left_out, of_flow, of_materials, of_yielding};
 use crate::impact::contact::Contact;
 use crate::impact::essentials::{Essentials, OnPlate};
 use crate::impact::plate::{Plate, PlateTheory};
@@ -37,12 +37,14 @@ pub(super) fn of_restitution(contact: &Contact, speed: f64, pressure: f64, row: 
 /// A known error of e, for a reason that a warning names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bias {
-    /// The reason, such as "hardening 35 %".
+    /// The reason, such as "weak sphere".
     pub reason: &'static str,
-    /// The largest share of e by which it may be too high.
-    pub too_high: f64,
-    /// The largest share of e by which it may be too low.
-    pub too_low: f64,
+    /// True for a known bias, false for scatter.
+    pub is_shift: bool,
+    /// The lowest true e, as a share of e, less 1.
+    pub low: f64,
+    /// The highest true e, as a share of e, less 1.
+    pub high: f64,
 }
 
 impl Contact {
@@ -51,15 +53,16 @@ impl Contact {
     pub fn known_biases(&self, speed: f64, row: &Essentials) -> Option<Vec<Bias>> {
         let pressure = row.peak_force / (PI * row.peak_contact_radius) / row.peak_contact_radius;
         let bias = |warning: Warning| {
-            let (reason, too_high, too_low) = match warning.kind {
-                WarningKind::NoExponent => ("hardening 35 %", 1.0 - 1.0 / (1.0 + MOST_TOO_HIGH), 0.0),
-                WarningKind::WeakSphere => ("weak sphere 3 %", 0.0, 0.03),
-                WarningKind::UnequalBalls => ("unequal balls 1 %", 0.01, 0.01),
+            let (reason, is_shift, low, high) = match warning.kind {
+                WarningKind::WeakSphere => ("weak sphere", true, 0.0, 0.03),
+                WarningKind::UnequalBalls => ("unequal balls", false, -0.01, 0.01),
                 _ => return None,
             };
-            Some(Bias { reason, too_high, too_low })
+            Some(Bias { reason, is_shift, low, high })
         };
-        of_restitution(self, speed, pressure, row).into_iter().map(bias).collect()
+        // what is known of a strength is a part of its own
+        let warnings = of_restitution(self, speed, pressure, row).into_iter();
+        warnings.filter(|warning| warning.kind != WarningKind::NoExponent).map(bias).collect()
     }
 }
 

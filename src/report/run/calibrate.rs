@@ -4,18 +4,21 @@ use std::path::absolute;
 
 use toml_edit::{DocumentMut, Value};
 
-use super::outcome::{Outcome, RunOptions, file, provenance, with_summary};
+use super::outcome::{Outcome, RunOptions, file, provenance, put_notes, with_summary};
 use crate::calibrate::fit::NO_SCATTER;
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::contact::materials::Property;
+use crate::contact::strength::kind::StrengthKind;
 use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, OutputFile, PROGRAM};
 use crate::report::plot::calibrate::pictures;
 use crate::report::text::calibrate as report;
+use crate::report::text::notes;
 use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
 use crate::scenario::edit::set;
-use crate::scenario::scene::Input;
+use crate::scenario::scene::interval::WHICH_STRENGTH;
+use crate::scenario::scene::{Body, Input, strength_notes};
 use crate::units::{Dimension, exact, four_digits};
 
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
@@ -30,7 +33,19 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         return Ok(Outcome { contradiction, ..Outcome::checked(warnings(&found), text, checked) });
     };
     let files = files(scenario, &measured, &found, options)?;
-    Ok(Outcome { contradiction, ..Outcome::done(warnings(&found), report::table(&found), files) })
+    let text = report::table(&found) + &notes(&calibration_notes(&found));
+    Ok(Outcome { contradiction, ..Outcome::done(warnings(&found), text, files) })
+}
+
+/// What a user should know of the law behind the values that were found, and of a strength that was not.
+fn calibration_notes(found: &Calibration) -> Vec<String> {
+    let input = found.input();
+    let Ok(contact) = input.contact() else { return Vec::new() };
+    let mut notes = strength_notes(&input, &contact, &input.law());
+    // a strength that was found is that of the impacts
+    let is_found = found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));
+    notes.retain(|note| !(is_found && note.starts_with(WHICH_STRENGTH)));
+    notes
 }
 
 /// The files with these results.
@@ -46,7 +61,9 @@ fn files(
         files.push(file("calibrated.toml", calibrated(scenario, measured, found)?));
     }
     files.extend(options.pictures.files(|| Ok(pictures(found)))?);
-    with_summary(files, provenance, report::found(measured, found), &report::inputs(measured, found))
+    let mut results = report::found(measured, found);
+    put_notes(&mut results, &calibration_notes(found));
+    with_summary(files, provenance, results, &report::inputs(measured, found))
 }
 
 fn warnings(found: &Calibration) -> Vec<String> {
@@ -106,7 +123,13 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     let mut document = document.map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
-        set(&mut document, free.key.path, free.written(*estimate).map_or_else(|| (*estimate).into(), Value::from));
+        let path = free.key.path;
+        set(&mut document, path, free.written(*estimate).map_or_else(|| (*estimate).into(), Value::from));
+        // a strength that impacts give is that of impacts; one of a slow indentation is not
+        let bodies = Body::ALL.into_iter().filter(|_| !measured.data.is_curve());
+        for body in bodies.filter(|body| [body.yield_strength(), body.hardness()].contains(&path)) {
+            set(&mut document, &format!("{}.strength_kind", body.table()), Value::from(StrengthKind::Flow.name()));
+        }
     }
     for (key, path) in scenario.files().filter(|(key, _)| !key.starts_with("calibrate.")) {
         if let Ok(path) = absolute(path) {

@@ -13,7 +13,7 @@ use crate::report::text::{table, trace};
 use crate::scenario::Scenario;
 use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::impact::{Single, results};
-use crate::scenario::scene::{Input, Purpose, band};
+use crate::scenario::scene::{Input, Purpose, restitution_interval, strength_notes};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
 /// to be one.
@@ -63,8 +63,10 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
         Ok(captioned(drawn, &caption(&input, &[])))
     })?);
-    let band = band(&input, &contact, impact.speed, &impact.essentials);
-    let single = Single { contact: &contact, impact: &impact, band: band.as_ref(), drop_height: input.drop_height() };
+    let interval = restitution_interval(&input, &contact, impact.speed, &impact.essentials);
+    let notes = if impact.has_dent() { strength_notes(&input, &contact, &input.law()) } else { Vec::new() };
+    let drop_height = input.drop_height();
+    let single = Single { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
     let files = with_summary(files, provenance, fields(&results(), &single), &Inputs::new(&input))?;
     Ok(Outcome::done(texts(&impact.warnings), table(&single, options.detail), files))
 }

@@ -55,6 +55,13 @@ pub fn texts(warnings: &[Warning]) -> Vec<String> {
     warnings.iter().map(ToString::to_string).collect()
 }
 
+/// Puts the notes behind the results, if there are any.
+pub(super) fn put_notes(results: &mut Map<String, Value>, notes: &[String]) {
+    if !notes.is_empty() {
+        results.insert("notes".to_owned(), notes.into());
+    }
+}
+
 pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
     OutputFile { name: name.to_owned(), bytes: bytes.into() }
 }

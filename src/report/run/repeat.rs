@@ -1,7 +1,7 @@
 //! Impacts one after the other.
 
 use super::impact::{can_be_traced, prepare, provenance};
-use super::outcome::{Outcome, RunOptions, file, no_result, texts, with_summary};
+use super::outcome::{Outcome, RunOptions, file, no_result, put_notes, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::Counter;
 use crate::impact::repeat::Repeat;
@@ -10,11 +10,12 @@ use crate::report::plot;
 use crate::report::plot::{caption, captioned};
 use crate::report::text::checked::of_contact;
 use crate::report::text::inputs::Inputs;
+use crate::report::text::notes as report_notes;
 use crate::report::text::overview::overview;
 use crate::report::text::repeat as report;
 use crate::report::text::series::Series;
 use crate::scenario::Scenario;
-use crate::scenario::scene::{Input, Purpose};
+use crate::scenario::scene::{Input, Purpose, strength_notes};
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), Error> {
@@ -56,7 +57,11 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
         Ok(captioned(drawn, &caption(&input, &["impact.speed"])))
     })?);
-    let files = with_summary(files, provenance, report::found(&series), &Inputs::new(&input))?;
-    let text = report::table(&series, options.detail);
+    let has_dent = sequence.hits.iter().any(|hit| hit.has_dent());
+    let notes = if has_dent { strength_notes(&input, &contact, &input.law()) } else { Vec::new() };
+    let mut results = report::found(&series);
+    put_notes(&mut results, &notes);
+    let files = with_summary(files, provenance, results, &Inputs::new(&input))?;
+    let text = report::table(&series, options.detail) + &report_notes(&notes);
     Ok(Outcome::done(warnings, text, files))
 }

@@ -16,4 +16,4 @@ mod terminal;
 pub mod units;
 
 pub use files::trace;
-pub use terminal::{Detail, impact as table};
+pub use terminal::{Detail, impact as table, notes};

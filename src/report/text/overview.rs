@@ -2,14 +2,14 @@
 //! before anything is run.
 
 use super::inputs::Inputs;
-use super::terminal::described;
+use super::terminal::{described, notes};
 use super::{calibrate, checked};
 use crate::calibrate::{Calibration, Measurements};
-use crate::contact::law::{LawChoice, UnloadingExponent};
+use crate::contact::law::LawChoice;
 use crate::contact::material::Pair;
 use crate::contact::materials::Property;
 use crate::impact::Contact;
-use crate::scenario::scene::{Body, Input, key_of};
+use crate::scenario::scene::{Body, Input, key_of, strength_notes};
 use crate::units::{Dimension, aligned, describe, four_digits, human, percent};
 
 /// A name and a value.
@@ -42,13 +42,11 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
         rows.push(["strength raised by".to_owned(), four_digits(rated.factor)]);
         rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
     }
-    let strengths = [contact.sphere().yield_strength, contact.half_space().yield_strength];
-    let is_precise = |body: Body| body.pick(strengths).is_none() || input.has_flow(body);
     let softer = contact.pair().yield_point.map(|point| point.flow.of_softer(Body::ALL));
-    let strength = which_strength(softer.is_some_and(|softer| !is_precise(softer)));
-    let is_of_paper = matches!(&law, LawChoice::Plm(law) if law.exponent == UnloadingExponent::Paper);
-    let exponent = if is_of_paper && softer.is_some() { WHICH_EXPONENT } else { "" };
-    aligned(&rows, |_| true) + strength + exponent + &with_rate(input, contact, softer, speed).unwrap_or_default()
+    // an impact that stays elastic needs no strength
+    let is_plastic = contact.yield_speed().is_none_or(|slowest| speed.is_nan() || speed > slowest);
+    let notes = if is_plastic { notes(&strength_notes(input, contact, &law)) } else { String::new() };
+    aligned(&rows, |_| true) + &notes + &with_rate(input, contact, softer, speed).unwrap_or_default()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
@@ -106,10 +104,6 @@ pub(super) fn which_strength(is_vague: bool) -> &'static str {
 
 const WHICH_STRENGTH: &str = "
 Which strength? With the proof stress of a metal that hardens e is too low: scenarios/README.md#which-strength
-";
-
-const WHICH_EXPONENT: &str = "
-Which exponent? With 1.5, of the paper, e is 3 % too low: law.plm.unloading_exponent = \"pressure-shape\" is within 1 %
 ";
 
 /// Keys and values.

@@ -19,7 +19,7 @@ pub enum Detail {
 /// The results of a brief answer.
 const BRIEF: [&str; 10] = [
     "restitution",
-    "restitution_band",
+    "restitution_interval_text",
     "restitution_with_waves",
     "rebound_height_m",
     "rebound_angle_deg",
@@ -52,7 +52,24 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
         value.push_str(" (outside the law)");
     }
-    aligned(&lines, |_| true)
+    put_measured_first(&mut lines);
+    aligned(&lines, |_| true) + &notes(single.notes)
+}
+
+/// Notes below the results, a paragraph each.
+pub fn notes(notes: &[String]) -> String {
+    notes.iter().map(|note| format!("\n{note}\n")).collect()
+}
+
+/// Where waves are computed, the restitution with waves is the one that is measured: its line comes first and has the interval, and
+/// the restitution of the contact alone is the second.
+fn put_measured_first(lines: &mut [Line]) {
+    let [first, second] = ["restitution", "with waves"].map(|label| lines.iter().position(|[name, ..]| name == label));
+    if let (Some(first), Some(second)) = (first, second) {
+        let [alone, measured] = [&lines[first], &lines[second]].map(|line| line[1].clone());
+        lines[first][1] = measured;
+        lines[second] = ["without waves".to_owned(), alone, std::mem::take(&mut lines[second][2])];
+    }
 }
 
 /// Puts what an impact left behind in the place of the dent, in names and remarks: where the sphere flows too, the residual

@@ -6,7 +6,9 @@ pub(crate) mod random;
 
 use crate::impact::{Method, Warning};
 use crate::scenario::scene::results::{Column, Needs, columns};
-use crate::scenario::scene::{At, Body, Input, Key, NUMBER, Purpose, at, key_of, ranges, stated_error, without_effect};
+use crate::scenario::scene::interval::has_strength_parts;
+use crate::scenario::scene::interval::law_error::has_law_error;
+use crate::scenario::scene::{Body, Input, Key, Purpose, at, key_of, without_effect};
 pub(crate) use axis::{Axis, Setting, Values, Word};
 pub use free::Free;
 pub(crate) use random::{Distribution, Draws, Variable};
@@ -124,7 +126,7 @@ impl Plan {
         let is_free = input.number(at!("half_space.mass")).is_some();
         match needs {
             Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
-            Needs::Band if !self.has_band() => Some("without the hardness of a material by name e has no range"),
+            Needs::Interval if !self.has_interval() => Some("nothing is known of the strength but its number: name a material, or give a hardness or strength_kind = \"proof\""),
             Needs::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
             Needs::Flat if !input.has_strength(Body::Sphere) => Some("without sphere.yield_strength there is no flat"),
             Needs::Incidence if input.incidence().is_none() => {
@@ -146,15 +148,12 @@ impl Plan {
         }
     }
 
-    /// True if some rows have a hardness with a range, under a law whose error is known. One that varies by itself has none.
-    fn has_band(&self) -> bool {
-        let paths = self.paths();
-        let varies = |at: At<NUMBER>| paths.contains(&at.path());
-        if self.input.materials().is_empty() || varies(at!("law.plm.unloading_exponent")) {
+    /// True if some rows have an interval of e that more than the law is a part of.
+    fn has_interval(&self) -> bool {
+        if self.paths().contains(&"law.plm.unloading_exponent") {
             return false;
         }
-        let has_range = |input: &Input| ranges(input).any(|(_, at, _)| !varies(at));
-        self.with_words().iter().any(|input| stated_error(&input.law()).is_some() && has_range(input))
+        self.with_words().iter().any(|input| has_law_error(&input.law()) && has_strength_parts(input))
     }
 
     pub fn column_names(&self) -> Vec<String> {

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use super::{At, Body, Input, NUMBER, Value, at};
+use super::{At, Body, Input, NUMBER, Value, at, key_of};
 use crate::contact::law::catalogue::jackson_green::Hardness;
 use crate::contact::law::{LawChoice, UnloadingExponent};
+use crate::contact::material::{ALONE_FROM, yield_factor};
+use crate::contact::strength::flow::FlowCurve;
 
 impl Input {
     /// The law, with its parameters and with the flow curves of the bodies.
@@ -22,7 +24,7 @@ impl Input {
                 if let Some(Value::Coefficients(table)) = self.value(at!("law.plm.coefficients")) {
                     law.coefficients = Arc::clone(table);
                 }
-                law.flow = Body::ALL.map(|body| self.flow_curve(body));
+                law.flow = self.flow_curves();
             }
             LawChoice::Thornton(law) => law.yield_pressure = number(at!("law.thornton.yield_pressure")),
             LawChoice::Stronge(law) => {
@@ -53,6 +55,35 @@ impl Input {
             LawChoice::Hertz(_) | LawChoice::KogutKomvopoulos(_) | LawChoice::Brake(_) | LawChoice::Combined(_) => {}
         }
         law
+    }
+
+    /// The flow curves of the bodies. Where both bodies yield, the law has no flow curve: an exponent that a material gives is then
+    /// left out, and the hardness alone gives the strength, at a plastic strain of 0.08.
+    fn flow_curves(&self) -> [Option<FlowCurve>; 2] {
+        let curves = Body::ALL.map(|body| self.flow_curve(body));
+        let is_of_material = |body: Body| {
+            let exponent = key_of!(body, "flow_stress.power.exponent");
+            let mut choices = self.materials().iter().filter(|choice| choice.body == body);
+            body.pick([&curves[0], &curves[1]]).is_none()
+                || choices.any(|choice| choice.defaults.iter().any(|(at, _)| *at == exponent))
+        };
+        if curves.iter().all(Option::is_none) || !Body::ALL.into_iter().all(is_of_material) {
+            return curves;
+        }
+        let pressure = |body: Body| {
+            let strength = self.yield_strength(body, body.pick([&curves[0], &curves[1]]).as_ref())?;
+            Some(strength * yield_factor(self.material(body).poissons_ratio))
+        };
+        match Body::ALL.map(pressure) {
+            [Some(sphere), Some(half_space)] if sphere.max(half_space) < ALONE_FROM * sphere.min(half_space) => [None, None],
+            _ => curves,
+        }
+    }
+
+    /// True if the flow curves of the law may depend on the strengths of the bodies.
+    pub fn has_flow_of_materials(&self) -> bool {
+        Body::ALL.into_iter().all(|body| self.has_strength(body))
+            && Body::ALL.into_iter().any(|body| self.flow_curve(body).is_some())
     }
 
     /// True if the key stands in the table of the law.

@@ -1,11 +1,11 @@
 //! The keys of a scenario, their values as they are written, and the numbers that follow from these.
 
 pub(crate) mod at;
-pub mod band;
 pub(crate) mod body_material;
 mod effect;
 mod flight;
 pub mod input;
+pub mod interval;
 pub mod key;
 pub mod keys;
 mod laws;
@@ -22,10 +22,10 @@ pub mod words;
 pub(crate) mod written;
 
 pub(crate) use at::{At, COUNT, NUMBER, OTHER, WORD, at, key_of, known};
-pub use band::{Uncertainty, band, ranges, stated_error};
 pub(crate) use body_material::{Body, BodyMaterial};
 pub use effect::{Purpose, without_effect};
 pub use input::{Input, KeyValue, Value};
+pub use interval::{HardnessRanges, RestitutionInterval, Uncertainty, restitution_interval, strength_notes};
 pub use key::{AnyKey, Form, Part, Words};
 pub use keys::{BODIES, EITHER, KEYS, Key, NEEDED, SPHERE, partner, varied};
 pub use list::EVERY_KEY;

@@ -7,6 +7,7 @@ use super::{Body, BodyMaterial, Input, Key, Part, Value, at, key_of};
 use crate::contact::law::LawChoice;
 use crate::contact::material::{HalfSpace, Hold, Sphere, sphere_volume};
 use crate::contact::materials::{MaterialEntry, all};
+use crate::contact::strength::kind::StrengthKind;
 use crate::impact::air::{Flying, Medium};
 use crate::impact::{
     Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
@@ -120,7 +121,9 @@ impl Input {
         let flow = law.flow();
         let is_by_hardness =
             Body::ALL.map(|body| self.number(key_of!(body, "hardness")).is_some() && body.pick(flow).is_none());
-        let named = Named { sphere, half_space, is_by_hardness };
+        let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));
+        let is_by_hardness = [0, 1].map(|place| is_by_hardness[place] && !is_of_impact[place]);
+        let named = Named { sphere, half_space, is_by_hardness, is_of_impact };
         Ok(contact.of_materials(named).with_rates(self.rates(), law))
     }
 

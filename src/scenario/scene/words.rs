@@ -5,6 +5,7 @@ use super::results::columns;
 use crate::contact::law::LawChoice;
 use crate::contact::law::catalogue::jackson_green::Hardness;
 use crate::contact::materials::all;
+use crate::contact::strength::kind::StrengthKind;
 use crate::impact::repeat::Place;
 use crate::impact::{Method, PlateTheory};
 
@@ -29,6 +30,8 @@ pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::
 pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
 /// Words for the noise of measurements, if it is not given by numbers.
 pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
+/// Kinds of a strength.
+pub static STRENGTH_KINDS: Words = words("kind", "kinds", || texts(StrengthKind::ALL.map(StrengthKind::name)));
 /// How the rise of a strength with the rate of strain is given, if not by a table.
 pub static RATES: Words = words("word", "words here", || texts(["material"]));
 /// Scales on which the range of a key is searched.

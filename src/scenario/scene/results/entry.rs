@@ -45,8 +45,8 @@ pub enum Needs {
     Nothing,
     /// A yield strength: without one nothing is plastic.
     Strength,
-    /// A hardness with a range, from a material by name, under a law whose error is known.
-    Band,
+    /// A strength of which more is known than its number, under a law whose error is known.
+    Interval,
     /// A strength that rises with the rate of strain.
     Rate,
     /// The yield strength of the sphere: without it there is no flat.
@@ -80,7 +80,7 @@ impl Needs {
         match self {
             Self::Nothing => ("", |_, _| true),
             Self::Strength => (YIELDS, |contact, _| contact.pair().yield_point.is_some()),
-            Self::Band => (BAND, |_, row| row.band.is_some()),
+            Self::Interval => (INTERVAL, |_, row| row.restitution_interval.is_some()),
             Self::Rate => (RATES, |contact, _| contact.rated().is_some()),
             Self::Flat => (FLATTENS, |contact, _| contact.sphere().yield_strength.is_some()),
             Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
@@ -124,9 +124,10 @@ pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &
 pub(crate) const YIELDS: &str = "a body has a yield strength";
 pub(crate) const RATES: &str = "a strength rises with the rate of strain";
 pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
-pub(crate) const BAND: &str = "the half-space yields under the law `plm`, with an exponent whose error against finite \
-     elements is known, and no warning says that e is off by an unknown amount; in a table also the hardness of a \
-     material by name";
+pub(crate) const INTERVAL: &str = "a body yields under the law `plm`, with an exponent whose error against finite \
+     elements is known, and no warning reports an error of e of unknown size; in a table also a material by name, a hardness \
+     or `strength_kind = \"proof\"`";
+pub(crate) const NOTES: &str = "the scenario leaves the kind of the strength or the exponent of the law open, and a body yields";
 pub(crate) const WAVES: &str =
     "the half-space has a density and no mass; not under damping, on a plate, nor without a rebound";
 pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";

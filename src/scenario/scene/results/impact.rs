@@ -3,42 +3,25 @@
 //! An entry says what a result means, then `"name" in Unit as "label on the terminal" if CONDITION [Needs: column]: value`. A result
 //! with a column has its value in tables too, where the scene has what the column needs.
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{Needs, Reported, results};
 use crate::contact::material::Flow;
 use crate::impact::air::Flying;
 use crate::impact::{Contact, Essentials, FixedSteps, ForcesResult, Impact, Oblique, OnPlate, Rebound};
-use crate::numerics::functions::log10;
+use crate::scenario::scene::interval::RestitutionInterval;
 
 /// One impact.
 #[derive(Debug, Clone, Copy)]
 pub struct Single<'a> {
     pub contact: &'a Contact,
     pub impact: &'a Impact,
-    /// The range in which e is expected, if it is known.
-    pub band: Option<&'a Band>,
+    /// The interval of e, if it is known.
+    pub interval: Option<&'a RestitutionInterval>,
+    /// What a user should know of the strength and of the exponent behind e.
+    pub notes: &'a [String],
     /// The height of the fall \[m\], if it is given.
     pub drop_height: Option<f64>,
-}
-
-/// The lowest and the highest e that are to be expected.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Band {
-    pub low: f64,
-    pub high: f64,
-    /// The reason, such as "hardness 104 HB to 154 HB, law 1 %".
-    pub because: String,
-}
-
-impl Band {
-    /// Both ends, with so many digits that they differ, and what they follow from.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 2 and 17
-    pub fn words(&self) -> String {
-        let Self { low, high, because } = self;
-        let digits = (-log10(high - low)).ceil().clamp(2.0, 17.0) as usize;
-        format!("{low:.digits$} to {high:.digits$}: {because}")
-    }
 }
 
 impl Single<'_> {
@@ -113,14 +96,18 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Relative normal speed after the impact over the relative normal speed before it; `null` for a sphere that is released at first
         /// touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
-        /// The range of the restitution in words: from the range of the hardness of a material by name, from the error of the
-        /// law against finite elements, from the theory of a plate, and from errors of e that a warning gives in figures, added
-        /// as squares. There is none where a warning says of e that it is off, and not by how much.
-        "restitution_band" as "({})" if BAND: single.band.map(Band::words);
-        /// The lower end of that band.
-        "restitution_low" if BAND [Band: |row| row.band.map(|[low, _]| low)]: single.band.map(|band| band.low);
-        /// The upper end of that band.
-        "restitution_high" if BAND [Band: |row| row.band.map(|[_, high]| high)]: single.band.map(|band| band.high);
+        /// Both ends of the uncertainty interval (95 %) of the measured restitution: of `restitution_with_waves` where the
+        /// half-space has a density, else of `restitution`. Known biases move both ends, and scatter is added as squares. There is no
+        /// interval if a warning reports an error of e of unknown size.
+        "restitution_interval" if INTERVAL: single.interval.map(|interval| vec![interval.low, interval.high]);
+        /// The interval and its parts as text.
+        "restitution_interval_text" as "({})" if INTERVAL: single.interval.map(RestitutionInterval::text);
+        /// The parts of the interval: `name`, `kind` (`shift`, `width` or `not_included`), `low` and `high` as shares of e, less 1.
+        "restitution_interval_parts" if INTERVAL: single.interval.map(|interval| json!(interval.parts));
+        /// The lower end of the interval.
+        "restitution_interval_low" if TABLES [Interval: |row| row.restitution_interval.map(|[low, _]| low)];
+        /// The upper end of the interval.
+        "restitution_interval_high" if TABLES [Interval: |row| row.restitution_interval.map(|[_, high]| high)];
         /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
         /// gravity it may exceed 1, as the weight does work too.
         "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
@@ -310,6 +297,8 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "work.rejected" as "{} rejected": single.impact.work.rejected;
         /// How often the contact force was computed.
         "work.force_evaluations" as "{} force evaluations": single.impact.work.force_evaluations;
+        /// What a user should know of the strength and of the exponent behind e, where the scenario leaves them open.
+        "notes" if NOTES: (!single.notes.is_empty()).then(|| single.notes.to_vec());
         /// Where the scene, the model or the run is doubtful.
         "warnings": single.impact.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();
         /// Effective modulus E* of the pair of bodies.
@@ -320,24 +309,5 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "sphere_mass_kg" in Mass: single.contact.mass();
         /// Exponent of the force on unloading.
         "unloading_exponent": single.impact.unloading_exponent;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Band;
-
-    /// However narrow a band is, its ends differ where they are shown.
-    #[test]
-    fn the_ends_of_a_band_differ_in_their_digits() {
-        for (low, high, want) in [
-            (0.471, 0.509, "0.47 to 0.51"),
-            (0.62, 0.632, "0.62 to 0.63"),
-            (0.0251, 0.0312, "0.025 to 0.031"),
-            (4.07e-4, 4.15e-4, "0.000407 to 0.000415"),
-        ] {
-            let words = Band { low, high, because: "law 1 %".to_owned() }.words();
-            assert_eq!(words, format!("{want}: law 1 %"));
-        }
     }
 }

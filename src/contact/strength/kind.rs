@@ -1,0 +1,13 @@
+//! Which stress of a metal a number is.
+
+use crate::units::names::named;
+
+named! {
+    /// The kind of a strength.
+    pub enum StrengthKind {
+        /// The stress at which the metal yields in the impact: at its strain, 1 to 8 %, and at its strain rate.
+        Flow = "flow",
+        /// The 0.2 % proof stress of a slow tensile test.
+        Proof = "proof",
+    }
+}

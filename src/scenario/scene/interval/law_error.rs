@@ -1,0 +1,100 @@
+//! The error of e by the law plm against the finite elements of this project: the part of the interval of e that belongs to the
+//! law. `law_errors.csv` has the quantiles, which a test computes from the load cycles that `validate` compares.
+
+use std::sync::LazyLock;
+
+use serde::Deserialize;
+
+use crate::contact::law::{LawChoice, PlmCoefficients, UnloadingExponent};
+use crate::impact::Contact;
+use crate::units::names::named;
+
+named! {
+    /// The bodies of an impact, as far as the error of the law depends on them.
+    #[derive(Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum BodyClass {
+        /// The half-space yields alone, without hardening.
+        PerfectlyPlastic = "perfectly_plastic",
+        /// The half-space yields alone, with a flow curve.
+        Hardening = "hardening",
+        /// The sphere yields, alone or with the half-space.
+        YieldingSphere = "yielding_sphere",
+        /// All load cycles, for bodies that none of them is like.
+        All = "all",
+    }
+}
+
+/// The exponents of unloading whose error is known, with their names in the table.
+pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
+    [(UnloadingExponent::PressureShape, "pressure_shape"), (UnloadingExponent::Paper, "paper")];
+
+/// Poisson's ratios of the body that yields that the load cycles stand for; all of theirs are 0.3.
+const POISSONS_RATIOS: [f64; 2] = [0.25, 0.35];
+
+/// The errors of e over the load cycles of one class of bodies. An error is e of the law over e of the finite elements, less 1.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LawError {
+    pub class: BodyClass,
+    /// The name of the exponent of unloading.
+    pub exponent: String,
+    /// The largest contact radius over the radius of the sphere.
+    pub max_radius_ratio: f64,
+    /// The number of load cycles.
+    pub cycles: usize,
+    pub mean: f64,
+    /// The quantile of 2.5 %.
+    pub low: f64,
+    /// The quantile of 97.5 %.
+    pub high: f64,
+}
+
+/// The table, in the order of the file.
+pub fn table() -> &'static [LawError] {
+    static TABLE: LazyLock<Vec<LawError>> = LazyLock::new(|| {
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(include_str!("law_errors.csv").as_bytes());
+        reader.deserialize().filter_map(Result::ok).collect()
+    });
+    &TABLE
+}
+
+/// The name of the exponent of a law; `None` for a law or an exponent whose error is not known.
+fn exponent_name(law: &LawChoice) -> Option<&'static str> {
+    let LawChoice::Plm(law) = law else { return None };
+    EXPONENTS.iter().find(|(exponent, _)| *exponent == law.exponent).map(|(_, name)| *name)
+}
+
+/// True if the error of e by this law is known: that of the built-in coefficients is.
+pub fn has_law_error(law: &LawChoice) -> bool {
+    let is_built_in = matches!(law, LawChoice::Plm(law) if *law.coefficients == *PlmCoefficients::built_in());
+    is_built_in && exponent_name(law).is_some()
+}
+
+/// The errors of e by a law on these bodies at this contact radius over the radius of the sphere; `None` where they are not known.
+pub fn law_error(law: &LawChoice, contact: &Contact, radius_ratio: f64) -> Option<&'static LawError> {
+    let exponent = exponent_name(law)?;
+    let flow = contact.pair().yield_point?.flow;
+    let yields = flow.sphere_share > 0.0;
+    let poissons_ratio = flow.of_softer([contact.sphere().material, contact.half_space().material]).poissons_ratio;
+    let [least, most] = POISSONS_RATIOS;
+    let class = match (contact.has_hardening(), yields) {
+        _ if !(least..=most).contains(&poissons_ratio) => BodyClass::All,
+        // no load cycle is of a ball that hardens
+        (true, true) => BodyClass::All,
+        (true, false) => BodyClass::Hardening,
+        (false, true) => BodyClass::YieldingSphere,
+        (false, false) => BodyClass::PerfectlyPlastic,
+    };
+    let find = |class: BodyClass| {
+        let mut rows = table().iter().filter(move |row| row.class == class && row.exponent == exponent);
+        rows.find(|row| radius_ratio <= row.max_radius_ratio)
+    };
+    find(class).or_else(|| find(BodyClass::All))
+}
+
+/// The mean error of e with the exponent of the paper on a half-space that does not harden, and its quantiles: the bias of the
+/// default.
+pub fn paper_exponent_error() -> Option<&'static LawError> {
+    table().iter().find(|row| row.class == BodyClass::PerfectlyPlastic && row.exponent == EXPONENTS[1].1)
+}
