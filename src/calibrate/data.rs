@@ -172,7 +172,7 @@ impl Data {
             return Err(format!("unknown column `{name}`{}", did_you_mean(base, names, '`', &all())));
         };
         let dimension = quantity.dimension;
-        let example = format!("{known}{}", dimension.suffix());
+        let example = format!("{known}{}{}", dimension.suffix(), if is_deviation { "_sd" } else { "" });
         if unit.is_empty() && dimension != Dimension::Ratio {
             return Err(format!("the column `{name}` has no unit: write {example}"));
         }

@@ -311,6 +311,11 @@ impl Ball {
 }
 
 impl Pair {
+    /// First yield, unless the contact would have to be wider than the sphere, where no law holds.
+    pub fn reachable_yield_point(&self) -> Option<YieldPoint> {
+        self.yield_point.filter(|point| point.contact_radius < self.smaller_radius)
+    }
+
     /// Pairs a sphere with a half-space. The sphere's density does not matter.
     ///
     /// # Errors

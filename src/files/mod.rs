@@ -10,9 +10,11 @@
 mod new_file;
 pub mod progress;
 pub mod provenance;
+mod signature;
+mod unfinished;
 
-use std::fs::{self, File};
-use std::io::{self, Read as _, Write as _};
+use std::fs;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -24,6 +26,8 @@ pub use new_file::{
 };
 pub use progress::Counter;
 pub use provenance::{FORMAT, LawOf, MethodOf, NUMBERS, PROGRAM, Provenance, VERSION, hex};
+pub use signature::begins_like;
+pub use unfinished::abandon;
 
 /// The name of the summary of any run.
 pub const SUMMARY: &str = "summary.json";
@@ -52,11 +56,25 @@ pub fn foreign(path: &Path) -> Error {
     Error::in_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
+/// The error of a result that would take the place of a file that the scenario is, or reads.
+fn input_error(path: &Path) -> Error {
+    let reason = "this file belongs to the scenario, and a result has the same name; name another --out";
+    Error::in_file(ErrorKind::Input, &path.display().to_string(), reason)
+}
+
 /// The origin of results.
 #[derive(Debug, Clone, Copy)]
 pub enum Origin<'a> {
-    /// A scenario: its file, and its hash.
-    File(&'a Path, &'a str),
+    /// A scenario.
+    File {
+        path: &'a Path,
+        /// The hash of all that the results depend on.
+        sha256: &'a str,
+        /// The hash of the overrides alone; `None` without overrides.
+        overrides_sha256: Option<&'a str>,
+        /// The files that the scenario names.
+        reads: &'a [&'a Path],
+    },
     /// A command that needs no scenario.
     Command(&'static str),
 }
@@ -68,6 +86,8 @@ struct EarlierResults {
     files: Vec<String>,
     /// Says whose results the new ones replace. It is `None` if they are of this scenario, with the same text and overrides.
     replaced: Option<String>,
+    /// True if this version of the program made them.
+    is_of_this_version: bool,
 }
 
 /// A directory that was found writable. Unless something is written, those of its parents that had to be made are removed.
@@ -77,6 +97,8 @@ pub struct OutputDirectory {
     /// Made for this run, the deepest first.
     made: Vec<PathBuf>,
     before: Option<EarlierResults>,
+    /// The files that the scenario is, or reads. They are never removed or replaced.
+    inputs: Vec<PathBuf>,
     /// Set once the older results are removed.
     is_cleared: AtomicBool,
     is_forced: bool,
@@ -84,17 +106,25 @@ pub struct OutputDirectory {
 
 impl OutputDirectory {
     /// Makes the directory and tests that it takes files, before anything is computed. All its results are of one scenario.
-    /// With `is_forced`, results of another scenario and files that the program did not write are replaced.
+    /// With `is_forced`, results of another scenario or with other overrides are replaced, and so are files that the program did
+    /// not write.
     ///
     /// # Errors
-    /// [`Error`] if it cannot be made, is a file, or takes no files; if it holds results of another scenario, or a summary of
-    /// another program.
+    /// [`Error`] if it cannot be made, is a file, or takes no files; if it holds results of another scenario or with other
+    /// overrides, or a summary of another program.
     pub fn prepare(path: &Path, origin: Origin, is_forced: bool) -> Result<Self, Error> {
         let refuse = unwritable(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
         let made: Vec<PathBuf> = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
+        let inputs = match origin {
+            Origin::File { path, reads, .. } => {
+                reads.iter().chain([&path]).filter_map(|file| file.canonicalize().ok()).collect()
+            }
+            Origin::Command(_) => Vec::new(),
+        };
         let mut directory =
-            Self { path: path.to_owned(), made, before: None, is_cleared: AtomicBool::new(false), is_forced };
+            Self { path: path.to_owned(), made, before: None, inputs, is_cleared: AtomicBool::new(false), is_forced };
+        unfinished::add_folders(&directory.made);
         fs::create_dir_all(path).map_err(&refuse)?;
         directory.made.iter().try_for_each(|made| sync_folder(folder(made))).map_err(&refuse)?;
         drop(NewFile::create(&path.join("trial")).map_err(&refuse)?);
@@ -115,24 +145,44 @@ impl OutputDirectory {
         let (Some(hash), Some(other)) = (noted("scenario_sha256"), noted("scenario_file")) else {
             return if self.is_forced { Ok(None) } else { Err(foreign(&path)) };
         };
-        let before = |replaced| Ok(Some(EarlierResults { files: listed(&summary), replaced }));
-        let own = match origin {
-            Origin::File(_, own) if own == hash => return before(None),
-            Origin::File(file, _)
-                if self.relative_path(file).is_some_and(|seen| Some(&*seen) == noted(RELATIVE_SCENARIO)) =>
-            {
-                return before(Some(format!("the results of {other} as it was, or with other --set")));
+        let is_of_this_version = noted("version") == Some(VERSION);
+        let before = |replaced| Ok(Some(EarlierResults { files: listed(&summary), replaced, is_of_this_version }));
+        let (own, is_other_text) = match origin {
+            Origin::File { sha256, .. } if sha256 == hash => return before(None),
+            Origin::File { path, overrides_sha256, .. } => {
+                let is_same_file =
+                    self.relative_path(path).is_some_and(|seen| Some(&*seen) == noted(RELATIVE_SCENARIO));
+                if is_same_file && noted(OVERRIDES) == overrides_sha256 {
+                    return before(Some(format!("the results of {other} as it was")));
+                }
+                if is_same_file && !self.is_forced {
+                    return Err(self.other_overrides(other, noted("command")));
+                }
+                (path.display().to_string(), other == path.display().to_string())
             }
-            Origin::File(file, _) => file.display().to_string(),
-            Origin::Command(name) => name.to_owned(),
+            Origin::Command(name) => (name.to_owned(), false),
         };
         if self.is_forced {
             return before(Some(format!("the results of {other}")));
         }
-        let reason = format!(
-            "holds results of {other}, and these are of {own}; name another --out, or replace them with --force"
-        );
-        Err(Error::in_file(ErrorKind::Input, &self.path.display().to_string(), reason))
+        let whose = if is_other_text && noted(RELATIVE_SCENARIO).is_none() {
+            format!("holds the results of another text from {other}")
+        } else {
+            format!("holds results of {other}, and these are of {own}")
+        };
+        Err(self.refused(&format!("{whose}; name another --out, or replace them with --force")))
+    }
+
+    /// The error of results of the same file with other overrides.
+    fn other_overrides(&self, scenario: &str, command: Option<&str>) -> Error {
+        let made_by = command.map_or_else(String::new, |command| format!(", made by `{command}`"));
+        self.refused(&format!(
+            "holds results of {scenario} with other --set or options{made_by}; leave --out out, which gives every setting a folder of its own, name another --out, or replace these results with --force"
+        ))
+    }
+
+    fn refused(&self, reason: &str) -> Error {
+        Error::in_file(ErrorKind::Input, &self.path.display().to_string(), reason)
     }
 
     pub fn path(&self) -> &Path {
@@ -159,30 +209,44 @@ impl OutputDirectory {
         self.before.as_ref()?.replaced.as_deref()
     }
 
-    /// True if a file of this name may be written. Where no summary says that the results there are of the same scenario, a file
-    /// gives way only to one that begins with the same line, as a table does to another of the same columns.
-    pub fn may_replace(&self, name: &str, new: &[u8]) -> Result<(), Error> {
-        let place = self.path.join(name);
-        refuse_special(&place).map_err(unwritable(&place))?;
-        if self.is_forced || self.before.is_some() || !place.exists() {
-            return Ok(());
-        }
-        let line = new.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
-        let line = &line[..line.len().min(4096)];
-        let mut begins = Vec::new();
-        let read = File::open(&place).and_then(|file| file.take(line.len() as u64).read_to_end(&mut begins));
-        read.map_err(unwritable(&place))?;
-        if begins == line { Ok(()) } else { Err(foreign(&place)) }
+    /// The files of the results that are there, if they are of the same scenario and overrides, and of this version of the
+    /// program. They are still right.
+    pub fn same_results(&self) -> &[String] {
+        let same = self.before.as_ref().filter(|before| before.replaced.is_none() && before.is_of_this_version);
+        same.map_or(&[], |before| &before.files)
     }
 
-    /// Writes all files, then puts them in place, the summary last.
+    /// Refuses to replace a file of this name that is not a result. A file is a result if the summary that is there lists it, or
+    /// if `is_own` knows it by its content: a run that was killed leaves results without a summary.
+    pub fn check_replaceable(&self, name: &str, is_own: impl FnOnce(&Path) -> io::Result<bool>) -> Result<(), Error> {
+        let place = self.path.join(name);
+        refuse_special(&place).map_err(unwritable(&place))?;
+        if self.is_input(&place) {
+            return Err(input_error(&place));
+        }
+        let is_listed = || self.before.iter().flat_map(|before| &before.files).any(|listed| listed == name);
+        if self.is_forced || is_listed() || !place.exists() || name == SUMMARY {
+            return Ok(());
+        }
+        if is_own(&place).map_err(unwritable(&place))? { Ok(()) } else { Err(foreign(&place)) }
+    }
+
+    /// True if the scenario is this file, or reads it.
+    fn is_input(&self, place: &Path) -> bool {
+        place.canonicalize().is_ok_and(|place| self.inputs.contains(&place))
+    }
+
+    /// Writes all files, then puts them in place, the summary last. Returns the names of the earlier files of the same results
+    /// that were removed, as this run does not make them: such as pictures in another format.
     ///
     /// # Errors
     /// [`Error`] naming the file; then no file was replaced unless a rename itself failed halfway.
-    pub fn write(&self, files: &[OutputFile]) -> Result<(), Error> {
+    pub fn write(&self, files: &[OutputFile]) -> Result<Vec<String>, Error> {
+        for file in files {
+            self.check_replaceable(&file.name, |place| begins_like(place, &file.bytes))?;
+        }
         let mut new = Vec::new();
         for file in files {
-            self.may_replace(&file.name, &file.bytes)?;
             let place = self.path.join(&file.name);
             let begun = remove_stale(&place).and_then(|()| NewFile::create(&place));
             let written = begun.and_then(|mut begun| {
@@ -197,10 +261,10 @@ impl OutputDirectory {
         let listed = listed(&summary);
         let names: Vec<&str> = files.iter().map(|file| &file.name).chain(&listed).map(String::as_str).collect();
         self.remove_older(&names)?;
-        // results of the same scenario that this run does not make, such as pictures in another format
-        self.remove_listed(&names)?;
+        let removed = self.remove_listed(&names)?;
         new.sort_by_key(|(is_summary, _)| *is_summary);
-        new.into_iter().try_for_each(|(_, file)| file.put()).map_err(unwritable(&self.path))
+        new.into_iter().try_for_each(|(_, file)| file.put()).map_err(unwritable(&self.path))?;
+        Ok(if self.replaces().is_some() { Vec::new() } else { removed })
     }
 
     /// Removes the results of another text or other overrides: first their summary, so that it never stands beside newer files,
@@ -210,27 +274,38 @@ impl OutputDirectory {
             return Ok(());
         }
         self.remove_file(SUMMARY)?;
-        self.remove_listed(keep)
+        self.remove_listed(keep).map(drop)
     }
 
-    /// Removes the files that the summary before this run lists, apart from those of these names.
-    fn remove_listed(&self, keep: &[&str]) -> Result<(), Error> {
+    /// Removes the files that the summary before this run lists, apart from those of these names. Returns the names of the files
+    /// that were there.
+    fn remove_listed(&self, keep: &[&str]) -> Result<Vec<String>, Error> {
         let listed = self.before.iter().flat_map(|before| &before.files);
-        listed.filter(|name| !keep.contains(&name.as_str())).try_for_each(|name| self.remove_file(name))
+        let mut removed = Vec::new();
+        for name in listed.filter(|name| !keep.contains(&name.as_str())) {
+            if self.remove_file(name)? {
+                removed.push(name.clone());
+            }
+        }
+        Ok(removed)
     }
 
-    /// Removes a file of this name; what is no ordinary file stays.
-    fn remove_file(&self, name: &str) -> Result<(), Error> {
+    /// Removes a file of this name. A file of the scenario stays, and so does what is no ordinary file. Returns true if there was
+    /// one.
+    fn remove_file(&self, name: &str) -> Result<bool, Error> {
         let place = self.path.join(name);
-        if place.symlink_metadata().is_ok_and(|data| data.is_file()) {
+        let is_removed = place.symlink_metadata().is_ok_and(|data| data.is_file()) && !self.is_input(&place);
+        if is_removed {
             remove(&place).map_err(unwritable(&place))?;
         }
-        Ok(())
+        Ok(is_removed)
     }
 }
 
 /// The key of a summary with the relative path to its scenario.
 const RELATIVE_SCENARIO: &str = "scenario_from_here";
+/// The key of a summary with the hash of the overrides.
+const OVERRIDES: &str = "overrides_sha256";
 
 /// The files that a summary lists. This program never writes a name with a folder in it, so such a name is left out.
 fn listed(summary: &Value) -> Vec<String> {

@@ -1,12 +1,14 @@
 //! One file: made under another name, written, synchronised to the disk, then renamed.
 
 use std::ffi::OsString;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::hash::{BuildHasher as _, RandomState};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
+
+use super::unfinished;
 
 /// The end of a temporary name.
 const PART: &str = ".part";
@@ -44,7 +46,7 @@ impl NewFile {
     pub fn create(place: &Path) -> io::Result<Self> {
         refuse_special(place)?;
         let temporary = temporary(place)?;
-        let file = OpenOptions::new().write(true).create_new(true).open(&temporary).map(changed)?;
+        let file = unfinished::begin(&temporary).map(changed)?;
         Ok(Self { file, temporary, place: place.to_owned(), is_put: false })
     }
 
@@ -63,6 +65,7 @@ impl NewFile {
         refuse_special(&self.place)?;
         fs::rename(&self.temporary, &self.place).map(changed)?;
         self.is_put = true;
+        unfinished::end(&self.temporary);
         sync_folder(folder(&self.place))
     }
 }
@@ -81,6 +84,7 @@ impl Drop for NewFile {
     fn drop(&mut self) {
         if !self.is_put {
             drop(fs::remove_file(&self.temporary));
+            unfinished::end(&self.temporary);
         }
     }
 }

@@ -40,6 +40,10 @@ pub struct Provenance {
     pub scenario_from_here: Option<String>,
     /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.
     pub scenario_sha256: String,
+    /// SHA-256 of the overrides of the command line alone, by which a later run knows results with the same overrides; `None`
+    /// without overrides.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overrides_sha256: Option<String>,
     pub command: String,
     /// The files beside the summary.
     pub files: Vec<String>,

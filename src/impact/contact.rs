@@ -81,6 +81,9 @@ pub struct Contact {
     pub(super) named: Named,
 }
 
+/// A rebound slower than this share of the impact speed is rest: the error of an integration.
+const AT_REST: f64 = 1e-10;
+
 impl Contact {
     /// Pairs the bodies under a law (or Hertz alone, for a half-space without a yield strength).
     ///
@@ -262,14 +265,22 @@ impl Contact {
     pub fn speeds_after(&self, speed: f64, restitution: f64) -> (f64, Option<f64>) {
         let Some(target) = self.target_mass else { return (restitution * speed, None) };
         let both = self.mass + target;
-        let rebound = (restitution * target - self.mass) / both * speed;
+        let share = (restitution * target - self.mass) / both;
+        // two equal elastic balls: what is left is the error of e
+        let rebound = if share.abs() < AT_REST { 0.0 } else { share * speed };
         (rebound, Some((1.0 + restitution) * (self.mass / both) * speed))
     }
 
-    /// The slowest impact that yields by the law \[m/s\], v_Y for the PLM; `None` for a contact that stays elastic, and for
-    /// a law without an elastic regime.
+    /// The slowest impact that yields by the law \[m/s\], v_Y for the PLM; `None` for a contact that stays elastic, for a law
+    /// without an elastic regime, and where the contact would be wider than the sphere at first yield.
     pub fn yield_speed(&self) -> Option<f64> {
+        self.pair.reachable_yield_point()?;
         (self.yield_speed > 0.0 && self.yield_speed.is_finite()).then_some(self.yield_speed)
+    }
+
+    /// True if the law is a pair of springs, which know no bodies: what stays is no dent.
+    pub fn is_spring(&self) -> bool {
+        self.pair.yield_point.is_some() && self.law.limits.widest.is_infinite()
     }
 
     /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].

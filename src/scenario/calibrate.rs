@@ -45,7 +45,7 @@ const RANGE: [f64; 2] = [1e-5, 0.1];
 impl Scenario {
     /// The calibration that the scenario asks for.
     pub fn wanted(&self) -> Result<Wanted, Error> {
-        self.refuse_columns("a calibration")?;
+        self.refuse_columns()?;
         if !self.has("calibrate") {
             return Err(self.document.refuse("", NO_TABLE));
         }

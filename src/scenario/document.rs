@@ -39,9 +39,10 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Err
     from.take(most + 1).read_to_end(&mut bytes).map_err(unreadable(path))?;
     let file = path.display().to_string();
     if bytes.len() as u64 > most {
-        let reason = format!(
-            "is larger than {largest} MiB, the most that is read; write long lists as linspace or logspace, or split the file"
-        );
+        // data have no short form
+        let is_scenario = path.extension().is_none_or(|end| end == "toml");
+        let way_out = if is_scenario { "write long lists as linspace or logspace" } else { "leave out lines of it" };
+        let reason = format!("is larger than {largest} MiB, the most that is read; {way_out}");
         return Err(Error::in_file(ErrorKind::Input, &file, reason));
     }
     String::from_utf8(bytes).map_err(|error| {

@@ -29,7 +29,7 @@ const SPECIMENS: &str = "indentation.half_space";
 
 impl Scenario {
     pub fn indentation(&self) -> Result<IndentationScene, Error> {
-        self.refuse_columns("an indentation")?;
+        self.refuse_columns()?;
         let specimens = self.specimens()?;
         let targets = self.targets()?;
         let samples = self.input.samples();

@@ -66,6 +66,13 @@ impl Scenario {
         self.source().sha256()
     }
 
+    /// SHA-256 of the overrides; `None` without overrides.
+    pub fn overrides_sha256(&self) -> Option<String> {
+        let overrides = self.document.overrides();
+        let source = Source { overrides, ..Source::default() };
+        (!source.overrides.is_empty()).then(|| source.sha256())
+    }
+
     /// The provenance of results of this scenario, which the command made.
     pub fn provenance(&self, command: &str) -> Provenance {
         Provenance {
@@ -74,6 +81,7 @@ impl Scenario {
             scenario_file: self.document.name().to_owned(),
             scenario_from_here: self.from_results.clone(),
             scenario_sha256: self.sha256(),
+            overrides_sha256: self.overrides_sha256(),
             command: command.to_owned(),
             files: Vec::new(),
             method: None,

@@ -1,7 +1,7 @@
 //! `[sweep]` and `[monte_carlo]`: keys of the scenario with many values, and the plan that follows.
 
-use super::Scenario;
 use super::axes::{METHOD, RandomKeys};
+use super::{Kind, Scenario};
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
 use crate::scenario::plan::{Cases, MOST_CASES, Plan, RESTITUTION};
@@ -85,11 +85,14 @@ impl Scenario {
         Ok(Some(chosen))
     }
 
-    /// Refuses columns for `scene`, which is no table.
-    pub(crate) fn refuse_columns(&self, scene: &str) -> Result<(), Error> {
+    /// Refuses columns for a scenario that is computed as no table.
+    pub(crate) fn refuse_columns(&self) -> Result<(), Error> {
         let given = [("output.columns", at!("output.columns")), ("output.picture", at!("output.picture"))];
         let Some((key, _)) = given.into_iter().find(|(_, at)| self.input.words(*at).is_some()) else { return Ok(()) };
-        let message = format!("is for tables, and this scenario is {scene}: leave it out, or give an impact a [sweep]");
+        // of a table only the first case may be asked for, which is one impact
+        let kind = Some(self.kind()?).filter(|kind| !kind.is_table()).unwrap_or(Kind::Impact);
+        let message =
+            format!("is for tables, and this scenario is {}: leave it out, or give an impact a [sweep]", kind.what());
         Err(self.document.refuse(key, message))
     }
 }

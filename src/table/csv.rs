@@ -8,7 +8,7 @@ use super::Rows;
 use super::column::{Column, columns};
 use super::count::{Count, status, written};
 use super::form::Form;
-use crate::files::NewFile;
+use crate::files::{NewFile, begins_like};
 use crate::scenario::plan::{Plan, Values};
 use crate::scenario::scene::results::Column as ResultColumn;
 
@@ -111,6 +111,10 @@ impl Form for Csv {
 
     fn header(&self) -> &[u8] {
         &self.header
+    }
+
+    fn is_own(&self, path: &Path) -> io::Result<bool> {
+        begins_like(path, &self.header)
     }
 
     fn encode(&self, rows: &Rows) -> io::Result<Vec<u8>> {

@@ -36,6 +36,9 @@ pub(super) trait Form: Sync + Send {
     /// Every file begins with these bytes.
     fn header(&self) -> &[u8];
 
+    /// True if this program wrote the file as a table.
+    fn is_own(&self, path: &Path) -> io::Result<bool>;
+
     /// Encodes rows; many threads do so at a time.
     fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
 

@@ -124,7 +124,7 @@ impl<F: Form> Table<'_, F> {
     fn write(&self, identity: &Identity) -> Result<Written, Error> {
         let Self { job, layout, .. } = *self;
         let (table, folder) = (self.path(&self.name), self.path(PARTS));
-        job.directory.may_replace(&self.name, self.form.header())?;
+        job.directory.check_replaceable(&self.name, |path| self.form.is_own(path))?;
         remove_stale(&table).map_err(file("cannot be written", &table))?;
         let is_begun = identity.is_in(job.directory)?;
         if !is_begun && job.shard.is_none() && layout.parts() <= ONE_FILE {

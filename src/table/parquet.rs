@@ -120,6 +120,14 @@ impl Form for Parquet {
         b"PAR1"
     }
 
+    fn is_own(&self, path: &Path) -> io::Result<bool> {
+        // a file that is no Parquet is of another program too
+        let reader = ParquetRecordBatchReaderBuilder::try_new(File::open(path)?);
+        let program = |name: &str| name.split(' ').next().map(str::to_owned);
+        let writer = reader.ok().and_then(|reader| program(reader.metadata().file_metadata().created_by()?));
+        Ok(writer.is_some() && writer == program(PROGRAM))
+    }
+
     fn encode(&self, rows: &Rows) -> io::Result<RecordBatch> {
         let arrays = self.arrays(rows).map_err(io::Error::other)?;
         RecordBatch::try_new(self.schema.clone(), arrays).map_err(io::Error::other)

@@ -36,6 +36,26 @@ impl Shard {
         Err(Error::input(format!("--shard: {problem}")))
     }
 
+    /// The shard of a task in a Slurm array job, from its environment: the task of the lowest index has shard 0.
+    ///
+    /// # Errors
+    /// [`Error`] outside of an array job.
+    pub fn from_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, Error> {
+        let number = |name: &str| {
+            let text = variable(name).unwrap_or_default();
+            let reason = || {
+                Error::input(format!(
+                    "--shard auto: {name}=\"{text}\" is no whole number, as this is no task of a Slurm array job; write i/n"
+                ))
+            };
+            text.trim().parse::<u64>().map_err(|_| reason())
+        };
+        let [id, count, first] = ["SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN"].map(number);
+        // an array without a step has the step 1
+        let step = number("SLURM_ARRAY_TASK_STEP").unwrap_or(1).max(1);
+        Self::parse(&format!("{}/{}", id?.saturating_sub(first?) / step, count?))
+    }
+
     /// True if a part belongs to this shard.
     pub fn has(self, part: u64) -> bool {
         part % self.count == self.index

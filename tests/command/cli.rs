@@ -49,8 +49,10 @@ fn overrides_directory_and_quiet_do_what_they_say_and_other_files_are_left_alone
 fn a_speed_on_the_command_line_takes_the_place_of_that_of_the_scenario_and_of_a_drop_height() {
     let desk = Desk::with(STEEL);
     let e = |arguments: &[&str]| -> f64 {
-        let (printed, _) =
-            desk.ends(&[&["run", "s.toml", "--json", "--pictures", "none", "--out", "o"], arguments].concat(), 0);
+        let (printed, _) = desk.ends(
+            &[&["run", "s.toml", "--json", "--pictures", "none", "--force", "--out", "o"], arguments].concat(),
+            0,
+        );
         let summary: Value = serde_json::from_str(&printed).unwrap();
         assert_eq!(summary["inputs"]["impact_speed_m_per_s"], 2.0);
         summary["restitution"].as_f64().unwrap()
@@ -73,7 +75,7 @@ fn a_reader_who_has_left_is_no_failure() {
         let want = if arguments[0] == "run" { 0 } else { 2 };
         assert_eq!(command.status().unwrap().code(), Some(want), "{arguments:?}");
     }
-    assert_eq!(desk.files("plots/s"), FILES);
+    assert_eq!(desk.files("plots/s,impact.speed=200m_s"), FILES);
 }
 
 #[test]

@@ -257,6 +257,6 @@ fn several_files_are_run_one_after_the_other() {
     desk.put("t.toml", STEEL.replace("3 m/s", "2 m/s"));
     let (printed, _) = desk.ends(&["run", "s.toml", "t.toml", "--pictures", "none", "--set", "sphere.radius=1 mm"], 0);
     assert_eq!(printed.matches("impact speed").count(), 2, "{printed}");
-    let e = |name: &str| number(&desk.json(&format!("plots/{name}/summary.json")), "restitution");
+    let e = |name: &str| number(&desk.json(&format!("plots/{name},sphere.radius=1mm/summary.json")), "restitution");
     assert!(e("s") < e("t"));
 }

@@ -110,11 +110,12 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
     let message = desk.ends(&["run", "b/s.toml"], 2).1;
     assert!(message.contains("holds results of a/s.toml, and these are of b/s.toml"), "{message}");
     assert_eq!(desk.read("plots/s/summary.json"), first);
-    // an edited scenario, overrides, and a copy of the scenario are allowed
-    let message = desk.ends(&["run", "a/s.toml", "--set", "impact.speed=2", "--pictures", "svg"], 0).1;
-    assert!(message.contains("plots/s: replaced the results of a/s.toml as it was, or with other --set"), "{message}");
+    // an edited scenario and a copy of the scenario are allowed
+    fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "2 m/s")).unwrap();
+    let message = desk.ends(&["run", "a/s.toml", "--pictures", "svg"], 0).1;
+    assert!(message.contains("plots/s: replaced the results of a/s.toml as it was"), "{message}");
     // the same again has nothing to say, also from another folder
-    let arguments = ["run", "../a/s.toml", "--set", "impact.speed=2", "--out", "../plots/s", "--pictures", "svg"];
+    let arguments = ["run", "../a/s.toml", "--out", "../plots/s", "--pictures", "svg"];
     assert!(!text(&crate::common::command::call(&desk.path("b"), &arguments).stderr).contains("replaced"));
     fs::write(desk.path("a/s.toml"), STEEL.replace("3 m/s", "4 m/s")).unwrap();
     desk.ends(&["run", "a/s.toml", "--pictures", "svg"], 0);
@@ -192,13 +193,13 @@ fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
     let repeat = "repeat={impacts=2,spot=\"same\"}";
     let run = ["run", "other.toml", "--out", "o"];
     for arguments in [
-        calibrate.to_vec(),
+        [&calibrate[..], &["--force"]].concat(),
         [&run[..], &["--force"]].concat(),
         [&run[..], &["--pictures", "svg"]].concat(),
-        [&run[..], &["--set", sweep]].concat(),
+        [&run[..], &["--set", sweep, "--force"]].concat(),
         [&run[..], &["--set", sweep, "--pictures", "none"]].concat(),
-        [&run[..], &["--set", repeat]].concat(),
-        run.to_vec(),
+        [&run[..], &["--set", repeat, "--force"]].concat(),
+        [&run[..], &["--force"]].concat(),
     ] {
         desk.ends(&arguments, 0);
         assert_eq!(desk.files("o"), listed(), "{arguments:?}");
@@ -208,7 +209,7 @@ fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
     desk.put("o/mine.txt", "mine");
     let summary = desk.read("o/summary.json").replace("\"history.png\"", "\"../mine.png\", \"history.png\"");
     desk.put("o/summary.json", summary);
-    desk.ends(&[&run[..], &["--set", sweep]].concat(), 0);
+    desk.ends(&[&run[..], &["--set", sweep, "--force"]].concat(), 0);
     assert_eq!((desk.read("mine.png"), desk.read("o/mine.txt")), ("mine".to_owned(), "mine".to_owned()));
 }
 
@@ -237,5 +238,28 @@ fn signals_end_other_long_work_at_once_and_nothing_is_left() {
         command.current_dir(desk.path("")).env("PLM_IMPACT_SIGNAL", format!("{number}@1"));
         let arguments = ["validate", "--out", "out/deep"];
         is_stopped(command.args(arguments).output().unwrap(), &arguments);
+        let mut bench = Command::new(PROGRAM);
+        bench.current_dir(desk.path("")).env("PLM_IMPACT_SIGNAL", format!("{number}@1"));
+        let output = bench.args(["bench", "--quick", "--out", "out/deep"]).output().unwrap();
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(want) && said.ends_with("interrupted; nothing was written\n"), "{said}");
+        assert!(!desk.path("out").exists());
     }
+}
+
+#[test]
+fn a_signal_in_the_second_of_two_files_ends_the_command_as_in_the_first() {
+    let desk = Desk::with(STEEL);
+    desk.put("big.toml", sweep(2_000_000));
+    desk.put("third.toml", STEEL);
+    let child = start(&desk, &["run", "s.toml", "big.toml", "third.toml", "--pictures", "none"]);
+    let is_part = |name: &String| name.starts_with("part-");
+    let is_at_work = || desk.path("plots/big/parts").exists() && desk.files("plots/big/parts").iter().any(is_part);
+    let output = signalled(child, is_at_work, "-INT");
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(130), "{said}");
+    assert!(said.contains("interrupted after") && said.contains("the same command goes on"), "{said}");
+    assert!(!desk.files("plots/big/parts").iter().any(|name| name.starts_with('.')));
+    // the third is not begun
+    assert!(!desk.path("plots/third").exists());
 }

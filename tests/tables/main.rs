@@ -12,6 +12,7 @@ mod one_row;
 mod pairs;
 mod parquet;
 mod parts;
+mod replaced;
 
 mod sweep;
 

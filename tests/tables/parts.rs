@@ -161,14 +161,21 @@ fn killed_after_every_change(desk: &Desk, there: &Files, between: &Files, first:
 #[test]
 fn after_a_kill_at_any_change_of_the_disk_all_files_are_whole_and_the_same_command_makes_the_same_table() {
     let none = Files::new();
-    let other = ["--set", "sphere.radius=4 mm"];
+    // older results of the same file, before it was edited
+    let older_results = |desk: &Desk, more: &[&str]| {
+        let text = desk.read("s.toml");
+        fs::write(desk.path("s.toml"), text.replace("5 mm", "4 mm")).unwrap();
+        let older = made(desk, &none, &[more]);
+        fs::write(desk.path("s.toml"), text).unwrap();
+        older
+    };
     let impact = Desk::with(STEEL);
-    let older = made(&impact, &none, &[&other]);
+    let older = older_results(&impact, &[]);
     killed_after_every_change(&impact, &older, &none, &[&[]], &[&[]]);
     let desk = Desk::with(random().replace("12000", "8"));
     for format in FORMATS.map(|format| ["--format", format]) {
         // as one file, in place of an older one
-        let older = made(&desk, &none, &[&[format, other].concat()]);
+        let older = older_results(&desk, &format);
         killed_after_every_change(&desk, &older, &none, &[&format], &[&format]);
         // in four parts, of which one is there
         let [first, second, whole] = ["0/2", "1/2", "0/1"].map(|shard| [format[0], format[1], "--shard", shard]);
@@ -261,7 +268,8 @@ fn a_table_that_was_put_together_is_kept() {
     assert!(fs::read(desk.path("out/table.csv")).unwrap() == whole);
     // an edited scenario takes the place of a finished table
     let mut edited = Command::new(PROGRAM);
-    edited.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out", "--set", "sphere.radius=0.004"]);
+    fs::write(desk.path("s.toml"), random().replace("5 mm", "4 mm")).unwrap();
+    edited.current_dir(desk.path("")).args(["run", "s.toml", "--out", "out"]);
     assert!(ends(edited, 0).contains("out: replaced the results of s.toml as it was"));
     assert!(fs::read(desk.path("out/table.csv")).unwrap() != whole);
     assert!(!desk.path("out/_table.json").exists());
@@ -299,5 +307,23 @@ fn shards_that_cannot_be_are_refused() {
     {
         assert!(ends(run(&desk, "out", None, &["--shard", shard]), 2).contains(wanted));
     }
+    assert!(ends(run(&desk, "out", None, &["--shard", "auto"]), 2).contains("no task of a Slurm array job; write i/n"));
     assert!(!desk.path("out").exists());
+}
+
+#[test]
+fn a_task_of_a_slurm_array_is_a_shard() {
+    let desk = Desk::with(grid());
+    let parts = |out: &str, more: &[&str], task: Option<[&str; 4]>| {
+        let mut command = run(&desk, out, Some(2000), more);
+        let names = ["ID", "COUNT", "MIN", "STEP"].map(|name| format!("SLURM_ARRAY_TASK_{name}"));
+        command.envs(names.into_iter().zip(task.into_iter().flatten()));
+        ends(command, 0);
+        desk.files(&format!("{out}/parts"))
+    };
+    // --array=1-3, and --array=10-20:5
+    let wanted = parts("a", &["--shard", "1/3"], None);
+    assert_eq!(wanted, ["part-00001.csv", "part-00004.csv"]);
+    assert_eq!(parts("b", &["--shard", "auto"], Some(["2", "3", "1", "1"])), wanted);
+    assert_eq!(parts("c", &["--shard", "auto"], Some(["15", "3", "10", "5"])), wanted);
 }

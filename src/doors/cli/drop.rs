@@ -99,7 +99,7 @@ impl Arguments {
     fn scenario(&self) -> String {
         let mut text = "# A drop, as `plm-impact drop` was asked for it.\n\n[sphere]\n".to_owned();
         let key = |text: &mut String, key: &str, value: Option<&str>| {
-            let _ = value.map(|value| writeln!(text, "{key} = {value:?}"));
+            let _ = value.map(|value| writeln!(text, "{key} = {}", toml::Value::from(value)));
         };
         key(&mut text, "material", Some(&self.ball));
         key(&mut text, "diameter", Some(&self.diameter));
@@ -117,7 +117,7 @@ impl Arguments {
         key(&mut text, "speed", self.speed.as_deref());
         key(&mut text, "angle", self.angle.as_deref());
         if let Some(friction) = self.friction {
-            let _ = write!(text, "\n[friction]\ncoefficient = {friction:?}\n");
+            let _ = write!(text, "\n[friction]\ncoefficient = {}\n", toml::Value::from(friction));
         }
         text.push_str(
             "\n[law.plm]\n# error of e 1 % (rms) against finite elements; with 1.5, the exponent of the paper, e is 3 % too low\n",

@@ -8,6 +8,7 @@ mod init;
 mod keys;
 mod materials;
 mod output;
+mod pace;
 mod run;
 mod scenario;
 mod shells;
@@ -30,6 +31,7 @@ use terminal::ErrorFormat;
 ///
 /// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 measurements contradict
 /// the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
+/// Of several files the largest of these codes counts.
 #[derive(Debug, Parser)]
 #[command(
     version,

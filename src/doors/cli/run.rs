@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use plm_impact::error::Error;
+use plm_impact::error::{Error, ErrorKind};
 use plm_impact::report::run::Outcome;
 use serde_json::Value;
 
@@ -31,11 +31,41 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
-    if !arguments.more.is_empty() {
-        arguments.output.refuse_one_directory()?;
+    if arguments.more.is_empty() {
+        return one(arguments, &arguments.scenario);
     }
-    one(arguments, &arguments.scenario)?;
-    arguments.more.iter().try_for_each(|file| one(arguments, &arguments.scenario.with_file(file)))
+    arguments.output.refuse_one_directory()?;
+    let mut files = vec![arguments.scenario.clone()];
+    files.extend(arguments.more.iter().map(|file| arguments.scenario.with_file(file)));
+    refuse_same_names(&files)?;
+    let mut failed: Vec<(String, ErrorKind, u8)> = Vec::new();
+    for file in &files {
+        match one(arguments, file) {
+            Ok(()) => {}
+            // a signal is meant for all files
+            Err(error) if matches!(error.kind, ErrorKind::Stopped(_)) => return Err(error),
+            Err(error) => failed.push((file.name().display().to_string(), error.kind, super::terminal::error(&error))),
+        }
+    }
+    let Some((_, kind, _)) = failed.iter().max_by_key(|(.., code)| *code) else { return Ok(()) };
+    let names: Vec<String> = failed.iter().map(|(name, _, code)| format!("{name} (exit code {code})")).collect();
+    Err(Error::new(*kind, format!("{} of {} scenarios failed: {}", failed.len(), files.len(), names.join(", "))))
+}
+
+/// Refuses two files that would have the same default directory.
+fn refuse_same_names(files: &[ScenarioArguments]) -> Result<(), Error> {
+    for (at, file) in files.iter().enumerate() {
+        let is_like = |other: &&ScenarioArguments| {
+            other.name() != file.name() && other.name().file_stem() == file.name().file_stem()
+        };
+        if let Some(other) = files[..at].iter().find(is_like) {
+            let [one, other] = [other, file].map(|file| file.name().display().to_string());
+            return Err(Error::input(format!(
+                "{one} and {other} have the same name, and their results would go to the same directory; run one file at a time, each with its own --out"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Runs one of the files.

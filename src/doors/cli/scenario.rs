@@ -27,7 +27,7 @@ pub fn write_new(path: &Path, text: &str, option: &str) -> Result<(), Error> {
 }
 
 /// A scenario and what the command line changes in it.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct ScenarioArguments {
     /// Scenario file (TOML); - is standard input, and files that it names are then relative to the current directory
     #[arg(value_name = "FILE")]

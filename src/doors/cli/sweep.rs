@@ -1,17 +1,19 @@
 //! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
 
+use std::num::NonZeroU64;
 use std::path::Path;
 use std::time::Duration;
 
 use clap::{Args, value_parser};
 use plm_impact::error::Error;
+use plm_impact::files::OutputDirectory;
 use plm_impact::report::run::{refuse_warnings, table};
 use plm_impact::report::text;
 use plm_impact::scenario::Scenario;
 use plm_impact::table::{Format, Job, Layout, Shard, Tally};
 use rayon::ThreadPoolBuilder;
 
-use super::output::{Output, one_of, say_replaced, warn};
+use super::output::{Output, note_replaced, one_of, warn};
 use super::watched::{Signals, Watch};
 
 /// More threads could stop a machine.
@@ -25,8 +27,9 @@ pub struct Options {
     /// Sweeps: format of the table [default: csv]
     #[arg(long, value_parser = one_of(Format::ALL, Format::name))]
     format: Option<Format>,
-    /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed
-    #[arg(long, value_name = "I/N")]
+    /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed; auto
+    /// takes I and N from a Slurm array job
+    #[arg(long, value_name = "I/N|auto")]
     shard: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=i64::from(MOST_THREADS)))]
@@ -61,7 +64,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let warnings = table::warnings(&plan, None);
     warn(&warnings);
     refuse_warnings(scenario, warnings.len(), output.strict)?;
-    let shard = options.shard.as_deref().map(Shard::parse).transpose()?;
+    let shard = options.shard.as_deref().map(parse_shard).transpose()?;
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {
         let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
@@ -72,17 +75,16 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
     let Options { format, threads, .. } = *options;
     let mut layout = Layout::new(&plan);
-    if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse().ok()) {
-        layout.rows_per_part = rows;
+    if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse::<NonZeroU64>().ok()) {
+        layout.rows_per_part = rows.get();
     }
     let leaves = if layout.is_in_parts(shard, &directory) {
         "the same command goes on from the parts that are whole"
     } else {
         "nothing was written; the same command starts anew"
     };
-    let bar = "{human_pos}/{human_len} rows, {per_sec}, {eta} left";
-    let watch = Watch { is_quiet: output.quiet, bar, patience: PATIENCE, leaves };
-    let (directory, plan, written) = watch.watch(&signals, move |progress| {
+    let watch = Watch { is_quiet: output.quiet, counted: "rows", patience: PATIENCE, leaves };
+    let (directory, plan, written) = watch.watch(signals, move |progress| {
         let job = Job {
             plan: &plan,
             shard,
@@ -96,18 +98,19 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         Ok((directory, plan, written))
     })?;
     let about = text::sweep::lines(&plan, &written.tally);
-    let mut files = Vec::new();
+    let (mut files, mut removed) = (Vec::new(), Vec::new());
     if shard.is_none() {
         let leaves = "the table is written, its summary is not; give the same command again";
         let tally = written.tally.clone();
         // the parts of a table are no file
         let table = written.table.file_name().filter(|_| written.table.is_file());
         provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
+        provenance.files.extend(other_table(&directory, &provenance.files));
         files = Watch { leaves, ..Watch::without_files(output.quiet) }
-            .watch(&signals, move |_| table::files(&plan, &tally, &warnings, provenance, pictures))?;
-        directory.write(&files)?;
+            .watch(signals, move |_| table::files(&plan, &tally, &warnings, provenance, pictures))?;
+        removed = directory.write(&files)?;
     }
-    say_replaced(&directory);
+    note_replaced(&directory, &removed);
     let found = match written.found {
         0 => String::new(),
         rows => format!("{rows} of these rows were there\n"),
@@ -123,6 +126,19 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let table = written.table.display();
     let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
     Err(Error::failed(text).about(table))
+}
+
+fn parse_shard(text: &str) -> Result<Shard, Error> {
+    if text == "auto" { Shard::from_slurm(|name| std::env::var(name).ok()) } else { Shard::parse(text) }
+}
+
+/// The same table in another format, which an earlier run wrote: it stays, as it may have cost hours.
+fn other_table(directory: &OutputDirectory, written: &[String]) -> Option<String> {
+    let names = Format::ALL.map(|format| format!("table.{}", format.name()));
+    let is_there = |name: &String| {
+        !written.contains(name) && directory.same_results().contains(name) && directory.path().join(name).is_file()
+    };
+    names.into_iter().find(is_there)
 }
 
 /// Does the work on as many threads as the option says, or the environment, or on one per core.

@@ -10,7 +10,7 @@ use plm_impact::files::{Origin, OutputDirectory, OutputFile};
 use plm_impact::report::plot::Pictures;
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 
-use super::output::PictureArguments;
+use super::output::{PictureArguments, note_replaced};
 use super::watched::{Signals, Watch};
 
 /// For maintainers: compare the law with finite elements and measurements (CSV, Markdown, pictures)
@@ -42,7 +42,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
-    let (compared, laws, pictures) = Watch::without_files(false).watch(&signals, move |progress| {
+    let (compared, laws, pictures) = Watch::without_files(false).watch(signals, move |progress| {
         let compared = validate::comparisons(&coefficients, progress)?;
         let laws = validate::laws::laws(&coefficients)?;
         let draw = || validate::pictures(&coefficients, format, progress);
@@ -57,7 +57,8 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let count = pictures.len();
     files.extend(pictures);
     let out = directory.path().to_owned();
-    directory.write(&files)?;
+    let removed = directory.write(&files)?;
+    note_replaced(&directory, &removed);
     super::terminal::print(&report::table(&compared))?;
     super::terminal::note(format_args!("wrote validation.csv, README.md and {count} pictures to {}", out.display()));
     Ok(())

@@ -3,29 +3,36 @@
 
 use std::io::{self, IsTerminal as _};
 use std::panic::resume_unwind;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::{Error, ErrorKind};
-use plm_impact::files::{Counter, after_changes};
+use plm_impact::files::{Counter, abandon, after_changes};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use signal_hook::low_level::raise;
 
+use super::pace::Pace;
 use super::terminal::other;
 
 /// Bytes of the stack of a thread, as many as that of a program.
 const STACK: usize = 8 << 20;
 /// Time between two looks for a signal.
 const LOOK: Duration = Duration::from_millis(50);
-/// A bar is shown for work that takes longer than so many milliseconds.
-const SOON: u64 = 500;
-/// Other milliseconds in place of these, for tests.
-const BAR_AFTER: &str = "PLM_IMPACT_BAR_AFTER_MS";
+/// A bar is shown for work that takes longer than this.
+const BAR_DELAY: Duration = Duration::from_millis(500);
+/// Another delay in milliseconds, for tests.
+const BAR_DELAY_VARIABLE: &str = "PLM_IMPACT_BAR_AFTER_MS";
+/// Time between two lines on the progress where standard error is no terminal, such as the log of a batch job.
+const LOG_INTERVAL: Duration = Duration::from_secs(60);
+/// Another interval in milliseconds, for tests.
+const LOG_INTERVAL_VARIABLE: &str = "PLM_IMPACT_LOG_EVERY_MS";
+/// Another patience in milliseconds, for tests.
+const PATIENCE_VARIABLE: &str = "PLM_IMPACT_PATIENCE_MS";
 /// A signal for tests, and the change of the disk at which it comes: `9@12` kills at the twelfth.
 const SIGNAL: &str = "PLM_IMPACT_SIGNAL";
 /// A shell adds the number of the signal to this for the exit code.
@@ -41,24 +48,36 @@ pub struct Signals {
 }
 
 impl Signals {
-    /// Listens from now on. This comes before anything is written, so that a signal never leaves an empty folder.
-    pub fn listen() -> Result<Self, Error> {
+    /// Listens from now on. This comes before anything is written, so that a signal never leaves an empty folder. A process
+    /// registers its handlers once, however often it listens.
+    pub fn listen() -> Result<&'static Self, Error> {
+        static SIGNALS: OnceLock<Signals> = OnceLock::new();
+        let signals = if let Some(signals) = SIGNALS.get() {
+            signals
+        } else {
+            let registered = Self::register().map_err(other("signals"))?;
+            SIGNALS.get_or_init(|| registered)
+        };
+        signals.is_off.store(false, Ordering::Relaxed);
+        Ok(signals)
+    }
+
+    fn register() -> io::Result<Self> {
         let (is_set, code, is_off) = (Arc::default(), Arc::default(), Arc::new(AtomicBool::new(true)));
         for signal in [SIGINT, SIGTERM] {
             let exit_code = ENDED_BY + signal.unsigned_abs() as usize;
-            let listened = flag::register_conditional_default(signal, Arc::clone(&is_off));
-            let listened = listened.and_then(|_| flag::register_usize(signal, Arc::clone(&code), exit_code));
-            listened.and_then(|_| flag::register(signal, Arc::clone(&is_set))).map_err(other("signals"))?;
+            flag::register_conditional_default(signal, Arc::clone(&is_off))?;
+            flag::register_usize(signal, Arc::clone(&code), exit_code)?;
+            flag::register(signal, Arc::clone(&is_set))?;
         }
-        is_off.store(false, Ordering::Relaxed);
         Ok(Self { is_set, code, is_off })
     }
 }
 
 pub struct Watch {
     pub is_quiet: bool,
-    /// The text behind the bar.
-    pub bar: &'static str,
+    /// What is counted, such as rows.
+    pub counted: &'static str,
     /// Time that the work has to stop by itself after a signal; then it is abandoned.
     pub patience: Duration,
     /// Tells what abandoned work leaves, and what to do then.
@@ -68,8 +87,7 @@ pub struct Watch {
 impl Watch {
     /// The watch of work that writes no files.
     pub fn without_files(is_quiet: bool) -> Self {
-        let bar = "{human_pos}/{human_len} done, {elapsed}";
-        Self { is_quiet, bar, patience: Duration::ZERO, leaves: "nothing was written" }
+        Self { is_quiet, counted: "done", patience: Duration::ZERO, leaves: "nothing was written" }
     }
 
     /// Does the work on a thread of its own. A signal asks it to stop.
@@ -114,16 +132,29 @@ impl Watch {
     fn wait<T>(&self, receiver: &Receiver<Result<T, Error>>, progress: &Counter) -> Option<Result<T, Error>> {
         let (begun, mut signalled) = (Instant::now(), None);
         let bar = self.bar();
-        let soon = std::env::var(BAR_AFTER).ok().and_then(|time| time.parse().ok()).unwrap_or(SOON);
+        let (bar_delay, log_interval) =
+            (duration(BAR_DELAY_VARIABLE, BAR_DELAY), duration(LOG_INTERVAL_VARIABLE, LOG_INTERVAL));
+        let patience = duration(PATIENCE_VARIABLE, self.patience).min(self.patience);
+        let (mut pace, mut logged) = (Pace::default(), begun);
         let done = loop {
-            if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= self.patience {
+            if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= patience {
+                // the files of the work are on its thread, which ends with the process
+                abandon();
                 break Some(Err(Error::new(ErrorKind::Stopped(0), self.interrupted())));
             }
             let received = receiver.recv_timeout(LOOK);
             let (done, total) = progress.read();
-            if begun.elapsed() >= Duration::from_millis(soon) && total > 1 {
-                bar.set_length(total);
-                bar.set_position(done);
+            if total > 1 {
+                pace.add(begun.elapsed(), done);
+                if begun.elapsed() >= bar_delay {
+                    bar.set_length(total);
+                    bar.set_message(pace.describe(total, self.counted));
+                    bar.set_position(done);
+                }
+                if self.is_logged() && logged.elapsed() >= log_interval {
+                    super::terminal::note(pace.describe(total, self.counted));
+                    logged = Instant::now();
+                }
             }
             match received {
                 Ok(done) => break Some(done),
@@ -135,14 +166,25 @@ impl Watch {
         done
     }
 
+    /// True if lines tell the progress, as no terminal shows a bar.
+    fn is_logged(&self) -> bool {
+        !self.is_quiet && !io::stderr().is_terminal()
+    }
+
     /// A bar, which a terminal shows as soon as it moves.
     fn bar(&self) -> ProgressBar {
         if self.is_quiet || super::terminal::is_json() || !io::stderr().is_terminal() {
             return ProgressBar::hidden();
         }
-        let style = ProgressStyle::with_template(&format!("{{bar:40}} {}", self.bar));
+        let style = ProgressStyle::with_template("{bar:40} {msg}");
         ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
     }
+}
+
+/// The milliseconds of a variable of the environment, if it gives any.
+fn duration(variable: &str, default: Duration) -> Duration {
+    let given = std::env::var(variable).ok().and_then(|time| time.parse().ok());
+    given.map_or(default, Duration::from_millis)
 }
 
 /// For tests: the process sends itself the signal that the environment names.

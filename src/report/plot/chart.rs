@@ -322,7 +322,7 @@ fn fill<B: DrawingBackend>(
     frame.draw_outline(pen)?;
     for (one, style) in series().filter(|(one, _)| !one.is_area()) {
         if one.look != Look::Points {
-            frame.curve(pen, &one.points, style)?;
+            frame.curve(pen, &one.drawn(frame), style)?;
         }
         let (marked, radius) = one.marks(frame, style);
         for point in marked {

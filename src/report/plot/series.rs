@@ -24,6 +24,8 @@ pub struct Series {
 pub enum Look {
     /// A line without markers: a law.
     Line,
+    /// Lines from low to high ends. A low end that a logarithmic axis cannot have is drawn at the lower end of the axis.
+    Bars,
     /// A line with a marker on every point, for a few computed points.
     MarkedLine,
     /// Markers only, for measured points.
@@ -63,7 +65,8 @@ impl Series {
     /// Error bars at (x, y), of a standard deviation on each side.
     pub fn bars(values: impl Iterator<Item = (f64, f64, f64)>) -> Self {
         // a point of NaN separates the bars
-        Self::line("", values.flat_map(|(x, y, sd)| [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]).collect())
+        let ends = values.flat_map(|(x, y, sd)| [(x, y - sd), (x, y + sd), (f64::NAN, f64::NAN)]);
+        Self::new("", ends.collect(), Look::Bars)
     }
 
     pub fn text(text: impl Into<String>) -> Self {
@@ -129,7 +132,7 @@ impl Series {
                 [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })]
             }
             Look::Text => [None; 2],
-            Look::Line | Look::Vertical(_) | Look::Horizontal(_) => [Some(style), None],
+            Look::Line | Look::Bars | Look::Vertical(_) | Look::Horizontal(_) => [Some(style), None],
         }
     }
 
@@ -151,6 +154,10 @@ impl Series {
         match self.look {
             Look::Vertical(at) => vec![(at, y(0.0)), (at, y(1.0))].into(),
             Look::Horizontal(at) => vec![(x(0.0), at), (x(1.0), at)].into(),
+            Look::Bars => {
+                let cut = |at: f64| if at.is_nan() || frame.y.at(at).is_finite() { at } else { y(0.0) };
+                self.points.iter().map(|&(x, at)| (x, cut(at))).collect()
+            }
             _ => (&self.points).into(),
         }
     }

@@ -31,7 +31,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
 }
 
 pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
-    scenario.refuse_columns("one impact")?;
+    scenario.refuse_columns()?;
     let input = scenario.resolve()?;
     let contact = input.contact().map_err(|error| no_result(scenario, &error))?;
     Ok((input, contact))

@@ -25,15 +25,15 @@ pub fn contact() -> Vec<Reported<Contact>> {
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
         "sphere_compliance" as "share of the sphere kappa": contact.pair().sphere_compliance;
         /// Indentation at first yield.
-        "yield_indentation_m" in Length as "yield indentation delta_Y" if YIELDS:
-            contact.pair().yield_point.map(|point| point.indentation);
+        "yield_indentation_m" in Length as "yield indentation delta_Y" if REACHES:
+            contact.pair().reachable_yield_point().map(|point| point.indentation);
         /// Force at first yield.
-        "yield_force_N" in Force as "yield force F_Y" if YIELDS: contact.pair().yield_point.map(|point| point.force);
+        "yield_force_N" in Force as "yield force F_Y" if REACHES: contact.pair().reachable_yield_point().map(|point| point.force);
         /// Contact radius at first yield.
-        "yield_contact_radius_m" in Length as "yield contact radius a_Y" if YIELDS:
-            contact.pair().yield_point.map(|point| point.contact_radius);
+        "yield_contact_radius_m" in Length as "yield contact radius a_Y" if REACHES:
+            contact.pair().reachable_yield_point().map(|point| point.contact_radius);
         /// Impact speed above which a body yields.
-        "yield_speed_m_per_s" in Speed as "yield speed v_Y" if YIELDS: contact.yield_speed();
+        "yield_speed_m_per_s" in Speed as "yield speed v_Y" if REACHES: contact.yield_speed();
     }
 }
 

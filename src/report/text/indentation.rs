@@ -30,10 +30,11 @@ pub fn half_space() -> Vec<Reported<Tested>> {
         /// The sphere's share of the elastic approach; 0 for a rigid sphere.
         "sphere_compliance" as "share of the sphere kappa": tested.pair.sphere_compliance;
         /// Indentation at first yield.
-        "yield_indentation_m" in Length as "yield indentation delta_Y" if YIELDS:
-            tested.pair.yield_point.map(|point| point.indentation);
+        "yield_indentation_m" in Length as "yield indentation delta_Y" if REACHES:
+            tested.pair.reachable_yield_point().map(|point| point.indentation);
         /// Force at first yield.
-        "yield_force_N" in Force as "yield force F_Y" if YIELDS: tested.pair.yield_point.map(|point| point.force);
+        "yield_force_N" in Force as "yield force F_Y" if REACHES:
+            tested.pair.reachable_yield_point().map(|point| point.force);
         /// Work of all steps.
         "work_J" in Energy: tested.indentation.steps.iter().map(|step| step.work).sum::<f64>();
         /// Energy spent on the dent in all steps.

@@ -1,5 +1,4 @@
-//! The text of `check`: every value in SI and in a suitable unit, and the numbers that follow from them
-//! before anything is run.
+//! The text of `check`: every value with its unit, and the numbers that follow from them before anything is run.
 
 use super::inputs::Inputs;
 use super::terminal::{described, notes};
@@ -42,7 +41,7 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
         rows.push(["strength raised by".to_owned(), four_digits(rated.factor)]);
         rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
     }
-    let softer = contact.pair().yield_point.map(|point| point.flow.of_softer(Body::ALL));
+    let softer = contact.pair().reachable_yield_point().map(|point| point.flow.of_softer(Body::ALL));
     // an impact that stays elastic needs no strength
     let is_plastic = contact.yield_speed().is_none_or(|slowest| speed.is_nan() || speed > slowest);
     let notes = if is_plastic { notes(&strength_notes(input, contact, &law)) } else { String::new() };
@@ -114,6 +113,9 @@ pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {
 /// Which body flows, with the ratio of the strengths.
 pub(super) fn who(pair: &Pair) -> Row {
     let Some(point) = pair.yield_point else { return ["yield point", ELASTIC].map(str::to_owned) };
+    if pair.reachable_yield_point().is_none() {
+        return ["yield point", TOO_WIDE].map(str::to_owned);
+    }
     let flow = point.flow;
     let ratio = flow.ratio;
     let [softer, harder] = if flow.is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
@@ -132,4 +134,5 @@ pub(super) fn who(pair: &Pair) -> Row {
     ["who yields".to_owned(), who]
 }
 
+const TOO_WIDE: &str = "none within the law: at first yield the contact would be wider than the sphere";
 const ELASTIC: &str = "none: no body has a yield_strength, and the contact stays elastic";

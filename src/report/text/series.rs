@@ -133,7 +133,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Mass of the sphere.
         "sphere_mass_kg" in Mass: series.contact.mass();
         /// Impact speed above which the half-space yields.
-        "yield_speed_m_per_s" in Speed if YIELDS: series.contact.yield_speed();
+        "yield_speed_m_per_s" in Speed if REACHES: series.contact.yield_speed();
     }
 }
 

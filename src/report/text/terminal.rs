@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use crate::impact::{Contact, Impact, WarningKind};
 use crate::scenario::scene::results::impact::{Single, results};
 use crate::scenario::scene::results::{Reported, Shown};
 use crate::units::{Dimension, aligned, describe, four_digits, percent, quantity};
@@ -40,6 +41,8 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     let is_idle = |name: &str| match name {
         // parts of a sum with one part
         "dent_depth_m" | "flat_depth_m" => !is_shared,
+        // springs know no bodies: they have no rim, and do not yield
+        "dent_diameter_m" | "yield_speed_m_per_s" if single.contact.is_spring() => true,
         "dent_diameter_m" => impact.has_flat() && !is_shared,
         name => detail != Detail::Whole && is_of_the_integrator(name),
     };
@@ -47,11 +50,8 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     let speed = ["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::lines(&results, single));
-    rename_dent(lines.iter_mut().flatten(), impact.left_behind());
-    // outside of what the law holds for
-    if let Some([_, value, _]) = lines.iter_mut().find(|[name, ..]| impact.is_outside_law && name == "restitution") {
-        value.push_str(" (outside the law)");
-    }
+    rename_dent(lines.iter_mut().flatten(), imprint(single.contact, impact.left_behind()));
+    mark_doubtful(&mut lines, impact);
     put_measured_first(&mut lines);
     aligned(&lines, |_| true) + &notes(single.notes)
 }
@@ -72,12 +72,48 @@ fn put_measured_first(lines: &mut [Line]) {
     }
 }
 
+/// Marks a restitution that does not hold, and writes no digits where a warning says to take it for nearly 0.
+fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
+    let has = |kind: WarningKind, size: f64| {
+        impact.warnings.iter().any(|warning| warning.kind == kind && warning.size >= size)
+    };
+    let is_nearly_0 = has(WarningKind::InelasticPlate, 0.0);
+    // the size is the sticking speed over the impact speed
+    let sticks = has(WarningKind::Adhesion, 1.0);
+    for [name, value, _] in lines {
+        match name.as_str() {
+            "restitution" if is_nearly_0 => *value = nearly_0(impact.restitution),
+            "rebound speed" | "rebound height" if is_nearly_0 => "nearly 0".clone_into(value),
+            "restitution" if impact.is_outside_law => value.push_str(" (outside the law)"),
+            "restitution" | "with waves" | "rebound height" if sticks => value.push_str(" (below the sticking speed)"),
+            _ => {}
+        }
+    }
+}
+
+/// A restitution without digits that nobody can rely on: the next of some round numbers above it.
+fn nearly_0(restitution: f64) -> String {
+    let above = [0.02, 0.05, 0.1, 0.2, 0.5].into_iter().find(|limit| restitution < *limit).unwrap_or(1.0);
+    format!("nearly 0 (below {above})")
+}
+
+/// What an impact leaves, as a word: a dent, a flat, or both. What a pair of springs keeps is neither.
+pub(super) fn imprint<'a>(contact: &Contact, left_behind: &'a str) -> &'a str {
+    if contact.is_spring() { SPRING } else { left_behind }
+}
+
+/// In place of the word of a dent, for a law of springs.
+const SPRING: &str = "spring";
+
 /// Puts what an impact left behind in the place of the dent, in names and remarks: where the sphere flows too, the residual
 /// indentation is the sum of a dent and a flat on the sphere.
 pub(super) fn rename_dent<'t>(texts: impl Iterator<Item = &'t mut String>, left_behind: &str) {
     for text in texts {
-        if ["dent", "dent depth", "deepest dent"].contains(&text.as_str()) {
-            *text = text.replace("dent", left_behind);
+        match text.as_str() {
+            "dent depth" | "dent" if left_behind == SPRING => "residual indentation".clone_into(text),
+            "deepest dent" if left_behind == SPRING => "largest residual indentation".clone_into(text),
+            "dent" | "dent depth" | "deepest dent" => *text = text.replace("dent", left_behind),
+            _ => {}
         }
         *text = text.replace("into the dent", &format!("into the {left_behind}"));
     }

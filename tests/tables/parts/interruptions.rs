@@ -113,3 +113,25 @@ fn signals_are_heard_between_slow_rows_and_what_is_said_is_so() {
         }
     }
 }
+
+/// A row that takes longer than the patience with a signal: the table is abandoned, and nothing of it is left.
+#[test]
+fn an_abandoned_table_leaves_nothing() {
+    let desk = Desk::with(format!(
+        "{STEEL}[solver]\nmethod = \"verlet\"\nsteps_per_contact = 1000000\n[sweep]\n\"impact.speed\" = {{ logspace = [0.1, 1], points = 4000 }}\n"
+    ));
+    let mut command = run(&desk, "out/deep", Some(250), &["--threads", "1"]);
+    let child = command.env("PLM_IMPACT_PATIENCE_MS", "0").spawn().unwrap();
+    let is_begun = |name: &String| name.starts_with(".table");
+    let is_at_work = || desk.path("out/deep").exists() && desk.files("out/deep").iter().any(is_begun);
+    let output = signalled(child, is_at_work, "-INT");
+    assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+    assert!(!desk.path("out").exists(), "{:?}", desk.files("out/deep"));
+}
+
+#[test]
+fn parts_of_no_rows_are_no_parts() {
+    let desk = Desk::with(random().replace("12000", "8"));
+    ends(run(&desk, "out", Some(0), &[]), 0);
+    assert_eq!(desk.files("out"), ["summary.json", "table.csv"]);
+}

@@ -122,6 +122,8 @@ pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &
 }
 
 pub(crate) const YIELDS: &str = "a body has a yield strength";
+pub(crate) const REACHES: &str =
+    "a body has a yield strength, and at first yield the contact is narrower than the sphere";
 pub(crate) const RATES: &str = "a strength rises with the rate of strain";
 pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
 pub(crate) const INTERVAL: &str = "a body yields under the law `plm`, with an exponent whose error against finite \

@@ -53,6 +53,11 @@ impl Single<'_> {
         self.contact.pair().yield_point.map(|_| value)
     }
 
+    /// The value, if a body can yield before the contact is as wide as the sphere.
+    fn at_first_yield<V>(&self, value: V) -> Option<V> {
+        self.contact.pair().reachable_yield_point().map(|_| value)
+    }
+
     /// The value, if there is gravity or damping.
     fn forced<V>(&self, value: fn(&ForcesResult) -> V) -> Option<V> {
         self.impact.under_forces.as_ref().map(value)
@@ -220,11 +225,13 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "dent_diameter_m" in Length as "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
         /// Impact speed above which a body yields.
-        "yield_speed_m_per_s" in Speed as "yield speed" if YIELDS: single.plastic(single.contact.yield_speed());
+        "yield_speed_m_per_s" in Speed as "yield speed" if REACHES: single.at_first_yield(single.contact.yield_speed());
         /// Indentation at first yield.
-        "yield_indentation_m" in Length if YIELDS: single.plastic(single.contact.yields_at().map(|(indentation, _)| indentation));
+        "yield_indentation_m" in Length if REACHES:
+            single.at_first_yield(single.contact.yields_at().map(|(indentation, _)| indentation));
         /// Force at first yield.
-        "yield_force_N" in Force as "first yield at {}" if YIELDS: single.plastic(single.contact.yields_at().map(|(_, force)| force));
+        "yield_force_N" in Force as "first yield at {}" if REACHES:
+            single.at_first_yield(single.contact.yields_at().map(|(_, force)| force));
         /// Rate of strain while the sphere goes in; empty for an impact in the dent of another one that leaves it as it was, as the
         /// two factors below.
         "strain_rate_per_s" in StrainRate as "strain rate" [Rate: |row| row.rated.map(|rated| rated.strain_rate)];
