@@ -45,20 +45,33 @@ impl Contact {
     /// ```
     ///
     /// Its torque about the centre is that of T at the contact point, and a step should be short against the contact time.
-    pub fn friction(&self, coefficient: f64, rub: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) {
+    ///
+    /// Returns false, and leaves the history as it was, if the coefficient is negative, if a number is NaN or infinite, or if
+    /// no contact can have this memory.
+    #[must_use]
+    pub fn friction(&self, coefficient: f64, rub: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) -> bool {
+        let numbers = [coefficient, rub.before, rub.force].into_iter().chain(rub.slip).chain(*history);
+        if !numbers.into_iter().all(f64::is_finite) || coefficient < 0.0 || !memory.is_possible_at(rub.indentation) {
+            return false;
+        }
         let [old, radius] = [rub.before, rub.indentation].map(|indentation| self.friction_radius(indentation, memory));
         let share = if radius < old { radius / old } else { 1.0 };
         let stiffness = 8.0 * self.shear_ratio() * self.pair().effective_modulus * radius;
-        let mut sum = 0.0;
-        for (force, slip) in history.iter_mut().zip(rub.slip) {
+        let (mut after, mut sum) = (*history, 0.0);
+        for (force, slip) in after.iter_mut().zip(rub.slip) {
             *force = *force * share - stiffness * slip;
             sum += *force * *force;
         }
         let (size, most) = (sum.sqrt(), coefficient * rub.force.max(0.0));
         if size > most {
-            for force in history {
+            for force in &mut after {
                 *force *= most / size;
             }
         }
+        let is_finite = after.iter().all(|force| force.is_finite());
+        if is_finite {
+            *history = after;
+        }
+        is_finite
     }
 }

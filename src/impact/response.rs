@@ -26,7 +26,7 @@ impl Memory {
 
     /// True if this memory, and an indentation beside it, are numbers that a contact can have. What is recovered may be
     /// larger than δ_m by rounding.
-    fn is_possible_at(&self, indentation: f64) -> bool {
+    pub(super) fn is_possible_at(&self, indentation: f64) -> bool {
         let Self { indentation: largest, force, elastic_approach } = *self;
         [indentation, largest, force, elastic_approach].into_iter().all(f64::is_finite)
             && force >= 0.0

@@ -31,6 +31,8 @@ pub enum WarningKind {
     RigidFlows,
     /// Two balls that both flow and are not equal.
     UnequalBalls,
+    /// Two balls of one material, of which only one has a strength.
+    OneBallYields,
     /// A body that cracks or creeps where a metal would yield.
     NoMetal,
     /// The hardness of a metal that hardens, without its exponent.

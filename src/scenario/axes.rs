@@ -238,6 +238,16 @@ fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
         [None, Some(ends), points] => (ends, true, points),
         _ => return Err(Fault::at(value, "needs one of linspace = [from, to] and logspace = [from, to]")),
     };
+    // NumPy has the number of values in the list
+    if let DeValue::Array(items) = ends.get_ref()
+        && let [_, _, n_points] = &items[..]
+    {
+        let message = format!(
+            "has 3 numbers; write the two ends alone, and the number of values beside them: points = {}",
+            described(n_points)
+        );
+        return Err(Fault::at(ends, message));
+    }
     let [from, to] = pair([quantity; 2], ends)?;
     let points = points.ok_or_else(|| Fault::at(value, "points, the number of values, is missing"))?;
     let points = count(&POINTS, points)?;

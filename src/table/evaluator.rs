@@ -32,6 +32,8 @@ named! {
         OutsidePlate = "outside_plate",
         /// The method is `closed_form`, but the scene has no closed form.
         NoClosedForm = "no_closed_form",
+        /// A value of the row is NaN or not allowed. A scenario is refused for it; an array of Python may have such values.
+        NotAllowed = "not_allowed",
     }
 }
 

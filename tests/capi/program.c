@@ -66,7 +66,9 @@ static void rubbed(void) {
     for (int step = 0; step < STEPS; step++) {
         double indentation = path(step), slip[3] = {2e-8, step < STEPS / 2 ? 1e-8 : -3e-8, 0.0};
         double force = plm_contact_force(contact, indentation, memory);
-        plm_contact_friction(contact, 0.2, before, indentation, force, memory, slip, history);
+        if (plm_contact_friction(contact, 0.2, before, indentation, force, memory, slip, history) != 0) {
+            puts("friction fails");
+        }
         before = indentation;
         if (step % 50 == 49) {
             printf("friction %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(history[0]), bits(history[1]),
@@ -74,9 +76,24 @@ static void rubbed(void) {
         }
     }
     double kept[3] = {history[0], history[1], history[2]};
-    plm_contact_friction(NULL, 0.2, 0.0, 1e-6, 1.0, memory, kept, history);
-    plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, memory, NULL, history);
-    plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, NULL, kept, history);
+    int failures = plm_contact_friction(NULL, 0.2, 0.0, 1e-6, 1.0, memory, kept, history) +
+                   plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, memory, NULL, history) +
+                   plm_contact_friction(contact, 0.2, 0.0, 1e-6, 1.0, NULL, kept, history);
+    /* a coefficient, a slip, a force, an indentation, a memory that no contact has */
+    const double wrong[] = {NAN, INFINITY, -INFINITY, -0.1};
+    double slip[3] = {2e-8, 0.0, 0.0}, lost[3] = {0.0, 0.0, 0.0}, empty[3] = {1e-6, -1.0, 0.0};
+    for (int i = 0; i < 4; i++) {
+        failures += plm_contact_friction(contact, wrong[i], 1e-6, 1e-6, 1.0, memory, slip, history);
+    }
+    for (int i = 0; i < 3; i++) {
+        failures += plm_contact_friction(contact, 0.2, wrong[i], 1e-6, 1.0, memory, slip, history);
+        failures += plm_contact_friction(contact, 0.2, 1e-6, wrong[i], 1.0, memory, slip, history);
+        failures += plm_contact_friction(contact, 0.2, 1e-6, 1e-6, wrong[i], memory, slip, history);
+        lost[1] = wrong[i];
+        failures += plm_contact_friction(contact, 0.2, 1e-6, 1e-6, 1.0, memory, lost, history);
+    }
+    failures += plm_contact_friction(contact, 0.2, 1e-6, 1e-6, 1.0, empty, slip, history);
+    printf("%d frictions fail\n", failures);
     puts(memcmp(kept, history, sizeof kept) ? "friction without a contact" : "no friction without a contact");
     printf("sphere %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(plm_contact_radius(contact)),
            bits(plm_contact_mass(contact)), bits(plm_contact_yield_speed(contact)));
@@ -167,13 +184,28 @@ int main(int count, char **arguments) {
     for (int step = 0; step < STEPS; step++) {
         indentations[step] = path(step);
     }
-    plm_contact_forces(contact, STEPS, indentations, memories, forces);
+    int failed = plm_contact_forces(contact, STEPS, indentations, memories, forces);
     for (int step = 0; step < STEPS; step++) {
         double fresh[3] = {0.0, 0.0, 0.0};
         differ |= bits(forces[step]) != bits(plm_contact_force(contact, path(step), fresh));
         differ |= memcmp(fresh, memories + 3 * step, sizeof fresh);
     }
     puts(differ ? "threads differ" : "threads agree");
+    /* of three contacts that in the middle has no force, and the others have theirs */
+    double three[9] = {0.0}, depths[3] = {30e-6, NAN, 30e-6}, loads[3] = {0.0};
+    int one_failed = plm_contact_forces(contact, 3, depths, three, loads);
+    int is_right = loads[0] > 0.0 && isnan(loads[1]) && loads[2] == loads[0] && three[3] == 0.0 && three[6] == three[0];
+    printf("forces %d %d %d %d %d\n", failed, one_failed, is_right, plm_contact_forces(contact, 3, NULL, three, loads),
+           plm_contact_forces(NULL, 0, depths, three, loads));
+    printf("version %s %s %d\n", PLM_IMPACT_VERSION, plm_impact_version(), PLM_IMPACT_VERSION_MAJOR);
+    /* of the same contact, of another one, and of none */
+    plm_contact *again = plm_contact_open(arguments[1], error, sizeof error);
+    plm_contact *other = plm_contact_open(arguments[2], error, sizeof error);
+    uint64_t own = plm_contact_fingerprint(contact);
+    printf("fingerprints %d %d %d\n", own == plm_contact_fingerprint(again), own == plm_contact_fingerprint(other),
+           plm_contact_fingerprint(NULL) == 0);
+    plm_contact_free(again);
+    plm_contact_free(other);
     plm_contact_free((plm_contact *)contact);
     return 0;
 }

@@ -309,3 +309,101 @@ fn the_motion_of_a_scenario_is_left_out_and_named() {
     let (e, text) = of(swept, &["--speed", "2 m/s"]);
     assert!((e - law(2.0)).abs() < 1e-8 && text.contains("half_space.youngs_modulus = 2.1e11 Pa (210 GPa)"), "{text}");
 }
+
+/// The stiffness that the hooke model of LIGGGHTS computes for a ball on a wall: k = (16/15) sqrt(R) Y* (15 m V^2/(16 sqrt(R) Y*))^(1/5).
+/// With `ktToKnUser on` its tangential spring is 2/7 of that, else as stiff, and `tangential_damping off` takes its damping out.
+#[test]
+fn liggghts_gets_the_tangential_spring_that_the_comment_names() {
+    let rubbing = crate::common::STEEL.to_owned() + "[friction]\ncoefficient = 0.2\n";
+    let desk = Desk::with(rubbing.replace("[impact]", "[impact]\nangle = \"10 deg\""));
+    let lines = |code: &str| desk.ends(&["export", "s.toml", "--to", code], 0).0;
+    let (text, lammps) = (lines("liggghts"), lines("lammps"));
+    let words = "model hooke tangential history tangential_damping off ktToKnUser on";
+    assert_eq!(text.matches(words).count(), 2, "{text}");
+    assert!(
+        text.contains(&format!("pair_style gran {words}\n")) && text.contains(&format!("wall/gran {words} primitive"))
+    );
+    let number = |text: &str, before: &str| -> f64 {
+        let rest = text.split_once(before).unwrap().1;
+        rest.split([' ', '\n']).next().unwrap().parse().unwrap()
+    };
+    let (radius, mass) = (5e-3_f64, steel().mass());
+    let factor = 16.0 / 15.0 * radius.sqrt() * number(&text, "youngsModulus peratomtype ") / (2.0 * (1.0 - 0.09));
+    let speed = number(&text, "characteristicVelocity scalar ");
+    let stiffness = factor * (mass * speed * speed / factor).powf(0.2);
+    // LAMMPS is told the tangential stiffness itself
+    assert_relative_eq!(number(&lammps, "linear_history "), 2.0 / 7.0 * stiffness, max_relative = 1e-6);
+    // without friction there is no such spring
+    assert!(!printed(&[STEEL, "--to", "liggghts"]).contains("ktToKnUser"));
+}
+
+/// LIGGGHTS stops below a modulus of 5 MPa, unless it is told that the particles are soft, and at e of 0.05 and less.
+#[test]
+fn liggghts_is_told_of_soft_particles_and_gets_no_e_that_it_refuses() {
+    for (modulus, is_soft) in [("2 MPa", true), ("210 GPa", false)] {
+        let keys = [
+            format!("sphere.youngs_modulus={modulus}"),
+            format!("half_space.youngs_modulus={modulus}"),
+            "half_space.yield_strength=1e12 Pa".to_owned(),
+        ];
+        let sets = keys.iter().flat_map(|key| ["--set", key.as_str()]);
+        let text = printed(&[STEEL, "--to", "liggghts"].into_iter().chain(sets).collect::<Vec<_>>());
+        let value: f64 =
+            text.split_once("youngsModulus peratomtype ").unwrap().1.lines().next().unwrap().parse().unwrap();
+        assert_eq!((value < 5e6, text.contains("soft_particles yes\n")), (is_soft, is_soft), "{text}");
+    }
+    let damped = [STEEL, "--to", "liggghts", "--set", "damping.viscous=2"];
+    let output = export(&damped);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("LIGGGHTS takes e above 0.05 alone, and e is 0.0"), "{message}");
+    assert_eq!(output.status.code(), Some(2));
+}
+
+/// Two balls of two densities: the masses of the materials or species in the lines give the effective mass of the spring.
+#[test]
+fn both_densities_of_two_balls_are_in_the_lines() {
+    let ball = |density: f64| format!("density = {density:?}\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength");
+    let volume = |radius: f64| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+    for (second, materials) in [(2000.0, 2), (7850.0, 1)] {
+        let desk = Desk::with(crate::common::STEEL.replace("yield_strength", &ball(second)));
+        for (code, before, after) in [("yade", "density=", ','), ("mercury", "setDensity(", ')')] {
+            let text = desk.ends(&["export", "s.toml", "--to", code], 0).0;
+            let densities = text.split(before).skip(1).map(|rest| rest.split(after).next().unwrap().parse().unwrap());
+            let densities: Vec<f64> = densities.collect();
+            assert_eq!(densities.len(), materials, "{text}");
+            let masses = [volume(5e-3) * densities[0], volume(8e-3) * densities[materials - 1]];
+            let line = text.lines().find(|line| line.contains("on another of radius")).unwrap();
+            let named = line.split("mass ").skip(1).map(|rest| rest.split(' ').next().unwrap().parse::<f64>().unwrap());
+            for (mass, named) in masses.into_iter().zip(named) {
+                assert_relative_eq!(mass, named, max_relative = 1e-6);
+            }
+            if code == "mercury" {
+                let effective: f64 = text.split_once("2.0*").unwrap().1.split(')').next().unwrap().parse().unwrap();
+                assert_relative_eq!(effective, masses[0] * masses[1] / (masses[0] + masses[1]), max_relative = 1e-8);
+            } else {
+                assert_eq!(text.matches("O.materials.append(").count(), materials, "{text}");
+            }
+        }
+    }
+}
+
+/// Two balls of one material with one strength: run, check and export name what is missing, and the share of e that it costs.
+#[test]
+fn one_strength_of_two_equal_balls_is_warned_of() {
+    let ball = "density = 7850.0\nradius = \"5 mm\"\nmass = \"ball\"\nyield_strength";
+    let one = crate::common::STEEL.replace("yield_strength", ball);
+    let both = one.replace("[sphere]", "[sphere]\nyield_strength = \"345 MPa\"");
+    let words = "e is about 5 % too high if both balls are of one material";
+    let e = |text: &str| Desk::ran(text).summary()["restitution"].as_f64().unwrap();
+    let ratio = e(&one) / e(&both);
+    assert!((1.03..1.07).contains(&ratio), "{ratio}");
+    let harder = one.replacen("210 GPa", "400 GPa", 1);
+    for (scenario, is_warned) in [(&one, true), (&both, false), (&harder, false)] {
+        let desk = Desk::with(scenario.clone());
+        for command in ["run", "check", "export"] {
+            let to: &[&str] = if command == "export" { &["--to", "lammps"] } else { &[] };
+            let (out, err) = desk.ends(&[&[command, "s.toml"], to].concat(), 0);
+            assert_eq!((out + &err).contains(words), is_warned, "{command}: {scenario}");
+        }
+    }
+}

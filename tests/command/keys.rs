@@ -8,6 +8,7 @@ use std::path::Path;
 use plm_impact::impact::indentation::Target;
 use plm_impact::scenario::Source;
 use plm_impact::scenario::scene::key::{Form, Part};
+use plm_impact::scenario::scene::results::impact::results;
 use plm_impact::scenario::scene::{KEYS, Purpose, without_effect};
 
 use crate::common::golden::assert_golden;
@@ -39,6 +40,23 @@ fn the_reference_pages_have_the_tables_of_the_program() {
         let name = path.rsplit('.').next().unwrap();
         assert!(page.contains(&format!("`{name}`")) || page.contains(&format!("`[{path}]`")), "{path}");
     }
+}
+
+/// The types of the Python module have every result of an impact, so that a wrong name is found before the program runs.
+#[test]
+fn the_stub_of_an_impact_has_its_results() {
+    const MARKS: [&str; 2] = ["    # results: written by a test\n", "    # end of results\n"];
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/doors/python/plm_impact/__init__.pyi");
+    let stub = std::fs::read_to_string(&path).unwrap();
+    let names = results().into_iter().flat_map(|result| [result.name.split('.').next().unwrap(), result.name]);
+    let names: BTreeSet<&str> = names.filter(|name| !name.contains('.')).collect();
+    let known = ["restitution", "warnings"];
+    let lines = names.iter().filter(|name| !known.contains(name)).map(|name| format!("    {name}: Final[Any]\n"));
+    let lines = lines.collect::<Vec<_>>().concat();
+    let (before, rest) = stub.split_once(MARKS[0]).unwrap();
+    let (_, after) = rest.split_once(MARKS[1]).unwrap();
+    assert!(names.contains("peak_force_N") && names.contains("energy"), "{names:?}");
+    assert_golden(&path, format!("{before}{}{lines}{}{after}", MARKS[0], MARKS[1]));
 }
 
 /// Every key names the part of the scene that it changes. A table computes that part anew when the key varies, so none may be

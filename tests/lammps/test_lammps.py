@@ -152,6 +152,25 @@ def test_ranks_and_restart_do_not_change_a_digit(plugin: Path, tmp_path: Path) -
         assert (tmp_path / "one.again").read_text() == one, f"restart on {ranks} ranks"
 
 
+def test_a_restart_with_another_scenario_is_refused(plugin: Path, tmp_path: Path) -> None:
+    data = tmp_path / "rain.data"
+    write_rain(data, 20)
+    run = dict(out=tmp_path / "one", dt="1e-7", half=300, wall="plane 0")
+    lammps(plugin, "rain.in", data=data, scenario=STEEL, **run)
+    # another radius and another law have as many numbers; comments do not count
+    text = STEEL.read_text()
+    for name, other, fails in [
+        ("radius", text.replace('radius = "5 mm"', 'radius = "6 mm"'), True),
+        ("law", text.split("[law.plm]")[0] + "[law.thornton]\n", True),
+        ("comment", "# the same contact\n" + text, False),
+    ]:
+        assert other != text
+        path = tmp_path / f"{name}.toml"
+        path.write_text(other)
+        output = lammps(plugin, "restart.in", fails=fails, scenario=path, **run)
+        assert ("was written with another scenario for atoms of type 1" in output) == fails, output
+
+
 def test_a_region_is_a_wall_too(plugin: Path, tmp_path: Path) -> None:
     data = tmp_path / "rain.data"
     write_rain(data, 200)

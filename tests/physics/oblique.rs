@@ -88,7 +88,7 @@ fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
         indentation += dt * speed;
         force = contact.force(indentation, &mut memory);
         let step = FrictionStep { before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
-        contact.friction(friction, &step, &memory, &mut history);
+        assert!(contact.friction(friction, &step, &memory, &mut history));
         speed -= 0.5 * dt * force / mass;
         moving += 0.5 * dt * j / mass * history[0];
     }

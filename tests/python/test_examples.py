@@ -1,6 +1,7 @@
 """The examples run, and a strict type checker accepts them."""
 
 import inspect
+import re
 import subprocess
 import sys
 from importlib import metadata
@@ -56,3 +57,14 @@ def test_mypy_accepts_the_examples(tmp_path: Path) -> None:
 def test_the_types_are_those_of_the_module(tmp_path: Path) -> None:
     assert "Success" in run("-m", "mypy.stubtest", "plm_impact", cwd=tmp_path)
     assert str(inspect.signature(plm.Contact)) == "(*, sphere, half_space, **tables)"
+
+
+def test_mypy_finds_a_misspelt_result_and_a_result_that_is_set(tmp_path: Path) -> None:
+    program = tmp_path / "wrong.py"
+    lines = ["import plm_impact as plm", "def show(impact: plm.Impact, table: plm.Table) -> None:"]
+    lines += ["    print(impact.peak_force_N, impact.energy, impact.restitution)", "    print(impact.peak_forse_N)"]
+    lines += ["    impact.restitution = 1.0", "    impact.peak_force_N = 1.0", "    table.shape = (1,)"]
+    program.write_text("\n".join(lines) + "\n")
+    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path, program], capture_output=True, text=True, cwd=tmp_path)
+    places = sorted({int(number) for number in re.findall(r"^wrong.py:(\d+): error", done.stdout, re.M)})
+    assert places == [4, 5, 6, 7], done.stdout

@@ -15,7 +15,6 @@ import pytest
 from conftest import ROOT
 
 
-
 def of_every_kind() -> list[Path]:
     """Scenarios that have all tables together, none of which has only tables that others before it have; and that of all laws."""
     known, chosen = set(), [ROOT / "scenarios" / "restitution-of-all-laws.toml"]

@@ -56,8 +56,8 @@ def test_damped_tables_are_those_of_a_sweep_too() -> None:
     ("keys", "error", "text"),
     [
         (dict(speed=[1, 2], yield_strength=[1e8, 2e8, 3e8]), ValueError, "shape mismatch"),
-        (dict(speed=[1, -2]), ValueError, r"impact.speed at index 1: -2 m/s is not allowed: a speed must be > 0 m/s"),
-        (dict(speed=[1, np.nan]), ValueError, "impact.speed at index 1: NaN"),
+        (dict(speed="-2 m/s"), ValueError, r"impact.speed: .*-2 m/s is not allowed: a speed must be > 0 m/s"),
+        (dict(speed=10**400), ValueError, "impact.speed: the whole number is too large"),
         (dict(speed=["1", "2"]), TypeError, "impact.speed: found the type <U1, expected numbers in SI"),
         (dict(speed=[True]), TypeError, "found the type bool"),
         (dict(speed=1j), TypeError, "found the type complex128"),
@@ -80,6 +80,47 @@ def test_damped_tables_are_those_of_a_sweep_too() -> None:
 def test_what_is_no_table_is_refused(contact: plm.Contact, keys: dict, error: type, text: str) -> None:
     with pytest.raises(error, match=text):
         plm.impacts(contact, **keys)
+
+
+def test_a_value_that_is_not_allowed_has_no_result_and_spares_the_others(contact: plm.Contact) -> None:
+    speeds = np.array([1.0, np.nan, 3.0, 0.0, -1.0, np.inf])
+    good = [0, 2]
+    for damping in ({}, dict(damping=dict(viscous=0.05))):
+        one = steel(**damping)
+        with pytest.warns(plm.ModelWarning, match=r"impact.speed at index 1: NaN m/s is not allowed.*\n4 of 6 cases have no result, the first: not_allowed"):
+            table = plm.impacts(one, speed=speeds)
+        with pytest.warns(plm.ModelWarning, match=r"impact.speed at index 1: NaN m/s is not allowed.*\n4 of 6 cases have no result, the first: not_allowed"):
+            restitution = one.restitution(speeds)
+        assert table["status"].tolist() == ["ok", "not_allowed", "ok", "not_allowed", "not_allowed", "not_allowed"]
+        assert np.isnan(restitution).tolist() == np.isnan(table["restitution"]).tolist() == [row not in good for row in range(6)]
+        assert table["restitution"][good].tolist() == restitution[good].tolist() == one.restitution(speeds[good]).tolist()
+        # the keys are given back as they came
+        assert np.array_equal(table["impact_speed_m_per_s"], speeds, equal_nan=True)
+    # of two axes, and of numbers that a sampler gives
+    with pytest.warns(plm.ModelWarning, match=r"half_space.yield_strength at index \(1, 0\): -1 Pa"):
+        table = plm.impacts(contact, speed=[1.0, 2.0], yield_strength=[[3e8], [-1.0]])
+    assert np.isnan(table["restitution"]).tolist() == [[False, False], [True, True]]
+    with pytest.warns(plm.ModelWarning, match="half_space.yield_strength at index 0: NaN"):
+        assert np.isnan(plm.impacts(contact, speed=[1.0, 2.0], yield_strength=np.nan)["restitution"]).all()
+    with pytest.warns(plm.ModelWarning, match="impact.speed: -1 m/s is not allowed"):
+        assert np.isnan(contact.restitution(-1.0))
+    with pytest.raises(ValueError, match="the whole number is too large"):
+        contact.restitution(10**400)
+    with pytest.raises(ValueError, match="the whole number is too large"):
+        contact.force(10**400)
+
+
+def test_words_share_their_texts(contact: plm.Contact) -> None:
+    table = plm.impacts(contact, speed=np.linspace(1, 2, 10_000))
+    status = table["status"]
+    assert status.dtype == object and status.nbytes == 80_000 and not status.flags.writeable
+    assert len({id(word) for word in status}) == 1 and (status == "ok").all()
+    frame = table.to_pandas()
+    assert isinstance(frame["status"].dtype, pandas.CategoricalDtype) and frame["status"].cat.codes.dtype == np.int8
+    assert frame["status"].memory_usage(index=False) < 20_000
+    assert isinstance(polars.DataFrame(table)["status"].dtype, (polars.Categorical, polars.Enum))
+    # one length of text in a structured array, which can be saved without pickle
+    assert table.to_numpy()["status"].dtype.kind == "U"
 
 
 def test_a_table_that_no_memory_holds_is_refused(contact: plm.Contact) -> None:

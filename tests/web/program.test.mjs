@@ -163,6 +163,42 @@ test("a run of more than a second gives way to the next, and a program that has 
   assert.equal(replies[1].text, "done");
 });
 
+test("a worker that never starts is not replaced for ever", async () => {
+  const workers = [];
+  globalThis.Worker = class {
+    constructor() {
+      workers.push(this);
+    }
+    postMessage() {}
+    terminate() {}
+  };
+  globalThis.fetch = async () => ({ arrayBuffer: async () => readFileSync(join(PAGE, "plm_impact_bg.wasm")) });
+  // a module of its own, with no worker from the test before
+  const { load, run } = await import(`${pathToFileURL(join(PAGE, "program.js"))}?failing`);
+  const replies = [];
+  await load((reply) => replies.push(reply));
+  run("one");
+  for (let count = 0; count < 3; count += 1) workers.at(-1).onerror({ preventDefault() {} });
+  assert.equal(workers.length, 3);
+  assert.match(replies.at(-1).error, /cannot be loaded.*\(3 times in a row\); load the page again/);
+  // what a user asks for is one more attempt, and a reply begins to count anew
+  run("two");
+  assert.equal(workers.length, 4);
+  workers[3].onmessage({ data: '{"text":"done"}' });
+  assert.equal(replies.at(-1).text, "done");
+  workers[3].onerror({ preventDefault() {}, message: "unreachable" });
+  assert.equal(workers.length, 5);
+});
+
+test("only the number and its interval are in the line that stays in view", async () => {
+  const source = readFileSync(join(PAGE, "numbers.js"), "utf8").replace(/^import .*$/m, "");
+  const { lastStep, shortened } = await import(`data:text/javascript;base64,${Buffer.from(source).toString("base64")}`);
+  const plate = runByCommand("ball-on-plate.toml").stdout.split("\n").find((line) => line.startsWith("restitution"));
+  assert.match(shortened(plate), /^restitution 0\.\d+( \([\d.]+ to [\d.]+\))?$/);
+  assert.equal(shortened("restitution  0.5064"), "restitution 0.5064");
+  assert.match(lastStep(runByCommand("indentation-cycles.toml").stdout), /^step \d+: dent depth [\d.]+ µm$/);
+});
+
 test("command and page are looked for where cargo builds", () => {
   const script = `import("${new URL("command.mjs", import.meta.url)}").then(({ COMMAND }) => console.log(COMMAND))`;
   const env = { ...process.env, CARGO_TARGET_DIR: "/elsewhere" };

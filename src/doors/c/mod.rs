@@ -15,19 +15,54 @@
 // the comments are those of the header, where brackets hold units and indices
 #![allow(rustdoc::broken_intra_doc_links)]
 
-use std::ffi::{CStr, c_char};
+use std::ffi::{CStr, c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::slice;
 
+use sha2::{Digest as _, Sha256};
+
 use crate::error::Error;
+use crate::files::VERSION;
 use crate::impact::{Contact, ContactEnergy, FrictionStep, Memory};
 use crate::report::run::contact_of_one_strength;
 use crate::scenario::Scenario;
 
 /// A sphere, a half-space and the law between them.
 #[allow(non_camel_case_types)] // the name it has in C
-pub struct plm_contact(Contact);
+pub struct plm_contact {
+    contact: Contact,
+    /// The first bytes of a hash of the new contact: what a contact computes once and keeps is not yet in it.
+    fingerprint: u64,
+}
+
+impl plm_contact {
+    fn new(contact: Contact) -> Self {
+        let digest = Sha256::digest(format!("{VERSION} {contact:?}"));
+        let fingerprint = digest.iter().take(8).fold(0, |sum, byte| sum << 8 | u64::from(*byte));
+        Self { contact, fingerprint }
+    }
+}
+
+// many threads may use a contact at the same time
+const _: () = {
+    const fn assert_send_and_sync<T: Send + Sync>() {}
+    assert_send_and_sync::<plm_contact>();
+};
+
+/// The return values of the functions that may fail.
+const SUCCESS: c_int = 0;
+const FAILURE: c_int = 1;
+
+/// Version of the library, such as "0.1.0". Compare it with PLM_IMPACT_VERSION, the version of this header. Do not free it.
+#[unsafe(no_mangle)]
+pub extern "C" fn plm_impact_version() -> *const c_char {
+    const TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+        Ok(text) => text,
+        Err(_) => c"",
+    };
+    TEXT.as_ptr()
+}
 
 /// The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and `[impact]` may be
 /// left out. A strength that depends on the strain rate is that of the speed of `[impact]`, which is then needed. Gravity,
@@ -68,7 +103,7 @@ pub unsafe extern "C" fn plm_contact_open(path: *const c_char, error: *mut c_cha
 pub unsafe extern "C" fn plm_contact_free(contact: *mut plm_contact) {
     if !contact.is_null() {
         // SAFETY: made by Box::into_raw in `new`, and the caller does not use it afterwards
-        drop(unsafe { Box::from_raw(contact) });
+        guarded((), || drop(unsafe { Box::from_raw(contact) }));
     }
 }
 
@@ -91,11 +126,14 @@ pub unsafe extern "C" fn plm_contact_force(contact: *const plm_contact, indentat
     else {
         return f64::NAN;
     };
-    guarded(f64::NAN, || force(&contact.0, indentation, memory))
+    guarded(f64::NAN, || force(&contact.contact, indentation, memory))
 }
 
 /// `plm_contact_force` for `n` contacts of one sphere and half-space: memory[3 i], memory[3 i + 1], memory[3 i + 2] and
-/// force[i] belong to indentation[i]. Does nothing if a pointer is NULL.
+/// force[i] belong to indentation[i].
+///
+/// Returns 0 if every contact has a force. Returns 1 if a force is NaN, as of `plm_contact_force`: the memory of that contact
+/// stays as it was, and all other forces are right. Returns 1 too if a pointer is NULL: then nothing is written.
 ///
 /// # Safety
 /// `contact` is NULL or not yet freed; the arrays are NULL or have `n`, 3 `n` and `n` doubles, and do not overlap.
@@ -106,9 +144,9 @@ pub unsafe extern "C" fn plm_contact_forces(
     indentation: *const f64,
     memory: *mut f64,
     force: *mut f64,
-) {
-    if n == 0 || contact.is_null() || indentation.is_null() || memory.is_null() || force.is_null() {
-        return;
+) -> c_int {
+    if contact.is_null() || indentation.is_null() || memory.is_null() || force.is_null() {
+        return FAILURE;
     }
     // SAFETY: not NULL; length and separation are as the caller promises
     let (contact, indentations, memories, forces) = unsafe {
@@ -119,18 +157,25 @@ pub unsafe extern "C" fn plm_contact_forces(
             slice::from_raw_parts_mut(force, n),
         )
     };
-    guarded((), || {
-        for ((indentation, memory), force) in indentations.iter().zip(memories).zip(forces) {
-            *force = self::force(&contact.0, *indentation, memory);
+    let mut result = SUCCESS;
+    for ((indentation, memory), force) in indentations.iter().zip(memories).zip(forces) {
+        // a panic in one contact leaves the others
+        *force = guarded(f64::NAN, || self::force(&contact.contact, *indentation, memory));
+        if force.is_nan() {
+            result = FAILURE;
         }
-    });
+    }
+    result
 }
 
 /// Friction of a contact with this coefficient: one tangential spring, as LAMMPS mindlin_rescale/force. Call it in every
 /// step after plm_contact_force gave `force` and `memory` at `indentation`; `before` is the indentation of the last step, 0
 /// in the first. `slip` (three doubles) is how far the contact point moved along the surface since then [m]. `history` (three
 /// doubles, zero for a fresh contact) becomes the friction on the sphere [N]; its torque about the centre is that of this
-/// force at the contact point. Does nothing if a pointer is NULL.
+/// force at the contact point.
+///
+/// Returns 0, or 1 if there is no friction: the coefficient is negative, a number is NaN or infinite, no contact can have this
+/// memory, or a pointer is NULL. The history then stays as it was.
 ///
 /// For a sphere of another radius multiply indentations and slip as for plm_contact_force, and divide the friction likewise.
 ///
@@ -146,23 +191,24 @@ pub unsafe extern "C" fn plm_contact_friction(
     memory: *const f64,
     slip: *const f64,
     history: *mut f64,
-) {
+) -> c_int {
     // SAFETY: as the caller promises; any bits are a valid double
     let (Some(slip), Some(history)) =
         (unsafe { slip.cast::<[f64; 3]>().as_ref() }, unsafe { history.cast::<[f64; 3]>().as_mut() })
     else {
-        return;
+        return FAILURE;
     };
     let step = FrictionStep { before, indentation, force, slip: *slip };
     // SAFETY: as the caller promises
     let friction = unsafe {
-        read(contact, memory, *history, |contact, memory| {
+        read(contact, memory, None, |contact, memory| {
             let mut after = *history;
-            contact.friction(coefficient, &step, memory, &mut after);
-            after
+            contact.friction(coefficient, &step, memory, &mut after).then_some(after)
         })
     };
+    let Some(friction) = friction else { return FAILURE };
     *history = friction;
+    SUCCESS
 }
 
 /// Tangent stiffness dF/d(indentation) [N/m]: of the unloading branch up to the largest indentation so far, and of the
@@ -213,7 +259,7 @@ pub unsafe extern "C" fn plm_contact_energy(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_radius(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
-    unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.sphere().radius)
+    unsafe { number(contact, |contact| contact.sphere().radius) }
 }
 
 /// Effective radius [m], with 1/R* = 1/R + 1/half_space.radius. It is the radius of the sphere where the half-space is flat.
@@ -223,7 +269,7 @@ pub unsafe extern "C" fn plm_contact_radius(contact: *const plm_contact) -> f64 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_effective_radius(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
-    unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.pair().radius)
+    unsafe { number(contact, |contact| contact.pair().radius) }
 }
 
 /// Mass of the sphere [kg].
@@ -233,7 +279,7 @@ pub unsafe extern "C" fn plm_contact_effective_radius(contact: *const plm_contac
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_mass(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
-    unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.mass())
+    unsafe { number(contact, Contact::mass) }
 }
 
 /// Speed [m/s] of the slowest impact that yields; NaN for a contact that stays elastic and for a law that yields at
@@ -244,7 +290,7 @@ pub unsafe extern "C" fn plm_contact_mass(contact: *const plm_contact) -> f64 {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_yield_speed(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
-    unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| contact.0.yield_speed().unwrap_or(f64::NAN))
+    unsafe { number(contact, |contact| contact.yield_speed().unwrap_or(f64::NAN)) }
 }
 
 /// Contact time [s] of the whole impact at a speed [m/s]; NaN if there is no result. Writes the coefficient of
@@ -259,7 +305,10 @@ pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f6
         return f64::NAN;
     };
     let (time, e) = guarded((f64::NAN, f64::NAN), || {
-        contact.0.closed_form(speed).map_or((f64::NAN, f64::NAN), |impact| (impact.contact_time, impact.restitution))
+        contact
+            .contact
+            .closed_form(speed)
+            .map_or((f64::NAN, f64::NAN), |impact| (impact.contact_time, impact.restitution))
     });
     if let Some(restitution) = restitution {
         *restitution = e;
@@ -276,7 +325,7 @@ pub unsafe extern "C" fn plm_contact_time(contact: *const plm_contact, speed: f6
 pub unsafe extern "C" fn plm_contact_restitution_with_waves(contact: *const plm_contact, speed: f64) -> f64 {
     // SAFETY: as the caller promises
     let Some(contact) = (unsafe { contact.as_ref() }) else { return f64::NAN };
-    let with_waves = || contact.0.closed_form(speed).ok()?.restitution_with_waves();
+    let with_waves = || contact.contact.closed_form(speed).ok()?.restitution_with_waves();
     guarded(f64::NAN, || with_waves().unwrap_or(f64::NAN))
 }
 
@@ -287,7 +336,29 @@ pub unsafe extern "C" fn plm_contact_restitution_with_waves(contact: *const plm_
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_deepest(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
-    unsafe { contact.as_ref() }.map_or(f64::NAN, |contact| guarded(f64::NAN, || contact.0.deepest()))
+    unsafe { number(contact, Contact::deepest) }
+}
+
+/// Fingerprint of the bodies and of the law, for the restart file of a simulation: a memory belongs to the contact with the
+/// same fingerprint alone. Two scenarios with the same contact have the same one, whatever their comments are; another version
+/// of the library may have another one. 0 for NULL.
+///
+/// # Safety
+/// `contact` is NULL or not yet freed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn plm_contact_fingerprint(contact: *const plm_contact) -> u64 {
+    // SAFETY: as the caller promises
+    unsafe { contact.as_ref() }.map_or(0, |contact| contact.fingerprint)
+}
+
+/// A number of a contact; NaN for NULL.
+///
+/// # Safety
+/// `contact` is NULL or not yet freed.
+unsafe fn number(contact: *const plm_contact, question: impl Fn(&Contact) -> f64) -> f64 {
+    // SAFETY: as the caller promises
+    let Some(contact) = (unsafe { contact.as_ref() }) else { return f64::NAN };
+    guarded(f64::NAN, || question(&contact.contact))
 }
 
 fn force(contact: &Contact, indentation: f64, memory: &mut [f64; 3]) -> f64 {
@@ -319,7 +390,7 @@ where
     else {
         return nothing;
     };
-    guarded(nothing, || question(&contact.0, &from_doubles(memory)))
+    guarded(nothing, || question(&contact.contact, &from_doubles(memory)))
 }
 
 /// Runs `work`; if it panics, returns `otherwise`, so that no panic reaches the caller in C.
@@ -340,10 +411,11 @@ unsafe fn new(
     let made = guarded(Err("the program has an error: it panicked".to_owned()), || {
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
-        read(text).and_then(|scenario| contact_of_one_strength(&scenario)).map_err(|error| error.to_string())
+        let contact = read(text).and_then(|scenario| contact_of_one_strength(&scenario));
+        contact.map(plm_contact::new).map_err(|error| error.to_string())
     });
     match made {
-        Ok(contact) => Box::into_raw(Box::new(plm_contact(contact))),
+        Ok(contact) => Box::into_raw(Box::new(contact)),
         Err(message) => {
             // SAFETY: as the caller promises
             unsafe { write_text(&message, error, length) };

@@ -82,7 +82,7 @@ impl Head<'_> {
         }
         text += &match request.target {
             Target::Lammps => self.lammps(),
-            Target::Liggghts => self.liggghts(),
+            Target::Liggghts => self.liggghts()?,
             Target::Yade => self.yade()?,
             Target::Mercury => self.mercury(),
             Target::Csv => pairs(table),
@@ -220,8 +220,17 @@ impl Head<'_> {
 
     /// LIGGGHTS computes the stiffness k of its hooke model from a modulus Y: k = (16/15) √R Y* (15 m V²/(16 √R
     /// Y*))^(1/5), with Y* = Y/(2 (1 − ν²)) for equal bodies and the characteristic velocity V.
-    fn liggghts(&self) -> String {
+    fn liggghts(&self) -> Result<String, Error> {
         const POISSONS_RATIO: f64 = 0.3;
+        // LIGGGHTS stops at such values
+        const MIN_RESTITUTION: f64 = 0.05;
+        const MIN_MODULUS: f64 = 5e6;
+        if self.e <= MIN_RESTITUTION {
+            return Err(Error::input(format!(
+                "--to liggghts: LIGGGHTS takes e above {MIN_RESTITUTION} alone, and e is {:.4} at {} m/s; give a lower --speed",
+                self.e, self.impact.speed
+            )));
+        }
         let (mass, speed) = (self.bare.contact.reduced_mass(), self.impact.speed);
         let scaled = pow(self.stiffness() / pow(mass * speed * speed, 0.2), 1.25);
         // the wall of these lines is flat
@@ -230,14 +239,19 @@ impl Head<'_> {
             Some(_) => self.bare.contact.pair().radius,
         };
         let effective = 15.0 * scaled / (16.0 * radius.sqrt());
-        let (friction, history) = self.bare.friction.map_or((0.0, "no_history"), |friction| (friction, "history"));
+        // without these words the tangential spring is as stiff as the normal one, and has damping
+        let (friction, history) = self
+            .bare
+            .friction
+            .map_or((0.0, "no_history"), |friction| (friction, "history tangential_damping off ktToKnUser on"));
         let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
         let wall = match self.bare.ball {
             None => format!("fix wall all wall/gran model hooke tangential {history} primitive type 1 zplane 0.0\n"),
             Some(_) => String::new(),
         };
-        format!(
-            "hard_particles yes\nunits si\nfix young all property/global youngsModulus peratomtype {modulus:.9e}\n\
+        let soft = if modulus < MIN_MODULUS { "soft_particles yes\n" } else { "" };
+        Ok(format!(
+            "{soft}hard_particles yes\nunits si\nfix young all property/global youngsModulus peratomtype {modulus:.9e}\n\
              fix poisson all property/global poissonsRatio peratomtype {POISSONS_RATIO}\n\
              fix restitution all property/global coefficientRestitution peratomtypepair 1 {:.9}\n\
              fix friction all property/global coefficientFriction peratomtypepair 1 {friction:?}\n\
@@ -246,7 +260,14 @@ impl Head<'_> {
              {wall}timestep {:.3e}\n",
             self.e,
             self.time_step()
-        )
+        ))
+    }
+
+    /// Density of the second ball \[kg/m³\], where it is another one than that of the first.
+    fn second_density(&self) -> Option<f64> {
+        let contact = &self.bare.contact;
+        let density = self.bare.ball.and(contact.half_space().density);
+        density.filter(|density| *density != contact.sphere().density)
     }
 
     /// Yade puts the springs of the two materials in series, and its damped springs never pull.
@@ -261,13 +282,18 @@ impl Head<'_> {
         let friction = self.bare.friction.unwrap_or(0.0);
         let tangential = if friction > 0.0 { TANGENTIAL * 2.0 * stiffness } else { 0.0 };
         let angle = atan(friction);
+        let material = |name: &str, density: f64| {
+            format!(
+                "{name} = ViscElMat(density={density:.9e}, kn={:.9e}, cn={:.9e}, ks={tangential:?}, cs=0.0, frictionAngle={angle:?})\n\
+                 O.materials.append({name})\n",
+                2.0 * stiffness,
+                2.0 * damping
+            )
+        };
+        let second = self.second_density().map_or_else(String::new, |density| material("second_material", density));
         Ok(format!(
-            "material = ViscElMat(density={:.9e}, kn={:.9e}, cn={:.9e}, ks={tangential:?}, cs=0.0, frictionAngle={angle:?})\n\
-             O.materials.append(material)\n\
-             functors = [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]\nO.dt = {:.3e}\n",
-            self.bare.contact.sphere().density,
-            2.0 * stiffness,
-            2.0 * damping,
+            "{}{second}functors = [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]\nO.dt = {:.3e}\n",
+            material("material", self.bare.contact.sphere().density),
             self.time_step()
         ))
     }
@@ -283,14 +309,21 @@ impl Head<'_> {
                 ),
             ),
         };
+        // equal springs stay as they are where MercuryDPM mixes the two species
+        let second = self.second_density().map_or_else(String::new, |density| {
+            format!(
+                "LinearViscoelastic{kind}Species second_species = species; // of the second sphere\n\
+                 second_species.setDensity({density:.9e});\n"
+            )
+        });
         let of_mass = match self.bare.ball {
             None => "2 m: a wall has no mass",
             Some(_) => "twice the effective mass of the two spheres",
         };
         format!(
-            "LinearViscoelastic{kind}Species species;\nspecies.setDensity({:.9e});\n\
+            "LinearViscoelastic{kind}Species species; // then speciesHandler.copyAndAddObject(species)\nspecies.setDensity({:.9e});\n\
              species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // {of_mass}\n\
-             {friction}setTimeStep({:.3e});\n",
+             {friction}{second}setTimeStep({:.3e});\n",
             self.bare.contact.sphere().density,
             self.impact.contact_time,
             self.e,

@@ -31,6 +31,8 @@ enum { DENT, PLASTIC, ENDED, FIRST_SLOT };    // columns of a sphere; ENDED is t
 // friction (3); all but the first belong to the sphere of the scenario
 enum { WALL, MEMORY, TAKEN = 4, NOW, FRICTION };
 constexpr int PLAIN = FRICTION, RUBBING = FRICTION + 3;
+// doubles of a sphere in a restart file before its state
+constexpr int RESTART_HEADER = 2;
 // steps per contact for e within 0.1 %: plots/bench/README.md, the worst problem
 constexpr double STEPS_FOR_E = 70.0;
 // with fewer steps than these e is off by several per cent
@@ -85,7 +87,8 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
       at += 3;
     } else if (strcmp(arg[at], "friction") == 0 && at + 1 < narg) {
       friction = utils::numeric(FLERR, arg[at + 1], false, lmp);
-      if (friction < 0.0) error->all(FLERR, "Fix plm/wall: friction {} is below 0", arg[at + 1]);
+      if (!(friction >= 0.0) || !std::isfinite(friction))
+        error->all(FLERR, "Fix plm/wall: friction {} must be a number of 0 or more", arg[at + 1]);
       if (!atom->omega_flag || !atom->torque_flag)
         error->all(FLERR, "Fix plm/wall: friction turns spheres, and atom_style {} has no spin: use atom_style sphere", atom->atom_style);
       slot_size = RUBBING;
@@ -106,8 +109,9 @@ FixPLMWall::FixPLMWall(LAMMPS *lmp, int narg, char **arg) :
   for (int type = 0; type <= atom->ntypes; type++) {
     const auto found = contacts.count(type) ? contacts.find(type) : contacts.find(0);
     const plm_contact *contact = found == contacts.end() ? nullptr : found->second;
-    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0,
-                    contact ? plm_contact_deepest(contact) : 0.0});
+    // 52 bits, which a double holds exactly
+    laws.push_back({contact, contact ? plm_contact_radius(contact) / length_unit : 0.0, contact ? plm_contact_deepest(contact) : 0.0,
+                    static_cast<double>(plm_contact_fingerprint(contact) >> 12)});
   }
 
   values = FIRST_SLOT + slot_size * walls;
@@ -323,7 +327,8 @@ void FixPLMWall::rub(int i, const plm_contact *contact, const double *n, double 
     for (int k = 0; k < 3; k++) history[k] *= old / left;
 
   // the setup of a run has no step before it
-  if (!update->setupflag) plm_contact_friction(contact, friction, before, indentation, force, slot + MEMORY, slip, history);
+  if (!update->setupflag && plm_contact_friction(contact, friction, before, indentation, force, slot + MEMORY, slip, history) != 0)
+    error->one(FLERR, "Fix plm/wall: the friction on sphere {} is not finite: is the timestep too long?", atom->tag[i]);
   double *f = atom->f[i], *torque = atom->torque[i], t[3];
   for (int k = 0; k < 3; k++) {
     t[k] = history[k] / (scale * scale) / force_unit;
@@ -395,12 +400,13 @@ int FixPLMWall::unpack_exchange(int i, double *buffer)
   return values;
 }
 
-/* In a restart file the number of doubles comes first. */
+/* In a restart file the number of doubles comes first, then the fingerprint of the contact that the memories belong to. */
 int FixPLMWall::pack_restart(int i, double *buffer)
 {
-  buffer[0] = values + 1;
-  std::copy_n(state[i], values, buffer + 1);
-  return values + 1;
+  buffer[0] = values + RESTART_HEADER;
+  buffer[1] = laws[atom->type[i]].fingerprint;
+  std::copy_n(state[i], values, buffer + RESTART_HEADER);
+  return values + RESTART_HEADER;
 }
 
 void FixPLMWall::unpack_restart(int i, int nth)
@@ -408,11 +414,17 @@ void FixPLMWall::unpack_restart(int i, int nth)
   double *extra = atom->extra[i];
   int at = 0;
   for (int skipped = 0; skipped < nth; skipped++) at += static_cast<int>(extra[at]);
-  if (static_cast<int>(extra[at]) != values + 1)
-    error->one(FLERR, "Fix plm/wall: the restart file was written with another wall");
-  std::copy_n(extra + at + 1, values, state[i]);
+  if (static_cast<int>(extra[at]) != values + RESTART_HEADER)
+    error->one(FLERR,
+               "Fix plm/wall: the restart file was written with another wall, with or without friction, or by an older version; give "
+               "this fix another ID to begin with fresh contacts");
+  if (extra[at + 1] != laws[atom->type[i]].fingerprint)
+    error->one(FLERR,
+               "Fix plm/wall: the restart file was written with another scenario for atoms of type {}, and the dents in it belong to that "
+               "one; use its file, or give this fix another ID to begin with fresh contacts", atom->type[i]);
+  std::copy_n(extra + at + RESTART_HEADER, values, state[i]);
 }
 
-int FixPLMWall::size_restart(int /*i*/) { return values + 1; }
+int FixPLMWall::size_restart(int /*i*/) { return values + RESTART_HEADER; }
 
-int FixPLMWall::maxsize_restart() { return values + 1; }
+int FixPLMWall::maxsize_restart() { return values + RESTART_HEADER; }

@@ -56,6 +56,7 @@ class FixPLMWall : public Fix {
     const plm_contact *contact;
     double radius;                            // radius of the sphere in the scenario, in units of LAMMPS
     double deepest;                           // its indentation up to which the data behind the law reach, in metres
+    double fingerprint;                       // of the contact, for restart files
   };
   std::vector<Law> laws;                      // the law of every atom type
   double length_unit, force_unit, mass_unit, time_unit;    // units of LAMMPS, in SI units

@@ -1,4 +1,4 @@
-   /* The interface of the plug-in to LAMMPS.
+/* The interface of the plug-in to LAMMPS.
    SPDX-License-Identifier: GPL-2.0-or-later */
 
 #include "fix_plm_wall.h"

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
 use super::convert::{Numbers, exception, numbers, warn, with};
-use super::rows::{failures, listed, without_axes};
+use super::rows::{Named, failures, listed, without_axes};
 use super::table::of_values;
 use super::work;
 use crate::impact::{self, Method, Solver};
@@ -16,7 +16,8 @@ use crate::report::run::table;
 use crate::scenario::Scenario;
 use crate::scenario::plan::{Axis, Cases, Plan, Values};
 use crate::scenario::scene::{Input, KEYS, Key};
-use crate::table::arrow;
+use crate::table::column::Column;
+use crate::table::{Failure, arrow};
 use crate::units::Dimension;
 
 /// The key of the argument `speed`.
@@ -47,7 +48,7 @@ pub struct Contact {
     pub plans: Mutex<HashMap<Vec<(&'static str, bool)>, Plan>>,
 }
 
-/// A key and its values in SI units, all of them in the allowed range.
+/// A key and its values in SI units. Numbers may be NaN or out of the allowed range: such a row has no result.
 pub struct Given {
     pub key: &'static Key,
     pub numbers: Numbers,
@@ -57,14 +58,26 @@ impl Given {
     /// A number, an array of numbers, or a text with a unit.
     pub fn new(key: &'static Key, value: &Bound<'_, PyAny>) -> PyResult<Self> {
         let numbers = match value.cast::<PyString>() {
-            Ok(text) => Numbers::one(key.quantity.parse(&text.to_cow()?).map_err(|text| refused(key, "", &text))?),
+            Ok(text) => {
+                let value = key.quantity.parse(&text.to_cow()?).map_err(|text| refused(key, "", &text))?;
+                key.quantity.check(value).map_err(|error| refused(key, "", &error))?;
+                Numbers::one(value)
+            }
             Err(_) => numbers(value, key.path)?,
         };
-        for (index, value) in numbers.values.iter().enumerate() {
-            let place = || if numbers.values.len() == 1 { String::new() } else { format!(" at index {index}") };
-            key.quantity.check(*value).map_err(|error| refused(key, &place(), &error))?;
-        }
         Ok(Self { key, numbers })
+    }
+
+    /// Refuses numbers that are not allowed.
+    pub fn check(self) -> PyResult<Self> {
+        match self.numbers.values.iter().find_map(|value| self.key.quantity.check(*value).err()) {
+            Some(error) => Err(refused(self.key, "", &error)),
+            None => Ok(self),
+        }
+    }
+
+    fn is_allowed(&self, value: f64) -> bool {
+        self.key.quantity.check(value).is_ok()
     }
 
     /// The values of `speed`.
@@ -72,9 +85,9 @@ impl Given {
         Self::new(Key::find(SPEED).ok_or_else(|| PyValueError::new_err(SPEED))?, value)
     }
 
-    /// The smallest and the largest value, or one where they are the same; none if there are no values.
+    /// The smallest and the largest of the allowed values, or one where they are the same; none if there are no such values.
     fn ends(&self) -> Vec<f64> {
-        let values = || self.numbers.values.iter().copied();
+        let values = || self.numbers.values.iter().copied().filter(|value| self.is_allowed(*value));
         let mut ends: Vec<f64> =
             values().min_by(f64::total_cmp).into_iter().chain(values().max_by(f64::total_cmp)).collect();
         ends.dedup();
@@ -123,7 +136,7 @@ pub fn numeric_keys() -> Vec<&'static str> {
     KEYS.iter().map(|key| key.path).collect()
 }
 
-/// The values of a numeric key in SI units, all of them in the allowed range: a number, or an array in the shape of `value`.
+/// The values of a numeric key in SI units: a number, or an array in the shape of `value`.
 #[pyfunction]
 pub fn checked<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let Some(key) = Key::find(path) else {
@@ -150,13 +163,62 @@ pub fn rows<'py>(
     let given: Vec<Given> = given.collect::<PyResult<_>>()?;
     let plan = plan(contact, &given)?;
     let count = given.first().map_or(0, |given| given.numbers.values.len());
-    let mut warnings = if count > 0 { py.detach(|| table::warnings(&plan, Some(&contact.inner))) } else { Vec::new() };
-    let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
     let named = without_axes(&plan);
-    let values = listed(py, &plan, &contact.inner, &keys, count, &named)?;
+    let (values, mut warnings) = listed_if_allowed(py, contact, &plan, &given, count, &named)?;
     warnings.extend(failures(values.last().map_or(&[], Vec::as_slice)));
     warn(py, 2, &warnings)?;
     of_values(py, given.into_iter().map(|Given { key, numbers }| (key.column(), numbers.values)), named, values)
+}
+
+/// Why a row without allowed values has no result: its first such value, with its index in the array.
+fn not_allowed(given: &[Given], row: usize) -> Option<String> {
+    given.iter().find_map(|Given { key, numbers: Numbers { shape, values } }| {
+        let error = key.quantity.check(*values.get(row)?).err()?;
+        let mut rest = row;
+        let mut indices: Vec<String> = Vec::new();
+        for length in shape.iter().rev() {
+            indices.insert(0, (rest % length.max(&1)).to_string());
+            rest /= length.max(&1);
+        }
+        let place = match &indices[..] {
+            [] => String::new(),
+            [index] => format!(" at index {index}"),
+            _ => format!(" at index ({})", indices.join(", ")),
+        };
+        Some(format!("{}{place}: {error}", key.path))
+    })
+}
+
+/// The columns of [`listed`], and the warnings. Rows with a value that is not allowed have NaN, and the status says so.
+fn listed_if_allowed(
+    py: Python<'_>,
+    contact: &Contact,
+    plan: &Plan,
+    given: &[Given],
+    count: usize,
+    named: &Named,
+) -> PyResult<(Vec<Vec<f64>>, Vec<String>)> {
+    let is_allowed = |row: &usize| given.iter().all(|given| given.is_allowed(given.numbers.values[*row]));
+    let allowed: Vec<usize> = (0..count).filter(is_allowed).collect();
+    let mut warnings =
+        if allowed.is_empty() { Vec::new() } else { py.detach(|| table::warnings(plan, Some(&contact.inner))) };
+    if allowed.len() == count {
+        let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
+        return Ok((listed(py, plan, &contact.inner, &keys, count, named)?, warnings));
+    }
+    warnings.extend((0..count).find(|row| !is_allowed(row)).and_then(|row| not_allowed(given, row)));
+    let values = |given: &Given| allowed.iter().map(|row| given.numbers.values[*row]).collect();
+    let kept: Vec<Vec<f64>> = given.iter().map(values).collect();
+    let keys: Vec<_> = given.iter().zip(&kept).map(|(given, values)| (given.key, values.as_slice())).collect();
+    let computed = listed(py, plan, &contact.inner, &keys, allowed.len(), named)?;
+    let status = arrow::code(Failure::NotAllowed);
+    let empty = named.iter().map(|(_, column)| if matches!(column, Column::Status) { status } else { f64::NAN });
+    let columns = computed.into_iter().zip(empty).map(|(column, empty)| {
+        let mut all = vec![empty; count];
+        allowed.iter().zip(column).for_each(|(row, value)| all[*row] = value);
+        all
+    });
+    Ok((columns.collect(), warnings))
 }
 
 /// Restitution at these speeds, in an array of their shape, or as a number for one speed.
@@ -164,20 +226,26 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let py = speed.py();
     let given = [Given::speed(speed)?];
     let plan = plan(contact, &given)?;
-    let [Given { key, numbers: Numbers { shape, values: speeds } }] = given;
-    let mut warnings =
-        if speeds.is_empty() { Vec::new() } else { py.detach(|| table::warnings(&plan, Some(&contact.inner))) };
+    let speeds = &given[0].numbers.values;
+    let mut warnings = Vec::new();
     let forces = plan.input.forces();
     let is_exact = forces.is_none() && plan.input.solver().method.chosen(&forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
         // friction does not change e
         let restitution_at = |speed: &f64| {
+            if !given[0].is_allowed(*speed) {
+                return (f64::NAN, arrow::code(Failure::NotAllowed));
+            }
             let [normal_speed, _] = contact.input.approach_at(*speed).components();
             match contact.inner.row(normal_speed, &Solver::AUTO) {
                 Ok(row) => (row.restitution, 0.0),
                 Err(error) => (f64::NAN, arrow::code(error.into())),
             }
         };
+        if speeds.iter().any(|speed| given[0].is_allowed(*speed)) {
+            warnings = py.detach(|| table::warnings(&plan, Some(&contact.inner)));
+        }
+        warnings.extend((0..speeds.len()).find_map(|row| not_allowed(&given, row)));
         work::columns(py, speeds.len(), &[1, 1], false, |cases| {
             let (restitutions, status): (Vec<f64>, Vec<f64>) = speeds[cases].iter().map(restitution_at).unzip();
             Ok(vec![restitutions, status])
@@ -185,10 +253,13 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     } else {
         let mut named = without_axes(&plan);
         named.retain(|(name, _)| ["restitution", "status"].contains(&name.as_str()));
-        listed(py, &plan, &contact.inner, &[(key, &speeds)], speeds.len(), &named)?
+        let (values, of_table) = listed_if_allowed(py, contact, &plan, &given, speeds.len(), &named)?;
+        warnings = of_table;
+        values
     };
     let [restitutions, status]: [Vec<f64>; 2] = computed.try_into().unwrap_or_default();
     warnings.extend(failures(&status));
     warn(py, 1, &warnings)?;
+    let [Given { numbers: Numbers { shape, .. }, .. }] = given;
     Numbers { shape, values: restitutions }.numpy(py)
 }

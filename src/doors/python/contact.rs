@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::{Mutex, OnceLock};
 
-use pyo3::exceptions::{PyAttributeError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyAttributeError, PyOverflowError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
@@ -29,7 +29,8 @@ use crate::units::did_you_mean;
 const NAME: &str = "Contact";
 
 impl Contact {
-    fn from_source(py: Python<'_>, source: &Source) -> PyResult<Self> {
+    /// The contact, and the warnings about its keys.
+    fn from_source(source: &Source) -> PyResult<(Self, Vec<String>)> {
         let scenario = Scenario::from_source(NAME, source).map_err(exception)?;
         if scenario.kind().map_err(exception)? != Kind::Impact {
             let message = "a Contact has the tables of one impact; use plm_impact.impacts for tables, plm_impact.run for all else";
@@ -46,15 +47,15 @@ impl Contact {
         };
         let input = input.map_err(exception)?;
         let contact = input.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
-        warn(py, 1, &texts(&scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact)))?;
-        Ok(Self { scenario, input, inner: contact, plans: Mutex::default() })
+        let warnings = texts(&scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
+        Ok((Self { scenario, input, inner: contact, plans: Mutex::default() }, warnings))
     }
 
     /// The speed of an impact (m/s).
     fn speed(&self, speed: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
         // without a speed the error says what is missing
         let Some(speed) = speed else { return Ok(self.scenario.resolve().map_err(exception)?.speed()) };
-        match Given::speed(speed)?.numbers {
+        match Given::speed(speed)?.check()?.numbers {
             Numbers { shape, values } if shape.is_empty() && values.len() == 1 => Ok(values[0]),
             _ => Err(PyTypeError::new_err(format!(
                 "{SPEED}: found {}, expected one number or text; restitution and plm_impact.impacts take arrays",
@@ -93,7 +94,10 @@ impl Contact {
     #[new]
     #[pyo3(signature = (**tables), text_signature = "(*, sphere, half_space, **tables)")]
     fn new(py: Python<'_>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        Self::from_source(py, &tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?)
+        let source = tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?;
+        let (contact, warnings) = Self::from_source(&source)?;
+        warn(py, 1, &warnings)?;
+        Ok(contact)
     }
 
     /// The coefficient of restitution at these speeds (an array of any shape, a number, or a text with a unit), as in a
@@ -106,10 +110,15 @@ impl Contact {
     /// One impact at a speed, which is a number in m/s or a text with a unit. With `samples` it has a trace with
     /// this number of rows evenly spaced in time, and a row for every event.
     #[pyo3(signature = (speed=None, *, samples=None))]
-    fn impact(slf: &Bound<'_, Self>, speed: Option<&Bound<'_, PyAny>>, samples: Option<i64>) -> PyResult<Impact> {
+    fn impact(
+        slf: &Bound<'_, Self>,
+        speed: Option<&Bound<'_, PyAny>>,
+        samples: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Impact> {
         // without a speed it is that of the scenario, which may be that of a fall
         let falls = speed.is_none();
         let speed = slf.get().speed(speed)?;
+        let samples = samples.map(whole_number).transpose()?;
         if let Some(samples) = samples {
             SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
         }
@@ -208,9 +217,17 @@ impl Contact {
     }
 
     #[staticmethod]
-    fn _of_texts(py: Python<'_>, texts: &str) -> PyResult<Self> {
-        Self::from_source(py, &serde_json::from_str(texts).map_err(unexpected)?)
+    fn _of_texts(texts: &str) -> PyResult<Self> {
+        // whoever made the contact had its warnings
+        Ok(Self::from_source(&serde_json::from_str(texts).map_err(unexpected)?)?.0)
     }
+}
+
+/// A whole number; one that is too large for 64 bits becomes the largest of them, which is then refused by its range.
+fn whole_number(value: &Bound<'_, PyAny>) -> PyResult<i64> {
+    let number = value.extract::<i64>();
+    let is_too_large = |error: &PyErr| error.is_instance_of::<PyOverflowError>(value.py());
+    if number.as_ref().is_err_and(is_too_large) { Ok(i64::MAX) } else { number }
 }
 
 #[allow(clippy::needless_pass_by_value)] // for map_err
@@ -234,6 +251,9 @@ pub struct Impact {
     interval: OnceLock<Option<RestitutionInterval>>,
     /// What the user should know of the strength and of the exponent behind e.
     notes: Vec<String>,
+    /// The impact with a trace, if `result` has none; and the trace as an array. Each is computed when it is asked for first.
+    traced: OnceLock<impact::Impact>,
+    trace: OnceLock<Py<PyAny>>,
 }
 
 impl Impact {
@@ -249,7 +269,16 @@ impl Impact {
         } else {
             Vec::new()
         };
-        Ok(Self { contact, result, own, samples, interval: OnceLock::new(), notes })
+        Ok(Self {
+            contact,
+            result,
+            own,
+            samples,
+            interval: OnceLock::new(),
+            notes,
+            traced: OnceLock::new(),
+            trace: OnceLock::new(),
+        })
     }
 
     fn single(&self) -> Single<'_> {
@@ -262,13 +291,17 @@ impl Impact {
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.
-    fn traced(&self) -> PyResult<Cow<'_, impact::Impact>> {
+    fn traced(&self) -> PyResult<&impact::Impact> {
         if self.result.trace.is_empty() {
+            if let Some(traced) = self.traced.get() {
+                return Ok(traced);
+            }
             let contact = self.contact.get();
             let impact = contact.computed(self.own.as_ref(), self.result.speed, Some(contact.input.samples()));
-            return Ok(Cow::Owned(impact.map_err(exception)?));
+            let impact = impact.map_err(exception)?;
+            return Ok(self.traced.get_or_init(|| impact));
         }
-        Ok(Cow::Borrowed(&self.result))
+        Ok(&self.result)
     }
 }
 
@@ -315,11 +348,18 @@ impl Impact {
         Ok(from_json(py, &value)?.cast_into::<PyDict>()?)
     }
 
-    /// The trace: a structured array with the columns of `trace.csv`.
+    /// The trace: a read-only structured array with the columns of `trace.csv`.
     #[getter]
     fn trace<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let csv = py.detach(|| trace(&*self.traced()?).map_err(exception))?;
-        table_of_csv(py, &csv)?.call_method0("to_numpy")
+        if let Some(array) = self.trace.get() {
+            return Ok(array.bind(py).clone());
+        }
+        let csv = py.detach(|| trace(self.traced()?).map_err(exception))?;
+        let array = table_of_csv(py, &csv)?.call_method0("to_numpy")?;
+        // every access gives the same array
+        array.call_method1("setflags", (false,))?;
+        let array = array.unbind();
+        Ok(self.trace.get_or_init(|| array).bind(py).clone())
     }
 
     fn __repr__(&self) -> String {
@@ -331,7 +371,7 @@ impl Impact {
     fn picture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let picture = py.detach(|| {
             let caption = plot::caption::caption(&self.contact.get().input, &[]);
-            let drawn = plot::force_indentation(&*self.traced()?).map_err(exception)?;
+            let drawn = plot::force_indentation(self.traced()?).map_err(exception)?;
             Ok::<_, PyErr>(drawn.with_caption(caption).to_png().map_err(exception))
         });
         Ok(PyBytes::new(py, &picture??))

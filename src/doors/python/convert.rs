@@ -3,7 +3,7 @@
 use std::ffi::CString;
 
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods as _, PyUntypedArrayMethods as _};
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyOverflowError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBytes, PyFloat, PyInt, PyMapping, PyType};
@@ -69,7 +69,11 @@ pub fn numbers(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Numbers> {
     // other subclasses of a float may have a unit
     let is_plain = || Ok::<_, PyErr>(value.get_type().is(FLOAT64.import(value.py(), "numpy", "float64")?));
     if value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>() || is_plain()? {
-        return Ok(Numbers::one(value.extract()?));
+        let number = value.extract::<f64>();
+        if number.as_ref().is_err_and(|error| error.is_instance_of::<PyOverflowError>(value.py())) {
+            return Err(PyValueError::new_err(format!("{place}: the whole number is too large")));
+        }
+        return Ok(Numbers::one(number?));
     }
     // as it comes from NumPy; a subclass may have units or a mask, and data from another process may not be aligned
     let array = match value.cast_exact::<PyArrayDyn<f64>>() {

@@ -21,18 +21,20 @@ use crate::scenario::Scenario;
 const DATA: &str = "data";
 
 /// Runs a scenario from a file or from a dict of the same form, such as `run("scenarios/steel-on-steel.toml")`. The keys in
-/// `set` replace those of the scenario: `set={"impact.speed": "2 m/s", "law": "thornton"}`. No file is written.
+/// `set` replace those of the scenario: `set={"impact.speed": "2 m/s", "law": "thornton"}`. No file is written. Drawing the
+/// pictures takes most of the time: leave them out by `pictures=False`.
 ///
 /// Raises ValueError for a bad scenario, with file, line, key, value and what is allowed; NoSuchFile, which is a
 /// FileNotFoundError too, for a missing file; RuntimeError for a run that fails. Warnings are one ModelWarning.
 #[pyfunction]
-#[pyo3(signature = (scenario, /, *, set=None))]
+#[pyo3(signature = (scenario, /, *, set=None, pictures=true))]
 pub fn run<'py>(
     py: Python<'py>,
     scenario: &Bound<'py, PyAny>,
     set: Option<&Bound<'py, PyMapping>>,
+    pictures: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
-    run_scenario(py, &scenario_of(scenario, overrides(set)?)?)
+    run_scenario(py, &scenario_of(scenario, overrides(set)?)?, pictures)
 }
 
 /// Finds keys of a scenario from measurements, as `plm-impact calibrate` does.
@@ -44,21 +46,22 @@ pub fn run<'py>(
 ///     found = calibrate("scenarios/calibrate-ball-drop.toml", {"drop_height_mm": [50, 100], "rebound_height_mm": [22.0, 45.1]})
 ///     found.summary, found.tables["residuals"]
 ///
-/// Errors are those of `run`.
+/// `pictures=False` leaves the pictures out, as in `run`: a bootstrap needs none. Errors are those of `run`.
 #[pyfunction]
-#[pyo3(signature = (scenario, data=None, /, *, set=None))]
+#[pyo3(signature = (scenario, data=None, /, *, set=None, pictures=true))]
 pub fn calibrate<'py>(
     py: Python<'py>,
     scenario: &Bound<'py, PyAny>,
     data: Option<&Bound<'py, PyAny>>,
     set: Option<&Bound<'py, PyMapping>>,
+    pictures: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let mut overrides = overrides(set)?;
-    let Some(data) = data else { return run_scenario(py, &scenario_of(scenario, overrides)?) };
+    let Some(data) = data else { return run_scenario(py, &scenario_of(scenario, overrides)?, pictures) };
     overrides.push(format!("calibrate.data={DATA}"));
     let csv = python(py, "csv_of")?.call1((data,))?.extract()?;
     let scenario = scenario_of(scenario, overrides)?.with_data(csv);
-    run_scenario(py, &scenario).map_err(|error| of_element(py, error))
+    run_scenario(py, &scenario, pictures).map_err(|error| of_element(py, error))
 }
 
 /// A scenario that is given as a path or a dict.
@@ -84,10 +87,10 @@ fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
     }
 }
 
-fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py, PyAny>> {
+fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> PyResult<Bound<'py, PyAny>> {
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
-    let made =
-        interruptible(py, |progress| at_once(scenario, Some(&options(&command, progress))))?.map_err(exception)?;
+    let made = interruptible(py, |progress| at_once(scenario, Some(&options(&command, pictures, progress))))?
+        .map_err(exception)?;
     if let Some(mut made) = made {
         made.warnings.extend(made.contradiction.take());
         warn(py, 1, &made.warnings)?;
@@ -100,7 +103,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
     let made = interruptible(py, |progress| {
         let take = |piece| append(&mut columns, piece);
         let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
-        table::outcome(scenario, &plan, &tally, &options(&command, progress), None)
+        table::outcome(scenario, &plan, &tally, &options(&command, pictures, progress), None)
     });
     let made = made?.map_err(exception)?;
     let failed = failures(columns.last().map_or(&[], Vec::as_slice));
@@ -108,8 +111,9 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario) -> PyResult<Bound<'py
     outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
 }
 
-fn options<'a>(command: &'a str, progress: &'a Counter) -> RunOptions<'a> {
-    RunOptions { command, detail: Detail::Usual, pictures: Pictures::Png, progress }
+fn options<'a>(command: &'a str, pictures: bool, progress: &'a Counter) -> RunOptions<'a> {
+    let pictures = if pictures { Pictures::Png } else { Pictures::None };
+    RunOptions { command, detail: Detail::Usual, pictures, progress }
 }
 
 /// A `plm_impact.Outcome`.

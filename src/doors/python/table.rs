@@ -49,14 +49,21 @@ impl Column {
         Ok(Some(interface))
     }
 
-    /// The column as a NumPy array with one axis.
+    /// The different words, and for every row the index of its word; `None` for a column of numbers.
+    fn categories<'py>(&self, py: Python<'py>) -> Option<(Vec<&str>, Bound<'py, PyArray1<i32>>)> {
+        self.words().map(|(words, places)| (words, PyArray1::from_slice(py, places)))
+    }
+
+    /// The column as a read-only NumPy array with one axis. Rows with the same word share one text: 8 bytes a row.
     fn numpy<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let numpy = slf.py().import("numpy")?;
         match slf.get().words() {
             None => numpy.call_method1("asarray", (slf,)),
             Some((words, places)) => {
                 let places = PyArray1::from_slice(slf.py(), places);
-                numpy.call_method1("array", (words, "str"))?.call_method1("take", (places,))
+                let array = numpy.call_method1("array", (words, "object"))?.call_method1("take", (places,))?;
+                array.call_method1("setflags", (false,))?;
+                Ok(array)
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Checks of model and run. Each finding is a warning in the result; with `--strict` it is an error.
 
+mod of_balls;
 mod of_restitution;
 mod of_run;
 
@@ -91,6 +92,7 @@ pub(super) fn warnings(
     let density = (!contact.is_of_a_body()).then_some(sphere.density);
     warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
     warnings.extend(of_half_space(contact.half_space()));
+    warnings.extend(of_balls::of_one_strength(contact, impact));
     warnings.extend(of_rate(contact));
     warnings.extend(of_waves(impact));
     warnings.extend(of_damping(contact, impact));

@@ -1,6 +1,7 @@
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from os import PathLike
-from typing import Any, NoReturn, Protocol, Union, final, overload
+from typing import Any, Final, NoReturn, Protocol, Union, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -65,10 +66,78 @@ class Contact:
 
 @final
 class Impact:
-    restitution: float | None
-    warnings: list[str]
+    restitution: Final[float | None]
+    warnings: Final[list[str]]
     # every other result of summary.json, by its name
-    def __getattribute__(self, name: str, /) -> Any: ...
+    # results: written by a test
+    accuracy: Final[Any]
+    air_loss_fraction: Final[Any]
+    contact_point_restitution: Final[Any]
+    contact_radius_over_R: Final[Any]
+    contact_time_s: Final[Any]
+    dent_depth_m: Final[Any]
+    dent_diameter_m: Final[Any]
+    effective_modulus_Pa: Final[Any]
+    elastic_approach_m: Final[Any]
+    end_indentation_m: Final[Any]
+    end_time_s: Final[Any]
+    energy: Final[Any]
+    flat_depth_m: Final[Any]
+    flat_diameter_m: Final[Any]
+    friction_error: Final[Any]
+    friction_loss_fraction: Final[Any]
+    impulse_ratio: Final[Any]
+    inelasticity: Final[Any]
+    is_outside_law: Final[Any]
+    is_sliding: Final[Any]
+    loading_time_s: Final[Any]
+    outcome: Final[Any]
+    peak_contact_radius_m: Final[Any]
+    peak_force_N: Final[Any]
+    peak_indentation_m: Final[Any]
+    peak_mean_pressure_Pa: Final[Any]
+    peak_sphere_indentation_m: Final[Any]
+    plastic_fraction: Final[Any]
+    plate_displacement_m: Final[Any]
+    plate_loss_fraction: Final[Any]
+    plate_reach_m: Final[Any]
+    plate_thinness: Final[Any]
+    psi_1: Final[Any]
+    psi_2: Final[Any]
+    rate_factor: Final[Any]
+    rate_factor_at_turn: Final[Any]
+    rebound_angle_deg: Final[Any]
+    rebound_height_m: Final[Any]
+    rebound_speed_m_per_s: Final[Any]
+    rebound_spin_rad_per_s: Final[Any]
+    rebound_tangential_speed_m_per_s: Final[Any]
+    recovered_fraction: Final[Any]
+    residual_indentation_m: Final[Any]
+    residual_radius_m: Final[Any]
+    restitution_band: Final[Any]
+    restitution_high: Final[Any]
+    restitution_low: Final[Any]
+    restitution_with_waves: Final[Any]
+    sliding_regime: Final[Any]
+    sphere_compliance: Final[Any]
+    sphere_mass_kg: Final[Any]
+    static_indentation_m: Final[Any]
+    strain_rate_per_s: Final[Any]
+    tangential_restitution: Final[Any]
+    target_speed_m_per_s: Final[Any]
+    target_spin_rad_per_s: Final[Any]
+    target_tangential_speed_m_per_s: Final[Any]
+    terminal_speed_m_per_s: Final[Any]
+    unloading_exponent: Final[Any]
+    unloading_radius_m: Final[Any]
+    verlet: Final[Any]
+    wave_loss_fraction: Final[Any]
+    work: Final[Any]
+    yield_force_N: Final[Any]
+    yield_indentation_m: Final[Any]
+    yield_speed_m_per_s: Final[Any]
+    yields: Final[Any]
+    # end of results
     @property
     def trace(self) -> NDArray[np.void]: ...
     @property
@@ -76,7 +145,8 @@ class Impact:
     def to_dict(self) -> dict[str, Any]: ...
 
 class Table:
-    shape: tuple[int, ...]
+    @property
+    def shape(self) -> tuple[int, ...]: ...
     def __init__(
         self, shape: tuple[int, ...], columns: Mapping[str, Any], keys: Mapping[str, tuple[int, ...]] | None = None
     ) -> None: ...
@@ -98,18 +168,22 @@ class Outcome:
     files: dict[str, bytes]
     warnings: list[str]
     def __init__(self, warnings: list[str], text: str, files: dict[str, bytes], table: Table | None) -> None: ...
-    @property
+    @cached_property
     def summary(self) -> dict[str, Any]: ...
     @property
     def pictures(self) -> dict[str, bytes]: ...
-    @property
+    @cached_property
     def tables(self) -> dict[str, Table]: ...
-    @property
+    @cached_property
     def trace(self) -> NDArray[np.void] | None: ...
 
 def impacts(contact: Contact, /, **keys: ArrayLike) -> Table: ...
 def run(
-    scenario: str | PathLike[str] | Mapping[str, Any], /, *, set: Mapping[str, Any] | None = None
+    scenario: str | PathLike[str] | Mapping[str, Any],
+    /,
+    *,
+    set: Mapping[str, Any] | None = None,
+    pictures: bool = True,
 ) -> Outcome: ...
 def calibrate(
     scenario: str | PathLike[str] | Mapping[str, Any],
@@ -117,6 +191,7 @@ def calibrate(
     /,
     *,
     set: Mapping[str, Any] | None = None,
+    pictures: bool = True,
 ) -> Outcome: ...
 def laws() -> list[dict[str, str]]: ...
 def materials() -> list[dict[str, Any]]: ...

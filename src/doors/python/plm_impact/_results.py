@@ -1,6 +1,7 @@
 """Tables and outcomes: what the functions of the module return."""
 
 import base64
+import functools
 import importlib
 import json
 import math
@@ -17,10 +18,15 @@ class Table:
     """
 
     def __init__(self, shape, columns, keys=None):
-        self.shape = shape
+        self._shape = shape
         self._columns = columns
         # the shape of each key before it was broadcast
         self._shapes = keys or {}
+
+    @property
+    def shape(self):
+        """The shape of the table: that of the keys, broadcast against each other."""
+        return self._shape
 
     def __len__(self):
         return math.prod(self.shape)
@@ -50,16 +56,23 @@ class Table:
         """All columns as one structured NumPy array."""
         import numpy
 
-        columns = self.to_dict()
+        columns = {name: self[name] for name in self}
+        # words as texts of one length, which NumPy writes to a file
+        columns = {name: column.astype(str) if column.dtype == object else column for name, column in columns.items()}
         whole = numpy.empty(self.shape, [(name, column.dtype) for name, column in columns.items()])
         for name, column in columns.items():
             whole[name] = column
         return whole
 
     def to_pandas(self):
-        """The table as a `pandas.DataFrame`, with a row for each case."""
-        columns = {name: column.numpy() for name, column in self._columns.items()}
-        return package("pandas", "to_pandas").DataFrame(columns)
+        """The table as a `pandas.DataFrame`, with a row for each case. Words such as the status are categories."""
+        pandas = package("pandas", "to_pandas")
+
+        def series(column):
+            words = column.categories()
+            return column.numpy() if words is None else pandas.Categorical.from_codes(words[1], words[0])
+
+        return pandas.DataFrame({name: series(column) for name, column in self._columns.items()})
 
     def to_polars(self):
         """The table as a `polars.DataFrame`, with a row for each case, without a copy of its numbers."""
@@ -129,7 +142,11 @@ class Outcome:
     def _ending(self, ending):
         return {name[: -len(ending)]: data for name, data in self.files.items() if name.endswith(ending)}
 
-    @property
+    def __getstate__(self):
+        # what is made from the files is made again
+        return {name: self.__dict__[name] for name in ("warnings", "files", "_text", "_table")}
+
+    @functools.cached_property
     def summary(self):
         """The results: `summary.json` as a dict."""
         return json.loads(self.files["summary.json"])
@@ -139,13 +156,13 @@ class Outcome:
         """The pictures by name, without `.png`."""
         return self._ending(".png")
 
-    @property
+    @functools.cached_property
     def tables(self):
         """The tables by name: `trace`, `impacts`, or the `table` of a sweep or of random cases."""
         tables = {name: _core.table_of_csv(data) for name, data in self._ending(".csv").items()}
         return tables if self._table is None else {**tables, "table": self._table}
 
-    @property
+    @functools.cached_property
     def trace(self):
         """The trace as a structured array; `None` for a scenario without one."""
         trace = self.files.get("trace.csv")

@@ -50,11 +50,38 @@ function list(lines) {
 function pairs(lines) {
   const list = element("dl");
   for (const [name, ...values] of lines) {
-    const parts = values.flatMap((value) => [element("span", value), " "]);
-    const className = LARGE.includes(name) ? "large" : "";
+    const isLarge = LARGE.includes(name);
+    const parts = values.flatMap((value, place) => [...(isLarge ? emphasised(value, place) : [element("span", value)]), " "]);
+    const className = isLarge ? "large" : "";
     list.append(element("dt", { className }, name), " ", element("dd", { className }, ...parts));
   }
   return list;
+}
+
+// A number and its interval are large, and the sentences after them are not.
+function emphasised(value, place) {
+  const end = place === 0 ? value.length : intervalEnd(value);
+  // without a blank between them, as the text has none
+  return [element("span", element("b", value.slice(0, end)), value.slice(end))];
+}
+
+// Where "(0.61 to 0.65" ends at the begin of a text; 0 for another text.
+const intervalEnd = (text) => text.match(/^\([-\d.e]+ to [-\d.e]+\)?/)?.[0].length ?? 0;
+
+/** A line of results with its number and its interval alone. */
+export function shortened(line) {
+  const [name, number, detail = ""] = line.trim().split(/ {2,}/);
+  const interval = detail.slice(0, intervalEnd(detail)).replace(/([^)])$/, "$1)");
+  return [name, number, interval].filter(Boolean).join(" ");
+}
+
+/** The last dent of a slow indentation, or its last force where nothing yields. */
+export function lastStep(text) {
+  const lines = text.split(/\n\n+/)[0].split("\n").map((line) => line.trim().split(/ {2,}/));
+  const first = lines.findIndex(([cell]) => cell === "step");
+  const [head, last] = [lines[first] ?? [], lines.slice(first).filter((cells) => /^\d+$/.test(cells[0])).at(-1) ?? []];
+  const at = Math.max(head.indexOf("dent depth"), head.indexOf("force"));
+  return at < 0 ? "" : `step ${last[0]}: ${head[at]} ${last[at]}`;
 }
 
 function table(head, rows, caption) {

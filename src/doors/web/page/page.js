@@ -8,8 +8,9 @@ import { outdate, showResults } from "./results.js";
 
 const FILE = "scenario.toml";
 const DATA = "calibrate.data";
-// More than this of measurements does not go into a link.
+// More characters of measurements than this do not go into a link.
 const LONGEST = 20000;
+const isTooLong = () => data !== undefined && data.length >= LONGEST;
 
 const at = (id) => document.getElementById(id);
 let text = "";
@@ -60,21 +61,28 @@ function bare(text) {
   return lines.join("\n").replace(/\n{3,}/g, "\n\n").replace(/^\n+/, "");
 }
 
-/** Puts the scenario into the address. The text with all comments stays in the history of this browser. */
+/** Puts the scenario into the address. The text with all comments, and long measurements, stay in the history of this browser. */
 function address() {
   clearTimeout(later);
   const link = new URLSearchParams({ scenario: bare(text) });
-  if (data !== undefined && data.length < LONGEST) link.set("data", data);
-  history.replaceState({ text }, "", `#${link}`);
+  if (data !== undefined && !isTooLong()) link.set("data", data);
+  const kept = isTooLong() ? { text, data } : { text };
+  try {
+    history.replaceState(kept, "", `#${link}`);
+  } catch {
+    // a browser keeps some megabytes at most
+    history.replaceState({ text }, "", `#${link}`);
+  }
 }
 
 /** The scenario of the address, or the one to begin with. */
 function restore() {
   const link = new URLSearchParams(location.hash.slice(1));
   const linked = link.get("scenario");
-  const whole = history.state?.text;
-  data = link.get("data") ?? undefined;
-  take(whole !== undefined && bare(whole) === linked ? whole : linked ?? templates().impact);
+  const { text: whole, data: measured } = history.state ?? {};
+  const isOfThisBrowser = whole !== undefined && bare(whole) === linked;
+  data = link.get("data") ?? (isOfThisBrowser ? measured : undefined);
+  take(isOfThisBrowser ? whole : linked ?? templates().impact);
 }
 
 function done(reply) {
@@ -110,10 +118,11 @@ async function copyLink() {
   address();
   try {
     await navigator.clipboard.writeText(location.href);
-    at("told").textContent = "copied";
+    at("told").textContent = isTooLong() ? "copied without the measurements, which are too long for a link: send their file too" : "copied";
   } catch {
     // a page that is not sent over https has no clipboard, and a user may refuse it
-    at("told").textContent = "The browser does not let the page copy. Copy the link from this field:";
+    const missing = isTooLong() ? " The measurements are too long for a link: send their file too." : "";
+    at("told").textContent = `The browser does not let the page copy. Copy the link from this field:${missing}`;
     Object.assign(at("address"), { hidden: false, value: location.href }).select();
   }
 }

@@ -11,11 +11,14 @@ export const templates = () => JSON.parse(program.init());
 
 // A run that takes longer than this gives way to the next one.
 const PATIENCE = 1000;
+// After so many errors without a reply between them no new worker is made.
+const MAX_FAILURES = 3;
 
 let module;
-let worker;
+let worker = null;
 let begun = null;
 let next = null;
+let failures = 0;
 let tell;
 
 /** Loads the program; `whenDone` is called with the reply to every run. */
@@ -30,7 +33,8 @@ export async function load(whenDone) {
 /** Runs a scenario; `data` are measurements, or nothing. */
 export function run(name, text, data, isNarrow) {
   next = [name, text, data, isNarrow];
-  if (begun !== null && performance.now() - begun > PATIENCE) engage();
+  // what a user asks for after the last failure is one more attempt
+  if (worker === null || (begun !== null && performance.now() - begun > PATIENCE)) engage();
   if (begun === null) send();
 }
 
@@ -39,11 +43,24 @@ function engage() {
   worker?.terminate();
   begun = null;
   worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
-  worker.onmessage = ({ data }) => done(JSON.parse(data));
+  worker.onmessage = ({ data }) => {
+    failures = 0;
+    done(JSON.parse(data));
+  };
   worker.onerror = (event) => {
     event.preventDefault();
-    engage();
-    done({ error: `the program has an error: ${event.message}`, details: {} });
+    failures += 1;
+    // a file that cannot be loaded has no message
+    const error = `the program has an error: ${event.message ?? "its files cannot be loaded; is the server there?"}`;
+    if (failures < MAX_FAILURES) {
+      engage();
+      done({ error, details: {} });
+    } else {
+      worker.terminate();
+      worker = null;
+      begun = next = null;
+      tell({ error: `${error} (${failures} times in a row); load the page again`, details: {} });
+    }
   };
   worker.postMessage(module);
 }

@@ -1,7 +1,7 @@
 // Shows the reply to a run: warnings, numbers, pictures, files.
 
 import { download, element } from "./element.js";
-import { blocks, csvTable } from "./numbers.js";
+import { blocks, csvTable, lastStep, shortened } from "./numbers.js";
 import { picture } from "./picture.js";
 
 const at = (id) => document.getElementById(id);
@@ -30,8 +30,9 @@ export function showResults({ kind, warnings, text, contradiction, files, curve 
   areThere = true;
   // this is what a screen reader says of a change, and what stays in view
   const lines = text.trim().split("\n");
-  const line = lines.find((line) => /^(last )?restitution/.test(line)) ?? (kind === "indentation" ? "" : lines[0]);
-  at("state").textContent = [kind.replace("_", " "), ...line.split(/ {2,}/)].join(" ").trim();
+  const line = lines.find((line) => /^(last )?restitution/.test(line));
+  const short = line ? shortened(line) : kind === "indentation" ? lastStep(text.trim()) : lines[0].split(/ {2,}/).join(" ");
+  at("state").textContent = `${kind.replace("_", " ")} ${short}`.trim();
   at("state").classList.remove("refused");
 }
 
