@@ -129,6 +129,21 @@ impl Error {
         }
     }
 
+    /// Returns the error with another text for each mistake that `text` gives one for: it is asked with the details of the
+    /// mistake and its text.
+    #[must_use]
+    pub fn with_texts(mut self, text: impl Fn(&Details, &str) -> Option<String>) -> Self {
+        if let Some(text) = text(&self.details, &self.text) {
+            self.text = text;
+        }
+        for (also, details) in self.also.iter_mut().zip(&self.details.others) {
+            if let Some(text) = text(details, also) {
+                *also = text;
+            }
+        }
+        self
+    }
+
     /// Returns the error with the file that it is about.
     pub fn about(self, file: impl Display) -> Self {
         self.with(Details { file: Some(file.to_string()), ..Details::default() })

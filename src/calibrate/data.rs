@@ -168,6 +168,10 @@ impl Data {
             Some((known, role, quantity, unit))
         });
         let Some((known, role, quantity, unit)) = fitting.max_by_key(|(known, ..)| known.len()) else {
+            let plain = plain_column(name);
+            if plain != name && self.column(&plain).is_ok() {
+                return Err(format!("unknown column `{name}`, did you mean `{plain}`?"));
+            }
             let names: Vec<&str> = Measured::ALL.iter().map(|one| one.name()).chain(["speed", "drop_height"]).collect();
             return Err(format!("unknown column `{name}`{}", did_you_mean(base, names, '`', &all())));
         };
@@ -254,7 +258,11 @@ impl Data {
 impl DataColumn {
     fn read(&self, field: &str) -> Result<f64, String> {
         let number: f64 = field.parse().map_err(|_| {
-            let hint = if field.contains(',') { "; write a decimal point, not a comma" } else { "" };
+            let hint = match (field.contains(','), field.contains('.')) {
+                (true, true) => "; write no sign between thousands, such as 1000.5 or 1000,5",
+                (true, false) => "; write a decimal point, not a comma",
+                _ => "",
+            };
             format!("\"{field}\" is no number{hint}")
         })?;
         let value = if self.unit.is_empty() {
@@ -264,6 +272,14 @@ impl DataColumn {
         };
         self.quantity.check(value)
     }
+}
+
+/// A name such as "Drop height (mm)" as a column of this program is called: "drop_height_mm".
+fn plain_column(name: &str) -> String {
+    let (words, unit) = name.split_once(['(', '[']).map_or((name, ""), |(words, unit)| (words, unit));
+    let unit = unit.trim_end_matches([')', ']', ' ']).replace('/', "_per_");
+    let words = words.trim().to_lowercase().replace([' ', '-'], "_");
+    if unit.is_empty() { words } else { format!("{words}_{unit}") }
 }
 
 /// The names that columns may have, for messages.

@@ -15,6 +15,8 @@ const LIGHT: f64 = 100.0;
 const LARGE: f64 = 1.0;
 /// Strengths that are a larger share of Young's modulus get a warning; whiskers without a flaw reach a tenth.
 const HIGH: f64 = 0.1;
+/// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber has more.
+pub(super) const SOFT: f64 = 1e5;
 
 /// How far e is too high by the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
 pub const TOO_HIGH: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
@@ -172,9 +174,16 @@ fn of_body(
     let modulus = material.youngs_modulus;
     let high = strength.filter(|strength| *strength > HIGH * modulus).map(|strength| {
         let [given, modulus_text] = [strength, modulus].map(|pressure| human(pressure, Dimension::Pressure));
-        let text = format!(
-            "{table}.yield_strength = {given} is more than a tenth of Young's modulus, {modulus_text}, which hardly any solid reaches: check the units"
-        );
+        let text = if modulus < SOFT {
+            // the number that is wrong is the modulus
+            format!(
+                "{table}.youngs_modulus = {modulus_text} is softer than any solid body with a yield strength, here {given}: check the unit, such as \"210 GPa\""
+            )
+        } else {
+            format!(
+                "{table}.yield_strength = {given} is more than a tenth of Young's modulus, {modulus_text}, which hardly any solid reaches: check the units"
+            )
+        };
         Warning::new(WarningKind::HighStrength, strength / modulus, text)
     });
     let light = density.filter(|density| *density < LIGHT).map(|density| {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::bodies::SOFT;
 use super::error::ImpactError;
 use super::forces::Forces;
 use super::plate::{LoadedPlate, PlateError};
@@ -239,7 +240,12 @@ impl Contact {
         if indentation > radius || is_too_wide {
             let softer = self.pair.yield_point.map(|point| point.flow.is_sphere);
             let yield_strength = self.half_space.yield_strength.filter(|_| softer == Some(false));
-            return Err(ImpactError::TooDeep { indentation, contact_radius, radius, yield_strength });
+            let moduli = [("sphere", self.sphere.material), ("half_space", self.half_space.material)];
+            let soft = moduli.map(|(table, material)| (table, material.youngs_modulus)).into_iter();
+            // a strength above the modulus is no reason to doubt the strength
+            let least = yield_strength.unwrap_or(0.0).max(SOFT);
+            let soft_modulus = soft.filter(|(_, modulus)| *modulus < least).min_by(|a, b| a.1.total_cmp(&b.1));
+            return Err(ImpactError::TooDeep { indentation, contact_radius, radius, yield_strength, soft_modulus });
         }
         Ok(contact_radius)
     }

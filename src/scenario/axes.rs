@@ -15,7 +15,7 @@ use crate::scenario::scene::read::{Fault, Reader, count, items, list, named, num
 use crate::scenario::scene::words::{AXIS_OF_LAWS, DRAWN, MATERIALS, METHODS, SCALES};
 use crate::scenario::scene::written::{Name, Node, described};
 use crate::scenario::scene::{Body, BodyMaterial, KEYS, Key, Quantity};
-use crate::units::did_you_mean;
+use crate::units::{did_you_mean, known_names};
 
 /// The keys that are axes of words.
 pub(super) const METHOD: &str = "solver.method";
@@ -212,7 +212,7 @@ fn known(name: &Name, has_words: bool) -> Result<&'static Key, Fault> {
     }
     let paths = || KEYS.iter().map(|key| key.path);
     let dotted = format!("{path}.");
-    let all = format!("numeric keys are {}", paths().collect::<Vec<_>>().join(", "));
+    let all = known_names(path, &paths().collect::<Vec<_>>(), "numeric keys");
     let hint = match paths().find(|known| known.starts_with(&dotted)) {
         Some(inner) => format!("; write the whole key in quotes, such as \"{inner}\" = ...; {all}"),
         None => did_you_mean(

@@ -12,6 +12,7 @@ use toml::de::{DeTable, DeValue};
 use super::edit::{self, Change};
 use super::mark::{Mark, shortened};
 use super::reference::{allowed, missing};
+use super::syntax::syntax_message;
 use crate::error::{Details, Error, ErrorKind};
 use crate::scenario::scene::read::Fault;
 use crate::scenario::scene::tables::is_at_or_below;
@@ -118,7 +119,8 @@ impl Document {
         let mut document =
             Self { name, edited: text.clone(), text, overrides, places: Places::new(), in_file: Places::new() };
         let refuse = |span: Option<Range<usize>>, message: &str| {
-            document.error_at(span.map(Location::File), "", &message.trim_end().replace('\n', "; "))
+            let message = syntax_message(&document.text, span.as_ref(), message);
+            document.error_at(span.map(Location::File), "", &message)
         };
         let in_file = places(&document.text).map_err(|error| refuse(error.span(), error.message()))?;
         if changes.is_empty() {

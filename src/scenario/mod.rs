@@ -20,6 +20,7 @@ pub mod scene;
 pub mod schema;
 mod source;
 mod sweep;
+mod syntax;
 mod varied;
 
 use std::collections::BTreeMap;

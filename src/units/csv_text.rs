@@ -54,7 +54,13 @@ impl<'t> CsvText<'t> {
             }
             Err(error) => {
                 let line = error.position().map(|position| line_at(text, position));
-                Err((line, format!("this line has not as many values as there are columns ({})", header.len())))
+                let hint = if decimals.is_some() {
+                    ""
+                } else {
+                    ". If the numbers have decimal commas, write semicolons between the columns, in the first line too"
+                };
+                let count = header.len();
+                Err((line, format!("this line has not as many values as there are columns ({count}){hint}")))
             }
         })
     }

@@ -41,6 +41,18 @@ fn rounded(value: f64, dimension: Dimension, digits: usize) -> String {
     in_suitable_unit(rounded.parse().unwrap_or(value), &rounded, dimension)
 }
 
+/// Values of one kind in one unit, which suits most of them, to four digits: "100 mm", "2000 mm".
+pub fn quantities(values: &[f64], dimension: Dimension) -> Vec<String> {
+    let sizes = || values.iter().map(|value| value.abs()).filter(|size| *size > 0.0 && size.is_finite());
+    let (low, high) = sizes().fold((f64::INFINITY, 0.0_f64), |(low, high), size| (low.min(size), high.max(size)));
+    let middle = if high > 0.0 { low.sqrt() * high.sqrt() } else { 0.0 };
+    let text = |value: &f64| {
+        let rounded = format!("{value:.3e}");
+        in_unit_of(middle, &rounded, dimension).unwrap_or_else(|| si(rounded.parse().unwrap_or(*value), dimension))
+    };
+    values.iter().map(text).collect()
+}
+
 /// A share as a percentage, "37.74 %".
 pub fn percent(share: f64) -> String {
     format!("{} %", four_digits(100.0 * share))
@@ -51,21 +63,24 @@ pub fn exact(value: f64, dimension: Dimension) -> String {
     in_suitable_unit(value, &format!("{value:e}"), dimension)
 }
 
-/// A number as text with an exponent, in a suitable unit. The exponent is changed in the text, so that no digit changes.
+/// A number as text with an exponent, in a suitable unit.
 fn in_suitable_unit(value: f64, scientific: &str, dimension: Dimension) -> String {
+    in_unit_of(value, scientific, dimension).unwrap_or_else(|| si(value, dimension))
+}
+
+/// A number as text with an exponent, in the unit that suits this size; `None` without such a unit. The exponent is changed in
+/// the text, so that no digit changes.
+fn in_unit_of(size: f64, scientific: &str, dimension: Dimension) -> Option<String> {
     let shown = || {
         dimension.units().filter(|unit| unit.is_shown).filter_map(|unit| match unit.scale {
             Scale::Ten(power) => Some((unit.name, power)),
             Scale::Times(_) | Scale::Over(_) => None,
         })
     };
-    let fits = |&(_, power): &(&str, i32)| value.abs() >= powi(10_f64, power);
-    let suitable = shown().filter(fits).last().or_else(|| shown().next()).filter(|_| value != 0.0);
-    let text = suitable.and_then(|(name, power)| {
-        let (digits, exponent) = scientific.split_once('e')?;
-        Some(format!("{} {name}", written(digits, exponent.parse::<i32>().ok()? - power)))
-    });
-    text.unwrap_or_else(|| si(value, dimension))
+    let fits = |&(_, power): &(&str, i32)| size.abs() >= powi(10_f64, power);
+    let (name, power) = shown().filter(fits).last().or_else(|| shown().next()).filter(|_| size != 0.0)?;
+    let (digits, exponent) = scientific.split_once('e')?;
+    Some(format!("{} {name}", written(digits, exponent.parse::<i32>().ok()? - power)))
 }
 
 /// Digits with a point behind the first, times ten to this power, as [`number`] writes it.

@@ -18,7 +18,7 @@ mod table;
 
 pub use aligned::{aligned, markdown};
 pub use dimension::Dimension;
-pub use format::{capital, describe, exact, four_digits, human, number, percent, quantity, si};
-pub use names::did_you_mean;
+pub use format::{capital, describe, exact, four_digits, human, number, percent, quantities, quantity, si};
 pub(crate) use names::named;
+pub use names::{did_you_mean, known_names};
 pub use parse::{parse, parse_as};

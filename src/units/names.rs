@@ -56,12 +56,66 @@ fn related<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
     candidates.iter().filter(is_like).copied().collect()
 }
 
+/// Other words of the field for names of keys and tables: the word, and the name in a scenario.
+const SYNONYMS: [(&str, &str); 21] = [
+    ("velocity", "speed"),
+    ("v", "speed"),
+    ("height", "drop_height"),
+    ("ball", "sphere"),
+    ("particle", "sphere"),
+    ("plate", "half_space"),
+    ("wall", "half_space"),
+    ("target", "half_space"),
+    ("block", "half_space"),
+    ("substrate", "half_space"),
+    ("e", "youngs_modulus"),
+    ("modulus", "youngs_modulus"),
+    ("elastic_modulus", "youngs_modulus"),
+    ("nu", "poissons_ratio"),
+    ("poisson", "poissons_ratio"),
+    ("rho", "density"),
+    ("r", "radius"),
+    ("d", "diameter"),
+    ("strength", "yield_strength"),
+    ("yield_stress", "yield_strength"),
+    ("mu", "coefficient"),
+];
+
+/// The candidate for which the word is another name; [`SYNONYMS`].
+fn synonym<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let lower = word.to_lowercase();
+    let (_, name) = SYNONYMS.into_iter().find(|(other, _)| *other == lower)?;
+    candidates.iter().copied().find(|candidate| *candidate == name)
+}
+
+/// Longer lists of names are not printed whole in a message.
+const LONGEST_LIST: usize = 16;
+/// The names of a longer list that are printed.
+const NEAREST: usize = 5;
+
+/// Which names there are, for the end of a message about an unknown word: all of a short list, the nearest of a long one.
+/// `kind` is the name of several of them.
+pub fn known_names(word: &str, names: &[&str], kind: &str) -> String {
+    if names.len() <= LONGEST_LIST {
+        return format!("{kind} are {}", names.join(", "));
+    }
+    let lower = word.to_lowercase();
+    let ends = |name: &str| name.rsplit('.').next().unwrap_or(name).to_lowercase();
+    // a key without its table is near to the key with it
+    let distance =
+        |name: &str| strsim::osa_distance(&lower, &name.to_lowercase()).min(strsim::osa_distance(&lower, &ends(name)));
+    let mut sorted = names.to_vec();
+    sorted.sort_by_key(|name| distance(name));
+    format!("the nearest of {} {kind} are {}", names.len(), sorted[..NEAREST].join(", "))
+}
+
 /// The end of a message about an unknown word. If some known words are like it, it names them: ", did you mean `plm`? Laws are
 /// plm, hertz", or ", did you mean one of `steel-s235`, `steel-s355`?". Else `rest` says what there is: "; laws are plm, hertz".
 pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char, rest: &str) -> String {
     let candidates: Vec<&str> = candidates.into_iter().collect();
     let some = related(word, &candidates);
-    match (nearest(word, candidates.iter().copied()), &some[..]) {
+    let near = synonym(word, &candidates).or_else(|| nearest(word, candidates.iter().copied()));
+    match (near, &some[..]) {
         (Some(near), _) | (None, &[near]) => format!(", did you mean {mark}{near}{mark}? {}", capital(rest)),
         (None, []) => format!("; {rest}"),
         (None, some) => {

@@ -97,7 +97,7 @@ fn almost_a_megabyte_is_read_or_refused_in_few_words() {
     let refused = |text: &str, wants: &[&str]| assert_refused(&Desk::with(text), &["check", "s.toml"], wants);
     let long_line = "x".repeat(SIZE);
     refused(&long_line, &["s.toml:1:"]);
-    refused(&"sped = 3\n".repeat(SIZE / 9), &["s.toml:2:1", "duplicate"]);
+    refused(&"sped = 3\n".repeat(SIZE / 9), &["s.toml:2:1", "`sped` is there twice, first in line 1"]);
     // of such a long value or key only both ends are shown
     let digits = STEEL.replace("\"3 m/s\"", &format!("\"{} m/s\"", "3".repeat(SIZE)));
     refused(&digits, &["s.toml:18:9: impact.speed: \"333", "> 0 m/s and finite"]);

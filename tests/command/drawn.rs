@@ -130,7 +130,8 @@ impl Drawn {
         let labels_at = below.iter().map(|node| number(*node, "y")).fold(f64::INFINITY, f64::min);
         let (labels, titles): (Vec<Node>, Vec<Node>) = below.iter().partition(|node| number(**node, "y") == labels_at);
         let labels: Vec<(f64, String)> = labels.iter().map(|node| (number(*node, "x"), words(*node))).collect();
-        Scale::of(&labels, &words(titles[0]))
+        // a title that is longer than its box has two rows
+        Scale::of(&labels, &titles.iter().map(|title| words(*title)).collect::<Vec<_>>().join(" "))
     }
 
     /// The vertical scale, whose labels stand left of the box, or left of the box that is beside it.

@@ -211,7 +211,7 @@ fn pictures_are_those_that_are_chosen() {
     // names alone: a column for each, with its value
     assert_eq!(run("[sweep]\nlaw = \"all\"\n"), ["restitution.svg"]);
     let (columns, table) = (desk.read("o/restitution.svg"), desk.read("o/table.csv"));
-    for law in ["plm", "thornton", "stronge", "kogut_etsion"] {
+    for law in ["PLM", "Thornton", "Stronge", "Kogut–Etsion"] {
         assert!(columns.contains(law), "{law}");
     }
     for e in numbers(&table, "restitution").into_iter().filter(|e| e.is_finite()) {
@@ -219,7 +219,7 @@ fn pictures_are_those_that_are_chosen() {
     }
     // with three digits over it, and its place below it and in the key
     let texts: Vec<&str> = columns.lines().map(str::trim).collect();
-    for text in ["0.491", "1.00", "1\u{a0}plm", "12\u{a0}johnson", "1", "12"] {
+    for text in ["0.491", "1.00", "1\u{a0}PLM", "12\u{a0}Johnson", "1", "12"] {
         assert!(texts.contains(&text), "{text}: {columns}");
     }
     // an elastic law leaves no dent: an empty place

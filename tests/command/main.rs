@@ -24,7 +24,9 @@ mod licences;
 mod marks;
 mod material_keys;
 mod materials;
+mod other_pictures;
 mod picture_numbers;
+mod picture_words;
 mod pictures;
 mod plots;
 #[cfg(unix)]

@@ -96,11 +96,11 @@ fn the_line_below_the_title_names_the_body_that_yields() {
         let desk = Desk::with(text.replace("[half_space]", &format!("yield_strength = \"{sphere}\"\n[half_space]")));
         desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
         let picture = desk.read("o/force_indentation.svg");
-        picture.lines().find(|line| line.contains("law plm")).unwrap().trim().to_owned()
+        picture.lines().find(|line| line.contains("law PLM")).unwrap().trim().to_owned()
     };
     let steel = "sphere R 5 mm, E 210 GPa";
     let of =
-        |sphere: &str, half_space: &str| format!("{steel}{sphere}; half-space E 210 GPa{half_space}; law plm, n = 3/2");
+        |sphere: &str, half_space: &str| format!("{steel}{sphere}; half-space E 210 GPa{half_space}; law PLM, n = 3/2");
     assert_eq!(yields("345 MPa", "800 MPa"), of(", yields at 345 MPa", ""));
     assert_eq!(yields("800 MPa", "345 MPa"), of("", ", yields at 345 MPa"));
     assert_eq!(yields("345 MPa", "350 MPa"), of(", yields at 345 MPa", ", yields at 350 MPa"));

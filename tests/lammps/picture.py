@@ -1,4 +1,4 @@
-"""Draws plots/lammps/rain.png from a run of LAMMPS: python tests/lammps/picture.py (needs matplotlib and lmp with the plug-in)."""
+"""Draws plots/lammps/rain.png, and notes its numbers, from a run of LAMMPS: python tests/lammps/picture.py (needs matplotlib and lmp with the plug-in)."""
 
 import os
 import tempfile
@@ -41,6 +41,10 @@ def main() -> None:
     left.legend(frameon=False)
     left.grid(alpha=0.3)
     figure.savefig(ROOT / "plots/lammps/rain.png")
+    # tests/command/other_pictures.rs compares these numbers with those of the program
+    lines = [f"{speed:g},{float(closed_form().restitution(speed)):.6g}" for speed in (1.0, 2.0, 3.0, 4.0)]
+    table = ROOT / "tests/reference/rain_picture.csv"
+    table.write_text("\n".join(["speed_m_per_s,restitution", *lines, ""]))
 
 
 if __name__ == "__main__":

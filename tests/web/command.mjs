@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
-const ROOT = resolve(import.meta.dirname, "../..");
+export const ROOT = resolve(import.meta.dirname, "../..");
 export const SCENARIOS = join(ROOT, "scenarios");
 export const PAGE = join(ROOT, "target/web-test");
 // where cargo builds: target, or what a variable or a configuration file says

@@ -1,10 +1,11 @@
 // The page in a browser: what a user sees follows from what a user does, and the numbers are those of the command.
 
 import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, test } from "node:test";
 
-import { FIRST, SCENARIOS, call, read, runByCommand } from "./command.mjs";
+import { FIRST, ROOT, SCENARIOS, call, read, runByCommand } from "./command.mjs";
 import { LINKED, SHOWN, agrees, cells, choose, end, field, isSeen, open, page, site, text, valueOf } from "./open.mjs";
 
 after(end);
@@ -18,6 +19,18 @@ test("the first page shows the first scenario of `init`", async () => {
   assert.equal(await text(), call("init", "impact", "--out", "-").stdout);
   assert.equal(await valueOf("sphere.radius"), "5 mm");
   for (const name of ["force-indentation", "history", "restitution"]) assert.match(await picture(name), /<polyline/);
+});
+
+// tests/command/other_pictures.rs compares the noted numbers with those of the program
+test("UPDATE=1 draws src/doors/web/page.png and notes its numbers", { skip: process.env.UPDATE !== "1" }, async () => {
+  await page.look(1300, 880, false);
+  await open();
+  await agrees(runByCommand(...FIRST).stdout);
+  writeFileSync(join(ROOT, "src/doors/web/page.png"), await page.picture());
+  const summary = JSON.parse(runByCommand(...FIRST).files["summary.json"]);
+  const names = ["restitution", "contact_time_s", "peak_force_N", "residual_indentation_m"];
+  const lines = ["result,value", ...names.map((name) => `${name},${summary[name]}`), ""];
+  writeFileSync(join(ROOT, "tests/reference/page_picture.csv"), lines.join("\n"));
 });
 
 test("a changed speed changes number, pictures, text and address", async () => {

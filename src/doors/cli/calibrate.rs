@@ -7,7 +7,7 @@ use plm_impact::error::Error;
 use plm_impact::scenario::scene::words::LAWS;
 
 use super::output::Output;
-use super::scenario::ScenarioArguments;
+use super::scenario::{ScenarioArguments, at_options};
 use super::terminal::other;
 
 /// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
@@ -56,12 +56,36 @@ pub struct Arguments {
 }
 
 pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
-    let scenario = arguments.scenario.load_with(&arguments.settings()?)?;
-    scenario.wanted()?;
+    let scenario = arguments.scenario.load_with(&arguments.settings()?).map_err(|error| at_options(error, &OPTIONS))?;
+    scenario.wanted().map_err(|error| at_options(error, &OPTIONS))?;
     arguments.output.once(arguments.scenario.name(), scenario)
 }
 
+/// The keys of the scenario that options give, in the order of [`Arguments::numbers`].
+const OPTIONS: [(&str, &str); 7] = [
+    ("calibrate.measured.restitution", "--restitution"),
+    ("calibrate.measured.rebound_speed", "--rebound-speed"),
+    ("calibrate.measured.rebound_height", "--rebound-height"),
+    ("calibrate.measured.leeb", "--leeb"),
+    ("calibrate.measured.dent_diameter", "--dent-diameter"),
+    ("impact.speed", "--speed"),
+    ("impact.drop_height", "--drop-height"),
+];
+
 impl Arguments {
+    /// The values of [`OPTIONS`].
+    fn numbers(&self) -> [&Option<String>; 7] {
+        [
+            &self.restitution,
+            &self.rebound_speed,
+            &self.rebound_height,
+            &self.leeb,
+            &self.dent_diameter,
+            &self.speed,
+            &self.drop_height,
+        ]
+    }
+
     /// The options as keys of the scenario.
     fn settings(&self) -> Result<Vec<String>, Error> {
         let mut settings = Vec::new();
@@ -70,15 +94,7 @@ impl Arguments {
             let path = absolute(data).map_err(other(data.display()))?;
             settings.push(format!("calibrate.data={}", quoted(&path.to_string_lossy())));
         }
-        let numbers = [
-            ("calibrate.measured.restitution", &self.restitution),
-            ("calibrate.measured.rebound_speed", &self.rebound_speed),
-            ("calibrate.measured.rebound_height", &self.rebound_height),
-            ("calibrate.measured.leeb", &self.leeb),
-            ("calibrate.measured.dent_diameter", &self.dent_diameter),
-            ("impact.speed", &self.speed),
-            ("impact.drop_height", &self.drop_height),
-        ];
+        let numbers: Vec<_> = OPTIONS.iter().zip(self.numbers()).map(|((key, _), value)| (key, value)).collect();
         settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
         if self.all_laws {
             // under the law of Hertz nothing yields

@@ -76,14 +76,14 @@ pub struct Arguments {
 
 pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     let text = arguments.scenario();
-    let scenario = Scenario::from_text("the options of drop", &text, &[])?;
+    let scenario = Scenario::from_text("the options of drop", &text, &[]).map_err(at_options)?;
     let options = RunOptions {
         command: &super::output::command_line(),
         detail: Detail::Brief,
         pictures: Pictures::None,
         progress: &Counter::default(),
     };
-    let outcome = super::output::outcome(&scenario, &options)?;
+    let outcome = super::output::outcome(&scenario, &options).map_err(at_options)?;
     super::output::warn(&outcome.warnings);
     refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
     if arguments.json {
@@ -92,6 +92,29 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
         super::terminal::print(&outcome.text)?;
     }
     arguments.save.as_ref().map_or(Ok(()), |path| write_new(path, &text, "--save"))
+}
+
+/// The keys of the scenario that options give.
+const OPTIONS: [(&str, &str); 10] = [
+    ("sphere.material", "--ball"),
+    ("sphere.diameter", "--diameter"),
+    ("half_space.material", "--on"),
+    ("half_space.thickness", "--thickness"),
+    ("half_space.yield_strength", "--strength"),
+    ("half_space.hardness", "--hardness"),
+    ("impact.drop_height", "--from"),
+    ("impact.speed", "--speed"),
+    ("impact.angle", "--angle"),
+    ("friction.coefficient", "--friction"),
+];
+
+/// The error with options in place of lines and keys of the scenario, which nobody wrote.
+fn at_options(error: Error) -> Error {
+    error.with_texts(|details, _| {
+        let (key, message) = (details.key.as_deref()?, details.message.as_deref()?);
+        let option = OPTIONS.into_iter().find(|(path, _)| *path == key).map(|(_, option)| option);
+        Some(format!("{}: {message}", option.unwrap_or("the options of drop")))
+    })
 }
 
 impl Arguments {

@@ -4,7 +4,7 @@ use clap::Args;
 use plm_impact::contact::materials::{MaterialEntry, all, find};
 use plm_impact::error::Error;
 use plm_impact::report::text::materials::{data, has, list, one};
-use plm_impact::units::did_you_mean;
+use plm_impact::scenario::scene::words::unknown_material;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
 #[derive(Debug, Args)]
@@ -25,9 +25,7 @@ pub fn materials(Arguments { name, json }: &Arguments) -> Result<(), Error> {
     let found: Vec<&MaterialEntry> =
         exact.map_or_else(|| all().iter().filter(|entry| has(entry, name)).collect(), |one| vec![one]);
     if found.is_empty() {
-        let names: Vec<&str> = all().iter().map(|entry| entry.name.as_str()).collect();
-        let known = format!("materials are {}", names.join(", "));
-        let text = format!("unknown material \"{name}\"{}", did_you_mean(name, names, '"', &known));
+        let text = format!("unknown material \"{name}\"{}", unknown_material(name));
         return Err(Error::input(text));
     }
     if *json {

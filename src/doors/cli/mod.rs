@@ -20,10 +20,11 @@ mod watched;
 
 use std::path::Path;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use plm_impact::error::Error;
 use plm_impact::report::text::laws::{data, list};
+use plm_impact::scenario::scene::EVERY_KEY;
 use plm_impact::scenario::schema::schema;
 use terminal::ErrorFormat;
 
@@ -122,8 +123,24 @@ fn parse() -> Result<Cli, Error> {
             let file = file.to_string_lossy();
             return Error::input(format!("no command is given for {file}; write `plm-impact run {file}`"));
         }
-        error.exit()
+        match option_of_key(&error) {
+            Some(text) => Error::input(text),
+            None => error.exit(),
+        }
     })
+}
+
+/// The message about an option that is unknown, but has the name of a key of a scenario.
+fn option_of_key(error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::String(option)) = error.get(ContextKind::InvalidArg) else { return None };
+    if error.kind() != ErrorKind::UnknownArgument || error.get(ContextKind::SuggestedArg).is_some() {
+        return None;
+    }
+    let name = option.strip_prefix("--")?.split('=').next()?.replace('-', "_");
+    let ends = |path: &str| path == name || path.rsplit_once('.').is_some_and(|(_, last)| last == name);
+    let keys = || EVERY_KEY.iter().map(|key| key.path).chain(["law"]).filter(|path| ends(path));
+    let settings: Vec<String> = keys().map(|path| format!("--set {path}=VALUE")).collect();
+    (!settings.is_empty()).then(|| format!("the option {option} is not known. Write {}", settings.join(" or ")))
 }
 
 #[cfg(test)]

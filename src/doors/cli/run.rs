@@ -8,7 +8,7 @@ use plm_impact::report::run::Outcome;
 use serde_json::Value;
 
 use super::output::Output;
-use super::scenario::ScenarioArguments;
+use super::scenario::{ScenarioArguments, at_options};
 
 /// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
 #[derive(Debug, Args)]
@@ -71,7 +71,9 @@ fn refuse_same_names(files: &[ScenarioArguments]) -> Result<(), Error> {
 /// Runs one of the files.
 fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
     let speed = arguments.speed.as_ref().map(|speed| format!("impact.speed={speed}"));
-    let mut scenario = file.load_with(speed.as_slice())?;
+    let options = [("impact.speed", "--speed")];
+    let mut scenario =
+        file.load_with(speed.as_slice()).map_err(|error| at_options(error, &options[..speed.iter().len()]))?;
     let kind = scenario.kind()?;
     if kind.is_table() {
         return super::sweep::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);

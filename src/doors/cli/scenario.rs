@@ -26,6 +26,16 @@ pub fn write_new(path: &Path, text: &str, option: &str) -> Result<(), Error> {
     Ok(())
 }
 
+/// The error with the options that give keys of the scenario, in place of the `--set` that the program made of them.
+pub fn at_options(error: Error, options: &[(&str, &str)]) -> Error {
+    error.with_texts(|_, text| {
+        let rest = text.strip_prefix("--set ")?;
+        let (option, rest) =
+            options.iter().find_map(|(key, option)| Some((option, rest.strip_prefix(key)?.strip_prefix('=')?)))?;
+        Some(format!("{option} {rest}"))
+    })
+}
+
 /// A scenario and what the command line changes in it.
 #[derive(Debug, Clone, Args)]
 pub struct ScenarioArguments {

@@ -38,12 +38,14 @@ pub struct Axis {
     pub scale: Scale,
     /// Lower and upper end, in the unit of the values; `None` to fit them to the data.
     pub range: Option<(f64, f64)>,
+    /// The value whose prefix the unit has; `None` for the prefix that fits the range.
+    pub prefix_of: Option<f64>,
 }
 
 impl Axis {
     /// A linear axis of values in a unit. Labels in an SI unit have a fitting prefix, such as µm for small lengths.
     pub fn linear(title: &str, unit: &str) -> Self {
-        Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, range: None }
+        Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, range: None, prefix_of: None }
     }
 
     /// True if the unit takes a prefix: it is none of these, and has none yet.
@@ -72,6 +74,11 @@ impl Axis {
         self
     }
 
+    /// Returns the axis with the prefix of this value, such as that of another axis of the same unit.
+    pub fn with_prefix_of(self, value: f64) -> Self {
+        Self { prefix_of: Some(value), ..self }
+    }
+
     /// The axis with range and prefix fitted to these values.
     pub(super) fn fitted(&self, values: impl IntoIterator<Item = f64>) -> FittedAxis {
         let is_log = self.scale == Scale::Log;
@@ -83,6 +90,7 @@ impl Axis {
         });
         let prefix = match self.scale {
             _ if !self.takes_prefix() => Prefix::for_value(1.0),
+            _ if self.prefix_of.is_some() => Prefix::for_value(self.prefix_of.unwrap_or(1.0)),
             Scale::Linear | Scale::Count => Prefix::for_value(low.abs().max(high.abs())),
             // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
             Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::for_value(1.0),
@@ -167,29 +175,55 @@ impl FittedAxis {
         self.factor * self.scale.back(low + share * (high - low))
     }
 
+    pub(super) fn is_logarithmic(&self) -> bool {
+        self.scale == Scale::Log
+    }
+
     fn share(&self, value: f64) -> f64 {
         let (low, high) = (self.scale.scaled(self.low), self.scale.scaled(self.high));
         (self.scale.scaled(value) - low) / (high - low)
     }
 
-    /// Ticks from low to high, with about `wanted` labels, and at least four.
-    pub(super) fn ticks(&self, wanted: f64) -> Vec<Tick> {
+    /// Ticks from low to high on an axis of this length \[px\], with labels about `distance` apart, at least four if
+    /// they have room. `extent` is the length that a label takes along the axis: labels do not overlap.
+    ///
+    /// A logarithmic axis of more than a decade has labels at 1, 2, 3 or 5 times a power of ten; an axis of less than a
+    /// decade may have the even steps of a linear axis.
+    pub(super) fn ticks(&self, length: f64, distance: f64, extent: impl Fn(&str) -> f64) -> Vec<Tick> {
         if self.scale == Scale::Count {
             return self.inside(counted(self.low, self.high));
         }
-        let wanted = wanted.max(FEWEST);
-        let is_short = self.scale == Scale::Linear || self.high / self.low < 3.0;
-        let of_log =
-            DIGITS.into_iter().filter(|_| !is_short).map(|digits| log_ticks(self.low, self.high, wanted, digits));
-        let of_linear = [1.0, 1.5, 2.0, 3.0].into_iter().map(|more| linear_ticks(self.low, self.high, more * wanted));
-        let mut ticks = Vec::new();
-        for values in of_log.chain(of_linear) {
-            ticks = self.inside(values);
-            if ticks.iter().filter(|tick| tick.label.is_some()).count() as f64 >= FEWEST {
+        let wanted = (length / distance).max(FEWEST);
+        let (mut best, mut most) = (Vec::new(), 0.0);
+        for values in self.candidates(wanted) {
+            let ticks = self.inside(values);
+            let labels: Vec<(f64, f64)> =
+                ticks.iter().filter_map(|tick| Some((length * tick.at, extent(tick.label.as_deref()?)))).collect();
+            let overlap = labels.windows(2).any(|pair| pair[1].0 - pair[0].0 < 0.5 * (pair[0].1 + pair[1].1));
+            let count = labels.len() as f64;
+            if count > most && (!overlap || count < 2.0) {
+                (best, most) = (ticks, count);
+            }
+            if most >= FEWEST {
                 break;
             }
         }
-        ticks
+        best
+    }
+
+    /// Sets of ticks, the preferred one first.
+    fn candidates(&self, wanted: f64) -> impl Iterator<Item = Vec<(f64, Option<String>)>> {
+        let (low, high) = (self.low, self.high);
+        let is_log = self.scale == Scale::Log;
+        let (is_short, is_long) = (!is_log || high / low < 3.0, is_log && high / low > 10.0);
+        let every = if is_short { 0 } else { decades_between_labels(low, high, wanted) };
+        // labels closer together, as far as to every decade, and then more labels in each decade
+        let of_decades = (1..=every).rev().map(move |every| log_ticks(low, high, every, &[1]));
+        let digits = DIGITS.into_iter().filter(move |_| !is_short);
+        let of_digits = digits.map(move |digits| log_ticks(low, high, 1, digits));
+        let shares = LINEAR_COUNTS.into_iter().filter(move |_| !is_long);
+        let of_linear = shares.map(move |share| linear_ticks(low, high, share * wanted));
+        of_decades.chain(of_digits).chain(of_linear)
     }
 
     /// The ticks that lie on the axis.
@@ -205,8 +239,17 @@ impl FittedAxis {
 
 /// Smallest number of labels of an axis.
 const FEWEST: f64 = 4.0;
-/// Digits that have a label on a logarithmic axis, from long axes to short ones.
-const DIGITS: [&[i32]; 3] = [&[1], &[1, 3], &[1, 2, 5]];
+/// Digits that have a label on a logarithmic axis of few decades, from long axes to short ones.
+const DIGITS: [&[i32]; 2] = [&[1, 3], &[1, 2, 5]];
+/// Numbers of steps of a linear axis over the wanted number of labels, in the order in which they are tried. Long labels
+/// have room for fewer steps.
+const LINEAR_COUNTS: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 0.6, 0.3];
+
+/// Decades from label to label, so that about this number of labels is on the axis.
+#[allow(clippy::cast_possible_truncation)] // a few hundred decades
+fn decades_between_labels(low: f64, high: f64, wanted: f64) -> i32 {
+    ((log10(high) - log10(low)) / wanted).ceil().max(1.0) as i32
+}
 
 /// A tick for every whole number between these, and for both ends if there are fewer than three: two labels are no scale.
 #[allow(clippy::cast_possible_truncation)] // a handful
@@ -242,10 +285,8 @@ fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> 
 }
 
 #[allow(clippy::cast_possible_truncation)] // exponents
-fn log_ticks(low: f64, high: f64, wanted: f64, labelled: &[i32]) -> Vec<(f64, Option<String>)> {
+fn log_ticks(low: f64, high: f64, every: i32, labelled: &[i32]) -> Vec<(f64, Option<String>)> {
     let (first, last) = (log10(low).floor() as i32, log10(high).ceil() as i32);
-    let decades = log10(high) - log10(low);
-    let every = (decades / wanted).ceil().max(1.0) as i32;
     let is_plain = low > 5e-4 && high < 5e4;
     let label = |digit: i32, exponent: i32| match digit {
         _ if is_plain => crate::units::four_digits(f64::from(digit) * ten_to(exponent)),
@@ -265,9 +306,10 @@ fn log_ticks(low: f64, high: f64, wanted: f64, labelled: &[i32]) -> Vec<(f64, Op
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::functions::pow;
 
     fn labels(axis: &Axis, values: [f64; 2]) -> Vec<String> {
-        axis.fitted(values).ticks(6.0).into_iter().filter_map(|tick| tick.label).collect()
+        axis.fitted(values).ticks(900.0, 150.0, |_| 100.0).into_iter().filter_map(|tick| tick.label).collect()
     }
 
     #[test]
@@ -277,6 +319,42 @@ mod tests {
         assert_eq!(labels(&Axis::linear("e", ""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(labels(&Axis::log("v", "m/s"), [0.01, 100.0]), ["0.01", "0.1", "1", "10", "100"]);
         assert_eq!(labels(&Axis::log("error", ""), [1e-12, 1e-2])[..2], ["10⁻¹²", "10⁻¹⁰"]);
+    }
+
+    /// Logarithmic axes of 1 to 12 decades, in steps of a tenth of a decade, with the lengths of the boxes of wide and of
+    /// narrow pictures: labels stand at powers of ten or, within few decades, at 2, 3 and 5 times a power of ten, there
+    /// are at least three, and no two overlap.
+    #[test]
+    fn a_log_axis_has_powers_of_ten() {
+        use super::super::style::LABEL_SIZE;
+        use super::super::text::text_width;
+        // wide and narrow boxes, those of three boxes, and the distance of their labels
+        let across = [(1395.0, 150.0), (1075.0, 150.0), (595.0, 150.0)];
+        let upward = [(753.0, 90.0), (583.0, 90.0), (232.0, 90.0), (175.0, 90.0)];
+        let is_upward = [false; 3].into_iter().chain([true; 4]);
+        for ((length, distance), is_upward) in across.into_iter().chain(upward).zip(is_upward) {
+            let extent = |label: &str| if is_upward { LABEL_SIZE } else { text_width(label, LABEL_SIZE) };
+            for (begin, tenths) in (-90..30).flat_map(|begin| (10..=120).map(move |tenths| (begin, tenths))) {
+                let low = pow(10.0, 0.1 * f64::from(begin));
+                let high = low * pow(10.0, 0.1 * f64::from(tenths));
+                let axis = Axis::log("x", "").between(low, high).fitted([]);
+                let ticks = axis.ticks(length, distance, extent);
+                let labels: Vec<(f64, &str)> =
+                    ticks.iter().filter_map(|tick| Some((tick.at, tick.label.as_deref()?))).collect();
+                let context = format!("{low} to {high} on {length} px: {labels:?}");
+                assert!(labels.len() >= 3, "{context}");
+                for pair in labels.windows(2) {
+                    let room = 0.5 * (extent(pair[0].1) + extent(pair[1].1));
+                    assert!(length * (pair[1].0 - pair[0].0) >= room, "{context}");
+                }
+                for (at, label) in &labels {
+                    let logarithm = log10(axis.value_at(*at));
+                    let digit = pow(10.0, logarithm - (logarithm + 1e-9).floor());
+                    let digits: &[f64] = if tenths > 40 { &[1.0] } else { &[1.0, 2.0, 3.0, 5.0] };
+                    assert!(digits.iter().any(|known| (digit - known).abs() < 1e-6), "{label} of {context}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,10 @@
 //! Pictures of a calibration: measurements with the fitted law, residuals, posterior of two keys, and a comparison of
 //! laws.
 
-use super::{Axis, Chart, Scale, Series, Style, axis_of, caption, captioned, extremes, posterior, title_of};
+use super::{
+    Axis, Chart, GREY, MARK, Scale, Series, Style, axis_of, caption, captioned, extremes, law_title, posterior,
+    title_of,
+};
 use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::statistics::{LEVELS, half_width};
 use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
@@ -15,6 +18,11 @@ const MOST_POINTS: usize = 2000;
 const MOST_BARS: usize = 200;
 /// Number of pieces of a fitted line.
 const PLACES: u32 = 120;
+/// Height of the box of a wide picture, and the least height of a band that is seen beside its line \[px\].
+const BOX_HEIGHT: f64 = 750.0;
+const BAND_HEIGHT: f64 = 8.0;
+/// Length of error bars beyond their marker that are seen, both ends together \[px\].
+const BAR_ENDS: f64 = 14.0;
 /// If the largest value is more than this multiple of the smallest, the axis is logarithmic.
 const WIDE: f64 = 5.0;
 
@@ -68,7 +76,7 @@ impl Abscissa {
     fn at(&self, calibration: &Calibration, value: usize) -> f64 {
         let row = &calibration.fit.problem.data.rows[calibration.fit.problem.data.values[value].row];
         match self {
-            Self::Key(_) => row.keys[0],
+            Self::Key(key) => key.quantity.picture_unit().1(row.keys[0]),
             Self::Indentation => row.indentation.unwrap_or(0.0),
             Self::Prediction => calibration.predicted[value],
         }
@@ -115,30 +123,45 @@ impl<'a> FittedQuantity<'a> {
         // small values stay visible where both quantities go over decades
         let is_logarithmic =
             x.scale == Scale::Log && is_wide(&points.iter().map(|(x, y)| (*y, *x)).collect::<Points>());
-        let axes = [x, if is_logarithmic { y.logarithmic() } else { y }];
+        let axes = with_one_prefix([x, if is_logarithmic { y.logarithmic() } else { y }], &points);
         Self { calibration, quantity, abscissa, shown, points, axes }
     }
 
     fn fitted(self) -> Chart {
         let Self { calibration, quantity, shown, points, .. } = &self;
         let has_bars = shown.len() <= MOST_BARS && !calibration.fit.has_no_noise();
-        let bars = shown.iter().zip(points).map(|(value, (x, y))| (*x, *y, calibration.fit.problem.deviations[*value]));
+        let bars = || {
+            let deviation = |value: usize| calibration.fit.problem.deviations[value];
+            shown.iter().zip(points).filter(|_| has_bars).map(move |(value, (x, y))| (*x, *y, deviation(*value)))
+        };
         let line = if let Abscissa::Prediction = self.abscissa {
             let (low, high) = extremes(points.iter().map(|point| point.0));
             vec![(low, low), (high, high)]
         } else {
             self.line(&calibration.fit)
         };
+        let band = self.band().filter(|band| {
+            // its outline goes along one side and comes back along the other
+            let sides = band.iter().zip(band.iter().rev()).map(|(one, other)| [one.1, other.1]);
+            self.height(sides) > BAND_HEIGHT
+        });
         let mut series: Vec<Series> =
-            self.band().map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
-        series.push(Series::line(calibration.fit.problem.input.named_law.name(), line).styled(Style::LAW));
-        series.push(Series::bars(bars.filter(|_| has_bars)).styled(0));
+            band.map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
+        let law = law_title(&calibration.fit.problem.input.named_law.name());
+        series.push(Series::line(law, line).styled(Style::LAW));
+        series.push(Series::bars(bars()).styled(0));
+        let are_bars_seen = self.height(bars().map(|(_, y, sd)| [y - sd, y + sd])) > 2.0 * MARK + BAR_ENDS;
         let measured = match calibration.fit.noise {
+            _ if !are_bars_seen => "measured",
             Noise::Given => "measured, with its standard deviation",
             Noise::Estimated { .. } => "measured, with the estimated standard deviation",
             Noise::TooFew | Noise::NoScatter => "measured",
         };
-        series.push(Series::points(measured, points.clone()).styled(0));
+        let mut measured = Series::points(measured, points.clone()).styled(0);
+        if has_bars && !are_bars_seen {
+            measured.texts.push("standard deviation below the size of the marker".to_owned());
+        }
+        series.push(measured);
         let notes = calibration.keys.iter().flat_map(|KeyEstimate { free, estimate, sd, .. }| {
             let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.text(sd, 2)));
             [title_of(free.key.path), free.text(*estimate, 4) + &sd]
@@ -147,10 +170,18 @@ impl<'a> FittedQuantity<'a> {
         Chart::new(title, self.axes.clone(), series).with_notes(notes)
     }
 
+    /// The largest distance of these pairs of values on the vertical axis \[px\].
+    fn height(&self, pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
+        let axis = self.axes[1].fitted(self.points.iter().map(|point| point.1));
+        let distance = |[one, other]: [f64; 2]| BOX_HEIGHT * (axis.at(one) - axis.at(other)).abs();
+        pairs.map(distance).filter(|distance| !distance.is_nan()).fold(0.0, f64::max)
+    }
+
     /// The predictions of every law with its best keys, with the measurements.
     fn laws(self) -> Chart {
         let fits = self.calibration.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
-        let named = |name: &str, fit: &Fit| format!("{name}  +{:.1}", fit.aic - self.calibration.least_aic());
+        let named =
+            |name: &str, fit: &Fit| format!("{}  +{:.1}", law_title(name), fit.aic - self.calibration.least_aic());
         let mut series: Vec<Series> = fits.map(|(name, fit)| Series::line(named(name, fit), self.line(fit))).collect();
         series.push(Series::points("measured", self.points).styled(Style::BLACK));
         Chart::new("Laws with their best keys, and how far their AIC is above the least", self.axes, series)
@@ -208,12 +239,25 @@ impl<'a> FittedQuantity<'a> {
 
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
     fn along(&self, key: &'static Key) -> (Data, Vec<f64>) {
-        let (from, to) = extremes(self.points.iter().map(|point| point.0));
+        let data = self.calibration.fit.problem.data;
+        let (from, to) = extremes(self.shown.iter().map(|value| data.rows[data.values[*value].row].keys[0]));
         let range = Free { key, from, to, is_logarithmic: is_wide(&self.points), hardness: None };
         let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
         let rows = at.iter().map(|value| Row { keys: vec![*value], ..Row::default() }).collect();
-        (Data { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) }, at)
+        let data = Data { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) };
+        (data, at.into_iter().map(key.quantity.picture_unit().1).collect())
     }
+}
+
+/// These axes with the prefix of the largest value on both, if they have the same unit.
+fn with_one_prefix([x, y]: [Axis; 2], points: &[(f64, f64)]) -> [Axis; 2] {
+    if x.unit != y.unit {
+        return [x, y];
+    }
+    let (low, high) = extremes(points.iter().flat_map(|(x, y)| [x.abs(), y.abs()]).filter(|size| *size > 0.0));
+    // on logarithmic axes the prefix of the middle
+    let size = if x.scale == Scale::Log && low < high { low.sqrt() * high.sqrt() } else { high };
+    [x, y].map(|axis| axis.with_prefix_of(size))
 }
 
 fn residuals(calibration: &Calibration) -> Chart {
@@ -238,5 +282,9 @@ fn residuals(calibration: &Calibration) -> Chart {
     let notes = [("chi-square", calibration.p), ("runs of signs", calibration.runs.map(|runs| runs.p))];
     let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
     let chart = Chart::new("Residuals", [x, y], series);
-    chart.with_guides(guides.map(|(at, label)| Series::horizontal(at, label))).with_notes(notes)
+    let guide = |(at, label): (f64, &str)| {
+        let guide = Series::horizontal(at, label);
+        if at == 0.0 { guide.styled(Style::line(GREY, 2.0)) } else { guide }
+    };
+    chart.with_guides(guides.map(guide)).with_notes(notes)
 }

@@ -4,9 +4,10 @@
 use super::{Axis, Chart};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::material::{Material, Pair};
+use crate::impact::Damping;
 use crate::scenario::indentation::IndentationScene;
 use crate::scenario::scene::{Body, Input, Key};
-use crate::units::{Dimension, capital, quantity};
+use crate::units::{Dimension, capital, four_digits, quantity};
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
 pub fn caption(input: &Input, varied: &[&str]) -> String {
@@ -49,7 +50,18 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
         body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
         strength(Body::HalfSpace, half_space.yield_strength),
     ];
-    line(&[("sphere", &of_sphere), ("half-space", &of_half_space), ("law", &[unless_varied("law", law(&own_law))])])
+    let damping = input.forces().damping.and_then(|damping| match damping {
+        Damping::Viscous(share) => unless_varied("damping.viscous", format!("viscous {}", four_digits(share))),
+        Damping::HuntCrossley(chi) => {
+            unless_varied("damping.hunt_crossley", format!("Hunt–Crossley {}", quantity(chi, Dimension::InverseSpeed)))
+        }
+    });
+    line(&[
+        ("sphere", &of_sphere),
+        ("half-space", &of_half_space),
+        ("law", &[unless_varied("law", law(&own_law))]),
+        ("damping", &[damping]),
+    ])
 }
 
 /// These pictures with this line below their titles.
@@ -74,11 +86,11 @@ fn elastic(material: &Material) -> String {
 fn law(law: &LawChoice) -> String {
     match law {
         LawChoice::Plm(law) => match law.exponent {
-            UnloadingExponent::Paper => "plm, n = 3/2".to_owned(),
-            UnloadingExponent::Fixed(exponent) => format!("plm, n = {exponent}"),
-            UnloadingExponent::PressureShape => "plm, pressure-shape".to_owned(),
+            UnloadingExponent::Paper => "PLM, n = 3/2".to_owned(),
+            UnloadingExponent::Fixed(exponent) => format!("PLM, n = {exponent}"),
+            UnloadingExponent::PressureShape => "PLM, pressure-shape".to_owned(),
         },
-        other => other.name(),
+        other => law_title(&other.name()),
     }
 }
 
@@ -91,19 +103,35 @@ fn line(parts: &[(&str, &[Option<String>])]) -> String {
     words.collect::<Vec<_>>().join("; ")
 }
 
-/// The path of a key in words, such as "half-space Young's modulus".
+/// The path of a key, or the name of a result, in words, such as "half-space Young's modulus".
 pub(crate) fn words_of(path: &str) -> String {
+    let path = match path {
+        "impact.speed" | "impact.angle" => path,
+        "half_space.thickness" => "plate.thickness",
+        path => path.trim_start_matches("impact."),
+    };
+    let law = path.strip_prefix("law.").and_then(|rest| rest.split_once('.'));
+    let (law, path) = law.map_or_else(|| (String::new(), path), |(law, rest)| (law_title(law) + " ", rest));
     let words = path.replace(['.', '_'], " ").replace("half space", "half-space");
-    words.replace("youngs", "Young's").replace("poissons", "Poisson's")
+    law + &words.replace("youngs", "Young's").replace("poissons", "Poisson's")
 }
 
-/// The path of a key as a title, such as "Half-space Young's modulus".
+/// The name of a law as a reader writes it: "PLM", "Walton–Braun", or "PLM + Thornton".
+pub(crate) fn law_title(name: &str) -> String {
+    let title = |law: &str| match law.trim() {
+        "plm" => "PLM".to_owned(),
+        law => law.split('_').map(capital).collect::<Vec<_>>().join("–"),
+    };
+    name.split('+').map(title).collect::<Vec<_>>().join(" + ")
+}
+
+/// The path of a key, or the name of a result, as a title, such as "Half-space Young's modulus".
 pub fn title_of(path: &str) -> String {
-    capital(&words_of(path.trim_start_matches("impact.")))
+    capital(&words_of(path))
 }
 
+/// The axis of a key. Its values are those of [`crate::scenario::scene::Quantity::picture_unit`].
 pub(crate) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
-    let (title, unit) = (title_of(key.path), key.quantity.dimension.si_unit());
-    let axis = Axis::linear(&title, unit);
+    let axis = Axis::linear(&title_of(key.path), key.quantity.picture_unit().0);
     if is_logarithmic { axis.logarithmic() } else { axis }
 }

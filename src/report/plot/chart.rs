@@ -320,12 +320,12 @@ fn fill<B: DrawingBackend>(
         frame.curve(pen, &guide.drawn(frame), guide.style(0))?;
     }
     frame.draw_outline(pen)?;
-    for (one, style) in series().filter(|(one, _)| !one.is_area()) {
+    for (number, (one, style)) in series().enumerate().filter(|(_, (one, _))| !one.is_area()) {
         if one.look != Look::Points {
             frame.curve(pen, &one.drawn(frame), style)?;
         }
-        let (marked, radius) = one.marks(frame, style);
-        for point in marked {
+        let (marked, radius) = one.marks(frame, style, number);
+        for point in marked.iter() {
             frame.mark(pen, *point, Style { radius, ..style })?;
         }
     }

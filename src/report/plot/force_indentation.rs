@@ -37,7 +37,9 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     }
     let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
     let y = Axis::linear("Force", "N").between(0.0, 1.08 * impact.peak_force);
-    let branches: &[&str] = if impact.has_dent() { &["loading", "unloading"] } else { &["loading and unloading"] };
+    // without dent and damping, unloading lies on loading
+    let has_two = impact.has_dent() || is_damped(impact);
+    let branches: &[&str] = if has_two { &["loading", "unloading"] } else { &["loading and unloading"] };
     let chart = Chart::new(title(impact), [x, y], series).with_branches(branches);
     Ok(loops::with_sphere(chart, of_sphere))
 }

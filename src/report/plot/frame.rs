@@ -6,8 +6,9 @@ use plotters::prelude::DrawingBackend;
 use super::axis::FittedAxis;
 use super::pen::{Anchor, Pen, Point};
 use super::style::{AXIS_SIZE, LABEL_SIZE, TITLE_SIZE};
-use super::text::text_width;
+use super::text::{fitting, text_width, with_minus};
 use super::{GREY, GRID, INK, Mark, PAPER, Style};
+use crate::numerics::functions::{exp, ln};
 
 /// Margins around the boxes for labels and titles \[px\].
 pub const LEFT: f64 = 165.0;
@@ -16,9 +17,16 @@ pub const BOTTOM: f64 = 125.0;
 
 /// Distance between labels of the horizontal and of the vertical axis \[px\].
 const LABEL_DISTANCE: (f64, f64) = (150.0, 90.0);
+/// Least room between two labels of the horizontal axis \[px\].
+const LABEL_GAP: f64 = 12.0;
 /// Distance of the labels, and of the title of the horizontal axis, from the box \[px\].
 const LABELS: (f64, f64) = (18.0, 32.0);
 const X_TITLE: f64 = 82.0;
+/// By how much the title of an axis may be longer than its box, and the size of its letters in two lines \[px\].
+const TITLE_OVERHANG: f64 = 16.0;
+const SMALL_TITLE: f64 = 26.0;
+/// Points of a curve between a positive value and the edge of a logarithmic axis.
+const EDGE_POINTS: i32 = 8;
 /// Distance of the title of the vertical axis from its labels, and its least distance from the edge \[px\].
 const Y_TITLE: (f64, f64) = (34.0, 24.0);
 /// Heights of the middle of the title and of the caption above the box \[px\].
@@ -53,7 +61,8 @@ impl Frame {
     /// Draws the horizontal axis. It has no labels if a box below has the same axis.
     pub fn draw_x<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), Error> {
         let Bounds { left, top, right, bottom } = self.bounds;
-        for tick in self.x.ticks((right - left) / LABEL_DISTANCE.0) {
+        let extent = |label: &str| text_width(label, LABEL_SIZE) + LABEL_GAP;
+        for tick in self.x.ticks(right - left, LABEL_DISTANCE.0, extent) {
             let x = left + tick.at * (right - left);
             if tick.label.is_some() {
                 pen.polyline(&[(x, top), (x, bottom)], Style::line(GRID, 1.5))?;
@@ -64,8 +73,19 @@ impl Frame {
                 pen.text(&label, (x, bottom + LABELS.1), LABEL_SIZE, INK, Anchor::Middle)?;
             }
         }
-        if has_labels {
-            pen.text(&self.x.title, (0.5 * (left + right), bottom + X_TITLE), AXIS_SIZE, INK, Anchor::Middle)?;
+        if !has_labels {
+            return Ok(());
+        }
+        // a title that is longer than its box, as beside another box, has two lines in smaller letters
+        let (middle, room) = (0.5 * (left + right), right - left + TITLE_OVERHANG);
+        if text_width(&self.x.title, AXIS_SIZE) <= room {
+            return pen.text(&self.x.title, (middle, bottom + X_TITLE), AXIS_SIZE, INK, Anchor::Middle);
+        }
+        let (first, second) = halves(&self.x.title);
+        let longest = if text_width(first, AXIS_SIZE) > text_width(second, AXIS_SIZE) { first } else { second };
+        let size = fitting(longest, SMALL_TITLE, room);
+        for (line, at) in [(first, X_TITLE - 0.5 * SMALL_TITLE), (second, X_TITLE + 0.65 * SMALL_TITLE)] {
+            pen.text(line, (middle, bottom + at), size, INK, Anchor::Middle)?;
         }
         Ok(())
     }
@@ -74,7 +94,7 @@ impl Frame {
     pub fn draw_y<B: DrawingBackend>(&self, pen: &mut Pen<B>, has_labels: bool) -> Result<(), Error> {
         let Bounds { left, top, right, bottom } = self.bounds;
         let mut widest: f64 = 0.0;
-        for tick in self.y.ticks((bottom - top) / LABEL_DISTANCE.1) {
+        for tick in self.y.ticks(bottom - top, LABEL_DISTANCE.1, |_| LABEL_SIZE) {
             let y = bottom - tick.at * (bottom - top);
             if tick.label.is_some() {
                 pen.polyline(&[(left, y), (right, y)], Style::line(GRID, 1.5))?;
@@ -89,7 +109,8 @@ impl Frame {
             return Ok(());
         }
         let title_at = (left - LABELS.0 - widest - Y_TITLE.0).max(Y_TITLE.1);
-        pen.text(&self.y.title, (title_at, 0.5 * (top + bottom)), AXIS_SIZE, INK, Anchor::Upward)
+        let size = fitting(&self.y.title, AXIS_SIZE, bottom - top + TITLE_OVERHANG);
+        pen.text(&self.y.title, (title_at, 0.5 * (top + bottom)), size, INK, Anchor::Upward)
     }
 
     /// Draws the outline, over the ends of the curves.
@@ -99,9 +120,18 @@ impl Frame {
         pen.polyline(&corners, Style::line(INK, 2.0))
     }
 
-    /// Draws a curve through values. Parts outside the box are cut off, and values that are not finite interrupt it.
+    /// Draws a curve through values. Parts outside the box are cut off, and values that are not finite interrupt it. On a
+    /// logarithmic vertical axis, a curve that falls to zero or below goes to the edge of the box.
     pub fn curve<B: DrawingBackend>(&self, pen: &mut Pen<B>, values: &[(f64, f64)], style: Style) -> Result<(), Error> {
         let mut piece: Vec<Point> = Vec::new();
+        let to_edge: Vec<(f64, f64)>;
+        let values = if self.y.is_logarithmic() {
+            let from = if self.x.is_logarithmic() { 0.0 } else { f64::NEG_INFINITY };
+            to_edge = down_to_edge(values, self.y.value_at(0.0), from);
+            &to_edge
+        } else {
+            values
+        };
         for pair in values.windows(2) {
             let clipped = self.bounds.clipped(self.place(pair[0]), self.place(pair[1]));
             if piece.last().copied() != clipped.map(|(from, _)| from) {
@@ -128,11 +158,45 @@ impl Frame {
     }
 }
 
+/// The values of a curve with points on each straight piece from a positive value to one that is not positive, down to
+/// `low`. A logarithmic axis cannot show the rest of the piece. Pieces that end at `from` or before have no such points: a
+/// straight piece from the origin would not follow a power law on logarithmic axes.
+fn down_to_edge(values: &[(f64, f64)], low: f64, from: f64) -> Vec<(f64, f64)> {
+    let mut points = Vec::with_capacity(values.len());
+    for (i, end) in values.iter().enumerate() {
+        if let Some(begin) = i.checked_sub(1).map(|before| values[before]) {
+            let (upper, lower) = if begin.1 > end.1 { (begin, *end) } else { (*end, begin) };
+            if upper.1 > low && lower.1 <= 0.0 && lower.0 > from {
+                let share = |i: i32| f64::from(i) / f64::from(EDGE_POINTS);
+                let height = |i: i32| exp(ln(upper.1) + share(i) * (ln(low) - ln(upper.1)));
+                let place = |y: f64| lower.0 + (upper.0 - lower.0) * (y - lower.1) / (upper.1 - lower.1);
+                let mut piece: Vec<_> = (1..=EDGE_POINTS).map(height).map(|y| (place(y), y)).collect();
+                if begin.1 < end.1 {
+                    piece.reverse();
+                }
+                points.extend(piece);
+            }
+        }
+        points.push(*end);
+    }
+    points
+}
+
+/// A title in two lines: it is divided at the space nearest to its middle.
+fn halves(title: &str) -> (&str, &str) {
+    let middle = title.len() / 2;
+    let spaces = title.match_indices(' ').map(|(at, _)| at);
+    match spaces.min_by_key(|at| at.abs_diff(middle)) {
+        Some(at) => (&title[..at], &title[at + 1..]),
+        None => (title, ""),
+    }
+}
+
 /// Draws the title above the boxes, and below it in grey the caption, which names bodies and law. Long texts are drawn
 /// smaller.
 pub fn draw_titles<B: DrawingBackend>(pen: &mut Pen<B>, all: Bounds, titles: [&str; 2]) -> Result<(), Error> {
     let middle = 0.5 * (all.left + all.right);
-    let [title, caption] = titles;
+    let [title, caption] = &titles.map(with_minus);
     if caption.is_empty() {
         let between = 0.5 * (TITLE + CAPTION);
         return pen.text(title, (middle, all.top - between), TITLE_SIZE, INK, Anchor::Middle);

@@ -7,8 +7,8 @@ use plotters::style::RGBColor;
 use super::frame::{Bounds, Frame};
 use super::pen::{Anchor, Pen, Point};
 use super::style::LABEL_SIZE;
-use super::text::{text_width, wrapped};
-use super::{GREY, INK, PAPER, Series, Style};
+use super::text::{text_width, with_minus, wrapped};
+use super::{GREY, GRID, INK, PAPER, Series, Style};
 
 /// Width of the sample of a line or marker \[px\].
 const SAMPLE: f64 = 56.0;
@@ -16,6 +16,8 @@ const SAMPLE: f64 = 56.0;
 const GAP: f64 = 12.0;
 const LINE_HEIGHT: f64 = 38.0;
 const ENTRY_GAP: f64 = 12.0;
+/// Distance of the frame of the key from its texts \[px\].
+const PADDING: f64 = 8.0;
 /// Distance of the key from the axes and from the edge of the picture \[px\].
 pub const MARGIN: f64 = 24.0;
 /// Smallest text size over the usual size: smaller text cannot be read.
@@ -57,6 +59,8 @@ pub struct Key {
     /// Text size over the usual size.
     scale: f64,
     entries: Vec<LegendEntry>,
+    /// True if it lies inside the axes, where it has a frame.
+    is_inside: bool,
 }
 
 impl Key {
@@ -87,7 +91,8 @@ impl Key {
     }
 
     fn scaled(series: &[(&Series, Style)], scale: f64, room: f64) -> Self {
-        Self { scale, entries: series.iter().map(|(one, style)| LegendEntry::new(one, *style, scale, room)).collect() }
+        let entries = series.iter().map(|(one, style)| LegendEntry::new(one, *style, scale, room)).collect();
+        Self { scale, entries, is_inside: false }
     }
 
     /// The key and a place in the box at which it covers neither curves nor guides; none if there is none.
@@ -119,7 +124,7 @@ impl Key {
                     bottom: at.1 - half + key.height() + margin,
                 };
                 if !is_covered(&area) {
-                    return Some((key, at));
+                    return Some((Self { is_inside: true, ..key }, at));
                 }
             }
         }
@@ -140,7 +145,14 @@ impl Key {
     /// Draws the key with this upper left corner, on white.
     pub fn draw<B: DrawingBackend>(&self, pen: &mut Pen<B>, (left, top): Point) -> Result<(), Error> {
         if !self.entries.is_empty() {
-            pen.rectangle((left - 4.0, top - 4.0), (left + self.width() + 4.0, top + self.height()), PAPER)?;
+            let (right, bottom) = (left + self.width() + PADDING, top + self.height());
+            let (left, top) = (left - PADDING, top - PADDING);
+            pen.rectangle((left, top), (right, bottom), PAPER)?;
+            // without a frame a white rectangle would only look like a hole in the grid
+            if self.is_inside {
+                let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+                pen.polyline(&corners, Style::line(GRID, 1.5))?;
+            }
         }
         let mut y = top + 0.5 * self.scale * LINE_HEIGHT;
         for entry in &self.entries {
@@ -161,9 +173,10 @@ impl Key {
     }
 }
 
-/// The text with spaces that do not break a line between a number and its unit, and around an equals sign.
+/// The text with the minus sign of numbers, and with spaces that do not break a line between a number and its unit, and around
+/// an equals sign.
 fn joined(text: &str) -> String {
-    let letters: Vec<char> = text.chars().collect();
+    let letters: Vec<char> = with_minus(text).chars().collect();
     let is_tight = |at: usize| {
         let (before, after) = (at.checked_sub(1).and_then(|at| letters.get(at)), letters.get(at + 1));
         before.is_some_and(|c| c.is_ascii_digit() || *c == '=') || after == Some(&'=')

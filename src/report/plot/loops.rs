@@ -77,7 +77,7 @@ pub fn with_sphere(chart: Chart, sphere: Vec<Series>) -> Chart {
     if sphere.is_empty() {
         return chart;
     }
-    let x = Axis::linear("of the sphere", "m").between(0.0, 1.15 * largest(&sphere));
+    let x = Axis::linear("Indentation of the sphere", "m").between(0.0, 1.15 * largest(&sphere));
     chart.with_side(x, sphere)
 }
 

@@ -30,7 +30,7 @@ pub mod sweep;
 mod text;
 
 pub use axis::{Axis, Scale, extremes};
-pub(crate) use caption::{axis_of, words_of};
+pub(crate) use caption::{axis_of, law_title, words_of};
 pub use caption::{caption, captioned, title_of};
 pub(crate) use chart::Cell;
 pub use chart::{Chart, Panel};

@@ -6,10 +6,12 @@ use crate::calibrate::{Calibration, KeyEstimate};
 
 /// The regions over both keys; `None` if they have none.
 pub fn map(calibration: &Calibration, [first, second]: [&KeyEstimate; 2]) -> Option<Chart> {
+    let [x_unit, y_unit] = [first, second].map(|found| found.free.key.quantity.picture_unit().1);
     let mut series = Vec::new();
     for ((level, dash), name) in LEVELS.into_iter().zip([SOLID, DASHED]).zip(["region of 68 %", "region of 95 %"]) {
         for (i, outline) in calibration.fit.region(level).into_iter().enumerate() {
-            let region: Vec<_> = outline.iter().map(|[x, y]| (first.free.at(*x), second.free.at(*y))).collect();
+            let region: Vec<_> =
+                outline.iter().map(|[x, y]| (x_unit(first.free.at(*x)), y_unit(second.free.at(*y)))).collect();
             series.push(Series::band("", region.clone()).styled(5));
             let name = if i == 0 { name } else { "" };
             series.push(Series::line(name, region).styled(Style::new(1).dashed(dash)));
@@ -26,10 +28,10 @@ pub fn map(calibration: &Calibration, [first, second]: [&KeyEstimate; 2]) -> Opt
         return None;
     }
     let best = Style::marker(Mark::Cross, PALETTE[6]);
-    series.push(Series::points("best", vec![(first.estimate, second.estimate)]).styled(best));
+    series.push(Series::points("best", vec![(x_unit(first.estimate), y_unit(second.estimate))]).styled(best));
     let chart = Chart::new("What the measurements say of both keys", [x, y], series);
     if calibration.refusal.is_some() {
-        return Some(chart.with_entries([Series::text("no interval: the data do not tell").and("the keys apart")]));
+        return Some(chart.with_entries([Series::text("no interval: the data do not tell the keys apart")]));
     }
     Some(chart.with_notes(calibration.correlation().map(|correlation| format!("correlation {correlation:.2}"))))
 }

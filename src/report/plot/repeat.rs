@@ -32,10 +32,12 @@ pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
     if let Some(first) = without_air.first_mut() {
         first.texts.push("Same take-off without air".to_owned());
     }
-    let path = Series::line("Lowest point of the sphere", curve);
+    // a key that has no other entry would repeat the title of the axis
+    let name = if without_air.is_empty() { "" } else { "With air" };
+    let path = Series::line(name, curve);
     let drawn: Vec<Series> = [path].into_iter().chain(without_air).collect();
     let highest = drawn.iter().flat_map(|one| &one.points).map(|at| at.1).fold(0.0, f64::max);
-    let y = Axis::linear("Height", "m").between(0.0, 1.06 * highest);
+    let y = Axis::linear("Height of the lowest point", "m").between(0.0, 1.06 * highest);
     let x = Axis::linear("Time", "s").between(0.0, 1.03 * end);
     Some(Chart::new(title(repeat, sequence), [x, y], drawn))
 }

@@ -6,13 +6,19 @@ use super::frame::Frame;
 use super::style::Dash;
 use super::{GREY, MARK, Mark, Style};
 
+/// Radius of the markers of a [`Look::LabelledLine`], their distance along the horizontal axis \[px\], and the places of the
+/// first one in shares of that distance, one for each series in turn.
+const SMALL_MARK: f64 = 7.0;
+const MARK_DISTANCE: f64 = 200.0;
+const MARK_SHIFTS: [f64; 7] = [0.1, 0.53, 0.24, 0.67, 0.38, 0.81, 0.95];
+
 /// Named points on two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Texts in the key, the first one in black; a series without texts has no entry.
     pub texts: Vec<String>,
-    /// Points in the units of the axes. A point that is not finite, or not positive on a logarithmic axis, interrupts
-    /// the curve.
+    /// Points in the units of the axes. A point that is not finite interrupts the curve, and so does one that is not positive
+    /// on a logarithmic horizontal axis. On a logarithmic vertical axis the curve then goes to the edge.
     pub points: Vec<(f64, f64)>,
     pub look: Look,
     /// `None` for the style of the place of the series in its picture.
@@ -28,6 +34,8 @@ pub enum Look {
     Bars,
     /// A line with a marker on every point, for a few computed points.
     MarkedLine,
+    /// A line with markers at even distances, which are no points of its own: one of many lines that cross.
+    LabelledLine,
     /// Markers only, for measured points.
     Points,
     /// The area inside a closed line, in a pale colour.
@@ -71,6 +79,10 @@ impl Series {
 
     pub fn text(text: impl Into<String>) -> Self {
         Self::new(text, Vec::new(), Look::Text)
+    }
+
+    pub fn labelled_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
+        Self::new(name, points, Look::LabelledLine)
     }
 
     pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
@@ -126,7 +138,7 @@ impl Series {
     /// The line and the marker that stand for it in the key.
     pub(super) fn sample(&self, style: Style) -> [Option<Style>; 2] {
         match self.look {
-            Look::MarkedLine => [Some(style); 2],
+            Look::MarkedLine | Look::LabelledLine => [Some(style); 2],
             Look::Points => [None, Some(style)],
             Look::Band | Look::Column => {
                 [None, Some(Style { radius: 2.0 * MARK, ..Style::marker(Mark::Square, style.pale()) })]
@@ -136,16 +148,35 @@ impl Series {
         }
     }
 
-    /// The points with a marker, and its radius. Points that are close together have smaller markers or none.
-    pub(super) fn marks(&self, frame: &Frame, style: Style) -> (&[(f64, f64)], f64) {
-        let room = (frame.bounds.right - frame.bounds.left) / self.points.len().max(1) as f64;
+    /// The points with a marker, and its radius. Points that are close together have smaller markers or none. The number
+    /// of the series moves the markers of a [`Look::LabelledLine`], so that those of lines close together do not cover each
+    /// other.
+    pub(super) fn marks(&self, frame: &Frame, style: Style, number: usize) -> (Cow<'_, [(f64, f64)]>, f64) {
+        let width = frame.bounds.right - frame.bounds.left;
+        let room = width / self.points.len().max(1) as f64;
+        let all = || Cow::from(&self.points);
         match self.look {
-            Look::MarkedLine if room <= 4.0 => (&[], 0.0),
-            Look::MarkedLine if room <= 3.0 * style.radius => (&self.points, 3.0),
-            Look::Points if room <= 4.0 => (&self.points, 4.0),
-            Look::MarkedLine | Look::Points => (&self.points, style.radius),
-            _ => (&[], 0.0),
+            Look::MarkedLine if room <= 4.0 => (Cow::default(), 0.0),
+            Look::MarkedLine if room <= 3.0 * style.radius => (all(), 3.0),
+            Look::Points if room <= 4.0 => (all(), 4.0),
+            Look::MarkedLine | Look::Points => (all(), style.radius),
+            Look::LabelledLine => (self.spread(frame, number).into(), SMALL_MARK),
+            _ => (Cow::default(), 0.0),
         }
+    }
+
+    /// Some points of the line that are about [`MARK_DISTANCE`] apart along the horizontal axis.
+    fn spread(&self, frame: &Frame, number: usize) -> Vec<(f64, f64)> {
+        let mut next = frame.bounds.left + MARK_DISTANCE * MARK_SHIFTS[number % MARK_SHIFTS.len()];
+        let is_next = |point: &&(f64, f64)| {
+            let at = frame.place(**point);
+            let is_reached = at.0 >= next && at.1.is_finite();
+            while at.0 >= next && is_reached {
+                next += MARK_DISTANCE;
+            }
+            is_reached
+        };
+        self.points.iter().filter(is_next).copied().collect()
     }
 
     /// The points of the line. That of a guide crosses the box.

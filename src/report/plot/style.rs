@@ -7,8 +7,9 @@ pub const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
 pub const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
 pub const PAPER: RGBColor = RGBColor(0xff, 0xff, 0xff);
 /// Blue, vermillion, bluish green, reddish purple, orange, sky blue, black: Okabe and Ito (2008), without the yellow,
-/// which is too pale for a line on white.
-pub const PALETTE: [RGBColor; 7] = [
+/// which is too pale for a line on white. Then wine, olive, brown, indigo, dark green and rose, of which the first, the second
+/// and the last three are of the muted colours of Tol (2021): a picture of all laws has twelve lines.
+pub const PALETTE: [RGBColor; 13] = [
     RGBColor(0x00, 0x72, 0xb2),
     RGBColor(0xd5, 0x5e, 0x00),
     RGBColor(0x00, 0x9e, 0x73),
@@ -16,6 +17,12 @@ pub const PALETTE: [RGBColor; 7] = [
     RGBColor(0xe6, 0x9f, 0x00),
     RGBColor(0x56, 0xb4, 0xe9),
     RGBColor(0x00, 0x00, 0x00),
+    RGBColor(0x88, 0x22, 0x55),
+    RGBColor(0x99, 0x99, 0x33),
+    RGBColor(0x8c, 0x56, 0x2b),
+    RGBColor(0x33, 0x22, 0x88),
+    RGBColor(0x11, 0x77, 0x33),
+    RGBColor(0xcc, 0x66, 0x77),
 ];
 
 /// Text sizes \[px\].
@@ -72,8 +79,8 @@ impl Style {
     /// A fitted law: a solid line in vermillion.
     pub const LAW: Self = Self { color: PALETTE[1], ..Self::BLACK };
 
-    /// The style of the series with this number. There are 7 colours and 5 dashes, so their combination repeats only
-    /// after 35 series. The markers move by one after each round of colours.
+    /// The style of the series with this number. There are 13 colours and 5 dashes, so their combination repeats only
+    /// after 65 series. The markers move by one after each round of colours.
     pub fn new(number: usize) -> Self {
         Self {
             color: PALETTE[number % PALETTE.len()],

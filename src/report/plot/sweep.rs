@@ -1,9 +1,8 @@
 //! Pictures of a sweep: e, or other results, along an axis of numbers, in columns by words, and as a map over two long axes;
 //! or a histogram of e, and of other columns, of random cases.
 
-use super::{Style, caption, captioned, extremes, title_of, words_of};
+use super::{Style, axis_of, caption, captioned, extremes, law_title, title_of, words_of};
 use crate::contact::law::Bodies;
-use crate::contact::strength::hardness::vickers;
 use crate::impact::reference::quasi_static;
 use crate::impact::{Essentials, Rebound};
 use crate::report::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
@@ -12,7 +11,7 @@ use crate::scenario::scene::results::impact::results;
 use crate::scenario::scene::results::{Column, Shown, columns};
 use crate::table::statistics::Statistics;
 use crate::table::{Evaluator, Failure, Rows, Tally};
-use crate::units::{Dimension, capital, four_digits, quantity};
+use crate::units::{Dimension, capital, four_digits, quantities, quantity};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
@@ -20,6 +19,12 @@ const MOST_POINTS: u64 = 2000;
 const FEW_POINTS: usize = 12;
 /// Largest number of curves in one picture that a reader can distinguish.
 const MOST_CURVES: u64 = 8;
+/// A step from curve to curve is chosen so that the last value has a curve if at least so many curves remain.
+const FEWEST_CURVES: u64 = 5;
+/// Pictures with more curves than this have markers on each.
+const PLAIN_CURVES: usize = 6;
+/// Results over a logarithmic axis are on a logarithmic axis if the largest is more than this multiple of the smallest.
+const WIDE: f64 = 30.0;
 /// Largest number of curves if the second axis has words: as many names as the key has room for.
 const MOST_WORDS: u64 = 13;
 /// Largest number of cells on a side of a map.
@@ -79,15 +84,15 @@ fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<Es
 fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
     let evaluator = Evaluator::new(plan);
     let at = some_places(&axes[0], MOST_POINTS);
-    let curves = axes.get(1).map_or_else(|| vec![0], |second| some_places(second, MOST_CURVES));
+    let curves = axes.get(1).map_or_else(|| vec![0], |second| curve_places(second, MOST_CURVES));
+    let names = axes.get(1).map_or_else(|| vec![String::new()], |second| labels(second, &curves));
     let (mut angles, mut spins) = (Vec::new(), Vec::new());
     for (number, curve) in curves.iter().enumerate() {
         let rows =
             at.iter().filter_map(|place| Some((*place, row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
         let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
         let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
-        let name = axes.get(1).map_or_else(String::new, |second| label(second, *curve));
-        angles.push(curve_of(name, points(|after| after.angle.to_degrees())).styled(number));
+        angles.push(curve_of(names[number].clone(), points(|after| after.angle.to_degrees())).styled(number));
         spins.push(curve_of("", points(|after| after.spin)).styled(number));
     }
     let panels = [
@@ -95,7 +100,9 @@ fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
         Panel::new(plot::Axis::linear("Spin afterwards", "rad/s"), spins),
     ];
     let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", words(second)));
-    Chart::stacked(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into()).with_notes(notes(axes))
+    Chart::stacked(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into())
+        .with_notes(axes.get(1).and_then(|second| note_of_others(second, curves.len())))
+        .with_notes(notes(axes))
 }
 
 /// The name of an axis in words, such as "half-space yield strength".
@@ -104,34 +111,63 @@ fn words(axis: &Axis) -> String {
 }
 
 fn plot_axis(axis: &Axis) -> plot::Axis {
-    let (title, (unit, _)) = (capital(&words(axis)), unit(axis));
-    let shown = plot::Axis::linear(&title, unit);
-    if axis.is_logarithmic { shown.logarithmic() } else { shown }
-}
-
-/// The unit of an axis in pictures, and a value of the axis in it.
-fn unit(axis: &Axis) -> (&'static str, fn(f64) -> f64) {
     match &axis.setting {
-        Setting::Number { key, .. } if key.quantity.is_hardness => ("HV", vickers),
-        Setting::Number { key, .. } if key.quantity.dimension == Dimension::Angle => ("°", f64::to_degrees),
-        Setting::Number { key, .. } => (key.quantity.dimension.si_unit(), |value| value),
-        Setting::Words { .. } => ("", |place| place),
+        Setting::Number { key, .. } => axis_of(key, axis.is_logarithmic),
+        Setting::Words { path, .. } => plot::Axis::linear(&title_of(path), ""),
     }
 }
 
-/// A value of an axis with at most four digits, as the key has it.
+/// The values at these places of an axis, with at most four digits and in one unit, as the key has them.
+fn labels(axis: &Axis, places: &[u64]) -> Vec<String> {
+    let texts = |text: &dyn Fn(u64) -> String| places.iter().map(|place| text(*place)).collect();
+    match &axis.setting {
+        Setting::Number { key, .. } => {
+            let dimension = key.quantity.dimension;
+            match key.quantity.picture_unit().0 {
+                "°" => texts(&|place| format!("{}°", four_digits(shown(axis, place)))),
+                unit if unit != dimension.si_unit() => {
+                    texts(&|place| format!("{} {unit}", four_digits(shown(axis, place))))
+                }
+                _ => quantities(&places.iter().map(|place| axis.number(*place)).collect::<Vec<_>>(), dimension),
+            }
+        }
+        Setting::Words { .. } => texts(&|place| match axis.words().get(usize::try_from(place).unwrap_or(0)) {
+            Some(Word::Law(law)) => law_title(&law.name()),
+            _ => axis.label(place),
+        }),
+    }
+}
+
+/// The value at a place of an axis, with at most four digits.
 fn label(axis: &Axis, place: u64) -> String {
-    match &axis.setting {
-        Setting::Number { key, .. } if key.quantity.is_hardness => format!("{} HV", four_digits(shown(axis, place))),
-        Setting::Number { .. } if unit(axis).0 == "°" => format!("{}°", four_digits(shown(axis, place))),
-        Setting::Number { key, .. } => quantity(axis.number(place), key.quantity.dimension),
-        Setting::Words { .. } => axis.label(place),
-    }
+    labels(axis, &[place]).concat()
 }
 
 /// The value at a place of an axis, in the unit of the picture.
 fn shown(axis: &Axis, place: u64) -> f64 {
-    unit(axis).1(axis.number(place))
+    match &axis.setting {
+        Setting::Number { key, .. } => key.quantity.picture_unit().1(axis.number(place)),
+        Setting::Words { .. } => axis.number(place),
+    }
+}
+
+/// The places of the curves of an axis: all of them, or at most `most` at even steps, from the first to the last where a
+/// step fits.
+fn curve_places(axis: &Axis, most: u64) -> Vec<u64> {
+    let last = axis.len() - 1;
+    if last < most || !axis.words().is_empty() {
+        return some_places(axis, most);
+    }
+    let least = last.div_ceil(most - 1);
+    let fitting = (least..=last / (FEWEST_CURVES - 1)).find(|step| last % step == 0);
+    let step = fitting.unwrap_or(least);
+    (0..=last / step).map(|i| i * step).collect()
+}
+
+/// A note that not all values of an axis have a curve or a column.
+fn note_of_others(axis: &Axis, shown: usize) -> Option<String> {
+    let is_some = (shown as u64) < axis.len();
+    is_some.then(|| format!("{shown} of {} values are shown", axis.len()))
 }
 
 /// A curve, with a marker on each of few points.
@@ -172,7 +208,8 @@ impl ResultPicture<'_> {
         let other = if along == 0 { axes.get(1) } else { axes.first() };
         let at = some_places(first, MOST_POINTS);
         let most = |axis: &Axis| if axis.words().is_empty() { MOST_CURVES } else { MOST_WORDS };
-        let curves = other.map_or_else(|| vec![0], |other| some_places(other, most(other)));
+        let curves = other.map_or_else(|| vec![0], |other| curve_places(other, most(other)));
+        let names = other.map_or_else(|| vec![String::new()], |other| labels(other, &curves));
         // all laws yield at about the same speed, so one guide is enough
         let is_by_law = other.is_some_and(|other| matches!(other.words(), [Word::Law(_), ..]));
         let is_by_speed = first.path() == "impact.speed";
@@ -180,11 +217,13 @@ impl ResultPicture<'_> {
         for (number, curve) in curves.iter().enumerate() {
             let places = |place: u64| if along == 0 { [place, *curve] } else { [*curve, place] };
             let points = at.iter().map(|place| (shown(first, *place), self.value(&places(*place)))).collect();
-            let name = other.map_or_else(String::new, |other| label(other, *curve));
             if is_by_speed && !(is_by_law && number > 0) {
                 yielding.extend(yield_speed(self.plan, other, *curve).map(|at| (number, at)));
             }
-            let drawn = curve_of(name, points);
+            let mut drawn = curve_of(names[number].clone(), points);
+            if curves.len() > PLAIN_CURVES && drawn.look == Look::Line {
+                drawn.look = Look::LabelledLine;
+            }
             // the law of this program is the widest line among laws
             let is_first = is_by_law && number == 0;
             series.push(if is_first { drawn.styled(Style::new(number).wide(7.0)) } else { drawn });
@@ -200,30 +239,41 @@ impl ResultPicture<'_> {
             series.extend(finite_elements(self.plan, &series));
         }
         let (name, y) = self.axis();
-        let y = self.ranged(y, &series);
+        let y = if first.is_logarithmic && !self.is_restitution() && is_wide(&series) {
+            y.logarithmic()
+        } else {
+            self.ranged(y, &series)
+        };
         let title = match other {
             Some(other) => format!("{name} by {}", words(other)),
             None => format!("{name} against {}", words(first)),
         };
-        Chart::new(title, [plot_axis(first), y], series).with_guides(guides).with_notes(notes(axes))
+        Chart::new(title, [plot_axis(first), y], series)
+            .with_guides(guides)
+            .with_notes(other.and_then(|other| note_of_others(other, curves.len())))
+            .with_notes(notes(axes))
     }
 
     /// A column for each word of the first axis, such as a law or a material, with its value over it and in the key. A word without
     /// a value has an empty place.
     fn columns(&self) -> Chart {
         let (name, y) = self.axis();
-        let column = |(number, place): (usize, u64)| {
-            let value = self.value(&[place]);
-            let name = format!("{} {}", number + 1, label(&self.axes[0], place));
+        let places = curve_places(&self.axes[0], MOST_WORDS);
+        let names = labels(&self.axes[0], &places);
+        let column = |(number, place): (usize, &u64)| {
+            let value = self.value(&[*place]);
+            let name = format!("{} {}", number + 1, names[number]);
             let sides = [number as f64 + 0.6, number as f64 + 1.4];
             let text =
                 if value.is_finite() { quantity(value, dimension_of(self.result.name)) } else { "none".to_owned() };
             Series::column(name, sides, value).and(text).styled(number)
         };
-        let series: Vec<Series> = some_places(&self.axes[0], MOST_WORDS).into_iter().enumerate().map(column).collect();
+        let series: Vec<Series> = places.iter().enumerate().map(column).collect();
         let x = plot::Axis::places(&capital(&words(&self.axes[0])), series.len());
         let y = self.ranged(y.clone(), &series);
-        Chart::new(format!("{name} by {}", words(&self.axes[0])), [x, y], series).with_notes(notes(self.axes))
+        Chart::new(format!("{name} by {}", words(&self.axes[0])), [x, y], series)
+            .with_notes(note_of_others(&self.axes[0], places.len()))
+            .with_notes(notes(self.axes))
     }
 
     /// Colours over the first two axes.
@@ -245,6 +295,13 @@ impl ResultPicture<'_> {
         let high = if self.is_restitution() { high.max(1.0) } else { high };
         if low < high && low >= 0.0 { axis.between(0.0, 1.05 * high) } else { axis }
     }
+}
+
+/// True if all values of curves are positive, and the largest is far above the smallest.
+fn is_wide(curves: &[Series]) -> bool {
+    let values = curves.iter().flat_map(|curve| &curve.points).map(|(_, value)| *value);
+    let (low, high) = extremes(values.filter(|value| value.is_finite()));
+    low > 0.0 && high > WIDE * low
 }
 
 /// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a

@@ -98,11 +98,38 @@ pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     lines.into_iter().map(|line| line.trim_end().to_owned()).collect()
 }
 
+/// The text with a minus sign in place of a hyphen before a negative number: "-2.6" and "1e-5", but not "half-space" or
+/// "aluminium-6061".
+pub fn with_minus(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let is_digit = |at: Option<usize>| at.and_then(|at| letters.get(at)).is_some_and(char::is_ascii_digit);
+    let is_minus = |at: usize| {
+        let before = at.checked_sub(1).and_then(|at| letters.get(at));
+        let is_sign = before.is_none_or(|before| " =(+±,;".contains(*before));
+        let is_exponent = before == Some(&'e') && is_digit(at.checked_sub(2));
+        letters[at] == '-' && is_digit(Some(at + 1)) && (is_sign || is_exponent)
+    };
+    (0..letters.len()).map(|at| if is_minus(at) { '−' } else { letters[at] }).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use ab_glyph::{Font as _, FontRef};
 
     use super::*;
+
+    #[test]
+    fn only_numbers_have_a_minus_sign() {
+        for (text, written) in [
+            ("e = -2.623", "e = −2.623"),
+            ("-5 mm", "−5 mm"),
+            ("1.2e-5 m", "1.2e−5 m"),
+            ("half-space of aluminium-6061-t6", "half-space of aluminium-6061-t6"),
+            ("bronze-90, 2024-11-25", "bronze-90, 2024-11-25"),
+        ] {
+            assert_eq!(with_minus(text), written);
+        }
+    }
 
     #[test]
     fn the_widths_are_those_of_the_font() {

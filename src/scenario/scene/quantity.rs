@@ -144,7 +144,10 @@ pub const SHOT_SPEED: Quantity = Quantity { too_low: "a shot without speed does 
 /// Repeated impacts: as many as a table of some hundred megabytes has rows.
 pub const IMPACTS: Quantity = number("a number of impacts", Included(1.0), Included(1e6), "20");
 
-pub const RESTITUTION: Quantity = number("a restitution", Excluded(0.0), Included(1.0), "0.49");
+pub const RESTITUTION: Quantity = Quantity {
+    too_high: "it is a ratio: for 60 % write 0.6",
+    ..number("a restitution", Excluded(0.0), Included(1.0), "0.49")
+};
 /// A measured rebound hardness: 1000 times the restitution.
 pub const LEEB: Quantity = number("a Leeb hardness", Excluded(0.0), Included(1000.0), "760");
 /// An angle of impact, from the normal.
@@ -229,6 +232,18 @@ impl Quantity {
             format!("{} deg", four_digits(value.to_degrees()))
         } else {
             units::human(value, self.dimension)
+        }
+    }
+
+    /// The unit of the quantity in pictures, and the function that converts a value in SI to this unit: HV for a hardness,
+    /// degrees for an angle, the SI unit for any other.
+    pub fn picture_unit(&self) -> (&'static str, fn(f64) -> f64) {
+        if self.is_hardness {
+            ("HV", hardness::vickers)
+        } else if self.dimension == Dimension::Angle {
+            ("°", f64::to_degrees)
+        } else {
+            (self.dimension.si_unit(), |value| value)
         }
     }
 

@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
+use super::words::unknown_material;
 use super::written::{Name, Node, below, described, whole_number};
-use super::{Quantity, Words};
-use crate::units::did_you_mean;
+use super::{AnyKey, EVERY_KEY, Quantity, Words};
+use crate::units::{did_you_mean, known_names};
 
 /// A value that is refused: where it stands, and why.
 #[derive(Debug, Clone)]
@@ -74,10 +75,29 @@ impl<'f> Reader<'f> {
         let message = if known.is_empty() {
             format!("unknown {thing} `{written}`; this table takes none")
         } else {
-            let all = format!("{things} are {}", known.join(", "));
-            format!("unknown {thing} `{written}`{}", did_you_mean(written, known.iter().copied(), '`', &all))
+            let all = known_names(written, known, things);
+            let hint = keys_of_this_name(&self.path, written)
+                .unwrap_or_else(|| did_you_mean(written, known.iter().copied(), '`', &all));
+            let way =
+                if self.path.is_empty() && &**written == "plate" { " A plate has `half_space.thickness`." } else { "" };
+            format!("unknown {thing} `{written}`{hint}{way}")
         };
         self.in_table(written, |_| Err(Fault { span: name.span(), message }));
+    }
+}
+
+/// The hint at the keys that end in a name which stands where a table is expected.
+fn keys_of_this_name(path: &str, name: &str) -> Option<String> {
+    // `plate` is a key of the half-space, but whoever writes a table of this name means the body
+    let ends = |key: &&AnyKey| {
+        let (table, last) = key.path.rsplit_once('.').unwrap_or_default();
+        last == name && !table.contains('.') && name != "plate"
+    };
+    let keys: Vec<&str> = EVERY_KEY.iter().filter(ends).map(|key| key.path).filter(|_| path.is_empty()).collect();
+    match &keys[..] {
+        [] => None,
+        [one] => Some(format!(", did you mean `{one}`?")),
+        several => Some(format!(", did you mean one of `{}`?", several.join("`, `"))),
     }
 }
 
@@ -154,8 +174,11 @@ pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>
     let given = text(node, known.first().map_or("", String::as_str))?;
     find(given).ok_or_else(|| {
         let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
-        let all = format!("{} are {}", words.several, all.join(", "));
-        let hint = did_you_mean(given, known.iter().map(String::as_str), '"', &all);
+        let all: Vec<&str> = all.iter().map(String::as_str).collect();
+        let hint = match words.one {
+            "material" => unknown_material(given),
+            _ => did_you_mean(given, known.iter().map(String::as_str), '"', &known_names(given, &all, words.several)),
+        };
         Fault::at(node, format!("unknown {} \"{given}\"{hint}", words.one))
     })
 }

@@ -4,14 +4,43 @@ use super::Words;
 use super::results::columns;
 use crate::contact::law::LawChoice;
 use crate::contact::law::catalogue::jackson_green::Hardness;
-use crate::contact::materials::all;
+use crate::contact::materials::{MaterialEntry, all};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::repeat::Place;
 use crate::impact::{Method, PlateTheory};
+use crate::units::did_you_mean;
 
 const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> Words {
     Words { one, several, known }
 }
+
+/// The end of a message about a material that is not in the list. Its other names, such as "AISI 304", are in the descriptions
+/// of the materials.
+pub fn unknown_material(name: &str) -> String {
+    let lower = name.to_lowercase().replace("aluminum", "aluminium");
+    let parts: Vec<&str> =
+        lower.split(|c: char| !c.is_alphanumeric() && c != '.').filter(|part| !NORMS.contains(part)).collect();
+    let has = |words: &str, part: &str| words.split(|c: char| !c.is_alphanumeric() && c != '.').any(|own| own == part);
+    let is_meant = |entry: &&MaterialEntry| {
+        let words = format!("{} {}", entry.name, entry.title).to_lowercase();
+        !parts.is_empty() && parts.iter().all(|part| has(&words, part))
+    };
+    let meant: Vec<&str> = all().iter().filter(is_meant).map(|entry| entry.name.as_str()).collect();
+    let names = all().iter().map(|entry| entry.name.as_str());
+    let candidates: Vec<&str> = if meant.is_empty() { names.collect() } else { meant.clone() };
+    let rest = format!(
+        "`plm-impact materials` lists all {}; a scenario can give youngs_modulus, poissons_ratio and density instead",
+        all().len()
+    );
+    match &meant[..] {
+        [one] => format!(", did you mean \"{one}\"?"),
+        [] => did_you_mean(name, candidates, '"', &rest),
+        several => format!(", did you mean one of \"{}\"?", several.join("\", \"")),
+    }
+}
+
+/// Words before the number of a material that are not in its description.
+const NORMS: [&str; 8] = ["aisi", "sae", "en", "din", "jis", "astm", "alloy", "grade"];
 
 /// Names of integration methods.
 pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.map(Method::name)));
