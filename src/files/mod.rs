@@ -58,7 +58,7 @@ pub fn foreign(path: &Path) -> Error {
 
 /// The error of a result that would take the place of a file that the scenario is, or reads.
 fn input_error(path: &Path) -> Error {
-    let reason = "this file belongs to the scenario, and a result has the same name; name another --out";
+    let reason = "this file belongs to the scenario, and the results would take its place; name another --out";
     Error::in_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
@@ -86,7 +86,7 @@ struct EarlierResults {
     files: Vec<String>,
     /// Says whose results the new ones replace. It is `None` if they are of this scenario, with the same text and overrides.
     replaced: Option<String>,
-    /// True if this version of the program made them.
+    /// True if this version of the program made them, with these numbers.
     is_of_this_version: bool,
 }
 
@@ -145,7 +145,8 @@ impl OutputDirectory {
         let (Some(hash), Some(other)) = (noted("scenario_sha256"), noted("scenario_file")) else {
             return if self.is_forced { Ok(None) } else { Err(foreign(&path)) };
         };
-        let is_of_this_version = noted("version") == Some(VERSION);
+        let numbers = summary["provenance"]["numbers_version"].as_u64();
+        let is_of_this_version = noted("version") == Some(VERSION) && numbers == Some(NUMBERS);
         let before = |replaced| Ok(Some(EarlierResults { files: listed(&summary), replaced, is_of_this_version }));
         let (own, is_other_text) = match origin {
             Origin::File { sha256, .. } if sha256 == hash => return before(None),
@@ -177,7 +178,7 @@ impl OutputDirectory {
     fn other_overrides(&self, scenario: &str, command: Option<&str>) -> Error {
         let made_by = command.map_or_else(String::new, |command| format!(", made by `{command}`"));
         self.refused(&format!(
-            "holds results of {scenario} with other --set or options{made_by}; leave --out out, which gives every setting a folder of its own, name another --out, or replace these results with --force"
+            "holds results of {scenario} with other --set or options{made_by}; name another --out, or replace these results with --force. Without --out other settings have a folder of their own"
         ))
     }
 
@@ -229,6 +230,15 @@ impl OutputDirectory {
             return Ok(());
         }
         if is_own(&place).map_err(unwritable(&place))? { Ok(()) } else { Err(foreign(&place)) }
+    }
+
+    /// Refuses to remove a folder of results that holds a file of the scenario.
+    ///
+    /// # Errors
+    /// [`Error`] naming that file.
+    pub fn check_removable(&self, folder: &Path) -> Result<(), Error> {
+        let Ok(folder) = folder.canonicalize() else { return Ok(()) };
+        self.inputs.iter().find(|input| input.starts_with(&folder)).map_or(Ok(()), |input| Err(input_error(input)))
     }
 
     /// True if the scenario is this file, or reads it.

@@ -33,6 +33,8 @@ pub struct Provenance {
     pub format_version: u64,
     /// Version of the program.
     pub version: &'static str,
+    /// Version of the numbers in tables: [`NUMBERS`].
+    pub numbers_version: u64,
     /// The scenario as the command line names it.
     pub scenario_file: String,
     /// The way to that file from the folder of the results, by which a later run knows its own; `None` without file or folder.

@@ -236,7 +236,7 @@ impl Contact {
         let (indentation, radius) = (peak.indentation * scales.length, self.pair.smaller_radius);
         let contact_radius = scales.contact_radius * ground.contact_radius(peak);
         // a spring has no geometry, but its sphere has a radius
-        let is_too_wide = contact_radius > radius && ground.law.limits.widest.is_finite();
+        let is_too_wide = contact_radius > radius && !ground.law.is_spring();
         if indentation > radius || is_too_wide {
             let softer = self.pair.yield_point.map(|point| point.flow.is_sphere);
             let yield_strength = self.half_space.yield_strength.filter(|_| softer == Some(false));
@@ -280,13 +280,20 @@ impl Contact {
     /// The slowest impact that yields by the law \[m/s\], v_Y for the PLM; `None` for a contact that stays elastic, for a law
     /// without an elastic regime, and where the contact would be wider than the sphere at first yield.
     pub fn yield_speed(&self) -> Option<f64> {
-        self.pair.reachable_yield_point()?;
-        (self.yield_speed > 0.0 && self.yield_speed.is_finite()).then_some(self.yield_speed)
+        let is_speed = self.yield_speed > 0.0 && self.yield_speed.is_finite();
+        (is_speed && self.reaches_first_yield()).then_some(self.yield_speed)
     }
 
-    /// True if the law is a pair of springs, which know no bodies: what stays is no dent.
+    /// False if the contact would be wider than the sphere at first yield by the law, so that the law has no first yield. The
+    /// pressure of a law at first yield may be another than that of von Mises for the yield strength.
+    pub fn reaches_first_yield(&self) -> bool {
+        let until = self.law.limits.elastic_until;
+        until.is_infinite() || self.scales.contact_radius * until.sqrt() < self.pair.smaller_radius
+    }
+
+    /// True if the law is a pair of springs, which leave no dent.
     pub fn is_spring(&self) -> bool {
-        self.pair.yield_point.is_some() && self.law.limits.widest.is_infinite()
+        self.law.is_spring()
     }
 
     /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].

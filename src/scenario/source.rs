@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 
 use super::{DATA, Scenario};
 use crate::error::Error;
-use crate::files::{FORMAT, Provenance, VERSION, hex};
+use crate::files::{FORMAT, NUMBERS, Provenance, VERSION, hex};
 use crate::scenario::scene::at;
 
 /// All that a result depends on, as text: it is hashed, and kept beside tables so that another machine reads the same plan again.
@@ -66,9 +66,10 @@ impl Scenario {
         self.source().sha256()
     }
 
-    /// SHA-256 of the overrides; `None` without overrides.
+    /// SHA-256 of the overrides, without the blanks and quotes that may be written in more than one way; `None` without overrides.
     pub fn overrides_sha256(&self) -> Option<String> {
-        let overrides = self.document.overrides();
+        let written = |text: &String| text.chars().filter(|c| !c.is_whitespace() && !"\"'".contains(*c)).collect();
+        let overrides: Vec<String> = self.document.overrides().iter().map(written).collect();
         let source = Source { overrides, ..Source::default() };
         (!source.overrides.is_empty()).then(|| source.sha256())
     }
@@ -78,6 +79,7 @@ impl Scenario {
         Provenance {
             format_version: FORMAT,
             version: VERSION,
+            numbers_version: NUMBERS,
             scenario_file: self.document.name().to_owned(),
             scenario_from_here: self.from_results.clone(),
             scenario_sha256: self.sha256(),

@@ -11,11 +11,11 @@ use rayon::prelude::*;
 use super::count::Count;
 use super::csv::Csv;
 use super::form::{Form, Format};
-use super::parts::{Identity, JOINED, ONE_FILE, PARTS};
+use super::parts::{Identity, JOINED, ONE_FILE, PARTS, remove_parts};
 use super::shard::Shard;
 use super::{Evaluator, Layout, Rows, Tally, count, file, unwritable};
 use crate::error::{Error, ErrorKind};
-use crate::files::{Counter, NewFile, OutputDirectory, remove, remove_folder, remove_stale};
+use crate::files::{Counter, NewFile, OutputDirectory, remove, remove_stale};
 use crate::scenario::Source;
 use crate::scenario::plan::Plan;
 
@@ -141,7 +141,7 @@ impl<F: Form> Table<'_, F> {
             // the table was finished, perhaps by another run; without its parts it is as good
             let mut tally = Tally::new(job.plan);
             if self.read(&table, 0..layout.rows, &mut |count| tally.push(count))? {
-                remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
+                remove_parts(job.directory)?;
                 return Ok(Written { table, found: tally.rows, tally });
             }
         }
@@ -156,7 +156,7 @@ impl<F: Form> Table<'_, F> {
 
     /// Puts the parts together, and removes them.
     fn join(&self) -> Result<(), Error> {
-        let (table, folder, header) = (self.path(&self.name), self.path(PARTS), self.form.header());
+        let (table, header) = (self.path(&self.name), self.form.header());
         let unwritable = unwritable(&table);
         let mut whole = NewFile::create(&table).map_err(&unwritable)?;
         whole.write_all(header).map_err(&unwritable)?;
@@ -167,7 +167,7 @@ impl<F: Form> Table<'_, F> {
             whole.append(&mut part).map_err(&unwritable)?;
         }
         whole.sync().and_then(|()| whole.put()).map_err(&unwritable)?;
-        remove_folder(&folder).map_err(file("cannot be removed", &folder))
+        remove_parts(self.job.directory)
     }
 
     /// Reads a file that ought to hold these cases. Returns true if it is whole.

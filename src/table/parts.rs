@@ -89,12 +89,23 @@ pub fn make_way(directory: &OutputDirectory) -> Result<(), Error> {
     if !directory.is_forced() && names.iter().any(is_part) {
         return Err(refused(&folder, "has the parts of a table; name another --out, or remove them with --force"));
     }
-    // files of others stay
-    let is_own = |name: &OsString| is_part(name) || name.as_encoded_bytes().starts_with(b".part-");
-    if names.iter().all(is_own) && (identity.exists() || !names.is_empty()) {
-        remove_folder(&folder).map_err(file("cannot be removed", &folder))?;
+    if identity.exists() || !names.is_empty() {
+        remove_parts(directory)?;
     }
     remove(&identity).map_err(file("cannot be removed", &identity))
+}
+
+/// Removes the parts of a table, and their folder. Files of others in that folder stay, and then the folder stays too.
+pub fn remove_parts(directory: &OutputDirectory) -> Result<(), Error> {
+    let folder = directory.path().join(PARTS);
+    directory.check_removable(&folder)?;
+    let names = names_in(&folder)?;
+    let is_own = |name: &&OsString| is_part(name) || name.as_encoded_bytes().starts_with(b".part-");
+    if names.iter().all(|name| is_own(&name)) {
+        return remove_folder(&folder).map_err(file("cannot be removed", &folder));
+    }
+    let mut parts = names.iter().filter(is_own).map(|name| folder.join(name));
+    parts.try_for_each(|part| remove(&part).map_err(file("cannot be removed", &part)))
 }
 
 /// The description of the table to which the parts in a folder belong. Tables with equal descriptions have the same bytes.

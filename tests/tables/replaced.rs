@@ -105,10 +105,46 @@ fn a_table_stays_when_the_same_table_is_written_in_another_format() {
     assert!(!said.contains("removed") && desk.read("o/table.csv") == table, "{said}");
     assert_eq!(desk.files("o"), ["summary.json", "table.csv", "table.parquet"]);
     assert_eq!(desk.json("o/summary.json")["provenance"]["files"], json!(["table.parquet", "table.csv"]));
+    // a table with older numbers does not stay
+    let older = desk.read("o/summary.json").replace("\"numbers_version\": ", "\"numbers_version\": 1000");
+    desk.put("o/summary.json", older);
+    let said = desk.ends(&[&run[..], &["--format", "parquet"]].concat(), 0).1;
+    assert!(said.contains("o: removed table.csv of the run before") && !desk.path("o/table.csv").exists(), "{said}");
     // an edited scenario has neither
     fs::write(desk.path("s.toml"), STEEL).unwrap();
     desk.ends(&run, 0);
     assert_eq!(desk.files("o"), ["summary.json", "trace.csv"]);
+}
+
+/// The parts of a table have no name of their table: none of an older table may stay.
+#[test]
+fn files_of_others_beside_parts_stay_and_no_part_of_an_older_table_does() {
+    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
+    let shard = [&RUN[..], &["--shard", "0/1", "--pictures", "none"]].concat();
+    desk.ends(&shard, 0);
+    desk.put("o/parts/notes.txt", "mine");
+    let older = desk.read("o/parts/part-00000.csv");
+    fs::write(desk.path("s.toml"), desk.read("s.toml").replace("5 mm", "4 mm").replace("[1, 2]", "[3, 4]")).unwrap();
+    desk.ends(&[&shard[..], &["--force"]].concat(), 0);
+    let newer = desk.read("o/parts/part-00000.csv");
+    assert!(newer != older && newer.contains("\n0,3,"), "{newer}");
+    // the parts become one file
+    desk.ends(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
+    assert_eq!(desk.read("o/table.csv"), newer);
+    assert_eq!((desk.files("o/parts"), desk.read("o/parts/notes.txt")), (vec!["notes.txt".to_owned()], "mine".into()));
+}
+
+#[test]
+fn a_part_that_the_scenario_reads_is_not_removed() {
+    let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
+    let curve = "plastic_strain,stress_Pa\n0,345e6\n0.1,600e6\n";
+    desk.put("o/parts/part-00000.csv", curve);
+    let scenario =
+        STEEL.replace("[impact]", "flow_stress = { table = \"o/parts/part-00000.csv\" }\n\n[impact]");
+    desk.put("s.toml", scenario);
+    let said = desk.ends(&[&RUN[..], &["--force"]].concat(), 2).1;
+    assert!(said.contains("o/parts/part-00000.csv: this file belongs to the scenario"), "{said}");
+    assert_eq!(desk.read("o/parts/part-00000.csv"), curve);
 }
 
 #[test]
@@ -133,6 +169,8 @@ fn other_settings_have_a_default_folder_of_their_own() {
     for ((_, folder), before) in folders.iter().zip(&summaries) {
         assert_eq!(desk.read(&format!("{folder}/summary.json")), *before, "{folder}");
     }
+    // a setting may be written in two ways
+    assert!(run(&["--set", "impact.speed=\"2m/s\""]).contains("to plots/s,impact.speed=2m_s\n"));
     // one measurement is a setting too
     desk.ends(&["calibrate", "s.toml", "--restitution", "0.49", "--pictures", "none"], 0);
     assert_eq!(desk.read("plots/s/summary.json"), summaries[0]);
@@ -163,7 +201,7 @@ fn one_folder_does_not_take_results_of_other_settings() {
             said.contains("o: holds results of s.toml with other --set or options") && said.contains(made_by),
             "{said}"
         );
-        assert!(said.contains("leave --out out") && said.contains("--force"), "{said}");
+        assert!(said.contains("name another --out") && said.contains("--force"), "{said}");
         assert_eq!(desk.read("o/summary.json"), before);
     }
     assert!(!desk.ends(&slow, 0).1.contains("replaced"));

@@ -91,6 +91,11 @@ impl Law {
         Self { loading: loading.into(), limits, rule, relaxed: None }
     }
 
+    /// True if it is a pair of springs, which know no bodies: a contact of any width is allowed, and what stays is no dent.
+    pub fn is_spring(&self) -> bool {
+        self.limits.widest.is_infinite()
+    }
+
     /// Hertz without end: loading and unloading on f = x^1.5.
     pub fn hertz() -> Self {
         Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), LoadingRule::Elastic)

@@ -48,6 +48,8 @@ pub struct Tested {
     pub pair: Pair,
     /// True if a load that is large enough leaves a dent.
     pub can_yield: bool,
+    /// True if the law is a pair of springs, which leave no dent.
+    pub is_spring: bool,
     /// The results.
     pub indentation: Indentation,
 }
@@ -191,6 +193,11 @@ impl StaticContact {
     /// True if a load that is large enough leaves a dent.
     pub fn can_yield(&self) -> bool {
         self.law.limits.elastic_until.is_finite()
+    }
+
+    /// True if the law is a pair of springs, which leave no dent.
+    pub fn is_spring(&self) -> bool {
+        self.law.is_spring()
     }
 
     /// Goes through the steps from first touch on; with `samples` ≥ 2, with a trace of that many evenly spaced rows a step

@@ -38,8 +38,8 @@ pub fn compute(
         let elastic = material.and_then(|choice| of_elastic(&specimen.half_space, choice.material));
         warnings.extend(elastic.map(|warning| warning.to_string()));
         warnings.extend(indentation.warnings.iter().map(|warning| named(warning)));
-        let (pair, can_yield) = (*contact.pair(), contact.can_yield());
-        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, indentation });
+        let (pair, can_yield, is_spring) = (*contact.pair(), contact.can_yield(), contact.is_spring());
+        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, is_spring, indentation });
     }
     Ok((scene, tested, warnings))
 }

@@ -157,7 +157,8 @@ pub fn table(tested: &[Tested]) -> String {
         }
         let mut rows = terminal::columns(&step(), &stepped(one));
         if let Some(point) = one.pair.yield_point {
-            terminal::rename_dent(rows.iter_mut().flatten(), left_behind(point.flow.flat_share));
+            let left = terminal::imprint(one.is_spring, left_behind(point.flow.flat_share));
+            terminal::rename_dent(rows.iter_mut().flatten(), left);
         }
         text.push_str(&aligned(&rows, |_| true));
     }
@@ -199,7 +200,7 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
     for one in tested {
         rows.push([String::new(), String::new()]);
         rows.extend(terminal::described(&half_space(), one));
-        rows.push(overview::who(&one.pair));
+        rows.push(overview::who(&one.pair, one.pair.reachable_yield_point().is_some()));
     }
     let softer = |one: &Tested| one.pair.yield_point.map(|point| point.flow.of_softer(Body::ALL));
     let is_vague = |body: Body| !scenario.input().has_flow(body);

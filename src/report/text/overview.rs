@@ -35,7 +35,7 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
     }
     rows.push([String::new(), String::new()]);
     rows.extend(described(&checked::contact(), contact));
-    rows.push(who(contact.pair()));
+    rows.push(who(contact.pair(), contact.reaches_first_yield()));
     if let Some(rated) = contact.rated() {
         rows.push(["strain rate".to_owned(), describe(rated.strain_rate, Dimension::StrainRate)]);
         rows.push(["strength raised by".to_owned(), four_digits(rated.factor)]);
@@ -110,10 +110,10 @@ pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {
     inputs.0.iter().map(|entry| [entry.path.clone(), entry.text()]).collect()
 }
 
-/// Which body flows, with the ratio of the strengths.
-pub(super) fn who(pair: &Pair) -> Row {
+/// Which body flows, with the ratio of the strengths, if the contact is narrower than the sphere at first yield.
+pub(super) fn who(pair: &Pair, is_reached: bool) -> Row {
     let Some(point) = pair.yield_point else { return ["yield point", ELASTIC].map(str::to_owned) };
-    if pair.reachable_yield_point().is_none() {
+    if !is_reached {
         return ["yield point", TOO_WIDE].map(str::to_owned);
     }
     let flow = point.flow;

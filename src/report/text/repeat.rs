@@ -98,7 +98,7 @@ pub fn table(series: &Series, detail: Detail) -> String {
     about.retain(|result| detail == Detail::Whole || result.name != "energy.drift");
     let mut lines = terminal::lines(&about, series);
     let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
-    terminal::rename_dent(texts, terminal::imprint(series.contact, series.sequence.left_behind()));
+    terminal::rename_dent(texts, terminal::imprint(series.contact.is_spring(), series.sequence.left_behind()));
     aligned(&lines, |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::impact::{Contact, Impact, WarningKind};
+use crate::impact::{Impact, WarningKind};
 use crate::scenario::scene::results::impact::{Single, results};
 use crate::scenario::scene::results::{Reported, Shown};
 use crate::units::{Dimension, aligned, describe, four_digits, percent, quantity};
@@ -50,7 +50,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     let speed = ["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::lines(&results, single));
-    rename_dent(lines.iter_mut().flatten(), imprint(single.contact, impact.left_behind()));
+    rename_dent(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.left_behind()));
     mark_doubtful(&mut lines, impact);
     put_measured_first(&mut lines);
     aligned(&lines, |_| true) + &notes(single.notes)
@@ -84,7 +84,7 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
         match name.as_str() {
             "restitution" if is_nearly_0 => *value = nearly_0(impact.restitution),
             "rebound speed" | "rebound height" if is_nearly_0 => "nearly 0".clone_into(value),
-            "restitution" if impact.is_outside_law => value.push_str(" (outside the law)"),
+            "restitution" | "with waves" if impact.is_outside_law => value.push_str(" (outside the law)"),
             "restitution" | "with waves" | "rebound height" if sticks => value.push_str(" (below the sticking speed)"),
             _ => {}
         }
@@ -98,8 +98,8 @@ fn nearly_0(restitution: f64) -> String {
 }
 
 /// What an impact leaves, as a word: a dent, a flat, or both. What a pair of springs keeps is neither.
-pub(super) fn imprint<'a>(contact: &Contact, left_behind: &'a str) -> &'a str {
-    if contact.is_spring() { SPRING } else { left_behind }
+pub(super) fn imprint(is_spring: bool, left_behind: &str) -> &str {
+    if is_spring { SPRING } else { left_behind }
 }
 
 /// In place of the word of a dent, for a law of springs.

@@ -55,7 +55,7 @@ impl Single<'_> {
 
     /// The value, if a body can yield before the contact is as wide as the sphere.
     fn at_first_yield<V>(&self, value: V) -> Option<V> {
-        self.contact.pair().reachable_yield_point().map(|_| value)
+        self.plastic(value).filter(|_| self.contact.reaches_first_yield())
     }
 
     /// The value, if there is gravity or damping.
