@@ -4,6 +4,10 @@
 //! 2. It is written and synchronised to the disk, so that all errors come before anything is replaced.
 //! 3. It is renamed, and the folder is synchronised to the disk. The summary, which names the scenario of the results, comes last.
 //!
+//! A run replaces and removes its own files alone: those that the summary in the folder lists, those that it knows by their content
+//! ([`OutputDirectory::check_replaceable`]), and the parts of a table. It never touches a file of the scenario. `--force` allows it to
+//! replace files of others that are in the way, and results of another scenario or of other options.
+//!
 //! Whenever the process is killed, each place holds either its old file or its new one, complete. Nothing is locked: of two
 //! processes that write the same file the last to rename it wins.
 

@@ -72,6 +72,8 @@ fn a_restitution_below_the_sticking_speed_is_marked() {
     let first =
         |speed: &str| line(&printed(&small, &[&format!("impact.speed={speed}")]), "restitution").unwrap().to_owned();
     assert!(first("1 mm/s").contains("(below the sticking speed)"));
+    let said = printed(&small, &["impact.speed=1 mm/s"]);
+    assert!(line(&said, "rebound speed").unwrap().contains("(below the sticking speed)"), "{said}");
     // up to seven times that speed a warning is enough
     assert!(!first("25 mm/s").contains("sticking") && !first("1 m/s").contains("sticking"));
 }

@@ -85,7 +85,9 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
             "restitution" if is_nearly_0 => *value = nearly_0(impact.restitution),
             "rebound speed" | "rebound height" if is_nearly_0 => "nearly 0".clone_into(value),
             "restitution" | "with waves" if impact.is_outside_law => value.push_str(" (outside the law)"),
-            "restitution" | "with waves" | "rebound height" if sticks => value.push_str(" (below the sticking speed)"),
+            "restitution" | "with waves" | "rebound speed" | "rebound height" if sticks => {
+                value.push_str(" (below the sticking speed)");
+            }
             _ => {}
         }
     }
