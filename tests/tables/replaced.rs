@@ -139,8 +139,7 @@ fn a_part_that_the_scenario_reads_is_not_removed() {
     let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let curve = "plastic_strain,stress_Pa\n0,345e6\n0.1,600e6\n";
     desk.put("o/parts/part-00000.csv", curve);
-    let scenario =
-        STEEL.replace("[impact]", "flow_stress = { table = \"o/parts/part-00000.csv\" }\n\n[impact]");
+    let scenario = STEEL.replace("[impact]", "flow_stress = { table = \"o/parts/part-00000.csv\" }\n\n[impact]");
     desk.put("s.toml", scenario);
     let said = desk.ends(&[&RUN[..], &["--force"]].concat(), 2).1;
     assert!(said.contains("o/parts/part-00000.csv: this file belongs to the scenario"), "{said}");
