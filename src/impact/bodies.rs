@@ -16,7 +16,9 @@ const LARGE: f64 = 1.0;
 /// Strengths that are a larger share of Young's modulus get a warning; whiskers without a flaw reach a tenth.
 const HIGH: f64 = 0.1;
 /// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber has more.
-pub(super) const SOFT: f64 = 1e5;
+const SOFT: f64 = 1e5;
+/// No metal and hardly a ceramic has a larger strength \[Pa\].
+const STRONG: f64 = 1e10;
 
 /// How far e is too high by the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
 pub const TOO_HIGH: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
@@ -165,6 +167,12 @@ pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warn
     of_body("half_space", material, *yield_strength, *density)
 }
 
+/// Whether Young's modulus is the number that cannot be, and not the strength beside it: it is that of no solid, or it is
+/// below a strength that a solid has.
+pub(super) fn is_modulus_wrong(modulus: f64, strength: Option<f64>) -> bool {
+    modulus < SOFT || strength.is_some_and(|strength| modulus < strength && strength < STRONG)
+}
+
 fn of_body(
     table: &str,
     material: &Material,
@@ -174,10 +182,9 @@ fn of_body(
     let modulus = material.youngs_modulus;
     let high = strength.filter(|strength| *strength > HIGH * modulus).map(|strength| {
         let [given, modulus_text] = [strength, modulus].map(|pressure| human(pressure, Dimension::Pressure));
-        let text = if modulus < SOFT {
-            // the number that is wrong is the modulus
+        let text = if is_modulus_wrong(modulus, Some(strength)) {
             format!(
-                "{table}.youngs_modulus = {modulus_text} is softer than any solid body with a yield strength, here {given}: check the unit, such as \"210 GPa\""
+                "{table}.youngs_modulus = {modulus_text} is far too small for a yield strength of {given}: check the unit of the modulus, such as \"210 GPa\""
             )
         } else {
             format!(

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::bodies::SOFT;
+use super::bodies::is_modulus_wrong;
 use super::error::ImpactError;
 use super::forces::Forces;
 use super::plate::{LoadedPlate, PlateError};
@@ -240,12 +240,16 @@ impl Contact {
         if indentation > radius || is_too_wide {
             let softer = self.pair.yield_point.map(|point| point.flow.is_sphere);
             let yield_strength = self.half_space.yield_strength.filter(|_| softer == Some(false));
-            let moduli = [("sphere", self.sphere.material), ("half_space", self.half_space.material)];
-            let soft = moduli.map(|(table, material)| (table, material.youngs_modulus)).into_iter();
-            // a strength above the modulus is no reason to doubt the strength
-            let least = yield_strength.unwrap_or(0.0).max(SOFT);
-            let soft_modulus = soft.filter(|(_, modulus)| *modulus < least).min_by(|a, b| a.1.total_cmp(&b.1));
-            return Err(ImpactError::TooDeep { indentation, contact_radius, radius, yield_strength, soft_modulus });
+            let moduli = [
+                ("sphere", self.sphere.material, self.sphere.yield_strength),
+                ("half_space", self.half_space.material, self.half_space.yield_strength),
+            ];
+            let wrong_modulus = moduli
+                .into_iter()
+                .map(|(table, material, strength)| (table, material.youngs_modulus, strength))
+                .find(|(_, modulus, strength)| is_modulus_wrong(*modulus, *strength))
+                .map(|(table, modulus, _)| (table, modulus));
+            return Err(ImpactError::TooDeep { indentation, contact_radius, radius, yield_strength, wrong_modulus });
         }
         Ok(contact_radius)
     }

@@ -27,7 +27,7 @@ pub enum ImpactError {
     #[error(
         "the sphere would go in by {} with a contact radius of {}, and its own radius is {}: no contact law holds there; check the units{}, or lower the speed",
         human(*.indentation, Dimension::Length), human(*.contact_radius, Dimension::Length), human(*.radius, Dimension::Length),
-        match (.soft_modulus, .yield_strength) {
+        match (.wrong_modulus, .yield_strength) {
             (Some((table, modulus)), _) => {
                 let modulus = human(*modulus, Dimension::Pressure);
                 format!(", such as that of {table}.youngs_modulus = {modulus}")
@@ -47,8 +47,8 @@ pub enum ImpactError {
         radius: f64,
         /// σ_Y \[Pa\].
         yield_strength: Option<f64>,
-        /// Table and Young's modulus \[Pa\] of a body that is softer than any that the laws are for.
-        soft_modulus: Option<(&'static str, f64)>,
+        /// Table and Young's modulus \[Pa\] of a body whose modulus cannot be right.
+        wrong_modulus: Option<(&'static str, f64)>,
     },
     /// A moment of inertia that is too small for the steps of friction.
     #[error(

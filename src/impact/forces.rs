@@ -60,7 +60,8 @@ impl Forces {
     #[inline]
     pub(super) fn check(&self) -> Result<(), InvalidInput> {
         let rule = "it must be 0 or a positive number";
-        let check = |quantity, value: f64| InvalidInput::check(quantity, value, value >= 0.0 && value.is_finite(), rule);
+        let check =
+            |quantity, value: f64| InvalidInput::check(quantity, value, value >= 0.0 && value.is_finite(), rule);
         if let Some(gravity) = self.gravity {
             check("gravity (m/s^2)", gravity)?;
         }

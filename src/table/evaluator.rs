@@ -110,8 +110,11 @@ impl RowContact {
         let (sphere, half_space) = input.bodies(law);
         let pair = || input.pair(sphere, half_space, law).map_err(Failure::from);
         let contact = known.cloned().map_or_else(pair, Ok);
-        let uncertainty =
-            contact.as_ref().ok().zip(ranges).and_then(|(contact, ranges)| Uncertainty::new(input, contact, law, ranges));
+        let uncertainty = contact
+            .as_ref()
+            .ok()
+            .zip(ranges)
+            .and_then(|(contact, ranges)| Uncertainty::new(input, contact, law, ranges));
         Self { strengths: [sphere.yield_strength, half_space.yield_strength], contact, uncertainty }
     }
 }

@@ -15,7 +15,6 @@ fn check(table: &str, script: &str, now: impl Fn(&str) -> f64) {
 }
 
 #[test]
-#[ignore = "the picture is older than the exponent of the template: UPDATE=1 node --test tests/web/page.test.mjs"]
 fn the_picture_of_the_page_shows_the_numbers_of_today() {
     let desk = Desk::with("");
     let template = desk.ends(&["init", "impact", "--out", "-"], 0).0;
@@ -27,12 +26,11 @@ fn the_picture_of_the_page_shows_the_numbers_of_today() {
 }
 
 #[test]
-#[ignore = "the picture is older than the unloading curve of today: python tests/lammps/picture.py"]
 fn the_picture_of_lammps_shows_the_restitution_of_today() {
     let desk = Desk::with("");
     let steel = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/steel-on-steel.toml");
     desk.put("s.toml", fs::read_to_string(steel).unwrap());
-    check(include_str!("../reference/rain_picture.csv"), "python tests/lammps/picture.py", |speed| {
+    check(include_str!("../reference/rain_picture.csv"), "UPDATE=1 pytest tests/lammps", |speed| {
         let speed = format!("impact.speed={speed}");
         desk.ends(&["run", "s.toml", "--out", "out", "--force", "--pictures", "none", "--set", &speed], 0);
         desk.summary()["restitution"].as_f64().unwrap()

@@ -43,6 +43,13 @@ fn titles_are_in_the_words_of_the_field() {
     let braun = format!("{STEEL}[law.walton_braun]\nstiffness_ratio = 0.5\n[sweep]\n");
     let ratios = "\"law.walton_braun.stiffness_ratio\" = { linspace = [0.2, 0.8], points = 4 }\n";
     assert!(has(&drawn(&(braun + ratios), "restitution"), "Walton–Braun stiffness ratio"));
+    // in the unit in which no value is large, and none is below a tenth
+    let strengths = "\"impact.speed\" = { linspace = [1, 2], points = 4 }\n\"half_space.yield_strength\" = [2e8, 9e8]";
+    let strengths = drawn(&sweep(strengths), "restitution");
+    assert!(has(&strengths, "200 MPa") && has(&strengths, "900 MPa"), "{:?}", strengths.texts());
+    let rate = STEEL.replace("[impact]", "rate.tested_at = 1e-3\nrate.johnson_cook.c = 0.01\n[impact]");
+    let rate = rate + "[sweep]\n\"half_space.rate.johnson_cook.c\" = [0.01, 0.02]\n";
+    assert!(has(&drawn(&rate, "restitution"), "Half-space Johnson–Cook c"));
     let laws = drawn(&sweep("\"law\" = [\"plm\", \"kogut_etsion\", \"jackson_green + brake\"]"), "restitution");
     for law in ["1 PLM", "2 Kogut–Etsion", "3 Jackson–Green + Brake"] {
         assert!(has(&laws, law), "{law}: {:?}", laws.texts());
@@ -55,10 +62,10 @@ fn the_curves_of_a_long_axis_are_even_and_counted() {
     let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let axes = "\"half_space.youngs_modulus\" = { linspace = [1e11, 2e11], points = 20 }\n\"impact.drop_height\" = { linspace = [\"100 mm\", \"2 m\"], points = 20 }";
     let drawn = drawn(&format!("{still}[sweep]\n{axes}\n"), "restitution");
-    for name in ["100 mm", "400 mm", "700 mm", "1000 mm", "1300 mm", "1600 mm", "1900 mm", "7 of 20 values are shown"] {
+    for name in ["0.1 m", "0.4 m", "0.7 m", "1 m", "1.3 m", "1.6 m", "1.9 m", "7 of 20 values are shown"] {
         assert!(has(&drawn, name), "{name}: {:?}", drawn.texts());
     }
-    assert!(!has(&drawn, "2 m") && !has(&drawn, "2000 mm"));
+    assert!(!has(&drawn, "2 m"));
     let colors: Vec<String> = (0..13).map(|number| format!("{:?}", plot::Style::new(number).solid())).collect();
     for (number, one) in colors.iter().enumerate() {
         let color = one.split("color").nth(1).unwrap().split("width").next().unwrap();
@@ -148,5 +155,116 @@ fn titles_of_low_boxes_do_not_touch() {
     let boxes = drawn.boxes();
     for (title, [_, top, _, bottom]) in ["Speed [m/s]", "Restitution", "Dent depth [µm]"].into_iter().zip(boxes) {
         assert!(height(title) < bottom - top + 30.0 * UNITS, "{title}");
+    }
+}
+
+/// The box beside the loops has a title that stands alone.
+#[test]
+fn the_box_of_the_sphere_says_whose_indentation_it_shows() {
+    for format in ["svg", "narrow-svg"] {
+        let drawn = drawn_as(STEEL, "force_indentation", format);
+        assert!(has(&drawn, "Indentation of the sphere [µm]"), "{:?}", drawn.texts());
+    }
+}
+
+/// Random sizes of the sphere do not change e: a histogram of one value would be one bar, and is not drawn.
+#[test]
+fn equal_values_have_no_histogram() {
+    for (key, count) in [("sphere.radius", 0), ("half_space.yield_strength", 1)] {
+        let range = if count == 0 { "[\"1 mm\", \"9 mm\"]" } else { "[\"300 MPa\", \"400 MPa\"]" };
+        let desk = Desk::with(format!("{STEEL}[monte_carlo]\nsamples = 50\n\"{key}\" = {{ uniform = {range} }}\n"));
+        desk.ends(&["run", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+        assert_eq!(desk.files("o").iter().filter(|name| name.ends_with(".svg")).count(), count, "{key}");
+    }
+}
+
+/// The files of a calibration of these keys, with pictures.
+fn calibrated(keys: &str, data: &str, code: i32) -> Desk {
+    let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
+    let desk = Desk::with(format!("{still}[calibrate]\ndata = \"d.csv\"\n{keys}"));
+    desk.put("d.csv", data);
+    desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], code);
+    desk
+}
+
+/// The key of a fit has error bars where a reader sees them, and says so where the marker covers them.
+#[test]
+fn error_bars_below_the_size_of_a_marker_are_said() {
+    for (deviation, is_seen) in [("0.03", true), ("0.0005", false)] {
+        let data = format!(
+            "speed_m_per_s,restitution,restitution_sd\n1,0.603,{deviation}\n2,0.531,{deviation}\n3,0.491,{deviation}\n"
+        );
+        let drawn = Drawn(calibrated("", &data, 0).read("o/fit_restitution.svg"));
+        let texts = drawn.texts().join(" ").replace('\u{a0}', " ");
+        assert_eq!(texts.contains("measured, with its standard deviation"), is_seen, "{texts}");
+        assert_eq!(texts.contains("standard deviation below the size of the marker"), !is_seen, "{texts}");
+        assert_eq!(texts.contains("band of the line"), is_seen, "{texts}");
+    }
+}
+
+/// The line of the law among the residuals is whole, and those of 95 % are dashed.
+#[test]
+fn the_law_and_its_limits_have_different_lines() {
+    let data = "speed_m_per_s,restitution,restitution_sd\n1,0.61,0.01\n2,0.525,0.01\n3,0.5,0.01\n4,0.46,0.01\n";
+    let drawn = Drawn(calibrated("", data, 0).read("o/residuals.svg"));
+    let [left, _, right, _] = drawn.boxes()[0];
+    let lines: Vec<f64> = ["#777777", INK]
+        .into_iter()
+        .flat_map(|color| drawn.lines(color))
+        .filter(|line| line.len() == 2 && line[0].1 == line[1].1)
+        .map(|line| (line[1].0 - line[0].0) / (right - left))
+        .collect();
+    assert_eq!(lines.iter().filter(|length| **length > 0.99).count(), 1, "{lines:?}");
+    assert!(lines.iter().filter(|length| **length < 0.05).count() > 20, "{lines:?}");
+}
+
+/// A hardness that is sought is in HV on the axis too.
+#[test]
+fn a_sought_hardness_is_in_vickers() {
+    let keys = "noise = { restitution = 0.01 }\n[calibrate.free]\n\"half_space.hardness\" = { from = \"50 HV\", to = \"500 HV\" }\n\
+                \"half_space.youngs_modulus\" = { from = \"50 GPa\", to = \"500 GPa\" }\n";
+    let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "").replace("yield_strength = \"345 MPa\"\n", "");
+    let desk = Desk::with(format!("{still}[calibrate]\ndata = \"d.csv\"\n{keys}"));
+    desk.put("d.csv", "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n1,0.603,330,5\n3,0.491,1106,10\n");
+    desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], 0);
+    let drawn = Drawn(desk.read("o/posterior.svg"));
+    assert!(has(&drawn, "Half-space hardness [HV]"), "{:?}", drawn.texts());
+    let estimate = desk.json("o/summary.json")["keys"][0]["estimate"].as_f64().unwrap();
+    let vickers = estimate / 9.806_65e6;
+    let [x, _] = drawn.scales(0);
+    // a stroke of the cross, the only black line in the box, has the best keys in its middle
+    let is_in = drawn.is_in(0);
+    let cross = drawn.lines(BLACK).into_iter().find(|line| is_in(line[0])).unwrap();
+    let middle = 0.5 * (cross[0].0 + cross[1].0);
+    assert!((middle - x.place(vickers)).abs() < UNITS, "{vickers} HV");
+}
+
+/// Of many curves each has a colour of its own, and markers.
+#[test]
+fn many_curves_have_markers() {
+    let axes = "\"impact.speed\" = { logspace = [1e-2, 10], points = 40 }\n\"law\" = \"all\"\n";
+    let drawn = drawn(&sweep(axes), "restitution");
+    let is_in = drawn.is_in(0);
+    for color in [BLUE, VERMILLION, GREEN, PURPLE, ORANGE, "#56B4E9", BLACK, "#882255", "#999933", "#8C562B"] {
+        let count = drawn.marks(color).into_iter().filter(|at| is_in(*at)).count();
+        assert!(count > 2, "{color}: {count} markers");
+    }
+}
+
+/// A key within the axes has a frame, and a key with one entry that the title of the axis has already is left out.
+#[test]
+fn a_key_has_a_frame_and_is_there_only_where_needed() {
+    let axes = [Axis::linear("x", ""), Axis::linear("y", "")];
+    let lines = vec![Series::line("n = -2.623", vec![(0.0, 0.0), (1.0, 1.0)]).styled(0)];
+    let with_key = Drawn::of(&Chart::new("t", axes, lines));
+    let frame = with_key.lines("#E2E2E2").into_iter().filter(|line| line.len() == 5 && line[0] == line[4]).count();
+    assert_eq!(frame, 1);
+    // with the sign of a number
+    assert!(has(&with_key, "n = −2.623"), "{:?}", with_key.texts());
+    let hops = "[gravity]\nacceleration = 9.81\n[repeat]\nimpacts = 4\nspot = \"fresh\"\n";
+    for (air, has_key) in [("", false), ("[air]\ndensity = 1.2\ndrag = 0.5\n", true)] {
+        let drawn = drawn(&format!("{STEEL}{hops}{air}"), "height");
+        assert!(drawn.texts().iter().any(|text| text.starts_with("Height of the lowest point [")));
+        assert_eq!(has(&drawn, "With air"), has_key, "{:?}", drawn.texts());
     }
 }

@@ -1,6 +1,5 @@
-"""Draws plots/lammps/rain.png, and notes its numbers, from a run of LAMMPS: python tests/lammps/picture.py (needs matplotlib and lmp with the plug-in)."""
+"""Draws plots/lammps/rain.png from a run of LAMMPS, and notes its numbers: UPDATE=1 pytest tests/lammps (needs matplotlib)."""
 
-import os
 import tempfile
 from pathlib import Path
 
@@ -14,11 +13,10 @@ from test_lammps import RADII, ROOT, STEEL, closed_form, energies, lammps, table
 COLOURS = dict(zip(RADII, ("#0072b2", "#e69f00", "#009e73")))
 
 
-def main() -> None:
+def draw(plugin: Path) -> None:
     with tempfile.TemporaryDirectory() as folder:
         data, out = Path(folder) / "rain.data", Path(folder) / "rain"
         radius, speed = write_rain(data, 2000)
-        plugin = Path(os.environ["LAMMPS_PLUGIN_PATH"])
         output = lammps(plugin, "rain.in", data=data, out=out, scenario=STEEL, dt="4e-8", half=800, wall="plane 0")
         rows = table(Path(f"{out}.dump"))
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.5), dpi=100, layout="constrained")
@@ -43,9 +41,5 @@ def main() -> None:
     figure.savefig(ROOT / "plots/lammps/rain.png")
     # tests/command/other_pictures.rs compares these numbers with those of the program
     lines = [f"{speed:g},{float(closed_form().restitution(speed)):.6g}" for speed in (1.0, 2.0, 3.0, 4.0)]
-    table = ROOT / "tests/reference/rain_picture.csv"
-    table.write_text("\n".join(["speed_m_per_s,restitution", *lines, ""]))
-
-
-if __name__ == "__main__":
-    main()
+    noted = ROOT / "tests/reference/rain_picture.csv"
+    noted.write_text("\n".join(["speed_m_per_s,restitution", *lines, ""]))

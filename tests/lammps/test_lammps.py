@@ -415,3 +415,12 @@ def test_friction_is_the_spring_of_lammps(plugin: Path, tmp_path: Path) -> None:
     assert (tmp_path / "again").read_text() == (tmp_path / "ours").read_text(), "restart"
     # and so is the oracle's spring at 2 degrees and friction 0.092: the angle alone decides (tests/reference/oblique.csv)
     assert ours[0, 0] == pytest.approx(1 - (1 - 0.5678199098) / 3.5, abs=1e-3)
+
+
+# with UPDATE=1 alone, so that a usual run has no skipped test; tests/command/other_pictures.rs says when the picture is stale
+if os.environ.get("UPDATE") == "1":
+
+    def test_the_picture_is_drawn_anew(plugin: Path) -> None:
+        from picture import draw
+
+        draw(plugin)

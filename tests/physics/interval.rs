@@ -22,8 +22,12 @@ fn law_error_holds_the_finite_elements() {
         let errors = cycle_errors(PlmCoefficients::built_in(), exponent).unwrap();
         assert!(errors.len() > 100, "{}", errors.len());
         let held = |(class, ratio, error): &(_, f64, f64)| {
-            let row = table().iter().find(|row| row.class == *class && row.exponent == name && *ratio <= row.max_radius_ratio);
-            row.is_none_or(|row| (row.low..=row.high).contains(&(error - 1e-5)) || (row.low..=row.high).contains(&(error + 1e-5)))
+            let row = table()
+                .iter()
+                .find(|row| row.class == *class && row.exponent == name && *ratio <= row.max_radius_ratio);
+            row.is_none_or(|row| {
+                (row.low..=row.high).contains(&(error - 1e-5)) || (row.low..=row.high).contains(&(error + 1e-5))
+            })
         };
         let n = errors.iter().filter(|error| held(error)).count();
         assert!(10 * n >= 9 * errors.len(), "{name}: {n} of {}", errors.len());

@@ -118,7 +118,11 @@ fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
         let want = single.contact().unwrap().row(3.0, &Solver::AUTO).unwrap();
         // the interval is that of `plm-impact run`
         let interval = restitution_interval(&single, &single.contact().unwrap(), 3.0, &want).unwrap();
-        assert_eq!(row.unwrap(), Essentials { restitution_interval: Some([interval.low, interval.high]), ..want }, "{metal}");
+        assert_eq!(
+            row.unwrap(),
+            Essentials { restitution_interval: Some([interval.low, interval.high]), ..want },
+            "{metal}"
+        );
     }
 }
 

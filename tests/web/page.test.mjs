@@ -31,6 +31,7 @@ test("UPDATE=1 draws src/doors/web/page.png and notes its numbers", { skip: proc
   const names = ["restitution", "contact_time_s", "peak_force_N", "residual_indentation_m"];
   const lines = ["result,value", ...names.map((name) => `${name},${summary[name]}`), ""];
   writeFileSync(join(ROOT, "tests/reference/page_picture.csv"), lines.join("\n"));
+  await page.look(1400, 900, false);
 });
 
 test("a changed speed changes number, pictures, text and address", async () => {

@@ -95,12 +95,16 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
 }
 
 /// The keys of the scenario that options give.
-const OPTIONS: [(&str, &str); 10] = [
+const OPTIONS: [(&str, &str); 14] = [
     ("sphere.material", "--ball"),
     ("sphere.diameter", "--diameter"),
+    ("sphere.yield_strength", "--ball-strength"),
+    ("sphere.strength_kind", "--ball-strength-kind"),
+    ("sphere.hardness", "--ball-hardness"),
     ("half_space.material", "--on"),
     ("half_space.thickness", "--thickness"),
     ("half_space.yield_strength", "--strength"),
+    ("half_space.strength_kind", "--strength-kind"),
     ("half_space.hardness", "--hardness"),
     ("impact.drop_height", "--from"),
     ("impact.speed", "--speed"),

@@ -187,8 +187,8 @@ impl FittedAxis {
     /// Ticks from low to high on an axis of this length \[px\], with labels about `distance` apart, at least four if
     /// they have room. `extent` is the length that a label takes along the axis: labels do not overlap.
     ///
-    /// A logarithmic axis of more than a decade has labels at 1, 2, 3 or 5 times a power of ten; an axis of less than a
-    /// decade may have the even steps of a linear axis.
+    /// The labels of a logarithmic axis are whole digits times powers of ten, and powers of ten come first. Only an axis
+    /// whose ends differ by less than [`SHORT`] has the even steps of a linear axis.
     pub(super) fn ticks(&self, length: f64, distance: f64, extent: impl Fn(&str) -> f64) -> Vec<Tick> {
         if self.scale == Scale::Count {
             return self.inside(counted(self.low, self.high));
@@ -214,14 +214,13 @@ impl FittedAxis {
     /// Sets of ticks, the preferred one first.
     fn candidates(&self, wanted: f64) -> impl Iterator<Item = Vec<(f64, Option<String>)>> {
         let (low, high) = (self.low, self.high);
-        let is_log = self.scale == Scale::Log;
-        let (is_short, is_long) = (!is_log || high / low < 3.0, is_log && high / low > 10.0);
+        let is_short = self.scale != Scale::Log || high / low < SHORT;
         let every = if is_short { 0 } else { decades_between_labels(low, high, wanted) };
         // labels closer together, as far as to every decade, and then more labels in each decade
         let of_decades = (1..=every).rev().map(move |every| log_ticks(low, high, every, &[1]));
         let digits = DIGITS.into_iter().filter(move |_| !is_short);
         let of_digits = digits.map(move |digits| log_ticks(low, high, 1, digits));
-        let shares = LINEAR_COUNTS.into_iter().filter(move |_| !is_long);
+        let shares = LINEAR_COUNTS.into_iter().filter(move |_| is_short);
         let of_linear = shares.map(move |share| linear_ticks(low, high, share * wanted));
         of_decades.chain(of_digits).chain(of_linear)
     }
@@ -240,7 +239,9 @@ impl FittedAxis {
 /// Smallest number of labels of an axis.
 const FEWEST: f64 = 4.0;
 /// Digits that have a label on a logarithmic axis of few decades, from long axes to short ones.
-const DIGITS: [&[i32]; 2] = [&[1, 3], &[1, 2, 5]];
+const DIGITS: [&[i32]; 5] = [&[1, 3], &[1, 2, 5], &[1, 2, 3, 5], &[1, 2, 4, 6, 8], &[1, 2, 3, 4, 5, 6, 7, 8, 9]];
+/// A logarithmic axis looks like a linear one if its upper end is less than this multiple of its lower end.
+const SHORT: f64 = 3.0;
 /// Numbers of steps of a linear axis over the wanted number of labels, in the order in which they are tried. Long labels
 /// have room for fewer steps.
 const LINEAR_COUNTS: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 0.6, 0.3];
@@ -321,9 +322,9 @@ mod tests {
         assert_eq!(labels(&Axis::log("error", ""), [1e-12, 1e-2])[..2], ["10⁻¹²", "10⁻¹⁰"]);
     }
 
-    /// Logarithmic axes of 1 to 12 decades, in steps of a tenth of a decade, with the lengths of the boxes of wide and of
-    /// narrow pictures: labels stand at powers of ten or, within few decades, at 2, 3 and 5 times a power of ten, there
-    /// are at least three, and no two overlap.
+    /// Logarithmic axes of half a decade to 12 decades, in steps of a tenth of a decade, with the lengths of the boxes of
+    /// wide and of narrow pictures. Labels are digits times powers of ten. Up to 4 decades each power of ten has a label.
+    /// There are at least three labels, or two on half a decade, and no two overlap.
     #[test]
     fn a_log_axis_has_powers_of_ten() {
         use super::super::style::LABEL_SIZE;
@@ -334,7 +335,7 @@ mod tests {
         let is_upward = [false; 3].into_iter().chain([true; 4]);
         for ((length, distance), is_upward) in across.into_iter().chain(upward).zip(is_upward) {
             let extent = |label: &str| if is_upward { LABEL_SIZE } else { text_width(label, LABEL_SIZE) };
-            for (begin, tenths) in (-90..30).flat_map(|begin| (10..=120).map(move |tenths| (begin, tenths))) {
+            for (begin, tenths) in (-90..30).flat_map(|begin| (5..=120).map(move |tenths| (begin, tenths))) {
                 let low = pow(10.0, 0.1 * f64::from(begin));
                 let high = low * pow(10.0, 0.1 * f64::from(tenths));
                 let axis = Axis::log("x", "").between(low, high).fitted([]);
@@ -342,17 +343,28 @@ mod tests {
                 let labels: Vec<(f64, &str)> =
                     ticks.iter().filter_map(|tick| Some((tick.at, tick.label.as_deref()?))).collect();
                 let context = format!("{low} to {high} on {length} px: {labels:?}");
-                assert!(labels.len() >= 3, "{context}");
+                assert!(labels.len() >= if tenths < 10 { 2 } else { 3 }, "{context}");
                 for pair in labels.windows(2) {
                     let room = 0.5 * (extent(pair[0].1) + extent(pair[1].1));
                     assert!(length * (pair[1].0 - pair[0].0) >= room, "{context}");
                 }
+                let digit = |at: f64| {
+                    let logarithm = log10(axis.value_at(at));
+                    pow(10.0, logarithm - (logarithm + 1e-9).floor())
+                };
+                let digits: &[i32] = match tenths {
+                    ..=12 => &[1, 2, 3, 4, 5, 6, 7, 8, 9],
+                    ..=40 => &[1, 2, 3, 5],
+                    _ => &[1],
+                };
                 for (at, label) in &labels {
-                    let logarithm = log10(axis.value_at(*at));
-                    let digit = pow(10.0, logarithm - (logarithm + 1e-9).floor());
-                    let digits: &[f64] = if tenths > 40 { &[1.0] } else { &[1.0, 2.0, 3.0, 5.0] };
-                    assert!(digits.iter().any(|known| (digit - known).abs() < 1e-6), "{label} of {context}");
+                    let is_allowed = digits.iter().any(|known| (digit(*at) - f64::from(*known)).abs() < 1e-6);
+                    assert!(is_allowed, "{label} of {context}");
                 }
+                // the powers of ten from the lower end to the upper end: no more than the labels that are one
+                let inside = (begin + tenths).div_euclid(10) - (begin - 1).div_euclid(10);
+                let powers = labels.iter().filter(|(at, _)| (digit(*at) - 1.0).abs() < 1e-6).count();
+                assert!(tenths > 40 || i32::try_from(powers) == Ok(inside), "{inside} powers of ten in {context}");
             }
         }
     }

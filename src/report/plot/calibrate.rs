@@ -249,14 +249,18 @@ impl<'a> FittedQuantity<'a> {
     }
 }
 
-/// These axes with the prefix of the largest value on both, if they have the same unit.
+/// These axes with the same prefix, if they have the same unit: that of the largest value, or, on logarithmic axes, that which
+/// an axis with the values of both would have.
 fn with_one_prefix([x, y]: [Axis; 2], points: &[(f64, f64)]) -> [Axis; 2] {
     if x.unit != y.unit {
         return [x, y];
     }
     let (low, high) = extremes(points.iter().flat_map(|(x, y)| [x.abs(), y.abs()]).filter(|size| *size > 0.0));
-    // on logarithmic axes the prefix of the middle
-    let size = if x.scale == Scale::Log && low < high { low.sqrt() * high.sqrt() } else { high };
+    let size = match x.scale {
+        Scale::Log if low <= 1.0 && high >= 1.0 => 1.0,
+        Scale::Log if low < high => low.sqrt() * high.sqrt(),
+        _ => high,
+    };
     [x, y].map(|axis| axis.with_prefix_of(size))
 }
 

@@ -113,7 +113,13 @@ pub(crate) fn words_of(path: &str) -> String {
     let law = path.strip_prefix("law.").and_then(|rest| rest.split_once('.'));
     let (law, path) = law.map_or_else(|| (String::new(), path), |(law, rest)| (law_title(law) + " ", rest));
     let words = path.replace(['.', '_'], " ").replace("half space", "half-space");
-    law + &words.replace("youngs", "Young's").replace("poissons", "Poisson's")
+    let names = [
+        ("youngs", "Young's"),
+        ("poissons", "Poisson's"),
+        ("rate johnson cook", "Johnson–Cook"),
+        ("rate cowper symonds", "Cowper–Symonds"),
+    ];
+    law + &names.iter().fold(words, |words, (plain, written)| words.replace(plain, written))
 }
 
 /// The name of a law as a reader writes it: "PLM", "Walton–Braun", or "PLM + Thornton".

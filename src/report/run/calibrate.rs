@@ -43,7 +43,8 @@ fn calibration_notes(found: &Calibration) -> Vec<String> {
     let Ok(contact) = input.contact() else { return Vec::new() };
     let mut notes = strength_notes(&input, &contact, &input.law());
     // a strength that was found is that of the impacts
-    let is_found = found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));
+    let is_found =
+        found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));
     notes.retain(|note| !(is_found && note.starts_with(WHICH_STRENGTH)));
     notes
 }

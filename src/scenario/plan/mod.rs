@@ -5,9 +5,9 @@ pub mod free;
 pub(crate) mod random;
 
 use crate::impact::{Method, Warning};
-use crate::scenario::scene::results::{Column, Needs, columns};
 use crate::scenario::scene::interval::has_strength_parts;
 use crate::scenario::scene::interval::law_error::has_law_error;
+use crate::scenario::scene::results::{Column, Needs, columns};
 use crate::scenario::scene::{Body, Input, Key, Purpose, at, key_of, without_effect};
 pub(crate) use axis::{Axis, Setting, Values, Word};
 pub use free::Free;
@@ -126,7 +126,9 @@ impl Plan {
         let is_free = input.number(at!("half_space.mass")).is_some();
         match needs {
             Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
-            Needs::Interval if !self.has_interval() => Some("nothing is known of the strength but its number: name a material, or give a hardness or strength_kind = \"proof\""),
+            Needs::Interval if !self.has_interval() => Some(
+                "nothing is known of the strength but its number: name a material, or give a hardness or strength_kind = \"proof\"",
+            ),
             Needs::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
             Needs::Flat if !input.has_strength(Body::Sphere) => Some("without sphere.yield_strength there is no flat"),
             Needs::Incidence if input.incidence().is_none() => {

@@ -75,7 +75,9 @@ impl Input {
             Some(strength * yield_factor(self.material(body).poissons_ratio))
         };
         match Body::ALL.map(pressure) {
-            [Some(sphere), Some(half_space)] if sphere.max(half_space) < ALONE_FROM * sphere.min(half_space) => [None, None],
+            [Some(sphere), Some(half_space)] if sphere.max(half_space) < ALONE_FROM * sphere.min(half_space) => {
+                [None, None]
+            }
             _ => curves,
         }
     }

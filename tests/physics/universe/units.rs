@@ -83,13 +83,8 @@ pub fn units_do_not_matter(run: &Run) -> Judged {
     let allowed = if run.impact.rebound.is_some() { allowed.max(1e-7) } else { allowed };
     let sizes = [run.impact.peak_indentation, run.impact.peak_force, run.put_in()];
     let [one, two] = [run, &other].map(|run| (&run.contact, &run.impact));
-    let [one, two] = [one, two].map(|(contact, impact)| Single {
-        contact,
-        impact,
-        interval: None,
-        notes: &[],
-        drop_height: None,
-    });
+    let [one, two] =
+        [one, two].map(|(contact, impact)| Single { contact, impact, interval: None, notes: &[], drop_height: None });
     let mut compared = 0;
     for result in results() {
         let of_run = ["work.", "accuracy.", "verlet.", "friction_error", "energy.drift", "energy.angular"];

@@ -19,10 +19,10 @@ pub mod thornton;
 pub mod walton_braun;
 pub mod yigit_christoforou;
 
+use super::Law;
 use super::contact_law::{About, Bodies, ContactLaw};
 pub use super::plm;
 use super::published::{LawParts, OutsideLaw};
-use super::Law;
 use crate::contact::strength::flow::FlowCurve;
 
 macro_rules! laws {

@@ -53,7 +53,8 @@ pub struct LawError {
 /// The table, in the order of the file.
 pub fn table() -> &'static [LawError] {
     static TABLE: LazyLock<Vec<LawError>> = LazyLock::new(|| {
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(include_str!("law_errors.csv").as_bytes());
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(include_str!("law_errors.csv").as_bytes());
         reader.deserialize().filter_map(Result::ok).collect()
     });
     &TABLE

@@ -71,7 +71,9 @@ impl RestitutionInterval {
         let (mut law, mut sources) = ([1.0; 2], Vec::new());
         for IntervalPart { name, kind, low, high } in parts {
             match kind {
-                _ if [LAW_BIAS, LAW_SCATTER].contains(&name.as_str()) => law = [law[0] * (1.0 + low), law[1] * (1.0 + high)],
+                _ if [LAW_BIAS, LAW_SCATTER].contains(&name.as_str()) => {
+                    law = [law[0] * (1.0 + low), law[1] * (1.0 + high)]
+                }
                 PartKind::NotIncluded => sources.push(format!("without {name}")),
                 // the name has the range of the hardness
                 PartKind::Width if name.starts_with(HARDNESS) => sources.push(name.clone()),
@@ -79,8 +81,7 @@ impl RestitutionInterval {
             }
         }
         sources.push(format!("law {}", percent_range(law.map(|factor| factor - 1.0))));
-        let range =
-            if *high < SMALL { format!("below {SMALL}") } else { format!("{low:.digits$} to {high:.digits$}") };
+        let range = if *high < SMALL { format!("below {SMALL}") } else { format!("{low:.digits$} to {high:.digits$}") };
         format!("{range}: {}", sources.join(", "))
     }
 }

@@ -47,7 +47,8 @@ impl HardnessRanges {
             input.yield_strength(body, flow)
         };
         let range = |bodies: &[Body], name: &str, known: &Known| {
-            let of_end = |end: usize| Body::ALL.map(|body| bodies.contains(&body).then(|| strength(body, end)).flatten());
+            let of_end =
+                |end: usize| Body::ALL.map(|body| bodies.contains(&body).then(|| strength(body, end)).flatten());
             let [low, high] = known.range.each_ref().map(|end| end.text.as_str());
             HardnessRange { name: format!("{HARDNESS}{name} {low} to {high}"), strengths: [of_end(0), of_end(1)] }
         };
@@ -69,9 +70,8 @@ impl HardnessRanges {
     }
 
     fn key(input: &Input) -> [([Option<f64>; 4], Option<usize>); 2] {
-        Body::ALL.map(|body| {
-            (body.strength_numbers().map(|at| input.number(at)), input.word(key_of!(body, "material")))
-        })
+        Body::ALL
+            .map(|body| (body.strength_numbers().map(|at| input.number(at)), input.word(key_of!(body, "material"))))
     }
 
     pub(super) fn ranges(&self) -> &[HardnessRange] {
@@ -102,7 +102,8 @@ pub fn has_strength_parts(input: &Input) -> bool {
 pub(super) fn strength_parts(input: &Input, contact: &Contact, law: &LawChoice) -> Option<Vec<IntervalPart>> {
     let flow = contact.pair().yield_point?.flow;
     let shares = [flow.sphere_share, 1.0 - flow.sphere_share];
-    let is_alike = input.named_material(Body::Sphere).is_some_and(|entry| Some(entry) == input.named_material(Body::HalfSpace));
+    let is_alike =
+        input.named_material(Body::Sphere).is_some_and(|entry| Some(entry) == input.named_material(Body::HalfSpace));
     let mut parts: Vec<IntervalPart> = Vec::new();
     for body in Body::ALL.into_iter().filter(|body| body.pick(shares) > 0.0) {
         if is_no_metal(input, body) {
@@ -114,7 +115,8 @@ pub(super) fn strength_parts(input: &Input, contact: &Contact, law: &LawChoice) 
                 continue;
             }
             let share = if is_alike { 1.0 } else { body.pick(shares) };
-            let name = if parts.iter().any(|part| part.name == name) { format!("{name} of the half-space") } else { name };
+            let name =
+                if parts.iter().any(|part| part.name == name) { format!("{name} of the half-space") } else { name };
             parts.push(match ends {
                 Some([low, high]) => IntervalPart { name, kind: PartKind::Shift, low: share * low, high: share * high },
                 None => IntervalPart { name, kind: PartKind::NotIncluded, low: 0.0, high: 0.0 },
@@ -147,7 +149,9 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
         _ if has_curve => None,
         (true, Some(true)) => Some([most, least]),
         // e of a metal that hardens no more is too low for its strain rate, which has a part of its own where it is known
-        (true, Some(false)) if input.rate(body).is_some() || entry.is_some_and(|entry| entry.rate_rise().is_some()) => None,
+        (true, Some(false)) if input.rate(body).is_some() || entry.is_some_and(|entry| entry.rate_rise().is_some()) => {
+            None
+        }
         (true, Some(false)) => Some([0.0, HARDENED_TOO_LOW_BY]),
         // it may be either
         (true, None) => Some([most, HARDENED_TOO_LOW_BY]),
@@ -212,4 +216,3 @@ impl Input {
         self.strength_kind(body) == Some(StrengthKind::Flow)
     }
 }
-

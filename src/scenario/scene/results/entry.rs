@@ -129,7 +129,8 @@ pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
 pub(crate) const INTERVAL: &str = "a body yields under the law `plm`, with an exponent whose error against finite \
      elements is known, and no warning reports an error of e of unknown size; in a table also a material by name, a hardness \
      or `strength_kind = \"proof\"`";
-pub(crate) const NOTES: &str = "the scenario leaves the kind of the strength or the exponent of the law open, and a body yields";
+pub(crate) const NOTES: &str =
+    "the scenario leaves the kind of the strength or the exponent of the law open, and a body yields";
 pub(crate) const WAVES: &str =
     "the half-space has a density and no mass; not under damping, on a plate, nor without a rebound";
 pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
