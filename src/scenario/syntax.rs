@@ -4,43 +4,70 @@ use std::ops::Range;
 
 /// What is wrong with the text at this place, and what to write; `message` is that of the parser.
 pub(super) fn syntax_message(text: &str, span: Option<&Range<usize>>, message: &str) -> String {
-    let plain = || message.trim_end().replace('\n', "; ");
-    let Some(span) = span else { return plain() };
-    if message.starts_with("string values must be quoted") {
-        return quotes_message(text, span.start).unwrap_or_else(plain);
-    }
-    if message.starts_with("duplicate key") {
-        return duplicate_message(text, span).unwrap_or_else(plain);
-    }
-    plain()
+    let known = span.and_then(|span| {
+        if message.starts_with("duplicate key") {
+            duplicate_message(text, span)
+        } else {
+            quotes_message(text, span.start)
+        }
+    });
+    known.unwrap_or_else(|| message.trim_end().replace('\n', "; "))
 }
 
-/// A value with a unit, or a word, that has no quotes.
-fn quotes_message(text: &str, start: usize) -> Option<String> {
-    let rest = text.get(start..)?.lines().next()?;
-    let value = rest.split('#').next()?.trim().trim_end_matches(',');
-    let is_list = value.contains([',', ']', '}']);
-    (!value.is_empty() && !is_list && !value.contains('"'))
-        .then(|| format!("a value with a unit, and a word, needs quotes. Write \"{value}\""))
+/// A value with a unit, a word, or a number with a decimal comma, that has no quotes.
+fn quotes_message(text: &str, at: usize) -> Option<String> {
+    let begin = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let (key, rest) = text.get(begin..)?.lines().next()?.split_once('=')?;
+    let value = rest.split('#').next()?.trim();
+    if at <= begin + key.len() || value.contains(['"', '\'', '[', '{', '=']) {
+        return None;
+    }
+    let with_point = match value.split_once(',') {
+        Some((whole, rest)) if is_digits(whole.trim_start_matches(['-', '+'])) && rest.starts_with(is_digit) => {
+            Some(format!("{whole}.{rest}"))
+        }
+        // a list, or numbers with signs between thousands
+        Some(_) => return None,
+        None => None,
+    };
+    let meant = with_point.as_deref().unwrap_or(value);
+    if meant.contains(char::is_alphabetic) {
+        return Some(format!("a value with a unit, and a word, needs quotes. Write \"{meant}\""));
+    }
+    let number = with_point.filter(|number| number.parse::<f64>().is_ok())?;
+    Some(format!("a number has a decimal point, and no comma. Write {number}"))
+}
+
+fn is_digit(character: char) -> bool {
+    character.is_ascii_digit()
+}
+
+fn is_digits(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(is_digit)
 }
 
 /// A table or a key that is there twice.
 fn duplicate_message(text: &str, span: &Range<usize>) -> Option<String> {
     let name = text.get(span.clone())?.trim();
     let (before, line) = (text.get(..span.start)?, text.get(span.start..)?.lines().next()?);
-    let is_table = before.rsplit('\n').next()?.trim_start().starts_with('[');
-    let shown = if is_table { format!("[{}]", line.split(']').next()?) } else { format!("`{name}`") };
-    let begins = |line: &str| {
-        let line = line.trim_start();
-        if is_table {
-            line.starts_with(&shown)
-        } else {
-            line.strip_prefix(name).is_some_and(|rest| rest.trim_start().starts_with('='))
-        }
+    let begin = before.rfind('\n').map_or(0, |end| end + 1);
+    let table = header(&format!("{}{line}", &before[begin..])).map(str::to_owned);
+    let begins = |line: &str| match &table {
+        Some(table) => header(line) == Some(table),
+        None => line.trim_start().strip_prefix(name).is_some_and(|rest| rest.trim_start().starts_with('=')),
     };
     // a key is there twice in its own table
-    let table = if is_table { 0 } else { before.rfind("\n[").map_or(0, |at| at + 1) };
-    let first = before[table..].lines().position(begins)? + before[..table].matches('\n').count() + 1;
-    let way_out = if is_table { "Put all keys below one of the two." } else { "Remove one of the two." };
-    Some(format!("{shown} is there twice, first in line {first}. {way_out}"))
+    let from = if table.is_some() { 0 } else { before.rfind("\n[").map_or(0, |at| at + 1) };
+    let first = before[from..begin.max(from)].lines().position(begins);
+    let first = first.map(|line| line + before[..from].matches('\n').count() + 1);
+    let first = first.map_or_else(String::new, |line| format!(", first in line {line}"));
+    Some(match table {
+        Some(table) => format!("[{table}] is there twice{first}. Put all keys below one of the two."),
+        None => format!("`{name}` is there twice{first}. Remove one of the two."),
+    })
+}
+
+/// The name in the line that begins a table.
+fn header(line: &str) -> Option<&str> {
+    Some(line.trim_start().strip_prefix('[')?.split(']').next()?.trim())
 }

@@ -42,11 +42,11 @@ fn rounded(value: f64, dimension: Dimension, digits: usize) -> String {
 }
 
 /// Values of one kind in one unit, to four digits: "0.1 m", "2 m". The unit suits most of them; a larger unit is taken if the
-/// smallest value is a tenth of that unit or more.
+/// smallest value is a hundredth of that unit or more.
 pub fn quantities(values: &[f64], dimension: Dimension) -> Vec<String> {
     let sizes = || values.iter().map(|value| value.abs()).filter(|size| *size > 0.0 && size.is_finite());
     let (low, high) = sizes().fold((f64::INFINITY, 0.0_f64), |(low, high), size| (low.min(size), high.max(size)));
-    let middle = if high > 0.0 { (low.sqrt() * high.sqrt()).max(high.min(10.0 * low)) } else { 0.0 };
+    let middle = if high > 0.0 { (low.sqrt() * high.sqrt()).max(high.min(100.0 * low)) } else { 0.0 };
     let text = |value: &f64| {
         let rounded = format!("{value:.3e}");
         in_unit_of(middle, &rounded, dimension).unwrap_or_else(|| si(rounded.parse().unwrap_or(*value), dimension))

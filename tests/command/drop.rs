@@ -125,6 +125,20 @@ fn the_band_of_e_holds_what_the_warnings_say() {
     assert!(!desk.ends(&glass, 0).0.contains("law 1 %"));
 }
 
+/// A warning speaks of no key that nobody gave.
+#[test]
+fn a_drop_that_stays_elastic_has_no_law_to_warn_of() {
+    let desk = Desk::with("");
+    let dropped = |more: &[&str]| {
+        let drop = ["drop", "--ball", "nylon-66", "--diameter", "5 mm", "--on", "glass-soda-lime", "--speed", "1 m/s"];
+        desk.ends(&[&drop, more].concat(), 0)
+    };
+    let (elastic, warned) = dropped(&[]);
+    assert!(elastic.contains("without waves   1\n") && !warned.contains("is not used"), "{elastic}{warned}");
+    let (plastic, warned) = dropped(&["--strength", "3 GPa", "--save", "s.toml"]);
+    assert!(!warned.contains("is not used") && desk.read("s.toml").contains("[law.plm]"), "{plastic}{warned}");
+}
+
 /// √(14.18/m) (Γ⁵ R⁴/E*²)^(1/6) with 0.2 J/m²: a steel ball of 0.1 mm on steel sticks below 4.3 mm/s, and one of 10 mm below
 /// 0.09 mm/s (Thornton and Ning 1998).
 #[test]

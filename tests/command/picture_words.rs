@@ -43,7 +43,7 @@ fn titles_are_in_the_words_of_the_field() {
     let braun = format!("{STEEL}[law.walton_braun]\nstiffness_ratio = 0.5\n[sweep]\n");
     let ratios = "\"law.walton_braun.stiffness_ratio\" = { linspace = [0.2, 0.8], points = 4 }\n";
     assert!(has(&drawn(&(braun + ratios), "restitution"), "Walton–Braun stiffness ratio"));
-    // in the unit in which no value is large, and none is below a tenth
+    // in a unit in which the values are short
     let strengths = "\"impact.speed\" = { linspace = [1, 2], points = 4 }\n\"half_space.yield_strength\" = [2e8, 9e8]";
     let strengths = drawn(&sweep(strengths), "restitution");
     assert!(has(&strengths, "200 MPa") && has(&strengths, "900 MPa"), "{:?}", strengths.texts());
@@ -267,4 +267,19 @@ fn a_key_has_a_frame_and_is_there_only_where_needed() {
         assert!(drawn.texts().iter().any(|text| text.starts_with("Height of the lowest point [")));
         assert_eq!(has(&drawn, "With air"), has_key, "{:?}", drawn.texts());
     }
+}
+
+/// The colours of a narrow map are beside it, and not on it.
+#[test]
+fn the_colours_of_a_narrow_map_are_beside_it() {
+    let axes = "\"impact.speed\" = { linspace = [1, 2], points = 9 }\n\"half_space.yield_strength\" = { linspace = [3e8, 4e8], points = 9 }";
+    let drawn = drawn_as(&sweep(axes), "restitution_map", "narrow-svg");
+    let [map, bar] = drawn.boxes()[..] else { panic!("{:?}", drawn.boxes()) };
+    let document = drawn.document();
+    let left_of_bar = document.descendants().filter(|node| {
+        let is_label = node.attribute("text-anchor") == Some("end") || node.attribute("transform").is_some();
+        node.has_tag_name("text") && is_label && number(*node, "x") > map[0]
+    });
+    let begin = left_of_bar.map(|node| number(node, "x")).fold(bar[0], f64::min);
+    assert!(map[2] < begin && bar[2] < 800.0 * UNITS, "{map:?} {bar:?}");
 }

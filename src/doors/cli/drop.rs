@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
+use plm_impact::contact::materials::{Property, find};
 use plm_impact::error::Error;
 use plm_impact::files::Counter;
 use plm_impact::report::plot::Pictures;
@@ -146,10 +147,22 @@ impl Arguments {
         if let Some(friction) = self.friction {
             let _ = write!(text, "\n[friction]\ncoefficient = {}\n", toml::Value::from(friction));
         }
+        // a key that has no effect would be warned of
+        let strengths = [&self.ball_strength, &self.ball_hardness, &self.strength, &self.hardness];
+        if !strengths.into_iter().any(Option::is_some)
+            && ![&self.ball, &self.on].into_iter().any(|name| may_yield(name))
+        {
+            return text;
+        }
         text.push_str(
             "\n[law.plm]\n# error of e 1 % (rms) against finite elements; with 1.5, the exponent of the paper, e is 3 % too low\n",
         );
         key(&mut text, "unloading_exponent", Some("pressure-shape"));
         text
     }
+}
+
+/// Whether a material has a strength, or is not known.
+fn may_yield(name: &str) -> bool {
+    find(name).is_none_or(|material| material.get(Property::Hardness).is_some())
 }

@@ -130,12 +130,15 @@ fn parse() -> Result<Cli, Error> {
     })
 }
 
-/// The message about an option that is unknown, but has the name of a key of a scenario.
+/// The message about an option that is unknown, but has the name of a key of a scenario; only for commands with `--set`.
 fn option_of_key(error: &clap::Error) -> Option<String> {
     let Some(ContextValue::String(option)) = error.get(ContextKind::InvalidArg) else { return None };
     if error.kind() != ErrorKind::UnknownArgument || error.get(ContextKind::SuggestedArg).is_some() {
         return None;
     }
+    let has_set = |command: &clap::Command| command.get_arguments().any(|one| one.get_long() == Some("set"));
+    let cli = Cli::command();
+    std::env::args().skip(1).find_map(|word| cli.find_subcommand(word)).filter(|command| has_set(command))?;
     let name = option.strip_prefix("--")?.split('=').next()?.replace('-', "_");
     let ends = |path: &str| path == name || path.rsplit_once('.').is_some_and(|(_, last)| last == name);
     let keys = || EVERY_KEY.iter().map(|key| key.path).chain(["law"]).filter(|path| ends(path));

@@ -180,7 +180,9 @@ impl Chart {
     fn layout(&self, is_narrow: bool) -> Layout {
         let (width, height) = if is_narrow { NARROW } else { (f64::from(SIZE.0), f64::from(SIZE.1)) };
         let all = Bounds { left: LEFT, top: TOP, right: width - RIGHT, bottom: height - BOTTOM };
-        let mut frames = self.frames(all);
+        // the axis of the colours is at the right of the box, in a narrow picture too
+        let right = if self.colors.is_some() { width - BAR_ROOM } else { all.right };
+        let mut frames = self.frames(Bounds { right, ..all });
         let entries = self.key(&frames);
         let inside = match &self.panels[..] {
             [one] if !is_narrow && self.colors.is_none() => {
@@ -196,8 +198,6 @@ impl Chart {
                 (key, (MARGIN, height))
             }
             None if self.colors.is_some() => {
-                let right = width - BAR_ROOM;
-                frames = self.frames(Bounds { right, ..all });
                 (Key::new(&entries, (BAR_ROOM, all.bottom - all.top)), (right + MARGIN, TOP))
             }
             None => {
