@@ -81,10 +81,6 @@ impl Series {
         Self::new(text, Vec::new(), Look::Text)
     }
 
-    pub fn labelled_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self::new(name, points, Look::LabelledLine)
-    }
-
     pub fn marked_line(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self::new(name, points, Look::MarkedLine)
     }
