@@ -18,8 +18,8 @@ const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<Stri
 /// of the materials.
 pub fn unknown_material(name: &str) -> String {
     let lower = name.to_lowercase().replace("aluminum", "aluminium");
-    let parts: Vec<&str> =
-        lower.split(|c: char| !c.is_alphanumeric() && c != '.').filter(|part| !NORMS.contains(part)).collect();
+    let is_word = |part: &&str| !part.is_empty() && !NORMS.contains(part);
+    let parts: Vec<&str> = lower.split(|c: char| !c.is_alphanumeric() && c != '.').filter(is_word).collect();
     let has = |words: &str, part: &str| words.split(|c: char| !c.is_alphanumeric() && c != '.').any(|own| own == part);
     let is_meant = |entry: &&MaterialEntry| {
         let words = format!("{} {}", entry.name, entry.title).to_lowercase();
