@@ -53,7 +53,7 @@ fn duplicate_message(text: &str, span: &Range<usize>) -> Option<String> {
     let begin = before.rfind('\n').map_or(0, |end| end + 1);
     let table = header(&format!("{}{line}", &before[begin..])).map(str::to_owned);
     let begins = |line: &str| match &table {
-        Some(table) => header(line) == Some(table),
+        Some(table) => header(line) == Some(table.as_str()),
         None => line.trim_start().strip_prefix(name).is_some_and(|rest| rest.trim_start().starts_with('=')),
     };
     // a key is there twice in its own table

@@ -18,7 +18,7 @@ pub const BOTTOM: f64 = 125.0;
 /// Distance between labels of the horizontal and of the vertical axis \[px\].
 const LABEL_DISTANCE: (f64, f64) = (150.0, 90.0);
 /// Least room between two labels of the horizontal axis \[px\].
-const LABEL_GAP: f64 = 12.0;
+pub const LABEL_GAP: f64 = 12.0;
 /// Distance of the labels, and of the title of the horizontal axis, from the box \[px\].
 const LABELS: (f64, f64) = (18.0, 32.0);
 const X_TITLE: f64 = 82.0;
