@@ -135,8 +135,8 @@ fn a_drop_that_stays_elastic_has_no_law_to_warn_of() {
     };
     let warned = dropped(&[]).1;
     assert!(warned.contains("e = 1 is the elastic limit") && !warned.contains("is not used"), "{warned}");
-    let warned = dropped(&["--strength", "3 GPa", "--save", "s.toml"]).1;
-    assert!(!warned.contains("is not used") && desk.read("s.toml").contains("[law.plm]"), "{warned}");
+    let warned = dropped(&["--strength", "3 GPa", "--save", "d.toml"]).1;
+    assert!(!warned.contains("is not used") && desk.read("d.toml").contains("[law.plm]"), "{warned}");
 }
 
 /// √(14.18/m) (Γ⁵ R⁴/E*²)^(1/6) with 0.2 J/m²: a steel ball of 0.1 mm on steel sticks below 4.3 mm/s, and one of 10 mm below

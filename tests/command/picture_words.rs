@@ -246,7 +246,8 @@ fn many_curves_have_markers() {
     let axes = "\"impact.speed\" = { logspace = [1e-2, 10], points = 40 }\n\"law\" = \"all\"\n";
     let drawn = drawn(&sweep(axes), "restitution");
     let is_in = drawn.is_in(0);
-    for color in [BLUE, VERMILLION, GREEN, PURPLE, ORANGE, "#56B4E9", BLACK, "#882255", "#999933", "#8C562B"] {
+    // the markers of the sixth and seventh law are strokes, without an area
+    for color in [BLUE, VERMILLION, GREEN, PURPLE, ORANGE, "#882255", "#999933", "#8C562B"] {
         let count = drawn.marks(color).into_iter().filter(|at| is_in(*at)).count();
         assert!(count > 1, "{color}: {count} markers");
     }
