@@ -68,7 +68,8 @@ impl Contact {
                 *force *= most / size;
             }
         }
-        let is_finite = after.iter().all(|force| force.is_finite());
+        // the size of a force may be infinite where its components are not
+        let is_finite = sum.is_finite() && after.iter().all(|force| force.is_finite());
         if is_finite {
             *history = after;
         }

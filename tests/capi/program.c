@@ -93,6 +93,9 @@ static void rubbed(void) {
         failures += plm_contact_friction(contact, 0.2, 1e-6, 1e-6, 1.0, memory, lost, history);
     }
     failures += plm_contact_friction(contact, 0.2, 1e-6, 1e-6, 1.0, empty, slip, history);
+    /* a friction that is too large for a double */
+    lost[1] = 1e300;
+    failures += plm_contact_friction(contact, 0.2, 1e-6, 1e-6, 1.0, memory, lost, history);
     printf("%d frictions fail\n", failures);
     puts(memcmp(kept, history, sizeof kept) ? "friction without a contact" : "no friction without a contact");
     printf("sphere %016" PRIx64 " %016" PRIx64 " %016" PRIx64 "\n", bits(plm_contact_radius(contact)),
@@ -195,8 +198,8 @@ int main(int count, char **arguments) {
     double three[9] = {0.0}, depths[3] = {30e-6, NAN, 30e-6}, loads[3] = {0.0};
     int one_failed = plm_contact_forces(contact, 3, depths, three, loads);
     int is_right = loads[0] > 0.0 && isnan(loads[1]) && loads[2] == loads[0] && three[3] == 0.0 && three[6] == three[0];
-    printf("forces %d %d %d %d %d\n", failed, one_failed, is_right, plm_contact_forces(contact, 3, NULL, three, loads),
-           plm_contact_forces(NULL, 0, depths, three, loads));
+    printf("forces %d %d %d %d %d %d\n", failed, one_failed, is_right, plm_contact_forces(contact, 3, NULL, three, loads),
+           plm_contact_forces(NULL, 0, depths, three, loads), plm_contact_forces(contact, 0, NULL, NULL, NULL));
     printf("version %s %s %d\n", PLM_IMPACT_VERSION, plm_impact_version(), PLM_IMPACT_VERSION_MAJOR);
     /* of the same contact, of another one, and of none */
     plm_contact *again = plm_contact_open(arguments[1], error, sizeof error);

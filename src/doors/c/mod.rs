@@ -10,20 +10,19 @@
 //! The memory of a contact (δ_m \[m\], F_m \[N\], the part of δ_m that is recovered on unloading \[m\]) belongs to the
 //! caller. It is zero for a fresh contact: see [`Memory`].
 
-// Raw pointers are used only in this file. Every unsafe block says why it is sound.
+// Raw pointers are used only in this folder. Every unsafe block says why it is sound.
 #![allow(unsafe_code)]
 // the comments are those of the header, where brackets hold units and indices
 #![allow(rustdoc::broken_intra_doc_links)]
 
+mod calls;
+
 use std::ffi::{CStr, c_char, c_int};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::slice;
 
-use sha2::{Digest as _, Sha256};
-
+use self::calls::{VERSION_TEXT, fingerprint_of, force, from_doubles, guarded, write_text};
 use crate::error::Error;
-use crate::files::VERSION;
 use crate::impact::{Contact, ContactEnergy, FrictionStep, Memory};
 use crate::report::run::contact_of_one_strength;
 use crate::scenario::Scenario;
@@ -32,16 +31,7 @@ use crate::scenario::Scenario;
 #[allow(non_camel_case_types)] // the name it has in C
 pub struct plm_contact {
     contact: Contact,
-    /// The first bytes of a hash of the new contact: what a contact computes once and keeps is not yet in it.
     fingerprint: u64,
-}
-
-impl plm_contact {
-    fn new(contact: Contact) -> Self {
-        let digest = Sha256::digest(format!("{VERSION} {contact:?}"));
-        let fingerprint = digest.iter().take(8).fold(0, |sum, byte| sum << 8 | u64::from(*byte));
-        Self { contact, fingerprint }
-    }
 }
 
 // many threads may use a contact at the same time
@@ -57,11 +47,7 @@ const FAILURE: c_int = 1;
 /// Version of the library, such as "0.1.0". Compare it with PLM_IMPACT_VERSION, the version of this header. Do not free it.
 #[unsafe(no_mangle)]
 pub extern "C" fn plm_impact_version() -> *const c_char {
-    const TEXT: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
-        Ok(text) => text,
-        Err(_) => c"",
-    };
-    TEXT.as_ptr()
+    VERSION_TEXT.as_ptr()
 }
 
 /// The contact of a scenario that is given as a TOML text. The keys are those of a scenario file, and `[impact]` may be
@@ -133,7 +119,8 @@ pub unsafe extern "C" fn plm_contact_force(contact: *const plm_contact, indentat
 /// force[i] belong to indentation[i].
 ///
 /// Returns 0 if every contact has a force. Returns 1 if a force is NaN, as of `plm_contact_force`: the memory of that contact
-/// stays as it was, and all other forces are right. Returns 1 too if a pointer is NULL: then nothing is written.
+/// stays as it was, and all other forces are right. Returns 1 too if a pointer is NULL: then nothing is written. The arrays may
+/// be NULL where `n` is 0.
 ///
 /// # Safety
 /// `contact` is NULL or not yet freed; the arrays are NULL or have `n`, 3 `n` and `n` doubles, and do not overlap.
@@ -145,6 +132,10 @@ pub unsafe extern "C" fn plm_contact_forces(
     memory: *mut f64,
     force: *mut f64,
 ) -> c_int {
+    // an empty array of C++ may be NULL
+    if n == 0 && !contact.is_null() {
+        return SUCCESS;
+    }
     if contact.is_null() || indentation.is_null() || memory.is_null() || force.is_null() {
         return FAILURE;
     }
@@ -160,7 +151,7 @@ pub unsafe extern "C" fn plm_contact_forces(
     let mut result = SUCCESS;
     for ((indentation, memory), force) in indentations.iter().zip(memories).zip(forces) {
         // a panic in one contact leaves the others
-        *force = guarded(f64::NAN, || self::force(&contact.contact, *indentation, memory));
+        *force = guarded(f64::NAN, || calls::force(&contact.contact, *indentation, memory));
         if force.is_nan() {
             result = FAILURE;
         }
@@ -361,17 +352,6 @@ unsafe fn number(contact: *const plm_contact, question: impl Fn(&Contact) -> f64
     guarded(f64::NAN, || question(&contact.contact))
 }
 
-fn force(contact: &Contact, indentation: f64, memory: &mut [f64; 3]) -> f64 {
-    let mut after = from_doubles(memory);
-    let force = contact.force(indentation, &mut after);
-    *memory = [after.indentation, after.force, after.elastic_approach];
-    force
-}
-
-fn from_doubles([indentation, force, elastic_approach]: &[f64; 3]) -> Memory {
-    Memory { indentation: *indentation, force: *force, elastic_approach: *elastic_approach }
-}
-
 /// Calls `question` with a contact and its memory; returns `nothing` if a pointer is NULL.
 ///
 /// # Safety
@@ -393,11 +373,6 @@ where
     guarded(nothing, || question(&contact.contact, &from_doubles(memory)))
 }
 
-/// Runs `work`; if it panics, returns `otherwise`, so that no panic reaches the caller in C.
-fn guarded<T>(otherwise: T, work: impl FnOnce() -> T) -> T {
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or(otherwise)
-}
-
 /// # Safety
 /// As `plm_contact_new`.
 unsafe fn new(
@@ -412,7 +387,7 @@ unsafe fn new(
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
         let contact = read(text).and_then(|scenario| contact_of_one_strength(&scenario));
-        contact.map(plm_contact::new).map_err(|error| error.to_string())
+        contact.map(|contact| plm_contact { fingerprint: fingerprint_of(&contact), contact }).map_err(|error| error.to_string())
     });
     match made {
         Ok(contact) => Box::into_raw(Box::new(contact)),
@@ -422,20 +397,4 @@ unsafe fn new(
             std::ptr::null_mut()
         }
     }
-}
-
-/// Writes as many whole characters of a text as fit, and a final zero.
-///
-/// # Safety
-/// `to` is NULL or has `length` bytes.
-unsafe fn write_text(text: &str, to: *mut c_char, length: usize) {
-    if to.is_null() || length == 0 {
-        return;
-    }
-    let ends = text.char_indices().map(|(start, character)| start + character.len_utf8());
-    let room = ends.take_while(|end| *end < length).last().unwrap_or(0);
-    // SAFETY: `room` + 1 bytes are at most `length`
-    let to = unsafe { slice::from_raw_parts_mut(to.cast::<u8>(), length) };
-    to[..room].copy_from_slice(&text.as_bytes()[..room]);
-    to[room] = 0;
 }

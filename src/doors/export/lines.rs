@@ -227,7 +227,7 @@ impl Head<'_> {
         const MIN_MODULUS: f64 = 5e6;
         if self.e <= MIN_RESTITUTION {
             return Err(Error::input(format!(
-                "--to liggghts: LIGGGHTS takes e above {MIN_RESTITUTION} alone, and e is {:.4} at {} m/s; give a lower --speed",
+                "--to liggghts: LIGGGHTS refuses e of {MIN_RESTITUTION} or less, and e is {:.4} at {} m/s; give a lower --speed, or less damping",
                 self.e, self.impact.speed
             )));
         }
