@@ -284,7 +284,16 @@ fn the_page_for_registries_stands_alone() {
         .args(["package", "--list", "--allow-dirty", "--offline"])
         .output()
         .unwrap();
-    assert!(text(&listed.stdout).lines().any(|line| line == NAME), "{}", text(&listed.stderr));
+    let packaged = text(&listed.stdout);
+    let packaged: BTreeSet<&str> = packaged.lines().collect();
+    assert!(packaged.contains(NAME), "{}", text(&listed.stderr));
+    // what the front page links to is in the package too, and no test, whose files and features a package has not
+    for link in links(&read("README.md")).iter().filter(|link| is_relative(link)) {
+        let path = link.split('#').next().unwrap().trim_end_matches('/');
+        let is_there = packaged.iter().any(|file| *file == path || file.starts_with(&format!("{path}/")));
+        assert!(is_there, "{link} is not in the package");
+    }
+    assert!(!packaged.iter().any(|file| file.starts_with("tests/")));
 
     let clone = Clone::new();
     let blocks = commands(&page);

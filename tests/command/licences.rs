@@ -83,6 +83,21 @@ fn is_copyright(paragraph: &str) -> bool {
     paragraph.lines().all(begins) && !paragraph.contains("yyyy")
 }
 
+/// The licences of all that is linked in, as an SPDX expression: of a crate with a choice MIT, or else Apache-2.0. `own` is that of
+/// the program and of the fonts.
+fn expression<'a>(crates: impl Iterator<Item = &'a str>, own: [&'a str; 2]) -> String {
+    let chosen = |part: &'a str| {
+        let choices: Vec<&str> = part.trim_matches(['(', ')']).split(" OR ").flat_map(|name| name.split('/')).collect();
+        let preferred = ["MIT", "Apache-2.0"].into_iter().find(|name| choices.contains(name));
+        preferred.unwrap_or(choices[0])
+    };
+    let all: BTreeSet<&str> = crates.flat_map(|licence| licence.split(" AND ")).map(chosen).chain(own).collect();
+    all.into_iter().collect::<Vec<_>>().join(" AND ")
+}
+
+/// Begins the line of `licenses.txt` with the licences as an SPDX expression.
+const EXPRESSION: &str = "SPDX-License-Identifier of the program with all of them: ";
+
 /// The whole file: each text once, with those who have it.
 fn written() -> String {
     let cargo = Command::new(env!("CARGO"))
@@ -92,6 +107,7 @@ fn written() -> String {
         .unwrap();
     let metadata: Value = serde_json::from_slice(&cargo.stdout).unwrap();
     let wanted = linked();
+    let mut licences = Vec::new();
     let mut groups: BTreeMap<String, (String, Vec<String>)> = BTreeMap::new();
     let mut add = |name: &str, text: &str| {
         let text = text.replace('\r', "");
@@ -115,6 +131,7 @@ fn written() -> String {
         if !wanted.contains(&name) {
             continue;
         }
+        licences.push(text("license"));
         let folder = Path::new(text("manifest_path")).parent().unwrap();
         let found = texts(folder, text("license"));
         for text in &found {
@@ -130,7 +147,10 @@ fn written() -> String {
             add("fonts DejaVu 2.37", &read(fonts.join("LICENSE")));
         }
     }
-    let mut file = "The licences of the fonts and crates that plm-impact is linked with. Every text stands once, below the names of those\nwho have it. `UPDATE=1 cargo test --test command licences` writes this file.\n".to_owned();
+    let expression = expression(licences.into_iter(), ["MIT", "Bitstream-Vera"]);
+    let mut file = format!(
+        "The licences of the fonts and crates that plm-impact is linked with. Every text stands once, below the names of those\nwho have it. `UPDATE=1 cargo test --test command licences` writes this file.\n{EXPRESSION}{expression}\n"
+    );
     for (text, names) in groups.values() {
         let names: String = names.iter().fold(String::new(), |all, name| all + "> " + name + "\n");
         write!(file, "\n{}\n\n{names}\n{text}\n", "=".repeat(100)).unwrap();
@@ -161,6 +181,26 @@ fn every_crate_that_is_linked_has_its_notice_and_the_command_prints_it() {
     let none = call(root(), &["--error-format", "json"]);
     assert_eq!(none.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&none.stderr).contains("no command is given"));
+}
+
+#[test]
+fn a_licence_is_chosen_where_a_crate_leaves_the_choice() {
+    let licences = ["Unlicense/MIT", "(MIT OR Apache-2.0) AND Unicode-3.0", "Apache-2.0 OR BSL-1.0", "Zlib"];
+    assert_eq!(
+        expression(licences.into_iter(), ["MIT", "Bitstream-Vera"]),
+        "Apache-2.0 AND Bitstream-Vera AND MIT AND Unicode-3.0 AND Zlib"
+    );
+}
+
+/// A wheel has the fonts and the crates in it, the crate has neither.
+#[test]
+fn the_wheel_names_the_licences_of_what_is_linked_in() {
+    let file = read("src/doors/licenses.txt");
+    let expression = file.lines().find_map(|line| line.strip_prefix(EXPRESSION)).unwrap();
+    assert!(expression.contains("Bitstream-Vera") && expression.contains("Apache-2.0"), "{expression}");
+    let [python, cargo]: [toml::Table; 2] = ["pyproject.toml", "Cargo.toml"].map(|name| read(name).parse().unwrap());
+    assert_eq!(python["project"]["license"].as_str(), Some(expression));
+    assert_eq!(cargo["package"]["license"].as_str(), Some("MIT"));
 }
 
 /// The plug-in for LAMMPS is under the licence of LAMMPS; crate and sdist say MIT.

@@ -38,6 +38,8 @@ def test_the_python_of_the_first_pages_runs_with_numpy_alone_and_warns_of_nothin
 def test_the_wheel_has_the_licences_of_what_is_linked_in() -> None:
     licences = metadata.distribution("plm-impact").read_text("licenses/src/doors/licenses.txt")
     assert licences == (ROOT / "src" / "doors" / "licenses.txt").read_text()
+    expression = metadata.metadata("plm-impact")["License-Expression"]
+    assert "Bitstream-Vera" in expression and f": {expression}\n" in licences
 
 
 def test_the_wheel_shows_the_page_for_registries() -> None:

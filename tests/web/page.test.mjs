@@ -1,7 +1,8 @@
 // The page in a browser: what a user sees follows from what a user does, and the numbers are those of the command.
 
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
 
@@ -180,6 +181,46 @@ test("a link is copied, or shown where a page may not copy, until the scenario c
   await page.until('document.getElementById("told").textContent === "copied"');
   await page.type(field("impact.speed"), "1 m/s");
   assert.equal(await told(), "");
+});
+
+test("measurements that are too long for a link are said to be missing, and a reload keeps them", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "plm-impact-"));
+  const long = join(folder, "drops.csv");
+  writeFileSync(long, `${"# a comment of fifty letters, a thousand times over\n".repeat(1000)}${readFileSync(join(SCENARIOS, "drops.csv"))}`);
+  await open(read("calibrate-ball-drop.toml"));
+  await page.send("#data", long);
+  const { stdout } = runByCommand("calibrate-ball-drop.toml");
+  await agrees(stdout);
+  const told = () => page.value('document.getElementById("told").textContent');
+  await page.tell("Browser.grantPermissions", { permissions: ["clipboardReadWrite", "clipboardSanitizedWrite"], origin: site.address.slice(0, -1) });
+  await page.click("#link");
+  await page.until('document.getElementById("told").textContent');
+  assert.equal(await told(), "copied without the measurements, which are too long for a link: send their file too");
+  assert.equal(await page.value('new URLSearchParams(location.hash.slice(1)).has("data")'), false);
+  await page.value("location.reload()");
+  await page.until('document.readyState === "complete" && document.getElementById("state").textContent !== "Loading …"');
+  await agrees(stdout);
+  // so does the way back from another scenario
+  await choose("#begin", "repeat");
+  await page.until(`document.getElementById("text").value.includes("[repeat]")`);
+  await page.back();
+  await agrees(stdout);
+  rmSync(folder, { recursive: true });
+});
+
+test("only a number and its interval are large, and a slow indentation has its last dent in view", async () => {
+  await open(read("ball-on-plate.toml"));
+  await agrees(runByCommand("ball-on-plate.toml").stdout);
+  const large = await page.value(`(() => {
+    const sizes = [...document.querySelectorAll("#numbers dd, #numbers dd *")].map((one) => [parseFloat(getComputedStyle(one).fontSize), one.textContent]);
+    const usual = Math.min(...sizes.map(([size]) => size));
+    return sizes.filter(([size]) => size > usual).map(([, text]) => text).filter(Boolean);
+  })()`);
+  assert.ok(large.length >= 2, `${large}`);
+  for (const text of large) assert.match(text, /^[\d.]+( m\/s)?$|^\([\d.]+ to [\d.]+\)?$/);
+  assert.match(await page.value('document.getElementById("state").textContent'), /^impact restitution [\d.]+( \([\d.]+ to [\d.]+\))?$/);
+  await open(read("indentation-cycles.toml"));
+  await page.until('/^indentation step \\d+: dent depth [\\d.]+ µm$/.test(document.getElementById("state").textContent)');
 });
 
 test("on a phone and a tablet e stays in view, and pictures fit", async () => {

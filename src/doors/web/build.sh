@@ -30,9 +30,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(bindgen.input_path(&files[1]).generate(&files[2])?)
 }
 END
-    CARGO_PROFILE_DEV_DEBUG=none cargo build --quiet --manifest-path "$tool/Cargo.toml" --target-dir "$tool"
+    # the crates of the tool in the versions that were tried: renew this file when Cargo.lock gets another wasm-bindgen
+    cp src/doors/web/bindgen.lock "$tool/Cargo.lock"
+    CARGO_PROFILE_DEV_DEBUG=none cargo build --quiet --locked --manifest-path "$tool/Cargo.toml" --target-dir "$tool"
 fi
-cargo rustc --quiet --lib --crate-type cdylib --no-default-features --features web --target $target --profile "$profile"
+cargo rustc --quiet --locked --lib --crate-type cdylib --no-default-features --features web --target $target --profile "$profile"
 mkdir -p "$out"
 "$tool/debug/bindgen" "$build/$target/${profile/#dev/debug}/plm_impact.wasm" "$out"
 cp src/doors/web/page/* src/doors/licenses.txt "$out"
@@ -48,5 +50,5 @@ for document in README.md src/README.md scenarios/*.md plots/*/*.md; do
     done
     sed -i -E 's/(href="[^":]*)\.md/\1.html/g' "$html"
 done
-cargo package --quiet --no-verify --allow-dirty
+cargo package --quiet --locked --no-verify --allow-dirty
 cp "$build"/package/plm-impact-*.crate "$out/pages/source.tar.gz"
