@@ -63,7 +63,7 @@ def main() -> None:
 
     library = arguments.library
     if library is None:
-        cargo = ["cargo", "rustc", "--release", "--lib", "--features", "capi", "--crate-type", "staticlib"]
+        cargo = ["cargo", "rustc", "--locked", "--release", "--lib", "--features", "capi", "--crate-type", "staticlib"]
         subprocess.run(cargo, cwd=HERE.parents[2], check=True)
         target = HERE.parents[2] / os.environ.get("CARGO_TARGET_DIR", "target")
         library = target / "release" / "libplm_impact.a"

@@ -101,8 +101,9 @@ impl Contact {
     }
 
     /// The coefficient of restitution at these speeds (an array of any shape, a number, or a text with a unit), as in a
-    /// table: by the closed form if there is one, and for many speeds on all cores. Elastic waves are not in it; see
-    /// `restitution_with_waves` of `impact` and `impacts`.
+    /// table: by the closed form if there is one, and for many speeds on all cores. A speed that is NaN or not allowed, such as
+    /// one of 0, gives NaN, and a ModelWarning names its index. Elastic waves are not in it; see `restitution_with_waves` of
+    /// `impact` and `impacts`.
     fn restitution<'py>(&self, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         cases::restitution(self, speed)
     }
