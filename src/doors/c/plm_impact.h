@@ -85,7 +85,8 @@ double plm_contact_force(const struct plm_contact *contact,
  * force[i] belong to indentation[i].
  *
  * Returns 0 if every contact has a force. Returns 1 if a force is NaN, as of plm_contact_force: the memory of that contact
- * stays as it was, and all other forces are right. Returns 1 too if a pointer is NULL: then nothing is written.
+ * stays as it was, and all other forces are right. Returns 1 too if a pointer is NULL: then nothing is written. The arrays may
+ * be NULL where n is 0.
  *
  * What the caller promises:
  * contact is NULL or not yet freed; the arrays are NULL or have n, 3 n and n doubles, and do not overlap.
