@@ -213,7 +213,7 @@ def test_threads_share_a_contact(contact: plm.Contact) -> None:
 
 
 def test_the_keys_of_a_contact_have_the_sentences_of_the_command() -> None:
-    with pytest.raises(ValueError, match='unknown unit "mmm" in "5 mmm", did you mean "mm"'):
+    with pytest.raises(ValueError, match='unknown unit "mmm" in "5 mmm"; units of a length are nm, '):
         plm.Contact(sphere=dict(radius="5 mmm"), half_space={})
     with pytest.raises(ValueError, match="impact.speed: -1 m/s is not allowed: a speed must be > 0 m/s"):
         steel().impact(-1)

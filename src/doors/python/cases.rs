@@ -27,7 +27,7 @@ pub const SPEED: &str = "impact.speed";
 ///
 ///     steel = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 ///     contact = Contact(sphere=dict(radius="5 mm", density="7850 kg/m^3", **steel),
-///                       half_space=dict(yield_strength="345 MPa", **steel), law="thornton")
+///                       half_space=dict(yield_strength="345 MPa", strength_kind="flow", **steel), law="thornton")
 ///
 /// A value is a number in SI units or a text with a unit. All tables and keys of a single impact are allowed, such as
 /// damping=dict(viscous=0.05); scenarios/README.md explains them. The speed may be left out, and the law may be a name
