@@ -395,9 +395,8 @@ fn one_strength_of_two_equal_balls_is_warned_of() {
     let both = one.replace("[sphere]", "[sphere]\nyield_strength = \"345 MPa\"");
     let words = "e is off if both balls are of one material, mostly too high and by up to 7 %";
     // the share is largest between the first yield and deep dents
-    let e = |text: &str, speed: &str| {
-        Desk::ran(&text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap()
-    };
+    let e =
+        |text: &str, speed: &str| Desk::ran(&text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap();
     let ratio = |speed: &str| e(&one, speed) / e(&both, speed);
     let [middle, fast] = ["0.3 m/s", "10 m/s"].map(ratio);
     assert!((1.06..1.07).contains(&middle) && (1.0..1.02).contains(&fast), "{middle} {fast}");

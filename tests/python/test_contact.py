@@ -177,6 +177,11 @@ def test_a_pickle_does_not_warn_again() -> None:
         assert pickle.loads(pickle.dumps(contact)) == contact
 
 
+def test_a_result_of_tables_alone_is_said_to_be_one(contact: plm.Contact) -> None:
+    with pytest.raises(AttributeError, match="^plastic_fraction is in tables only: plm_impact.impacts gives it$"):
+        contact.impact(3.0).plastic_fraction
+
+
 def test_what_is_computed_once_is_kept(contact: plm.Contact) -> None:
     impact = contact.impact(3.0)
     assert impact.trace is impact.trace and not impact.trace.flags.writeable

@@ -387,7 +387,9 @@ unsafe fn new(
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
         let contact = read(text).and_then(|scenario| contact_of_one_strength(&scenario));
-        contact.map(|contact| plm_contact { fingerprint: fingerprint_of(&contact), contact }).map_err(|error| error.to_string())
+        contact
+            .map(|contact| plm_contact { fingerprint: fingerprint_of(&contact), contact })
+            .map_err(|error| error.to_string())
     });
     match made {
         Ok(contact) => Box::into_raw(Box::new(contact)),

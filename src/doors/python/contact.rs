@@ -19,8 +19,8 @@ use crate::report::run::{at_speed_of, no_result, texts};
 use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
 use crate::scenario::scene::quantity::SAMPLES;
-use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::impact::{Single, results};
+use crate::scenario::scene::results::{TABLES, fields};
 use crate::scenario::scene::{Purpose, RestitutionInterval, at, restitution_interval, strength_notes};
 use crate::scenario::{Kind, Scenario, Source};
 use crate::units::did_you_mean;
@@ -311,7 +311,12 @@ impl Impact {
     fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         let single = self.single();
         if let Some(result) = results().iter().find(|result| result.name == name) {
-            let missing = || PyAttributeError::new_err(format!("{name} is there only if {}", result.condition));
+            let missing = || {
+                PyAttributeError::new_err(match result.condition {
+                    TABLES => format!("{name} is {TABLES}: plm_impact.impacts gives it"),
+                    condition => format!("{name} is there only if {condition}"),
+                })
+            };
             return from_json(py, &(result.value)(&single).ok_or_else(missing)?);
         }
         let there = self.to_dict(py)?;

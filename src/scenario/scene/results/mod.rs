@@ -17,7 +17,7 @@ pub mod impact;
 pub mod trace;
 
 pub(crate) use entry::results;
-pub use entry::{Column, Needs, Reported, Shown, fields, lists};
+pub use entry::{Column, Needs, Reported, Shown, TABLES, fields, lists};
 
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn columns() -> Vec<Column> {
