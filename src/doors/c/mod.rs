@@ -132,7 +132,6 @@ pub unsafe extern "C" fn plm_contact_forces(
     memory: *mut f64,
     force: *mut f64,
 ) -> c_int {
-    // an empty array of C++ may be NULL
     if n == 0 && !contact.is_null() {
         return SUCCESS;
     }
@@ -150,7 +149,6 @@ pub unsafe extern "C" fn plm_contact_forces(
     };
     let mut result = SUCCESS;
     for ((indentation, memory), force) in indentations.iter().zip(memories).zip(forces) {
-        // a panic in one contact leaves the others
         *force = guarded(f64::NAN, || calls::force(&contact.contact, *indentation, memory));
         if force.is_nan() {
             result = FAILURE;
