@@ -418,7 +418,7 @@ pub fn yield_factor(poissons_ratio: f64) -> f64 {
 /// rim    (1 − 2ν)/√3
 /// ```
 ///
-/// From ν = −0.37 downwards the rim yields first.
+/// From ν = −0.342 downwards the rim yields first.
 fn computed_yield_factor(poissons_ratio: f64) -> f64 {
     let growth = |depth: f64| {
         let square = 1.0 + depth * depth;
@@ -454,7 +454,7 @@ impl InvalidInput {
     }
 }
 
-/// Checks the numbers of two bodies, as a scenario does.
+/// Checks the numbers of two bodies, as a scenario does. An infinite Young's modulus is that of a rigid body.
 fn check_bodies(sphere: &Sphere, half_space: &HalfSpace) -> Result<(), InvalidInput> {
     let check = InvalidInput::check;
     let positive = "it must be a positive number";
@@ -478,6 +478,5 @@ fn check_bodies(sphere: &Sphere, half_space: &HalfSpace) -> Result<(), InvalidIn
             check(limit, strength, is_positive(strength), positive)?;
         }
     }
-    let modulus = half_space.material.youngs_modulus;
-    check(names[1][0], modulus, modulus.is_finite(), "only the sphere can be rigid")
+    Ok(())
 }

@@ -1,7 +1,7 @@
 //! Warnings about the bodies: numbers that hardly any body has, a sphere that yields, and results that do not fit the named
 //! materials. Only metals yield here, and a metal that hardens needs more than its hardness.
 
-use super::contact::Contact;
+use super::contact::{Contact, is_modulus_wrong};
 use super::essentials::Essentials;
 use super::warning::{FULLY, Warning, WarningKind};
 use crate::contact::law::Law;
@@ -15,10 +15,6 @@ const LIGHT: f64 = 100.0;
 const LARGE: f64 = 1.0;
 /// Strengths that are a larger share of Young's modulus get a warning; whiskers without a flaw reach a tenth.
 const HIGH: f64 = 0.1;
-/// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber has more.
-const SOFT: f64 = 1e5;
-/// No metal and hardly a ceramic has a larger strength \[Pa\].
-const STRONG: f64 = 1e10;
 
 /// How far e is too high by the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
 pub const TOO_HIGH: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
@@ -165,12 +161,6 @@ pub(crate) fn of_sphere(
 pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
     let HalfSpace { material, yield_strength, density, .. } = half_space;
     of_body("half_space", material, *yield_strength, *density)
-}
-
-/// Whether Young's modulus is the number that cannot be, and not the strength beside it: it is that of no solid, or it is
-/// below a strength that a solid has.
-pub(super) fn is_modulus_wrong(modulus: f64, strength: Option<f64>) -> bool {
-    modulus < SOFT || strength.is_some_and(|strength| modulus < strength && strength < STRONG)
 }
 
 fn of_body(

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::bodies::is_modulus_wrong;
 use super::error::ImpactError;
 use super::forces::Forces;
 use super::plate::{LoadedPlate, PlateError};
@@ -80,6 +79,17 @@ pub struct Contact {
     moment_of_inertia: Option<f64>,
     /// The materials of the bodies, if they have names.
     pub(super) named: Named,
+}
+
+/// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber has more.
+const SOFT: f64 = 1e5;
+/// No metal and hardly a ceramic has a larger strength \[Pa\].
+const STRONG: f64 = 1e10;
+
+/// Whether Young's modulus is the wrong number, and not the strength beside the modulus: no solid has this modulus, or the
+/// modulus is below a strength that a solid has.
+pub(super) fn is_modulus_wrong(modulus: f64, strength: Option<f64>) -> bool {
+    modulus < SOFT || strength.is_some_and(|strength| modulus < strength && strength < STRONG)
 }
 
 /// A rebound slower than this share of the impact speed is rest: the error of an integration.

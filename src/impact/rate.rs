@@ -152,9 +152,7 @@ impl Contact {
             return Ok(self.of_law(pair, plm.of_same_curve(&self.law, &bodies), scales, scales.speed));
         }
         let mut law = rates.law.clone();
-        if let LawChoice::Plm(plm) = &mut law {
-            plm.rate_factor = factor;
-        }
+        law.set_rate_factor(factor);
         self.of_pair(pair, law.get())
     }
 

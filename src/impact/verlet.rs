@@ -181,9 +181,9 @@ impl<'a> VerletMotion<'a> {
 }
 
 /// A contact that is passed in fewer steps has no result.
-const LEAST_STEPS: u64 = 5;
+const MIN_STEPS: u64 = 5;
 /// A run that gives back more than this share of the speed has no result; one above 1 is warned of.
-const MOST_RESTITUTION: f64 = 1.05;
+const MAX_RESTITUTION: f64 = 1.05;
 
 /// Marches in steps of `step`. The peak is the deepest step. The run ends with the first step on the way out in which no force
 /// pushes; or, for a captured sphere, with the first step in which the sphere moves inwards again.
@@ -247,8 +247,8 @@ pub(crate) fn march(
         }
         let restitution = if separates { -state.speed / q } else { 0.0 };
         // under gravity a slow sphere that sinks into its dent leaves faster than it came
-        let makes_energy = forces.weight == 0.0 && restitution > MOST_RESTITUTION;
-        if separates && n < LEAST_STEPS || makes_energy {
+        let makes_energy = forces.weight == 0.0 && restitution > MAX_RESTITUTION;
+        if separates && n < MIN_STEPS || makes_energy {
             return Err(IntegrationError::CoarseSteps { steps: n, restitution });
         }
         let outcome = Outcome {

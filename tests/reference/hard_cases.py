@@ -4,7 +4,7 @@ energy balance for the peak and e, quadrature for the time. The law is written d
 import tomllib
 from pathlib import Path
 
-from mpmath import asin, atan, inf, mp, mpf, pi, quad, sqrt
+from mpmath import asin, atan, findroot, inf, mp, mpf, pi, quad, sqrt
 
 mp.dps = 50
 FIFTHS = mpf(2) / 5
@@ -106,7 +106,18 @@ def solve(law, q):
     return e, time + hertz * eps / (e * q)
 
 
+def largest_stress(nu):
+    """The largest von Mises stress under a Hertz pressure over the largest pressure: on the axis, or at the rim of the contact
+    (Johnson 1985, ch. 3.4)."""
+    growth = lambda z: (1 + nu) * (atan(1 / z) - z / (1 + z * z)) - 3 * z / (1 + z * z) ** 2
+    z = findroot(growth, (mpf("1e-9"), mpf(2)), solver="bisect", tol=mpf(10) ** -100, maxsteps=400, verify=False)
+    axis = mpf("1.5") / (1 + z * z) - (1 + nu) * (1 - z * atan(1 / z))
+    return max(axis, (1 - 2 * nu) / sqrt(mpf(3)))
+
+
 def yield_factor(nu):
+    if nu < 0:
+        return mpf("1.30075") * largest_stress(mpf(0)) / largest_stress(nu)
     return mpf("1.30075") + mpf("0.87825") * nu + mpf("0.54373") * nu ** 2
 
 

@@ -166,9 +166,9 @@ pub(super) struct ObliqueImpact<'a> {
 /// goes with the square of this angle.
 const LARGEST_SWINGS: f64 = 100.0;
 
-/// s_1/s_0 has a limit as ψ_1 → 0, where only the rim slips. At this ψ_1 it differs from the limit by about as much. Below, the
+/// s_1/s_0 has a limit as ψ_1 → 0, where only the rim slips. At this ψ_1 it differs from the limit by 2e-7 at most. Below, the
 /// stops are so large against the stretch of the springs that rounding decides, and the ratio here is taken.
-const LEAST_PSI: f64 = 1e-5;
+const MIN_PSI: f64 = 1e-8;
 
 /// Accuracy of s_1/s_0 in a table. Of 6000 random impacts under the PLM, also with damping, with gravity and on plates, two were off by
 /// more than 1e-5, the worst by 1.3e-5; under other laws three of 1500, the worst by 5e-5.
@@ -261,7 +261,7 @@ impl<'a> ObliqueImpact<'a> {
         };
         self.resolves(motion)?;
         let psi = self.psi.abs();
-        let computed = psi.max(LEAST_PSI);
+        let computed = psi.max(MIN_PSI);
         let accuracy = if is_followed { OF_RUNS } else { OF_ROWS };
         let run = motion.run(computed * self.case.q, self.chi, accuracy, is_followed)?;
         let run = if psi < computed { run.scaled(psi / computed) } else { run };

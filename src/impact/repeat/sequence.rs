@@ -200,10 +200,10 @@ impl Sequence {
 /// The rest of the series after a take-off at v lasts at least as long as if every flight lost the share of the next one, and at
 /// most as long as without drag. The two limits meet as the speed falls.
 fn rest_in_air(flying: &Flying, take_off: f64, restitution: f64) -> Option<f64> {
-    const MOST_FLIGHTS: u32 = 10_000;
-    const ACCURACY: f64 = 1e-6;
+    const MAX_FLIGHTS: u32 = 10_000;
+    const REST_TIME_TOLERANCE: f64 = 1e-6;
     let (mut time, mut speed) = (0.0, take_off);
-    for _ in 0..MOST_FLIGHTS {
+    for _ in 0..MAX_FLIGHTS {
         if speed <= 0.0 {
             return Some(time);
         }
@@ -212,7 +212,7 @@ fn rest_in_air(flying: &Flying, take_off: f64, restitution: f64) -> Option<f64> 
         let next = restitution * flying.landing_speed(height);
         let least = flight / (1.0 - next / speed);
         let most = 2.0 * speed / (flying.pull() * (1.0 - restitution));
-        if most - least <= ACCURACY * (time + least) {
+        if most - least <= REST_TIME_TOLERANCE * (time + least) {
             return Some(time + 0.5 * (least + most));
         }
         (time, speed) = (time + flight, next);

@@ -152,6 +152,18 @@ impl LawChoice {
             law => [law; 2],
         }
     }
+
+    /// Sets by how much the rate of strain raises the flow curve of the PLM, or of the PLM in a combination.
+    pub(crate) fn set_rate_factor(&mut self, factor: f64) {
+        match self {
+            Self::Plm(plm) => plm.rate_factor = factor,
+            Self::Combined(Combined { loading, unloading }) => {
+                loading.set_rate_factor(factor);
+                unloading.set_rate_factor(factor);
+            }
+            _ => {}
+        }
+    }
 }
 
 impl ContactLaw for Combined {
