@@ -57,3 +57,26 @@ fn coefficients_that_would_gain_by_themselves_do_not() {
         }
     }
 }
+
+/// A table that widens the pressure to a ratio of 1.6, with a metal that hardens steeply, asks for an exponent of 0.95: such a contact would end
+/// with an infinite stiffness.
+#[test]
+fn an_exponent_is_never_below_one() {
+    let mut table = PlmCoefficients::built_in().clone();
+    table.contact_radius.ratio = vec![1.0, 1.5, 1.6];
+    table.check().unwrap();
+    let plm = |flow| Plm { flow: [None, flow], ..Plm::new(&table, UnloadingExponent::PressureShape) };
+    let hardening = Scene::steel().contact_by(&plm(Some(FlowCurve::Power { exponent: 0.5 })));
+    let perfect = Scene::steel().contact_by(&plm(None));
+    for speed in [0.1, 3.0, 10.0, 20.0] {
+        for contact in [&hardening, &perfect] {
+            let exact = contact.closed_form(speed).unwrap();
+            assert!(exact.unloading_exponent >= 1.0 && exact.restitution <= 1.0, "{speed} {exact:?}");
+            for (method, _) in STEPPING {
+                let stepped = contact.impact(speed, &solver(method, 1e-11), None).unwrap();
+                assert!(apart(&stepped, &exact) < 1e-9, "{speed} {}", method.name());
+            }
+        }
+    }
+    assert_eq!(hardening.closed_form(20.0).unwrap().unloading_exponent, 1.0);
+}

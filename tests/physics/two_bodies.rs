@@ -73,3 +73,19 @@ fn a_hollow_needs_room_for_the_sphere() {
     assert!(of(-2.0 * sphere.radius).is_ok() && of(sphere.radius).is_ok());
     assert!(matches!(of(-1.9 * sphere.radius), Err(ImpactError::Hollow(_))));
 }
+
+/// Two equal elastic balls exchange their speeds. What a run leaves of the speed of the first is its error, and no result.
+#[test]
+fn a_rest_that_is_an_error_of_the_run_is_none() {
+    let second =
+        ["half_space.radius=5 mm", "half_space.mass=ball", "half_space.density=7850", "half_space.yield_strength=1e12"];
+    let contact = crate::common::contact(STEEL, &second);
+    for method in [Method::ClosedForm, Method::Rk8, Method::Dop853] {
+        let impact = contact.impact(3.0, &solver(method, 1e-12), None).unwrap();
+        assert!((impact.restitution - 1.0).abs() < 1e-11);
+        assert_eq!(impact.rebound_speed, 0.0, "{}", method.name());
+    }
+    // a small e less than 1 is no error
+    let (rebound, _) = contact.speeds_after(3.0, 1.0 - 1e-8);
+    assert!(off(rebound, -1.5e-8) < 1e-6, "{rebound}");
+}

@@ -158,12 +158,13 @@ fn a_leg_takes_no_more_steps_than_the_limit_in_all_its_calls() {
         let damping = Some(Damping::HuntCrossley(chi));
         let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
         match contact.impact(1.0, &solver(method, 1e-6), None) {
-            Ok(impact) => assert!(impact.work.steps + impact.work.rejected < 10_000_000, "{}", method.name()),
+            // a leg a piece of the law, and the way back
+            Ok(impact) => assert!(impact.work.steps + impact.work.rejected < 1_000_000, "{}", method.name()),
             Err(ImpactError::Integration(error)) => {
                 let says_so = matches!(
                     error,
-                    IntegrationError::TooManySteps { steps: 1_000_000 }
-                        | IntegrationError::Creeping { steps: 1_000_000 }
+                    IntegrationError::TooManySteps { steps: 100_000 }
+                        | IntegrationError::Creeping { steps: 100_000 }
                         | IntegrationError::StepUnderflow { .. }
                 );
                 assert!(says_so, "{}: {error}", method.name());

@@ -107,3 +107,49 @@ fn a_damped_impact_is_judged_by_its_own_peak() {
     assert!(impact(200.0).is_ok());
     assert!(matches!(impact(1e200), Err(ImpactError::Range(_))));
 }
+
+/// Once a combination left out the flat of the ball: e was 0.376 in place of 0.349. The combination is the PLM also where both bodies flow,
+/// where a metal hardens, and with a strength that rises with the rate of strain.
+#[test]
+fn plm_with_its_own_unloading_is_plm() {
+    let flat = ["sphere.yield_strength=345 MPa", "half_space.yield_strength=900 MPa"];
+    let both = ["sphere.yield_strength=360 MPa", "sphere.youngs_modulus=70 GPa"];
+    let balls = ["sphere.yield_strength=345 MPa", "half_space.radius=5 mm"];
+    let hardening = ["half_space.flow_stress.power.exponent=0.2", "law.plm.unloading_exponent=pressure-shape"];
+    let rated = ["half_space.rate.johnson_cook.c=0.03", "half_space.flow_stress.power.exponent=0.1"];
+    let rated_ball = ["sphere.rate.johnson_cook.c=0.03", "sphere.yield_strength=345 MPa"];
+    let mut widest: f64 = 0.0;
+    for keys in [flat, both, balls, hardening, rated, rated_ball] {
+        let input = scene(STEEL, &keys);
+        let plm = input.law();
+        let [one, other] = [plm.clone(), plm.clone()].map(Box::new);
+        let combined = LawChoice::Combined(Combined { loading: one, unloading: other });
+        let nested = Combined { loading: Box::new(combined.clone()), unloading: Box::new(plm.clone()) };
+        let of = |law: &LawChoice| {
+            let contact = Contact::try_new(input.sphere(), input.half_space(), law.get()).unwrap();
+            contact.with_rates(input.rates(), law)
+        };
+        let [plain, combined, nested] = [plm, combined, LawChoice::Combined(nested)].map(|law| of(&law));
+        for speed in [1e-4, 0.02, 1.0, 10.0] {
+            let want = plain.closed_form(speed).unwrap();
+            for contact in [&combined, &nested] {
+                let got = contact.closed_form(speed).unwrap();
+                assert_eq!(got.essentials, want.essentials, "{keys:?} {speed}");
+                assert_eq!(contact.row(speed, &Solver::AUTO).unwrap(), plain.row(speed, &Solver::AUTO).unwrap());
+            }
+        }
+        widest = widest.max(plain.closed_form(10.0).unwrap().restitution);
+    }
+    assert!(widest < 0.8, "{widest}");
+    // what the PLM refuses, a combination with it refuses too
+    let harder = ["sphere.yield_strength=360 MPa", "half_space.flow_stress.power.exponent=0.1"];
+    let input = scene(STEEL, &harder);
+    let [one, other] = [input.law(), input.law()].map(Box::new);
+    let thornton = Box::new(LawChoice::from_name("thornton").unwrap());
+    let whole = LawChoice::Combined(Combined { loading: one, unloading: other });
+    let half = LawChoice::Combined(Combined { loading: thornton, unloading: Box::new(input.law()) });
+    for law in [input.law(), whole, half] {
+        let error = Contact::try_new(input.sphere(), input.half_space(), law.get()).unwrap_err();
+        assert!(matches!(error, ImpactError::Law(OutsideLaw::BothFlow { .. })), "{error}");
+    }
+}
