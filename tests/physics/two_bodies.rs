@@ -79,7 +79,7 @@ fn a_hollow_needs_room_for_the_sphere() {
 fn a_rest_that_is_an_error_of_the_run_is_none() {
     let second =
         ["half_space.radius=5 mm", "half_space.mass=ball", "half_space.density=7850", "half_space.yield_strength=1e12"];
-    let contact = crate::common::contact(STEEL, &second);
+    let contact = crate::common::contact(crate::common::STEEL, &second);
     for method in [Method::ClosedForm, Method::Rk8, Method::Dop853] {
         let impact = contact.impact(3.0, &solver(method, 1e-12), None).unwrap();
         assert!((impact.restitution - 1.0).abs() < 1e-11);
