@@ -43,7 +43,9 @@ fn numbers_that_no_body_has_are_refused() {
         assert!(of_half_space.starts_with(quantity) && of_half_space.contains("half-space"), "{of_half_space}");
     }
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(refused(Sphere { radius: bad, ..sphere() }, half_space()).starts_with("radius"));
+        let error = Pair::try_new(&Sphere { radius: bad, ..sphere() }, &half_space()).unwrap_err();
+        assert!(matches!(error, PairError::Invalid(_)) && error.to_string().starts_with("radius"), "{error}");
+        assert!(Contact::try_new(Sphere { radius: bad, ..sphere() }, half_space(), &Plm::default()).is_err());
         let weak = Some(bad);
         assert!(refused(Sphere { yield_strength: weak, ..sphere() }, half_space()).contains("strength of the sphere"));
         assert!(refused(sphere(), HalfSpace { yield_strength: weak, ..half_space() }).contains("strength of the half"));
