@@ -5,7 +5,7 @@ use super::Calibration;
 use super::data::Value;
 use super::problem::Problem;
 use crate::impact::Warning;
-use crate::scenario::scene::{Measured, at};
+use crate::scenario::scene::Measured;
 
 impl Calibration<'_> {
     /// The worst warning of each kind, with the line of its impact, which measurements of the scenario itself do not have. A
@@ -18,13 +18,10 @@ impl Calibration<'_> {
             let Ok(contact) = input.contact() else { continue };
             let Ok(impact) = contact.impact(input.speed(), &input.solver(), None) else { continue };
             let line = Some(problem.data.rows[row].line).filter(|line| *line > 0);
-            let height = input.number(at!("impact.drop_height"));
             let risen = |value: &Value| match value.quantity {
                 Measured::ReboundHeight => Some(value.value),
-                // a restitution of a drop test is that of its heights
-                Measured::Restitution | Measured::BounceInterval => {
-                    Some(impact.restitution * impact.restitution * height?)
-                }
+                Measured::BounceInterval => Some(impact.restitution * impact.restitution * input.drop_height()?),
+                // a restitution may come from speeds, which air does not change
                 _ => None,
             };
             let values = problem.data.values.iter().filter(|value| value.row == row);

@@ -75,7 +75,7 @@ fn in_unit_of(size: f64, scientific: &str, dimension: Dimension) -> Option<Strin
     let shown = || {
         dimension.units().filter(|unit| unit.is_shown).filter_map(|unit| match unit.scale {
             Scale::Ten(power) => Some((unit.name, power)),
-            Scale::Times(_) | Scale::Over(_) => None,
+            Scale::Decimal(_) | Scale::Times(_) | Scale::Over(_) => None,
         })
     };
     let fits = |&(_, power): &(&str, i32)| size.abs() >= powi(10_f64, power);

@@ -90,9 +90,10 @@ pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> 
             "\"{text}\" has a number that cannot be read; write plain digits with one decimal point, such as {example}"
         ));
     }
-    if let Some((number, unit)) = split_fraction(number, unit) {
+    if let Some((fraction, unit)) = split_fraction(number, unit) {
         let inch = SPELLINGS.get(&plain_spelling(unit)).filter(|unit| ["in", "inch"].contains(&unit.name));
-        let of_inches = inch.filter(|unit| unit.dimension == dimension).and_then(|unit| unit.scale.apply(&number));
+        let of_inches =
+            inch.filter(|unit| unit.dimension == dimension).and_then(|unit| unit.scale.apply_to_fraction(fraction));
         let no_inches =
             || format!("\"{text}\" has a fraction, which only inches have; write a decimal number, such as {example}");
         return of_inches.ok_or_else(no_inches);
@@ -123,10 +124,36 @@ impl Scale {
                     Err(_) => number.parse().ok(),
                 }
             }
+            Self::Decimal(factor) => {
+                product(number, factor).or_else(|| Some(number.parse::<f64>().ok()? * factor.parse::<f64>().ok()?))
+            }
             Self::Times(factor) => number.parse::<f64>().ok().map(|value| value * factor),
             Self::Over(divisor) => number.parse::<f64>().ok().map(|value| value / divisor),
         }
     }
+
+    /// A fraction in SI, rounded once; `None` for a unit that has no decimal factor.
+    fn apply_to_fraction(self, [numerator, denominator]: [i64; 2]) -> Option<f64> {
+        let Self::Decimal(factor) = self else { return None };
+        let (factor, power) = integer_and_power(factor)?;
+        let divisor = 10_i128.checked_pow(power.checked_neg()?.try_into().ok()?)?;
+        let numerator = factor.checked_mul(numerator.into())?;
+        Some(numerator as f64 / divisor.checked_mul(denominator.into())? as f64)
+    }
+}
+
+/// The product of two decimal numbers, rounded once; `None` if they have too many digits.
+fn product(one: &str, other: &str) -> Option<f64> {
+    let ((one, power), (other, other_power)) = (integer_and_power(one)?, integer_and_power(other)?);
+    format!("{}e{}", one.checked_mul(other)?, power.checked_add(other_power)?).parse().ok()
+}
+
+/// A decimal number as an integer and the power of ten behind it: 254 and -4 for "0.0254".
+fn integer_and_power(number: &str) -> Option<(i128, i32)> {
+    let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+    let power = exponent.parse::<i32>().ok()?.checked_sub(decimals.len().try_into().ok()?)?;
+    Some((format!("{whole}{decimals}").parse().ok()?, power))
 }
 
 /// Splits "5e3 mm" into "5e3" and "mm".
@@ -158,21 +185,21 @@ fn split(text: &str) -> (&str, &str) {
 const FRACTIONS: [(char, &str); 7] =
     [('½', " 1/2"), ('¼', " 1/4"), ('¾', " 3/4"), ('⅛', " 1/8"), ('⅜', " 3/8"), ('⅝', " 5/8"), ('⅞', " 7/8")];
 
-/// The decimal number of a fraction, "1/2", "1 1/2" or "1-1/2", and the unit behind it; `None` if there is none. `number` and `rest`
-/// are the parts of a text by [`split`].
-fn split_fraction<'t>(number: &str, rest: &'t str) -> Option<(String, &'t str)> {
+/// The numerator and the denominator of a fraction, "1/2", "1 1/2" or "1-1/2", and the unit behind it; `None` if there is none. `number`
+/// and `rest` are the parts of a text by [`split`].
+fn split_fraction<'t>(number: &str, rest: &'t str) -> Option<([i64; 2], &'t str)> {
+    let natural = |text: &str| text.parse::<u16>().ok().map(i64::from);
+    let (sign, number) = number.strip_prefix('-').map_or((1, number), |positive| (-1, positive));
     let (whole, numerator, behind) = match rest.strip_prefix('/') {
-        Some(behind) => (0, number.parse::<i32>().ok()?, behind),
+        Some(behind) => (0, natural(number)?, behind),
         None => {
             let (numerator, behind) = rest.strip_prefix('-').unwrap_or(rest).split_once('/')?;
-            (number.parse().ok()?, i32::from(numerator.parse::<u16>().ok()?), behind)
+            (natural(number)?, natural(numerator)?, behind)
         }
     };
     let (denominator, unit) = behind.split_at(behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len()));
-    let share =
-        f64::from(numerator) / f64::from(denominator.parse::<u16>().ok().filter(|denominator| *denominator > 0)?);
-    let value = if whole < 0 { f64::from(whole) - share } else { f64::from(whole) + share };
-    Some((value.to_string(), unit.trim_start()))
+    let denominator = natural(denominator).filter(|denominator| *denominator > 0)?;
+    Some(([sign * (whole * denominator + numerator), denominator], unit.trim_start()))
 }
 
 /// One spelling for all of "kg/m^3", "kg / m³", "kg/m**3", "kg/m3"; "Pa·s", "Pa*s"; "µm" with either sign, "um"; 1" and 1″.

@@ -6,6 +6,8 @@ use super::Dimension;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Scale {
     Ten(i32),
+    /// A factor in decimal digits: a value is multiplied in decimal, and rounded once.
+    Decimal(&'static str),
     Times(f64),
     /// A divisor, which is exact where the factor is not.
     Over(f64),
@@ -36,12 +38,12 @@ pub(super) const UNITS: &[Unit] = &[
     shown("nm", Length, -9),
     shown("µm", Length, -6),
     read("micron", Length, Scale::Ten(-6)),
-    read("mil", Length, Scale::Times(2.54e-5)), // a thousandth of an inch
+    read("mil", Length, Scale::Decimal("2.54e-5")), // a thousandth of an inch
     shown("mm", Length, -3),
     read("cm", Length, Scale::Ten(-2)),
-    read("in", Length, Scale::Times(0.0254)), // international inch and foot, exact
-    read("inch", Length, Scale::Times(0.0254)),
-    read("ft", Length, Scale::Times(0.3048)),
+    read("in", Length, Scale::Decimal("0.0254")), // international inch and foot, exact
+    read("inch", Length, Scale::Decimal("0.0254")),
+    read("ft", Length, Scale::Decimal("0.3048")),
     shown("m", Length, 0),
     shown("km", Length, 3),
     shown("ns", Time, -9),
@@ -54,9 +56,9 @@ pub(super) const UNITS: &[Unit] = &[
     read("cm/s", Speed, Scale::Ten(-2)),
     read("km/h", Speed, Scale::Over(3.6)),
     read("kph", Speed, Scale::Over(3.6)),
-    read("in/s", Speed, Scale::Times(0.0254)),
-    read("ft/s", Speed, Scale::Times(0.3048)),
-    read("mph", Speed, Scale::Times(0.44704)), // 5280 ft an hour, exact
+    read("in/s", Speed, Scale::Decimal("0.0254")),
+    read("ft/s", Speed, Scale::Decimal("0.3048")),
+    read("mph", Speed, Scale::Decimal("0.44704")), // 5280 ft an hour, exact
     shown("m/s", Speed, 0),
     shown("km/s", Speed, 3),
     read("mm/s^2", Acceleration, Scale::Ten(-3)),
@@ -70,8 +72,8 @@ pub(super) const UNITS: &[Unit] = &[
     shown("µg", Mass, -9),
     shown("mg", Mass, -6),
     shown("g", Mass, -3),
-    read("oz", Mass, Scale::Times(0.028_349_523_125)), // a sixteenth of a pound, exact
-    read("lb", Mass, Scale::Times(0.453_592_37)),      // international pound, exact
+    read("oz", Mass, Scale::Decimal("0.028349523125")), // a sixteenth of a pound, exact
+    read("lb", Mass, Scale::Decimal("0.45359237")),     // international pound, exact
     shown("kg", Mass, 0),
     shown("t", Mass, 3),
     shown("µPa s", Viscosity, -6),
@@ -79,32 +81,32 @@ pub(super) const UNITS: &[Unit] = &[
     read("cP", Viscosity, Scale::Ten(-3)),
     shown("Pa s", Viscosity, 0),
     shown("kg/m^3", Density, 0),
-    read("lb/ft^3", Density, Scale::Times(16.018_463_373_960_138)), // 0.45359237 kg / (0.3048 m)^3
+    read("lb/ft^3", Density, Scale::Decimal("16.01846337396013957966")), // 0.45359237 kg / (0.3048 m)^3
     shown("g/cm^3", Density, 3),
     read("g/cc", Density, Scale::Ten(3)),
     read("kg/dm^3", Density, Scale::Ten(3)),
     read("kg/l", Density, Scale::Ten(3)),
     read("t/m^3", Density, Scale::Ten(3)),
-    read("lb/in^3", Density, Scale::Times(27_679.904_710_203_12)), // 0.45359237 kg / (0.0254 m)^3
+    read("lb/in^3", Density, Scale::Decimal("27679.90471020312119364")), // 0.45359237 kg / (0.0254 m)^3
     shown("Pa", Pressure, 0),
     read("N/m^2", Pressure, Scale::Ten(0)),
     shown("kPa", Pressure, 3),
     read("bar", Pressure, Scale::Ten(5)),
     shown("MPa", Pressure, 6),
     read("N/mm^2", Pressure, Scale::Ten(6)),
-    read("kgf/mm^2", Pressure, Scale::Times(9.80665e6)),
-    read("ksi", Pressure, Scale::Times(6_894_757.293_168_361)), // 1000 psi
+    read("kgf/mm^2", Pressure, Scale::Decimal("9.80665e6")),
+    read("ksi", Pressure, Scale::Decimal("6894757.293168361336723")), // 1000 psi
     shown("GPa", Pressure, 9),
-    read("Mpsi", Pressure, Scale::Times(6_894_757_293.168_362)), // 10^6 psi
-    read("Msi", Pressure, Scale::Times(6_894_757_293.168_362)),
+    read("Mpsi", Pressure, Scale::Decimal("6894757293.168361336723")), // 10^6 psi
+    read("Msi", Pressure, Scale::Decimal("6894757293.168361336723")),
     shown("TPa", Pressure, 12),
-    read("psi", Pressure, Scale::Times(6_894.757_293_168_361)), // lbf/in^2: 0.45359237 kg x 9.80665 m/s^2 / (0.0254 m)^2
+    read("psi", Pressure, Scale::Decimal("6894.757293168361336723")), // lbf/in^2: 0.45359237 kg x 9.80665 m/s^2 / (0.0254 m)^2
     shown("nN", Force, -9),
     shown("µN", Force, -6),
     shown("mN", Force, -3),
     shown("N", Force, 0),
-    read("lbf", Force, Scale::Times(4.448_221_615_260_5)), // 0.45359237 kg x 9.80665 m/s^2, exact
-    read("kgf", Force, Scale::Times(9.80665)),
+    read("lbf", Force, Scale::Decimal("4.4482216152605")), // 0.45359237 kg x 9.80665 m/s^2, exact
+    read("kgf", Force, Scale::Decimal("9.80665")),
     shown("kN", Force, 3),
     shown("MN", Force, 6),
     shown("fJ", Energy, -15),
@@ -129,8 +131,8 @@ pub(super) const UNITS: &[Unit] = &[
     read("s^-1", StrainRate, Scale::Ten(0)),
     read("1/ms", StrainRate, Scale::Ten(3)),
     read("g mm^2", MomentOfInertia, Scale::Ten(-9)),
-    read("oz in^2", MomentOfInertia, Scale::Times(1.828_997_833_932_5e-5)), // 0.028349523125 kg x (0.0254 m)^2
-    read("lb in^2", MomentOfInertia, Scale::Times(2.926_396_534_292e-4)),   // 0.45359237 kg x (0.0254 m)^2
+    read("oz in^2", MomentOfInertia, Scale::Decimal("1.8289978339325e-5")), // 0.028349523125 kg x (0.0254 m)^2
+    read("lb in^2", MomentOfInertia, Scale::Decimal("2.926396534292e-4")),  // 0.45359237 kg x (0.0254 m)^2
     read("g cm^2", MomentOfInertia, Scale::Ten(-7)),
     read("kg mm^2", MomentOfInertia, Scale::Ten(-6)),
     shown("kg m^2", MomentOfInertia, 0),

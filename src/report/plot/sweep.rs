@@ -7,11 +7,10 @@ use crate::impact::reference::quasi_static;
 use crate::impact::{Essentials, Rebound};
 use crate::report::plot::{self, Chart, Look, Panel, Series, heatmap, histogram};
 use crate::scenario::plan::{Axis, Cases, Plan, RESTITUTION, Setting, Word};
-use crate::scenario::scene::results::impact::results;
-use crate::scenario::scene::results::{Column, Shown, columns};
+use crate::scenario::scene::results::{Column, columns, dimension_of};
 use crate::table::statistics::Statistics;
 use crate::table::{Evaluator, Failure, Rows, Tally};
-use crate::units::{Dimension, capital, four_digits, quantities, quantity};
+use crate::units::{capital, four_digits, quantities, quantity};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
@@ -331,14 +330,6 @@ fn yield_speed(plan: &Plan, axis: Option<&Axis>, place: u64) -> Option<f64> {
         axis.put(place, &mut input);
     }
     input.contact().ok().filter(|contact| !contact.has_rate())?.yield_speed()
-}
-
-/// The dimension of a result.
-fn dimension_of(name: &str) -> Dimension {
-    match results().iter().find(|result| result.name == name).map(|result| result.shown) {
-        Some(Shown::In(dimension)) => dimension,
-        _ => Dimension::Ratio,
-    }
 }
 
 /// The name of a result, and its axis.

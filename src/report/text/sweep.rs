@@ -6,10 +6,10 @@ use serde_json::{Map, Value};
 
 use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
 use crate::scenario::scene::results::Column;
-use crate::scenario::scene::results::{Reported, fields, lists, results};
+use crate::scenario::scene::results::{Reported, dimension_of, fields, lists, results};
 use crate::table::Tally;
 use crate::table::statistics::Distribution;
-use crate::units::four_digits;
+use crate::units::{aligned, quantities, quantity};
 
 /// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns.
 type Totals<'a> = (&'a Tally, Option<Distribution>, Option<Value>);
@@ -100,18 +100,32 @@ pub fn lines(plan: &Plan, tally: &Tally) -> String {
     if tally.outside_law > 0 {
         let _ = writeln!(text, "{} rows where the law has no answer (status outside_law)", tally.outside_law);
     }
-    for (column, all) in tally.distributions() {
-        let (name, is_restitution) = (column.name, column.name == RESTITUTION);
-        let number = |value: f64| if is_restitution { format!("{value:.6}") } else { four_digits(value) };
-        if all.is_constant && all.samples > 1 {
-            let (keys, mean) = (plan.paths().join(" and "), number(all.mean));
-            let _ = writeln!(text, "{name}: {mean} in all cases: it does not depend on {keys} here");
-            continue;
-        }
-        let (mean, deviation) = (number(all.mean), number(all.standard_deviation));
-        let _ = writeln!(text, "{name}: mean {mean}, standard deviation {deviation}");
-        let [low, middle, high] = [all.quantile_05, all.quantile_50, all.quantile_95].map(number);
-        let _ = writeln!(text, "quantiles:   5 % {low}, 50 % {middle}, 95 % {high}");
+    let (constant, scattered): (Vec<_>, Vec<_>) =
+        tally.distributions().into_iter().partition(|(_, all)| all.is_constant && all.samples > 1);
+    if !scattered.is_empty() {
+        let head = ["random cases", "mean", "standard deviation", "5 %", "50 %", "95 %"].map(str::to_owned);
+        let rows: Vec<_> = std::iter::once(head).chain(scattered.iter().map(quantiles)).collect();
+        let _ = write!(text, "\n{}", aligned(&rows, |_| true));
+    }
+    for (place, (column, all)) in constant.iter().enumerate() {
+        let value = quantity(all.mean, dimension_of(column.name));
+        let (name, keys) = (words(column), plan.paths().join(" and "));
+        let before = if place == 0 { "\n" } else { "" };
+        let _ = writeln!(text, "{before}{name}: {value} in all cases, as it does not depend on {keys} here");
     }
     text
+}
+
+/// The name of a column in words, without its unit.
+fn words(column: &Column) -> String {
+    column.name.strip_suffix(dimension_of(column.name).suffix()).unwrap_or(column.name).replace('_', " ")
+}
+
+/// The row of a column in the table of random cases: "5 %" has the value above 5 % of all values.
+fn quantiles((column, all): &(Column, Distribution)) -> [String; 6] {
+    let dimension = dimension_of(column.name);
+    let values = [all.mean, all.quantile_05, all.quantile_50, all.quantile_95];
+    let mut texts = quantities(&values, dimension).into_iter();
+    let mut next = || texts.next().unwrap_or_default();
+    [words(column), next(), quantity(all.standard_deviation, dimension), next(), next(), next()]
 }

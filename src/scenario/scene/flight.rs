@@ -24,14 +24,13 @@ impl Input {
         const MAX_USUAL: f64 = 100.0;
         let height = self.drop_height().filter(|height| *height > MAX_USUAL)?;
         let text = format!(
-            "a drop height of {} is far above that of a drop test: check its unit. A number alone is in m, and a column drop_height_mm is in mm",
+            "the impact speed may be far too high: the drop height is {}, and a drop test has less than 100 m. Check the unit: a number alone is in m, and a column drop_height_mm is in mm",
             quantity(height, Dimension::Length)
         );
         Some(Warning::new(WarningKind::HighDrop, height, text))
     }
 
-    /// Warns of a fall without air that air would slow, and of a ball that is so light that the
-    /// air that moves with it counts.
+    /// Warns of a fall without air that air would slow, and of a ball that is so light that the air that moves with it counts.
     pub fn doubts_of_air(&self) -> Option<Warning> {
         if self.air().is_some() {
             return self.added_mass_warning();
@@ -46,10 +45,14 @@ impl Input {
         })
     }
 
-    /// Warns of a key that is found from heights without `[air]`: the loss in the air, before the impact and after it, then counts as
-    /// a loss of the impact. `risen` is the height that the ball rises to, if it is measured by one.
+    /// Warns of a key that is found from heights or intervals without `[air]`: the loss in the air, before the impact and after it,
+    /// then counts as a loss of the impact. `risen` is the height that the ball rises to, if it is measured by one or by an
+    /// interval. With `[air]` it warns of a ball that is so light that the air that moves with it counts.
     pub fn measured_air_warning(&self, risen: Option<f64>) -> Option<Warning> {
-        let (None, Some(risen)) = (self.air(), risen) else { return self.doubts_of_air() };
+        if self.air().is_some() {
+            return self.added_mass_of_measured();
+        }
+        let Some(risen) = risen else { return self.doubts_of_air() };
         let fallen = self.drop_height();
         let ways: Vec<f64> =
             [fallen, Some(risen)].into_iter().flatten().filter_map(|height| self.slowing_by_air(height)).collect();
@@ -63,16 +66,32 @@ impl Input {
         })
     }
 
-    fn added_mass_warning(&self) -> Option<Warning> {
+    /// The mass of the air that moves with the ball, as a share of the mass of the ball, if there is air.
+    fn added_mass(&self) -> Option<f64> {
         let (air, radius, mass) = (self.air()?, self.radius()?, self.mass()?);
-        let added = 0.5 * Flying::buoyancy(air.density, radius, mass);
-        (added > 0.003).then(|| {
-            let text = format!(
-                "the air that moves with so light a ball has {} of its mass, which is neglected: heights and times may be off by as much",
-                percent(added)
-            );
-            Warning::new(WarningKind::InAir, added, text)
-        })
+        Some(0.5 * Flying::buoyancy(air.density, radius, mass))
+    }
+
+    /// Heights and times change by the whole share of the added mass.
+    fn added_mass_warning(&self) -> Option<Warning> {
+        let added = self.added_mass().filter(|added| *added > 0.003)?;
+        let text = format!(
+            "heights and times may deviate by {}: the air that moves with so light a ball has this share of its mass, and is neglected",
+            percent(added)
+        );
+        Some(Warning::new(WarningKind::InAir, added, text))
+    }
+
+    /// The added mass cancels in the ratio of two heights or of two intervals. In the speed of a fall from a measured height,
+    /// and in e from this height and an interval, half of its share is left.
+    fn added_mass_of_measured(&self) -> Option<Warning> {
+        let added = self.added_mass().filter(|added| 0.5 * added > MAX_SLOWING)?;
+        let text = format!(
+            "speeds of falls, and e by a height and an interval, deviate by {}: the air that moves with so light a ball has {} of its mass, and is neglected",
+            percent(0.5 * added),
+            percent(added)
+        );
+        Some(Warning::new(WarningKind::InAir, added, text))
     }
 
     /// The share by which the air of a room makes a ball slower at the end of a fall from this height; `None` for a body with a tip,

@@ -96,8 +96,14 @@ fn named_columns_have_quantiles_and_histograms() {
     let output = desk.call(&["run", "s.toml", "--out", "out", "--pictures", "svg"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let said = text(&output.stdout);
-    assert!(said.contains("in all cases: it does not depend on sphere.radius"), "{said}");
-    assert!(said.contains("dent_diameter_m: mean"), "{said}");
+    assert!(said.contains(" in all cases, as it does not depend on sphere.radius here\n"), "{said}");
+    let lines: Vec<Vec<&str>> =
+        said.lines().map(|line| line.split("  ").filter(|cell| !cell.is_empty()).collect()).collect();
+    let head = ["random cases", "mean", "standard deviation", "5 %", "50 %", "95 %"];
+    let at = lines.iter().position(|line| *line == head).unwrap();
+    assert_eq!(lines[at + 1].len(), 6, "{said}");
+    assert!(lines[at + 1][0] == "contact time" && lines[at + 1][1].ends_with(" µs"), "{said}");
+    assert!(lines[at + 2][0] == "dent diameter" && lines[at + 2][1].ends_with(" µm"), "{said}");
     let pictures = desk.files("out").into_iter().filter(|name| name.ends_with("svg")).collect::<Vec<_>>();
     assert_eq!(pictures, ["dent_diameter_m_histogram.svg"]);
     let table = desk.read("out/table.csv");

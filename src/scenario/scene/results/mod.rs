@@ -19,9 +19,19 @@ pub mod trace;
 pub(crate) use entry::results;
 pub use entry::{Column, Needs, Reported, Shown, TABLES, fields, lists};
 
+use crate::units::Dimension;
+
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
 pub fn columns() -> Vec<Column> {
     let mut columns: Vec<Column> = impact::results().iter().filter_map(|result| result.column).collect();
     columns.sort_by_key(|column| (column.needs == Needs::Density, column.needs == Needs::Thickness));
     columns
+}
+
+/// The dimension of a result of an impact; a plain number where its name has no unit.
+pub fn dimension_of(name: &str) -> Dimension {
+    match impact::results().iter().find(|result| result.name == name).map(|result| result.shown) {
+        Some(Shown::In(dimension)) => dimension,
+        _ => Dimension::Ratio,
+    }
 }
