@@ -325,3 +325,31 @@ impl<'a> Evaluator<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+    use crate::scenario::Scenario;
+
+    /// The rows of one speed need the contacts of all radii, and the rows of the next speed find them.
+    #[test]
+    fn contacts_are_kept_whatever_the_order_of_the_axes() -> Result<(), Error> {
+        let bodies = "[sphere]\nyoungs_modulus = 2e11\npoissons_ratio = 0.3\ndensity = 7850\n\
+                      [half_space]\nyoungs_modulus = 2e11\npoissons_ratio = 0.3\nyield_strength = 3e8\n[sweep]\n";
+        let radii = "\"sphere.radius\" = { linspace = [1e-3, 5e-3], points = 20000 }\n";
+        let speeds = "\"impact.speed\" = [1, 2]\n";
+        for (axes, cases) in [([radii, speeds], [0..600, 600..1200]), ([speeds, radii], [0..600, 20_000..20_600])] {
+            let plan = Scenario::from_text("s.toml", &format!("{bodies}{}", axes.concat()), &[])?.plan()?;
+            let evaluator = Evaluator::new(&plan);
+            let n_kept = || evaluator.contacts.iter().filter(|kept| kept.get().is_some()).count();
+            let after = cases.map(|cases| {
+                evaluator.rows(cases, &mut Rows::default());
+                n_kept()
+            });
+            let is_inside = axes[1] == speeds;
+            assert_eq!(after, if is_inside { [300, 600] } else { [600, 600] });
+        }
+        Ok(())
+    }
+}

@@ -217,7 +217,7 @@ const OTHERS: [AnyKey; 70] = keys! {
     "output.samples" of Output: Count(&SAMPLES) => "400";
     /// Results that a table has besides the restitution.
     "output.columns" of Output: Words(&COLUMNS) => "all";
-    /// Results that are drawn over the axes of a table.
+    /// Results that are drawn: over the axes of a table, or as histograms of random cases.
     "output.picture" of Output: Words(&COLUMNS) => "restitution";
     /// Axes of a table: keys with lists or ranges of values; the first varies slowest.
     "sweep" of Kind: Axes;
