@@ -98,7 +98,7 @@ fn named_columns_have_quantiles_and_histograms() {
     let said = text(&output.stdout);
     assert!(said.contains(" in all cases, as it does not depend on sphere.radius here\n"), "{said}");
     let lines: Vec<Vec<&str>> =
-        said.lines().map(|line| line.split("  ").filter(|cell| !cell.is_empty()).collect()).collect();
+        said.lines().map(|line| line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).collect()).collect();
     let head = ["random cases", "mean", "standard deviation", "5 %", "50 %", "95 %"];
     let at = lines.iter().position(|line| *line == head).unwrap();
     assert_eq!(lines[at + 1].len(), 6, "{said}");
