@@ -56,7 +56,7 @@ impl Input {
         let fallen = self.drop_height();
         let ways: Vec<f64> =
             [fallen, Some(risen)].into_iter().flatten().filter_map(|height| self.slowing_by_air(height)).collect();
-        let slower: f64 = ways.iter().sum();
+        let slower = 1.0 - ways.iter().map(|slower| 1.0 - slower).product::<f64>();
         (slower > MAX_SLOWING * ways.len() as f64).then(|| {
             let text = format!(
                 "e is taken {} too low, and the keys deviate with it: without [air] the loss in the air counts as a loss of the impact. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",

@@ -90,10 +90,11 @@ fn heights_without_air_are_warned_of_with_both_ways() {
         let x = beta * height;
         1.0 - ((1.0 - (-x).exp()) / x).sqrt()
     };
-    let want = 100.0 * (slower(0.7) + slower(0.26));
+    let both = |fall: f64, rise: f64| 100.0 * (1.0 - (1.0 - slower(fall)) * (1.0 - slower(rise)));
+    let want = both(0.7, 0.26);
     assert!((of_file / want - 1.0).abs() < 0.02, "{of_file} {want}");
     let measured = share(&warnings("", "measured.rebound_height = \"0.2 m\"", data)).unwrap();
-    let want = 100.0 * (slower(0.5) + slower(0.2));
+    let want = both(0.5, 0.2);
     assert!((measured / want - 1.0).abs() < 0.02, "{measured} {want}");
     assert_eq!(share(&warnings(AIR, "data = \"d.csv\"", data)), None);
     // millimetres that are taken for metres
@@ -120,7 +121,10 @@ fn air_is_warned_of_by_what_it_does_to_the_measurement() {
     };
     // a half of the displaced air moves with the ball: 0.5 x 1.2/30 is 2 % of its mass, and 0.5 x 1.2/80 is 0.75 %
     let of_light = said("30", AIR, "measured.rebound_height = 0.2");
-    assert!(of_light.contains("deviate by 1 %: the air that moves with so light a ball has 2 % of its mass"), "{of_light}");
+    assert!(
+        of_light.contains("deviate by 1 %: the air that moves with so light a ball has 2 % of its mass"),
+        "{of_light}"
+    );
     let of_table_tennis = said("80", AIR, "measured.rebound_height = 0.2");
     assert!(!of_table_tennis.contains("so light a ball"), "{of_table_tennis}");
     let by_speeds = said("80", "", "measured.restitution = 0.6");
