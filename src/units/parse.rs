@@ -190,12 +190,11 @@ const FRACTIONS: [(char, &str); 7] =
 fn split_fraction<'t>(number: &str, rest: &'t str) -> Option<([i64; 2], &'t str)> {
     let natural = |text: &str| text.parse::<u16>().ok().map(i64::from);
     let (sign, number) = number.strip_prefix('-').map_or((1, number), |positive| (-1, positive));
-    let (whole, numerator, behind) = match rest.strip_prefix('/') {
-        Some(behind) => (0, natural(number)?, behind),
-        None => {
-            let (numerator, behind) = rest.strip_prefix('-').unwrap_or(rest).split_once('/')?;
-            (natural(number)?, natural(numerator)?, behind)
-        }
+    let (whole, numerator, behind) = if let Some(behind) = rest.strip_prefix('/') {
+        (0, natural(number)?, behind)
+    } else {
+        let (numerator, behind) = rest.strip_prefix('-').unwrap_or(rest).split_once('/')?;
+        (natural(number)?, natural(numerator)?, behind)
     };
     let (denominator, unit) = behind.split_at(behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len()));
     let denominator = natural(denominator).filter(|denominator| *denominator > 0)?;

@@ -158,7 +158,7 @@ fn curve_places(axis: &Axis, most: u64) -> Vec<u64> {
         return some_places(axis, most);
     }
     let least = last.div_ceil(most - 1);
-    let fitting = (least..=last / (FEWEST_CURVES - 1)).find(|step| last % step == 0);
+    let fitting = (least..=last / (FEWEST_CURVES - 1)).find(|step| last.is_multiple_of(*step));
     let step = fitting.unwrap_or(least);
     (0..=last / step).map(|i| i * step).collect()
 }
