@@ -14,9 +14,17 @@ const MOST_CORNERS: u64 = 1 << 13;
 /// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
-/// The worst warning of each kind with the corner where it was found, and a warning about corners that were not looked at.
-/// `known` is the contact of the plan, if it is made already.
-pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
+/// What the corners of a table show.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Corners {
+    /// The worst warning of each kind with the corner where it was found, and a warning about corners that were not looked at.
+    pub warnings: Vec<String>,
+    /// True if an impact at a corner leaves a dent.
+    pub has_dent: bool,
+}
+
+/// Computes the impacts at the corners. `known` is the contact of the plan, if it is made already.
+pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Corners {
     let tails: Vec<Axis> = match &plan.cases {
         Cases::Grid(_) => Vec::new(),
         Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
@@ -36,6 +44,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
     let own = if is_one && known.is_none() { plan.input.contact().ok() } else { None };
     let shared = known.or(own.as_ref()).filter(|_| is_one);
     let mut worst: Vec<(Warning, String)> = Vec::new();
+    let mut has_dent = false;
     for places in chosen {
         let mut input = plan.input.clone();
         put(axes, &places, &mut input);
@@ -46,6 +55,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
             },
             |contact| impact(contact, &input),
         );
+        has_dent |= impact.as_ref().is_some_and(|impact| impact.has_dent());
         let of_impact = impact.map_or_else(Vec::new, |impact| impact.warnings);
         for warning in of_impact.into_iter().chain(input.flight_warnings()) {
             let text = |(axis, place): (&Axis, &u64)| format!("{} = {}", axis.path(), axis.label(*place));
@@ -60,7 +70,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
             "of the {all} corners of this table {MOST_CORNERS} were looked at, a sample; the model may be left at the others"
         ));
     }
-    warnings
+    Corners { warnings, has_dent }
 }
 
 /// The corner of this number; beyond the last corner they begin again.

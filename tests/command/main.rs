@@ -18,6 +18,7 @@ mod holds;
 mod hostile_input;
 mod indentation_cli;
 mod init;
+mod interval;
 mod keys;
 mod laws;
 mod licences;

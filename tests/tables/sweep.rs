@@ -237,7 +237,7 @@ fn of_very_many_corners_the_worst_is_found_and_what_was_not_looked_at_is_said() 
     let warnings = |words: &str| {
         let text = format!("{STEEL}[sweep]\n{words}{eleven}");
         let plan = Scenario::from_text("corners", &text, &[]).unwrap().plan().unwrap();
-        plm_impact::table::caution::at_corners(&plan, None)
+        plm_impact::table::caution::at_corners(&plan, None).warnings
     };
     let is_deep =
         |text: &String| text.contains("contact radius / sphere radius") && text.contains("impact.speed = 100 m/s");

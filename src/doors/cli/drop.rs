@@ -85,12 +85,13 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
         progress: &Counter::default(),
     };
     let outcome = super::output::outcome(&scenario, &options).map_err(at_options)?;
-    super::output::warn(&outcome.warnings);
+    let warnings: Vec<String> = outcome.warnings.iter().map(|text| with_options(text)).collect();
+    super::output::warn(&warnings);
     refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
     if arguments.json {
         super::output::print_summary(&outcome.files)?;
     } else {
-        super::terminal::print(&outcome.text)?;
+        super::terminal::print(&with_options(&outcome.text))?;
     }
     arguments.save.as_ref().map_or(Ok(()), |path| write_new(path, &text, "--save"))
 }
@@ -100,8 +101,9 @@ const OPTIONS: [(&str, &str); 14] = [
     ("sphere.material", "--ball"),
     ("sphere.diameter", "--diameter"),
     ("sphere.yield_strength", "--ball-strength"),
-    ("sphere.strength_kind", "--ball-strength-kind"),
     ("sphere.hardness", "--ball-hardness"),
+    ("sphere.strength_kind", "--ball-strength-kind"),
+    ("half_space.strength_kind", "--strength-kind"),
     ("half_space.material", "--on"),
     ("half_space.thickness", "--thickness"),
     ("half_space.yield_strength", "--strength"),
@@ -112,6 +114,15 @@ const OPTIONS: [(&str, &str); 14] = [
     ("impact.angle", "--angle"),
     ("friction.coefficient", "--friction"),
 ];
+
+/// A text with the options in place of the keys that they give.
+fn with_options(text: &str) -> String {
+    let mut text = text.to_owned();
+    for (key, option) in OPTIONS {
+        text = text.replace(key, option);
+    }
+    text
+}
 
 /// The error with options in place of lines and keys of the scenario, which nobody wrote.
 fn at_options(error: Error) -> Error {

@@ -8,7 +8,6 @@ use clap::{Args, value_parser};
 use plm_impact::error::Error;
 use plm_impact::files::OutputDirectory;
 use plm_impact::report::run::{refuse_warnings, table};
-use plm_impact::report::text;
 use plm_impact::scenario::Scenario;
 use plm_impact::table::{Format, Job, Layout, Shard, Tally};
 use rayon::ThreadPoolBuilder;
@@ -61,9 +60,9 @@ const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
 /// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
 pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
     let plan = scenario.plan()?;
-    let warnings = table::warnings(&plan, None);
-    warn(&warnings);
-    refuse_warnings(scenario, warnings.len(), output.strict)?;
+    let cautions = table::cautions(&plan, None);
+    warn(&cautions.warnings);
+    refuse_warnings(scenario, cautions.warnings.len(), output.strict)?;
     let shard = options.shard.as_deref().map(parse_shard).transpose()?;
     let pictures = output.pictures.format;
     if shard.is_some() && output.json {
@@ -97,7 +96,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         let written = with_threads(threads, || job.run())??;
         Ok((directory, plan, written))
     })?;
-    let about = text::sweep::lines(&plan, &written.tally);
+    let about = table::text(&plan, &written.tally, &cautions);
     let (mut files, mut removed) = (Vec::new(), Vec::new());
     if shard.is_none() {
         let leaves = "the table is written, its summary is not; give the same command again";
@@ -107,7 +106,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
         provenance.files.extend(other_table(&directory, &provenance.files));
         files = Watch { leaves, ..Watch::without_files(output.quiet) }
-            .watch(signals, move |_| table::files(&plan, &tally, &warnings, provenance, pictures))?;
+            .watch(signals, move |_| table::files(&plan, &tally, &cautions, provenance, pictures))?;
         removed = directory.write(&files)?;
     }
     note_replaced(&directory, &removed);

@@ -18,6 +18,7 @@ use crate::report::plot;
 use crate::report::run::{at_speed_of, no_result, texts};
 use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
+use crate::scenario::scene::interval::expected_notes;
 use crate::scenario::scene::quantity::SAMPLES;
 use crate::scenario::scene::results::impact::{Single, results};
 use crate::scenario::scene::results::{TABLES, fields};
@@ -207,7 +208,7 @@ impl Contact {
 
     /// The bodies and the law, as `plm-impact check` shows them.
     fn __repr__(&self) -> String {
-        let lines = overview(&self.input, &self.inner);
+        let lines = overview(&self.input, &self.inner, &expected_notes(&self.input, &self.inner));
         let lines = lines.lines().filter(|line| !line.starts_with(SPEED) || self.input.speed().is_finite());
         lines.fold("<plm_impact.Contact>".to_owned(), |text, line| text + "\n" + line)
     }
@@ -266,7 +267,7 @@ impl Impact {
         };
         let (result, own) = py.detach(computed).map_err(exception)?;
         let notes = if result.has_dent() {
-            strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), &holder.input.law())
+            strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), &holder.input.law(), &[])
         } else {
             Vec::new()
         };

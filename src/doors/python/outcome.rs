@@ -93,7 +93,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
         .map_err(exception)?;
     if let Some(mut made) = made {
         made.warnings.extend(made.contradiction.take());
-        warn(py, 1, &made.warnings)?;
+        warn(py, 1, &[made.warnings.as_slice(), &made.notes].concat())?;
         return outcome(py, made, None);
     }
     let plan = scenario.plan().map_err(exception)?;
@@ -107,7 +107,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
     });
     let made = made?.map_err(exception)?;
     let failed = failures(columns.last().map_or(&[], Vec::as_slice));
-    warn(py, 1, &made.warnings.iter().cloned().chain(failed).collect::<Vec<_>>())?;
+    warn(py, 1, &made.warnings.iter().chain(&made.notes).cloned().chain(failed).collect::<Vec<_>>())?;
     outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
 }
 

@@ -33,15 +33,16 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         return Ok(Outcome { contradiction, ..Outcome::checked(warnings(&found), text, checked) });
     };
     let files = files(scenario, &measured, &found, options)?;
-    let text = report::table(&found) + &notes(&calibration_notes(&found));
-    Ok(Outcome { contradiction, ..Outcome::done(warnings(&found), text, files) })
+    let known = calibration_notes(&found);
+    let text = report::table(&found) + &notes(&known);
+    Ok(Outcome { contradiction, notes: known, ..Outcome::done(warnings(&found), text, files) })
 }
 
 /// What a user should know of the law behind the values that were found, and of a strength that was not.
 fn calibration_notes(found: &Calibration) -> Vec<String> {
     let input = found.input();
     let Ok(contact) = input.contact() else { return Vec::new() };
-    let mut notes = strength_notes(&input, &contact, &input.law());
+    let mut notes = strength_notes(&input, &contact, &input.law(), &[]);
     // a strength that was found is that of the impacts
     let is_found =
         found.keys.iter().any(|key| Body::ALL.into_iter().any(|body| key.free.key.path == body.yield_strength()));

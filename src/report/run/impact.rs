@@ -51,9 +51,10 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
 
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
+    let notes = if impact.has_dent() { strength_notes(&input, &contact, &input.law(), &[]) } else { Vec::new() };
     let Some(options) = options else {
-        let (text, checked) = (overview(&input, &contact), of_contact(&input, &contact));
-        return Ok(Outcome::checked(texts(&impact.warnings), text, checked));
+        let (text, checked) = (overview(&input, &contact, &notes), of_contact(&input, &contact));
+        return Ok(Outcome { notes, ..Outcome::checked(texts(&impact.warnings), text, checked) });
     };
     let provenance = provenance(scenario, &input, impact.method, options.command);
     let mut files = vec![file("trace.csv", trace(&impact)?)];
@@ -64,9 +65,9 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         Ok(captioned(drawn, &caption(&input, &[])))
     })?);
     let interval = restitution_interval(&input, &contact, impact.speed, &impact.essentials);
-    let notes = if impact.has_dent() { strength_notes(&input, &contact, &input.law()) } else { Vec::new() };
     let drop_height = input.drop_height();
     let single = Single { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
     let files = with_summary(files, provenance, fields(&results(), &single), &Inputs::new(&input))?;
-    Ok(Outcome::done(texts(&impact.warnings), table(&single, options.detail), files))
+    let text = table(&single, options.detail);
+    Ok(Outcome { notes, ..Outcome::done(texts(&impact.warnings), text, files) })
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use super::outcome::{self, Outcome, RunOptions, file, texts, with_summary};
+use super::outcome::{self, Outcome, RunOptions, file, put_notes, texts, with_summary};
 use crate::contact::material::Sphere;
 use crate::error::{Error, ErrorKind};
 use crate::impact::indentation::{IndentationError, StaticContact, Tested};
@@ -10,6 +10,7 @@ use crate::impact::{of_elastic, of_half_space, of_sphere};
 use crate::report::plot;
 use crate::report::plot::caption::of_indentation;
 use crate::report::text::indentation as report;
+use crate::report::text::notes as report_notes;
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
 use crate::scenario::scene::Body;
@@ -47,9 +48,10 @@ pub fn compute(
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, options.map(|_| scenario.input().samples()))?;
     let inputs = report::inputs(scenario, &scene);
+    let notes = report::notes(scenario, &tested);
     let Some(options) = options else {
-        let text = report::overview(scenario, &scene, &tested);
-        return Ok(Outcome::checked(warnings, text, report::checked(&tested, &inputs)));
+        let text = report::overview(scenario, &scene, &tested, &notes);
+        return Ok(Outcome { notes, ..Outcome::checked(warnings, text, report::checked(&tested, &inputs)) });
     };
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, options.command);
@@ -58,8 +60,11 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         let drawn = plot::indentation(&tested).with_caption(of_indentation(&scene));
         Ok(vec![("force_indentation", drawn)])
     })?);
-    let files = with_summary(files, provenance, report::found(&tested, &warnings), &inputs)?;
-    Ok(Outcome::done(warnings, report::table(&tested), files))
+    let mut results = report::found(&tested, &warnings);
+    put_notes(&mut results, &notes);
+    let files = with_summary(files, provenance, results, &inputs)?;
+    let text = report::table(&tested) + &report_notes(&notes);
+    Ok(Outcome { notes, ..Outcome::done(warnings, text, files) })
 }
 
 /// The error of a scenario without a result. If a step is the reason, the error points at the steps.

@@ -12,7 +12,7 @@ use crate::report::text::Detail;
 use crate::report::text::files::summary;
 use crate::report::text::inputs::Inputs;
 use crate::scenario::Scenario;
-use crate::scenario::scene::{KEYS, Key, Part};
+use crate::scenario::scene::{Body, KEYS, Key, Part};
 
 /// The options of a run, besides its scenario.
 #[derive(Debug, Clone, Copy)]
@@ -31,6 +31,8 @@ pub struct RunOptions<'a> {
 pub struct Outcome {
     /// Warnings about scene, model or run.
     pub warnings: Vec<String>,
+    /// What a user should know of the strength and of the exponent behind the results; the text has them too.
+    pub notes: Vec<String>,
     pub text: String,
     /// The files for the output directory; empty for a check.
     pub files: Vec<OutputFile>,
@@ -46,7 +48,7 @@ impl Outcome {
     }
 
     pub(super) fn done(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
-        Self { warnings, text, files, contradiction: None, checked: Map::new() }
+        Self { warnings, notes: Vec::new(), text, files, contradiction: None, checked: Map::new() }
     }
 }
 
@@ -97,7 +99,11 @@ pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.
 pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
     let speeds = ["impact.speed", "impact.drop_height", "repeat.speeds"];
+    let curves = Body::ALL.map(Body::flow_stress);
     let key = match reason {
+        ImpactError::Law(OutsideLaw::BothFlow { .. }) => {
+            curves.into_iter().find(|key| scenario.document.has(key)).unwrap_or("law")
+        }
         ImpactError::Law(OutsideLaw::Exponent { .. }) => "law.plm.unloading_exponent",
         ImpactError::Law(_) => "law",
         ImpactError::Plate(_) | ImpactError::SmallInertia { least: None, .. } => "half_space.thickness",

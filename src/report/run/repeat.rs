@@ -40,9 +40,11 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
+    let has_dent = sequence.hits.iter().any(|hit| hit.has_dent());
+    let notes = if has_dent { strength_notes(&input, &contact, &input.law(), &[]) } else { Vec::new() };
     let Some(options) = options else {
-        let text = report::repeat_lines(&repeat) + &overview(&input, &contact);
-        return Ok(Outcome::checked(warnings, text, of_contact(&input, &contact)));
+        let text = report::repeat_lines(&repeat) + &overview(&input, &contact, &notes);
+        return Ok(Outcome { notes, ..Outcome::checked(warnings, text, of_contact(&input, &contact)) });
     };
     let provenance = provenance(scenario, &input, sequence.method, options.command);
     let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
@@ -57,11 +59,9 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         drawn.extend(plot::repeat::path(&repeat, &sequence).map(|path| ("path", path)));
         Ok(captioned(drawn, &caption(&input, &["impact.speed"])))
     })?);
-    let has_dent = sequence.hits.iter().any(|hit| hit.has_dent());
-    let notes = if has_dent { strength_notes(&input, &contact, &input.law()) } else { Vec::new() };
     let mut results = report::found(&series);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &Inputs::new(&input))?;
     let text = report::table(&series, options.detail) + &report_notes(&notes);
-    Ok(Outcome::done(warnings, text, files))
+    Ok(Outcome { notes, ..Outcome::done(warnings, text, files) })
 }

@@ -1,6 +1,6 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Outcome, RunOptions, no_result, texts, with_summary};
+use super::outcome::{Outcome, RunOptions, no_result, put_notes, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, OutputFile, Provenance};
 use crate::impact::Contact;
@@ -8,11 +8,13 @@ use crate::report::plot::Pictures;
 use crate::report::plot::sweep::pictures;
 use crate::report::text::checked::of_plan;
 use crate::report::text::inputs::Inputs;
+use crate::report::text::notes as report_notes;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
 use crate::report::text::sweep::{found, lines};
 use crate::scenario::Scenario;
 use crate::scenario::plan::Plan;
+use crate::scenario::scene::strength_notes;
 use crate::table::caution::at_corners;
 use crate::table::job::in_order;
 use crate::table::{Evaluator, Rows, Tally, count};
@@ -20,8 +22,9 @@ use crate::table::{Evaluator, Rows, Tally, count};
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
     let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
-    let text = plan_lines(&plan) + &overview(&plan.input, &contact);
-    Ok(Outcome::checked(warnings(&plan, Some(&contact)), text, of_plan(&plan, &contact)))
+    let Cautions { warnings, notes } = cautions(&plan, Some(&contact));
+    let text = plan_lines(&plan) + &overview(&plan.input, &contact, &notes);
+    Ok(Outcome { notes, ..Outcome::checked(warnings, text, of_plan(&plan, &contact)) })
 }
 
 /// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.
@@ -68,27 +71,48 @@ pub fn outcome(
     options: &RunOptions,
     table: Option<OutputFile>,
 ) -> Result<Outcome, Error> {
-    let warnings = warnings(plan, None);
+    let cautions = cautions(plan, None);
     let names = table.iter().map(|file| file.name.clone()).collect();
     let provenance = Provenance { files: names, ..scenario.provenance(options.command) };
-    let mut files = files(plan, tally, &warnings, provenance, options.pictures)?;
+    let mut files = files(plan, tally, &cautions, provenance, options.pictures)?;
     files.extend(table);
-    Ok(Outcome::done(warnings, lines(plan, tally), files))
+    let text = text(plan, tally, &cautions);
+    let Cautions { warnings, notes } = cautions;
+    Ok(Outcome { notes, ..Outcome::done(warnings, text, files) })
 }
 
-/// The warnings about a table of this plan; `known` is its contact, if that is made already.
-pub fn warnings(plan: &Plan, known: Option<&Contact>) -> Vec<String> {
-    [at_corners(plan, known), texts(&plan.warnings)].concat()
+/// The text of a finished table, with the notes.
+pub fn text(plan: &Plan, tally: &Tally, cautions: &Cautions) -> String {
+    lines(plan, tally) + &report_notes(&cautions.notes)
 }
 
-/// `summary.json`, which repeats the `warnings`, and the pictures of a whole table. Its own file is in the provenance.
+/// What a user should know of a table before its rows are computed.
+#[derive(Debug, Clone)]
+pub struct Cautions {
+    pub warnings: Vec<String>,
+    /// Notes on the strength and on the exponent behind e.
+    pub notes: Vec<String>,
+}
+
+/// The warnings and the notes about a table of this plan; `known` is its contact, if that is made already.
+pub fn cautions(plan: &Plan, known: Option<&Contact>) -> Cautions {
+    let corners = at_corners(plan, known);
+    let own = if known.is_none() { plan.input.contact().ok() } else { None };
+    let contact = known.or(own.as_ref()).filter(|_| corners.has_dent);
+    let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.paths()));
+    Cautions { warnings: [corners.warnings, texts(&plan.warnings)].concat(), notes: notes.unwrap_or_default() }
+}
+
+/// `summary.json`, which repeats warnings and notes, and the pictures of a whole table. Its own file is in the provenance.
 pub fn files(
     plan: &Plan,
     tally: &Tally,
-    warnings: &[String],
+    cautions: &Cautions,
     provenance: Provenance,
     format: Pictures,
 ) -> Result<Vec<OutputFile>, Error> {
     let pictures = format.files(|| Ok(pictures(plan, tally)))?;
-    with_summary(pictures, provenance, found(plan, tally, warnings), &Inputs::of_plan(plan))
+    let mut results = found(plan, tally, &cautions.warnings);
+    put_notes(&mut results, &cautions.notes);
+    with_summary(pictures, provenance, results, &Inputs::of_plan(plan))
 }

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
 use crate::scenario::Scenario;
 use crate::scenario::indentation::IndentationScene;
+use crate::scenario::scene::interval::WHICH_STRENGTH;
 use crate::scenario::scene::results::{Reported, fields, lists, results};
 use crate::scenario::scene::{Body, EVERY_KEY, Part, at};
 use crate::units::{Dimension, aligned, describe};
@@ -186,8 +187,8 @@ pub fn checked(tested: &[Tested], inputs: &Inputs) -> Map<String, Value> {
     Map::from_iter([("inputs".to_owned(), inputs.json().into()), ("half_spaces".to_owned(), half_spaces)])
 }
 
-/// The text of `check`: the inputs, the steps, and the contact of every half-space.
-pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]) -> String {
+/// The text of `check`: the inputs, the steps, the contact of every half-space, and the notes.
+pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested], notes: &[String]) -> String {
     let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
@@ -202,7 +203,23 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
         rows.extend(terminal::described(&half_space(), one));
         rows.push(overview::who(&one.pair, one.pair.reachable_yield_point().is_some()));
     }
+    aligned(&rows, |_| true) + &terminal::notes(notes)
+}
+
+/// What a user should know of the strength behind forces and indentations, where a body yields and the scenario says nothing more of
+/// its flow stress.
+pub fn notes(scenario: &Scenario, tested: &[Tested]) -> Vec<String> {
+    let input = scenario.input();
+    let is_vague = |body: Body| !input.has_flow(body) && input.strength_kind(body).is_none();
+    let has_dent = |one: &&Tested| one.indentation.steps.iter().any(|step| step.plastic_work > 0.0);
     let softer = |one: &Tested| one.pair.yield_point.map(|point| point.flow.of_softer(Body::ALL));
-    let is_vague = |body: Body| !scenario.input().has_flow(body);
-    aligned(&rows, |_| true) + overview::which_strength(tested.iter().filter_map(softer).any(is_vague))
+    let body = tested.iter().filter(has_dent).filter_map(softer).find(|body| is_vague(*body));
+    body.map(|body| {
+        let key = body.yield_strength();
+        format!(
+            "{WHICH_STRENGTH} Forces hold if {key} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, forces are too low and dents are too deep: scenarios/README.md#which-strength"
+        )
+    })
+    .into_iter()
+    .collect()
 }

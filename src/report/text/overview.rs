@@ -8,14 +8,14 @@ use crate::contact::law::LawChoice;
 use crate::contact::material::Pair;
 use crate::contact::materials::Property;
 use crate::impact::Contact;
-use crate::scenario::scene::{Body, Input, key_of, strength_notes};
+use crate::scenario::scene::{Body, Input, key_of};
 use crate::units::{Dimension, aligned, describe, four_digits, human, percent};
 
 /// A name and a value.
 type Row = [String; 2];
 
-/// A few aligned lines.
-pub fn overview(input: &Input, contact: &Contact) -> String {
+/// A few aligned lines, and the notes.
+pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     let mut rows = Vec::new();
     let [speed, _] = input.approach().components();
     let contact = &checked::at_its_speed(input, contact);
@@ -42,10 +42,7 @@ pub fn overview(input: &Input, contact: &Contact) -> String {
         rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.flow.of_softer(Body::ALL));
-    // an impact that stays elastic needs no strength
-    let is_plastic = contact.yield_speed().is_none_or(|slowest| speed.is_nan() || speed > slowest);
-    let notes = if is_plastic { notes(&strength_notes(input, contact, &law)) } else { String::new() };
-    aligned(&rows, |_| true) + &notes + &with_rate(input, contact, softer, speed).unwrap_or_default()
+    aligned(&rows, |_| true) + &self::notes(notes) + &with_rate(input, contact, softer, speed).unwrap_or_default()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
@@ -95,15 +92,6 @@ fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
         )
     })
 }
-
-/// A line on the yield strength, where the scenario says nothing more of the flow stress of the body that yields.
-pub(super) fn which_strength(is_vague: bool) -> &'static str {
-    if is_vague { WHICH_STRENGTH } else { "" }
-}
-
-const WHICH_STRENGTH: &str = "
-Which strength? With the proof stress of a metal that hardens e is too low: scenarios/README.md#which-strength
-";
 
 /// Keys and values.
 pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {

@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use crate::impact::{Impact, WarningKind};
+use crate::scenario::scene::SMALL;
 use crate::scenario::scene::results::impact::{Single, results};
 use crate::scenario::scene::results::{Reported, Shown};
 use crate::units::{Dimension, aligned, describe, four_digits, percent, quantity};
@@ -51,8 +52,8 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::lines(&results, single));
     rename_dent(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.left_behind()));
-    mark_doubtful(&mut lines, impact);
     put_measured_first(&mut lines);
+    mark_doubtful(&mut lines, impact);
     aligned(&lines, |_| true) + &notes(single.notes)
 }
 
@@ -80,12 +81,15 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
     let is_nearly_0 = has(WarningKind::InelasticPlate, 0.0);
     // the size is the sticking speed over the impact speed
     let sticks = has(WarningKind::Adhesion, 1.0);
+    let restitution = impact.measured_restitution();
+    let is_small = impact.on_plate.is_some() && restitution < SMALL;
     for [name, value, _] in lines {
         match name.as_str() {
-            "restitution" if is_nearly_0 => *value = nearly_0(impact.restitution),
+            "restitution" if is_nearly_0 => *value = nearly_0(restitution),
+            "restitution" if is_small => *value = format!("below {SMALL}"),
             "rebound speed" | "rebound height" if is_nearly_0 => "nearly 0".clone_into(value),
-            "restitution" | "with waves" if impact.is_outside_law => value.push_str(" (outside the law)"),
-            "restitution" | "with waves" | "rebound speed" | "rebound height" if sticks => {
+            "restitution" | "without waves" if impact.is_outside_law => value.push_str(" (outside the law)"),
+            "restitution" | "without waves" | "rebound speed" | "rebound height" if sticks => {
                 value.push_str(" (below the sticking speed)");
             }
             _ => {}

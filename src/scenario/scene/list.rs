@@ -171,7 +171,7 @@ const OTHERS: [AnyKey; 70] = keys! {
     /// Fraction of critical damping, with the tangent stiffness of the contact; in place of hunt_crossley.
     "damping.viscous" of Forces: Number(&VISCOUS);
     /// Exponent of the unloading force, or "pressure-shape": the exponent that follows from the shape of the contact
-    /// pressure at the peak. With it the error of e against finite elements is 1.0 % (rms) and 2.9 % at most; with 1.5, of
+    /// pressure at the peak. With it the error of e against finite elements is 1.0 % (rms) and 3.1 % at most; with 1.5, of
     /// the paper, e is 3.1 % too low on average. Other numbers are for comparison.
     "law.plm.unloading_exponent" of Law: NumberOr(&EXPONENT, "pressure-shape") => "1.5";
     /// File of coefficients of the loading curve, relative to the scenario.

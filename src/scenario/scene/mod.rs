@@ -25,7 +25,7 @@ pub(crate) use at::{At, COUNT, NUMBER, OTHER, WORD, at, key_of, known};
 pub(crate) use body_material::{Body, BodyMaterial};
 pub use effect::{Purpose, without_effect};
 pub use input::{Input, KeyValue, Value};
-pub use interval::{HardnessRanges, RestitutionInterval, Uncertainty, restitution_interval, strength_notes};
+pub use interval::{HardnessRanges, RestitutionInterval, SMALL, Uncertainty, restitution_interval, strength_notes};
 pub use key::{AnyKey, Form, Part, Words};
 pub use keys::{BODIES, EITHER, KEYS, Key, NEEDED, SPHERE, partner, varied};
 pub use list::EVERY_KEY;

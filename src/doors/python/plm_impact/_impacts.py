@@ -15,10 +15,11 @@ def impacts(contact, /, **keys):
     The columns are those of table.csv. First the keys, with their units (`impact_speed_m_per_s`), then `restitution`,
     `contact_time_s`, `peak_force_N`, `peak_indentation_m`, `contact_radius_over_R`, `is_outside_law`,
     `recovered_fraction`; if a body yields, `residual_indentation_m`, `dent_diameter_m`, `plastic_fraction`, and `flat_depth_m` if
-    the sphere may; if a material by name leaves the hardness open, the interval of e, `restitution_interval_low` and
-    `restitution_interval_high`; if the half-space has a density, `wave_loss_fraction` and `restitution_with_waves`, and if it
-    has a mass, `target_speed_m_per_s`; on a plate, `plate_loss_fraction` and others; and `status`, which is "ok" or says why a
-    row has no numbers (they are NaN then, and a ModelWarning says how many). scenarios/results.md says what each column is.
+    the sphere may; if a body has a material by name, a hardness, or `strength_kind = "proof"`, the interval of e,
+    `restitution_interval_low` and `restitution_interval_high`; if the half-space has a density, `wave_loss_fraction` and
+    `restitution_with_waves`, and if it has a mass, `target_speed_m_per_s`; on a plate, `plate_loss_fraction` and others; and
+    `status`, which is "ok" or says why a row has no numbers (they are NaN then, and a ModelWarning says how many).
+    scenarios/results.md says what each column is.
 
     A number that is NaN or not allowed, such as a negative speed, spares the other rows: its row has the status "not_allowed",
     and the ModelWarning names the first such number and its index. A text that is not allowed raises ValueError.

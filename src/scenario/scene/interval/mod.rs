@@ -9,99 +9,28 @@
 //! density, as this is what is measured.
 
 pub mod law_error;
+mod parts;
 mod strength;
 
-use serde::Serialize;
-
-use self::law_error::{has_law_error, law_error};
-use self::strength::{HARDNESS, HardnessRange, strength_parts};
-pub use self::strength::{HardnessRanges, WHICH_STRENGTH, has_strength_parts, strength_notes};
+use self::law_error::{has_law_error, law_error, poissons_ratio_part};
+pub use self::parts::{IntervalPart, PartKind, RestitutionInterval, SMALL};
+use self::parts::{LAW_BIAS, LAW_SCATTER};
+use self::strength::{HardnessRange, strength_parts};
+pub use self::strength::{HardnessRanges, WHICH_STRENGTH, expected_notes, has_strength_parts, strength_notes};
 use super::Input;
 use crate::contact::law::LawChoice;
 use crate::impact::{Approach, Bias, Contact, Essentials, Forces, Plate, PlateTheory, Solver};
-use crate::numerics::functions::{log10, powi};
-
-/// Below this e next to nothing comes back, and its digits say nothing.
-const SMALL: f64 = 0.02;
+use crate::numerics::functions::powi;
 
 /// A smaller relative change of e is rounding.
 const ROUNDING: f64 = 1e-9;
-
-/// Names of the two parts of the law. The text of an interval shows them as one.
-const LAW_BIAS: &str = "law, mean error";
-const LAW_SCATTER: &str = "law, scatter";
-
-/// What a part of the interval does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum PartKind {
-    /// A known bias: both ends move.
-    Shift,
-    /// Scatter, added as squares.
-    Width,
-    /// An error whose size is not known: the interval does not hold it.
-    NotIncluded,
-}
-
-/// A source of error of e.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct IntervalPart {
-    pub name: String,
-    pub kind: PartKind,
-    /// The lowest e by this part, as a share of e, less 1.
-    pub low: f64,
-    /// The highest e by this part, as a share of e, less 1.
-    pub high: f64,
-}
-
-/// The interval of e, and its parts.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RestitutionInterval {
-    pub low: f64,
-    pub high: f64,
-    pub parts: Vec<IntervalPart>,
-}
-
-impl RestitutionInterval {
-    /// Both ends, with so many digits that they differ, and the sources of error.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 2 and 17
-    pub fn text(&self) -> String {
-        let Self { low, high, parts } = self;
-        let digits = (-log10(high - low)).ceil().clamp(2.0, 17.0) as usize;
-        let (mut law, mut sources) = ([1.0; 2], Vec::new());
-        for IntervalPart { name, kind, low, high } in parts {
-            match kind {
-                _ if [LAW_BIAS, LAW_SCATTER].contains(&name.as_str()) => {
-                    law = [law[0] * (1.0 + low), law[1] * (1.0 + high)]
-                }
-                PartKind::NotIncluded => sources.push(format!("without {name}")),
-                // the name has the range of the hardness
-                PartKind::Width if name.starts_with(HARDNESS) => sources.push(name.clone()),
-                _ => sources.push(format!("{name} {}", percent_range([*low, *high]))),
-            }
-        }
-        sources.push(format!("law {}", percent_range(law.map(|factor| factor - 1.0))));
-        let range = if *high < SMALL { format!("below {SMALL}") } else { format!("{low:.digits$} to {high:.digits$}") };
-        format!("{range}: {}", sources.join(", "))
-    }
-}
-
-/// Two shares in per cent with their signs, to a tenth of a per cent below 10 %.
-fn percent_range(shares: [f64; 2]) -> String {
-    let [low, high] = shares.map(|share| match 100.0 * share {
-        percent if percent.abs() < 0.05 => "0".to_owned(),
-        percent if percent.abs() < 9.95 => format!("{percent:+.1}"),
-        percent => format!("{percent:+.0}"),
-    });
-    if low == high { format!("{low} %") } else { format!("{low} to {high} %") }
-}
 
 /// The sources of error of e at a contact, as far as they do not depend on the speed.
 #[derive(Debug)]
 pub struct Uncertainty {
     law: LawChoice,
-    /// What is known of the strengths.
-    strength: Vec<IntervalPart>,
+    /// What is known of the strengths and of Poisson's ratio: parts that depend on the bodies alone.
+    of_bodies: Vec<IntervalPart>,
     /// The ranges of hardness of named materials, each with the contacts at its lowest and its highest value.
     hardness: Vec<(HardnessRange, [Contact; 2])>,
     /// On a plate: the contact with the other theory, and the share of its distance that may be missing.
@@ -109,13 +38,14 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// `None` for a law or an exponent whose error is not known, for bodies for which the law was not made, and where a contact at
-    /// an end of a range of hardness does not exist.
+    /// `None` for a law or an exponent whose error is not known, for bodies for which the law was not made, for a negative Poisson's
+    /// ratio, and where a contact at an end of a range of hardness does not exist.
     pub fn new(input: &Input, contact: &Contact, law: &LawChoice, ranges: &HardnessRanges) -> Option<Self> {
         if !has_law_error(law) {
             return None;
         }
-        let strength = strength_parts(input, contact, law)?;
+        let mut of_bodies = strength_parts(input, contact, law)?;
+        of_bodies.extend(poissons_ratio_part(input, contact)?);
         let mut hardness = Vec::new();
         for range in ranges.ranges() {
             let at = |strengths: [Option<f64>; 2]| {
@@ -127,7 +57,7 @@ impl Uncertainty {
             let [low, high] = range.strengths.map(at);
             hardness.push((range.clone(), [low?, high?]));
         }
-        Some(Self { law: law.clone(), strength, hardness, other_plate: contact_of_other_theory(contact) })
+        Some(Self { law: law.clone(), of_bodies, hardness, other_plate: contact_of_other_theory(contact) })
     }
 
     /// Visits the parts of the interval of an impact with this result: name, kind, and both ends as shares of e, less 1. `None`
@@ -157,7 +87,7 @@ impl Uncertainty {
                 visit(&range.name, PartKind::Width, [low.min(0.0), high.max(0.0)]);
             }
         }
-        for IntervalPart { name, kind, low, high } in &self.strength {
+        for IntervalPart { name, kind, low, high } in &self.of_bodies {
             visit(name, *kind, [*low, *high]);
         }
         for Bias { reason, is_shift, low, high } in biases {
@@ -219,31 +149,4 @@ pub fn restitution_interval(
     let law = input.law();
     let uncertainty = Uncertainty::new(input, contact, &law, &HardnessRanges::new(input, &law))?;
     uncertainty.interval(contact, input.approach_at(speed), row)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{IntervalPart, LAW_BIAS, LAW_SCATTER, PartKind, RestitutionInterval};
-
-    /// However narrow an interval is, its ends differ where they are shown.
-    #[test]
-    fn ends_of_an_interval_differ_in_their_digits() {
-        for (low, high, want) in [
-            (0.471, 0.509, "0.47 to 0.51"),
-            (0.62, 0.632, "0.62 to 0.63"),
-            (0.0251, 0.0312, "0.025 to 0.031"),
-            (0.0407, 0.0415, "0.0407 to 0.0415"),
-            (4.07e-4, 4.15e-4, "below 0.02"),
-        ] {
-            let part = |name: &str, kind, low, high| IntervalPart { name: name.to_owned(), kind, low, high };
-            let parts = vec![
-                part("strain rate", PartKind::Shift, 0.0, 0.1),
-                part("wear", PartKind::NotIncluded, 0.0, 0.0),
-                part(LAW_BIAS, PartKind::Shift, 0.01, 0.01),
-                part(LAW_SCATTER, PartKind::Width, -0.02, 0.0),
-            ];
-            let text = RestitutionInterval { low, high, parts }.text();
-            assert_eq!(text, format!("{want}: strain rate 0 to +10 %, without wear, law -1.0 to +1.0 %"));
-        }
-    }
 }

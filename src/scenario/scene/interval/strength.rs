@@ -2,7 +2,7 @@
 //! strain rate. The sizes are those of the table in `scenarios/README.md#which-strength` and of `scenarios/trust.md#strain-rate`.
 
 use super::law_error::paper_exponent_error;
-use super::{IntervalPart, PartKind};
+use super::parts::{HARDNESS, IntervalPart, PartKind};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::materials::{Known, MaterialEntry};
 use crate::contact::strength::kind::StrengthKind;
@@ -10,8 +10,6 @@ use crate::impact::{Contact, TOO_HIGH_BY};
 use crate::scenario::scene::{Body, Input, at, key_of};
 use crate::units::{Dimension, human};
 
-/// The name of a part for a range of hardness begins with this.
-pub(super) const HARDNESS: &str = "hardness";
 /// e of a cold-worked or quenched metal by its hardness is too low by at most this share.
 const HARDENED_TOO_LOW_BY: f64 = 0.045;
 /// e by the 0.2 % proof stress of a metal that hardens is too low by at most this share.
@@ -109,18 +107,17 @@ pub(super) fn strength_parts(input: &Input, contact: &Contact, law: &LawChoice) 
         if is_no_metal(input, body) {
             return None;
         }
+        let share = if is_alike { 1.0 } else { body.pick(shares) };
         for (name, ends) in body_parts(input, body, law) {
-            // two bodies of one material have one strength, and share its error
-            if is_alike && parts.iter().any(|part| part.name == name) {
-                continue;
+            let kind = if ends.is_some() { PartKind::Shift } else { PartKind::NotIncluded };
+            // a body that takes a share of the yielding changes e by that share at least, and by the whole at most
+            let [low, high] = ends.map_or([0.0; 2], |[low, high]| [low.min(share * low), high.max(share * high)]);
+            match parts.iter_mut().find(|part| part.name == name) {
+                // e lies between what the one and the other body make of it; two bodies of one material share the error
+                Some(part) if part.kind == kind => (part.low, part.high) = (part.low.min(low), part.high.max(high)),
+                Some(_) => parts.push(IntervalPart { name: format!("{name} of the half-space"), kind, low, high }),
+                None => parts.push(IntervalPart { name, kind, low, high }),
             }
-            let share = if is_alike { 1.0 } else { body.pick(shares) };
-            let name =
-                if parts.iter().any(|part| part.name == name) { format!("{name} of the half-space") } else { name };
-            parts.push(match ends {
-                Some([low, high]) => IntervalPart { name, kind: PartKind::Shift, low: share * low, high: share * high },
-                None => IntervalPart { name, kind: PartKind::NotIncluded, low: 0.0, high: 0.0 },
-            });
         }
     }
     Some(parts)
@@ -174,8 +171,8 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
 pub const WHICH_STRENGTH: &str = "Which strength?";
 
 /// What a user should know of the strength and of the exponent of the law behind e, where the scenario does not say it: at most one
-/// sentence for each.
-pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice) -> Vec<String> {
+/// paragraph for each. `varied` are the keys that vary in a table.
+pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied: &[&str]) -> Vec<String> {
     let mut notes = Vec::new();
     let Some(point) = contact.pair().yield_point else { return notes };
     let body = point.flow.of_softer(Body::ALL);
@@ -188,14 +185,16 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice) -> Vec<
         ));
     } else if let Some(strength) = input.number(key_of!(body, "yield_strength")).filter(|_| is_vague) {
         let key = body.yield_strength();
+        let value =
+            if varied.contains(&key) { String::new() } else { format!(" = {}", human(strength, Dimension::Pressure)) };
         notes.push(format!(
-            "{WHICH_STRENGTH} e holds if {key} = {} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 37 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
-            human(strength, Dimension::Pressure),
+            "{WHICH_STRENGTH} e holds if {key}{value} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 37 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
             body.table()
         ));
     }
     let is_of_paper = matches!(law, LawChoice::Plm(law) if law.exponent == UnloadingExponent::Paper);
-    let is_default = input.number(at!("law.plm.unloading_exponent")).is_none();
+    let exponent = at!("law.plm.unloading_exponent");
+    let is_default = input.number(exponent).is_none() && !varied.contains(&exponent.path());
     if let (true, true, Some(error)) = (is_of_paper, is_default, paper_exponent_error()) {
         let [mean, high, low] = [error.mean, error.high, error.low].map(|share| -100.0 * share);
         notes.push(format!(
@@ -203,6 +202,13 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice) -> Vec<
         ));
     }
     notes
+}
+
+/// [`strength_notes`] on a contact of which no impact is computed: none if an impact at the speed of the input stays elastic.
+pub fn expected_notes(input: &Input, contact: &Contact) -> Vec<String> {
+    let [speed, _] = input.approach().components();
+    let is_plastic = contact.yield_speed().is_none_or(|slowest| speed.is_nan() || speed > slowest);
+    if is_plastic { strength_notes(input, contact, &input.law(), &[]) } else { Vec::new() }
 }
 
 impl Input {
