@@ -130,7 +130,6 @@ fn interval_holds_e_of_pieces_of_which_everything_is_known() {
     }
     worst.sort_by(|one, other| one.0.total_cmp(&other.0));
     assert!(n > 5000 && 10 * held >= 9 * n, "{held} of {n}: {worst:?}");
-    println!("{held} of {n}: {worst:?}");
 }
 
 /// By warnings that report by how much e is off, the e that they call likely.
@@ -173,7 +172,7 @@ fn no_interval_excludes_what_a_warning_calls_likely() {
 fn interval_holds_finite_elements_at_other_poissons_ratios() {
     let part = |poissons_ratio: f64, strength: &str| {
         let text = format!(
-            "[sphere]\nradius = \"5 mm\"\nyoungs_modulus = \"rigid\"\nmass = \"4 g\"\n[impact]\nspeed = 3\n[law.plm]\nunloading_exponent = \"pressure-shape\"\n[half_space]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = {poissons_ratio}\n{strength}\n"
+            "[sphere]\nradius = \"5 mm\"\nyoungs_modulus = \"rigid\"\npoissons_ratio = 0.3\nmass = \"4 g\"\n[impact]\nspeed = 3\n[law.plm]\nunloading_exponent = \"pressure-shape\"\n[half_space]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = {poissons_ratio}\n{strength}\n"
         );
         let (interval, ..) = interval_of(&input_of(&text))?;
         Some(interval.parts.into_iter().find(|part| part.name == "Poisson's ratio").map(|part| [part.low, part.high]))

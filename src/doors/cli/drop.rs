@@ -103,7 +103,6 @@ const OPTIONS: [(&str, &str); 14] = [
     ("sphere.yield_strength", "--ball-strength"),
     ("sphere.hardness", "--ball-hardness"),
     ("sphere.strength_kind", "--ball-strength-kind"),
-    ("half_space.strength_kind", "--strength-kind"),
     ("half_space.material", "--on"),
     ("half_space.thickness", "--thickness"),
     ("half_space.yield_strength", "--strength"),
