@@ -29,13 +29,32 @@ pub struct HardnessRange {
 /// The ranges of hardness of an input. They serve all inputs with the same strengths.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HardnessRanges {
-    /// The numbers from which the strengths follow, and the materials.
-    key: [([Option<f64>; 4], Option<usize>); 2],
+    bodies: [BodyRange; 2],
     ranges: Vec<HardnessRange>,
 }
 
+/// The strengths of a body at the lowest and the highest hardness of its material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct BodyRange {
+    origin: RangeOrigin,
+    strengths: [Option<f64>; 2],
+}
+
+/// What the range of a body follows from: its numbers, its material, and whether it has a range and a flow curve.
+type RangeOrigin = ([Option<f64>; 4], Option<usize>, [bool; 2]);
+
 impl HardnessRanges {
     pub fn new(input: &Input, law: &LawChoice) -> Self {
+        Self::from_earlier(input, law, None)
+    }
+
+    /// The ranges of another input. A body whose strength is the same keeps its range.
+    pub fn renewed(self, input: &Input, law: &LawChoice) -> Self {
+        let is_same = |body: Body| body.pick(self.bodies).origin == origin(input, law, body);
+        if Body::ALL.into_iter().all(is_same) { self } else { Self::from_earlier(input, law, Some(self.bodies)) }
+    }
+
+    fn from_earlier(input: &Input, law: &LawChoice, earlier: Option<[BodyRange; 2]>) -> Self {
         let known = Body::ALL.map(|body| known_range(input, body));
         let strength = |body: Body, end: usize| {
             let flow = body.pick(law.flow());
@@ -44,11 +63,16 @@ impl HardnessRanges {
             input.set(key_of!(body, "hardness"), Some(hardness));
             input.yield_strength(body, flow)
         };
-        let range = |bodies: &[Body], name: &str, known: &Known| {
-            let of_end =
-                |end: usize| Body::ALL.map(|body| bodies.contains(&body).then(|| strength(body, end)).flatten());
+        let bodies = Body::ALL.map(|body| {
+            let origin = origin(input, law, body);
+            let same = earlier.map(|bodies| body.pick(bodies)).filter(|one| one.origin == origin);
+            same.unwrap_or_else(|| BodyRange { origin, strengths: [0, 1].map(|end| strength(body, end)) })
+        });
+        let range = |of: &[Body], name: &str, known: &Known| {
+            let at_end =
+                |end: usize| Body::ALL.map(|body| body.pick(bodies).strengths[end].filter(|_| of.contains(&body)));
             let [low, high] = known.range.each_ref().map(|end| end.text.as_str());
-            HardnessRange { name: format!("{HARDNESS}{name} {low} to {high}"), strengths: [of_end(0), of_end(1)] }
+            HardnessRange { name: format!("{HARDNESS}{name} {low} to {high}"), strengths: [at_end(0), at_end(1)] }
         };
         let entries = Body::ALL.map(|body| input.named_material(body).map(|entry| &entry.name));
         let ranges = match known {
@@ -59,22 +83,18 @@ impl HardnessRanges {
                 sphere.into_iter().chain(half_space).collect()
             }
         };
-        Self { key: Self::key(input), ranges }
-    }
-
-    /// The ranges of another input: these, if its strengths are the same.
-    pub fn renewed(self, input: &Input, law: &LawChoice) -> Self {
-        if self.key == Self::key(input) { self } else { Self::new(input, law) }
-    }
-
-    fn key(input: &Input) -> [([Option<f64>; 4], Option<usize>); 2] {
-        Body::ALL
-            .map(|body| (body.strength_numbers().map(|at| input.number(at)), input.word(key_of!(body, "material"))))
+        Self { bodies, ranges }
     }
 
     pub(super) fn ranges(&self) -> &[HardnessRange] {
         &self.ranges
     }
+}
+
+fn origin(input: &Input, law: &LawChoice, body: Body) -> RangeOrigin {
+    let numbers = body.strength_numbers().map(|at| input.number(at));
+    let has = [known_range(input, body).is_some(), body.pick(law.flow()).is_some()];
+    (numbers, input.word(key_of!(body, "material")), has)
 }
 
 /// What is known of the hardness that a body takes from its material; `None` where the hardness is not that of a material.
