@@ -59,7 +59,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
 
 /// Notes below the results, a paragraph each.
 pub fn notes(notes: &[String]) -> String {
-    notes.iter().map(|note| format!("\n{note}\n")).collect()
+    notes.iter().flat_map(|note| ["\n", note, "\n"]).collect()
 }
 
 /// Where waves are computed, the restitution with waves is the one that is measured: its line comes first and has the interval, and

@@ -54,7 +54,7 @@ impl RestitutionInterval {
         for IntervalPart { name, kind, low, high } in parts {
             match kind {
                 _ if [LAW_BIAS, LAW_SCATTER].contains(&name.as_str()) => {
-                    law = [law[0] * (1.0 + low), law[1] * (1.0 + high)]
+                    law = [law[0] * (1.0 + low), law[1] * (1.0 + high)];
                 }
                 PartKind::NotIncluded => sources.push(format!("without {name}")),
                 // the name has the range of the hardness
