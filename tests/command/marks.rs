@@ -119,7 +119,10 @@ fn options_of_drop_may_hold_any_character() {
     assert_eq!(drop("10\u{a0}mm", &[], 0).0, drop("10 mm", &[], 0).0);
     for odd in ["10 \"mm\"", "10 mm\u{7f}", "10\\mm", "it's"] {
         let said = drop(odd, &[], 2).1;
-        assert!(said.starts_with("error: --diameter: ") && !said.contains("unicode") && !said.contains("escape"), "{said}");
+        assert!(
+            said.starts_with("error: --diameter: ") && !said.contains("unicode") && !said.contains("escape"),
+            "{said}"
+        );
     }
     let said = drop("10 mm", &["--angle", "30 deg", "--friction", "nan"], 2).1;
     assert!(said.contains("--friction: NaN is not allowed"), "{said}");
