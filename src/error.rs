@@ -1,5 +1,5 @@
-//! Why a command failed: one type, whatever failed. Its kind is the exit code, its text says what is wrong and where, the
-//! value and the way out, and its details say the same to programs.
+//! Why a command failed: one type for every failure. Its kind is the exit code. Its text states the mistake, its position, the
+//! value and the remedy, and its details state the same for programs.
 
 use std::error::Error as Cause;
 use std::fmt::Display;
@@ -21,7 +21,7 @@ pub enum ErrorKind {
     Stopped(u8),
 }
 
-/// The most mistakes that are told besides the first; programs are told all.
+/// The maximum number of mistakes that are printed after the first one. Programs get all of them.
 const MOST_TOLD: usize = 19;
 
 /// Why a command failed.
@@ -40,7 +40,7 @@ pub struct Error {
 /// An error in parts, for programs.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Details {
-    /// It tells what is wrong and the way out, without the place.
+    /// The mistake and the remedy, without the position.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -94,7 +94,7 @@ impl Error {
         Self::new(kind, format!("{file}: {reason}")).about(file)
     }
 
-    /// The file system refuses a file; for `map_err`. The problem is such as `cannot be read`, and the way out may be empty.
+    /// The file system refuses a file; for `map_err`. The problem is such as `cannot be read`. The remedy may be empty.
     pub fn of_file(kind: ErrorKind, path: &Path, problem: &str, way_out: &str) -> impl Fn(io::Error) -> Self {
         let begin = format!("{}: {problem}", path.display());
         move |reason| {

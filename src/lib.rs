@@ -2,14 +2,14 @@
 //!
 //! A sphere of radius R, mass m and speed v meets a flat half-space at rest, normal to it or at an angle. The contact
 //! force follows Hertz up to first yield, a piecewise-linear loading curve (PLM) beyond, and the unloading law of Xie et al.
-//! (2024) on the way back; [`contact::law::catalogue`] has the other published laws. Friction, gravity, damping, plates,
-//! elastic waves, series of impacts and slow indentation are there for scenes that name them:
+//! (2024) during the rebound; [`contact::law::catalogue`] has the other published laws. Scenarios may add friction, gravity, damping,
+//! plates, elastic waves, series of impacts and quasi-static indentation:
 //!
 //! ```text
 //! m δ'' = −F(δ, memory),   δ(0) = 0,  δ'(0) = v,   until F = 0 at δ = δ_r;   e = −δ'(end)/v
 //! ```
 //!
-//! Without gravity and damping the impact has a closed form. Tables of e(v) are computed by it, unless they name a method, and the
+//! Without gravity and damping the impact has a closed form. Tables of e(v) use the closed form, unless they name a method. The
 //! integration of a single impact is compared with it.
 //!
 //! # Notation
@@ -37,12 +37,12 @@
 //! | C(ν) | [`Waves`](impact::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
 //! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
 //!
-//! # How it is used
+//! # How to use the library
 //!
-//! A user of the library needs six things: the contact of two bodies, its impacts, the laws, the trace of an impact, tables
-//! of many impacts, and numbers with units. Everything below is in SI units.
+//! Six parts serve a user of the library: the contact of two bodies, its impacts, the laws, the trace of an impact, tables
+//! of many impacts, and numbers with units. All quantities below are in SI units.
 //!
-//! **A contact and its impacts.** [`contact`] has the bodies and laws, [`impact`] their motion. An impact is integrated, or exact:
+//! **A contact and its impacts.** [`contact`] has the bodies and laws, [`impact`] their motion. An impact is integrated or exact:
 //!
 //! ```
 //! use plm_impact::{Contact, HalfSpace, Material, Plm, Solver, Sphere};
@@ -77,7 +77,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **A trace** is the impact against time: so many rows evenly spaced, and one more for every event.
+//! **A trace** is the impact against time: a given number of rows evenly spaced, and one more for every event.
 //!
 //! ```
 //! # use plm_impact::{Contact, HalfSpace, Material, Plm, Solver, Sphere};
@@ -92,7 +92,7 @@
 //! # Ok::<(), plm_impact::ImpactError>(())
 //! ```
 //!
-//! **A table** of many impacts: a [`scenario`] says what varies, and [`table`] computes the rows.
+//! **A table** of many impacts: a [`scenario`] defines the varied keys, and [`table`] computes the rows.
 //!
 //! ```
 //! use plm_impact::Scenario;
@@ -112,7 +112,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Numbers with units** are read as in scenarios:
+//! **Numbers with units** are parsed as in scenarios:
 //!
 //! ```
 //! use plm_impact::units::{Dimension, parse};
@@ -122,9 +122,8 @@
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
-//! Beside these, [`impact::repeat`] has series of impacts, and [`impact::indentation`] has slow indentations. The command is made
-//! of the other modules. They are public for the command and for the tests, are left out here, and may change at any time;
-//! `src/README.md` shows them.
+//! [`impact::repeat`] has series of impacts, and [`impact::indentation`] has quasi-static indentations. All other modules serve the
+//! command and the tests. They are public, not described here, and may change at any time; `src/README.md` shows them.
 
 // see clippy.toml
 #![warn(clippy::disallowed_methods)]

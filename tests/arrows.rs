@@ -162,7 +162,7 @@ fn graph() -> BTreeMap<Module, BTreeSet<Module>> {
 }
 
 #[test]
-fn folders_use_only_what_stands_below_them() {
+fn folders_use_only_lower_layers() {
     let floors = floors();
     let place =
         |module: &Module| module.first().and_then(|folder| floors.iter().position(|floor| floor.contains(folder)));

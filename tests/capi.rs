@@ -176,7 +176,7 @@ fn printed(source: &str, link: Link, options: &[&str], scenarios: &[&Path]) -> S
 }
 
 #[test]
-fn the_example_prints_e_and_the_page_shows_it() {
+fn example_prints_e_as_page_shows() {
     let page = fs::read_to_string(root().join("plots/lammps/README.md")).unwrap();
     let line = format!("src/doors/c/drop.c target/release/libplm_impact.a {} -o drop", LINKED_WITH.join(" "));
     assert!(page.contains(&line), "{line}");
@@ -192,7 +192,7 @@ fn the_example_prints_e_and_the_page_shows_it() {
 /// The sanitizers of the C compiler see the whole program, and the memory that the library does not give back.
 #[test]
 #[cfg(target_os = "linux")]
-fn a_c_program_has_no_leak_and_no_undefined_behaviour() {
+fn c_program_has_no_leak_or_undefined_behaviour() {
     let scenarios = ["steel-on-steel", "alumina-on-aluminium-with-waves"];
     let [steel, waves] = scenarios.map(|name| root().join(format!("scenarios/{name}.toml")));
     let sanitized = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
@@ -201,7 +201,7 @@ fn a_c_program_has_no_leak_and_no_undefined_behaviour() {
 }
 
 #[test]
-fn a_c_program_prints_the_bits_of_the_library() {
+fn c_program_prints_bits_of_library() {
     let scenario = root().join("scenarios/steel-on-steel.toml");
     let with_waves = root().join("scenarios/alumina-on-aluminium-with-waves.toml");
     let [printed, shared] =

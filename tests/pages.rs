@@ -153,7 +153,7 @@ fn the_architecture_names_files_that_are_there() {
 }
 
 #[test]
-fn the_table_of_commands_names_commands_and_options_that_are_there() {
+fn command_table_names_existing_commands_and_options() {
     let clone = Clone::new();
     let page = read("README.md");
     let mut count = 0;
@@ -177,7 +177,7 @@ fn file_in<'a>(page: &'a str, language: &str) -> &'a str {
 }
 
 #[test]
-fn the_tutorial_goes_from_its_heights_to_its_lines_for_a_dem_code() {
+fn tutorial_runs_from_heights_to_dem_input() {
     let clone = Clone::new();
     let page = read(TUTORIAL);
     clone.shell("mkdir plots/empty", 0);
@@ -208,7 +208,7 @@ fn the_tutorial_goes_from_its_heights_to_its_lines_for_a_dem_code() {
 
 /// The heights of the tutorial are those of the law at 118 HV, within three times the scatter that it names: 1 mm and 1 %.
 #[test]
-fn the_heights_of_the_tutorial_are_those_of_its_hardness() {
+fn tutorial_heights_match_its_hardness() {
     let clone = Clone::new();
     let page = read(TUTORIAL);
     clone.shell(
@@ -322,7 +322,7 @@ fn compare_with_gallery(scenario: &str, clone: &Clone) {
 }
 
 #[test]
-fn every_command_that_a_page_shows_runs_leaves_git_clean_and_draws_the_gallery() {
+fn documented_commands_run_and_reproduce_the_gallery() {
     let clone = Clone::new();
     let mut run = BTreeSet::new();
     let mut count = 0;

@@ -165,7 +165,7 @@ impl Noise {
     }
 }
 
-/// The scale of residuals about a law with so many keys.
+/// The scale of the residuals of a fit with this number of keys.
 fn scatter(residuals: &[f64], keys: usize, is_robust: bool) -> f64 {
     let (count, freedom) = (residuals.len() as f64, (residuals.len() - keys) as f64);
     if is_robust {
@@ -229,7 +229,7 @@ mod tests {
     use super::median;
 
     #[test]
-    fn the_median_of_an_even_number_is_the_mean_of_the_two_in_the_middle() {
+    fn even_median_is_mean_of_two_middle_values() {
         assert_eq!(median([4.0, 1.0, 3.0, 9.0].into_iter()), 3.5);
         assert_eq!(median([4.0, 1.0, 9.0].into_iter()), 4.0);
         assert_eq!(median([7.0].into_iter()), 7.0);

@@ -114,7 +114,7 @@ impl Measurements {
         self.sha256.is_some().then(|| self.data.rows[value.row].line)
     }
 
-    /// The noise of every value, as far as it is given.
+    /// The noise of every value, from the standard deviations and the model error that are given.
     fn noise(&self) -> Result<NoiseModel, Error> {
         let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
         let of_quantity = |name: &str| deviations.iter().find(|given| given.0 == name).map(|given| given.1);

@@ -79,7 +79,7 @@ impl<'a> Problem<'a> {
         empty.of_rows(0..data.rows.len())
     }
 
-    /// Returns this problem, which gives no answer any more once `progress` is asked to stop.
+    /// Returns this problem, which stops with an error when `progress` is asked to stop.
     pub fn watched(self, progress: &'a Counter) -> Self {
         Self { progress: Some(progress), ..self }
     }
@@ -165,7 +165,7 @@ impl<'a> Problem<'a> {
         if self.progress.is_some_and(Counter::is_stopped) { Err(NoAnswer::Stopped) } else { Ok(()) }
     }
 
-    /// The impact speed of every row \[m/s\]; NaN if there is none.
+    /// The impact speed of every row \[m/s\]; NaN for a row without one.
     pub fn speeds(&self) -> Vec<f64> {
         let mut input = self.filled.clone();
         let speed = |row| {

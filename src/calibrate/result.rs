@@ -63,11 +63,11 @@ pub struct Calibration<'a> {
     pub identifiability: Option<Identifiability>,
     /// Why there is no interval; `None` if there is one.
     pub refusal: Option<String>,
-    /// The fit of every law that was asked for, the best first.
+    /// The fit of every requested law, the best first.
     pub laws: Vec<LawFit<'a>>,
 }
 
-/// The answer to the question if a law fits its measurements.
+/// Whether the data are compatible with the law.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict {
     /// The law fits within the noise.

@@ -1,5 +1,5 @@
-//! The two bodies, and the numbers that follow from them as a pair before any law is chosen: effective modulus, compliance
-//! shares, first yield. Only the densities have to do with motion.
+//! The two bodies, and the numbers of the pair that do not depend on a law: effective modulus, fractions of the compliance, first
+//! yield. Only the densities matter for the motion.
 
 use thiserror::Error;
 
@@ -60,21 +60,21 @@ pub struct HalfSpace {
     pub material: Material,
     /// Yield strength σ_Y \[Pa\] (von Mises); `None`: the half-space stays elastic.
     pub yield_strength: Option<f64>,
-    /// Density \[kg/m³\]; `None`: nothing is said of elastic waves.
+    /// Density \[kg/m³\]; `None`: elastic waves are not computed.
     pub density: Option<f64>,
-    /// R_h \[m\] where it is hit: positive for a convex wall or a ball, negative for a hollow; `None`: flat.
+    /// R_h \[m\] at the contact: positive for a convex wall or a ball, negative for a hollow; `None`: flat.
     pub radius: Option<f64>,
     pub hold: Hold,
 }
 
-/// How the body that is hit is held.
+/// The support of the target.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Hold {
     #[default]
     Fixed,
     /// Free to move, with this mass \[kg\].
     Free(f64),
-    /// A solid ball of its own radius and density that is free to move.
+    /// A solid ball of this radius and density that is free to move.
     Ball,
 }
 
@@ -89,7 +89,7 @@ impl HalfSpace {
         self.radius.filter(|radius| *radius > 0.0)
     }
 
-    /// Mass \[kg\] of a body that is free to move. It is not a number for a ball without radius or density.
+    /// Mass \[kg\] of a target that is free to move; NaN for a ball without radius or density.
     pub fn free_mass(&self) -> Option<f64> {
         match self.hold {
             Hold::Fixed => None,
@@ -105,7 +105,7 @@ impl HalfSpace {
 /// First yield of the softer body (Xie et al. 2024, Eqs. 17-18).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldPoint {
-    /// The bodies that flow.
+    /// The bodies that yield.
     pub flow: Flow,
     /// σ_Y of the softer body \[Pa\].
     pub strength: f64,
@@ -153,7 +153,7 @@ pub struct OutOfFloatRange {
     pub value: f64,
 }
 
-/// A hollow wall that a sphere does not touch at a point.
+/// A hollow wall that is so narrow that a sphere does not touch it at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
     "half_space.radius = {} is the radius of a hollow, and a sphere of radius {} touches it at a point only if the hollow has at least twice that radius: give at most {}, or a positive radius for a convex wall",
@@ -173,7 +173,7 @@ pub enum PairError {
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
     Hollow(#[from] Hollow),
-    /// A number that no body has.
+    /// A number that is not possible for a body.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),
 }
@@ -189,10 +189,10 @@ pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFlo
     if value.is_normal() && value > 0.0 { Ok(value) } else { Err(OutOfFloatRange { quantity, value }) }
 }
 
-/// How the flow is shared between the bodies.
+/// How the bodies share the yielding.
 ///
-/// A body yields where the largest Hertz pressure is P = C_ν σ_Y, infinite for one that stays elastic. With P_b of the softer
-/// body b and P_o of the other
+/// A body yields if the largest Hertz pressure is P = C_ν σ_Y; P is infinite for a body that stays elastic. With P_b of the softer
+/// body b and P_o of the other body
 ///
 /// ```text
 /// q = P_o/P_b,   w = min(1, (q − 1)/0.25)        0: both flow alike, 1: only the softer flows
@@ -201,9 +201,9 @@ pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFlo
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flow {
-    /// q; infinite beside a body that stays elastic.
+    /// q; infinite if the other body stays elastic.
     pub ratio: f64,
-    /// True if the sphere is the softer body. At equal strengths it counts as that.
+    /// True if the sphere is the softer body, or if the strengths are equal.
     pub is_sphere: bool,
     /// w.
     pub alone: f64,
@@ -211,14 +211,14 @@ pub struct Flow {
     pub elastic_share: f64,
     /// 1 − κ.
     pub plastic_share: f64,
-    /// β: the share of the flow that goes into the sphere.
+    /// β: the fraction of the yielding that is in the sphere.
     pub sphere_share: f64,
-    /// The share of the residual indentation that is a flat on the sphere; the rest is a dent. Of the harder body it is
-    /// (E*/E_o*) exp(−(q − 1)/0.27) below q = 2 and nothing from there on: an estimate from finite elements up to a/R = 0.11.
+    /// The fraction of the residual indentation that is a flat on the sphere; the rest is a dent. For the harder body this fraction is
+    /// (E*/E_o*) exp(−(q − 1)/0.27) below q = 2, and zero from q = 2 on: an estimate from finite elements up to a/R = 0.11.
     pub flat_share: f64,
 }
 
-/// The mark that an impact leaves: a dent in the half-space, a flat on the sphere, or both. It takes the share of the flat.
+/// The imprint of an impact: a dent in the half-space, a flat on the sphere, or both. `flat_share` is the fraction of the flat.
 pub fn left_behind(flat_share: f64) -> &'static str {
     match flat_share {
         share if share >= 1.0 => "flat",
@@ -227,7 +227,7 @@ pub fn left_behind(flat_share: f64) -> &'static str {
     }
 }
 
-/// The ratio q from which on the softer body yields alone.
+/// From this ratio q on, only the softer body yields.
 pub const ALONE_FROM: f64 = 1.25;
 
 impl Flow {
@@ -254,23 +254,23 @@ impl Flow {
         }
     }
 
-    /// Chooses what belongs to the softer body from a pair of sphere and half-space.
+    /// Selects the item of the softer body from a pair of sphere and half-space.
     pub fn of_softer<T>(&self, [sphere, half_space]: [T; 2]) -> T {
         if self.is_sphere { sphere } else { half_space }
     }
 
-    /// True if both bodies flow.
+    /// True if both bodies yield.
     pub fn is_of_both(&self) -> bool {
         self.alone < 1.0
     }
 }
 
-/// The numbers that follow from the sphere and the half-space together.
+/// The numbers that follow from sphere and half-space together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
-    /// Effective radius \[m\], 1/R = 1/R_s + 1/R_h: that of the sphere on a flat half-space (Eq. 9).
+    /// Effective radius \[m\], 1/R = 1/R_s + 1/R_h: the radius of the sphere on a flat half-space (Eq. 9).
     pub radius: f64,
-    /// R \[m\] of the finite geometry of the law: the effective one, and of two equal balls that of one of them.
+    /// R \[m\] of the finite geometry of the law: the effective radius, or the radius of one ball if the balls are equal.
     pub geometry_radius: f64,
     /// The radius \[m\] of the smaller ball.
     pub smaller_radius: f64,
@@ -278,18 +278,18 @@ pub struct Pair {
     pub effective_modulus: f64,
     /// κ = E*/E_s* in \[0, 1): share of the sphere in the elastic compliance; 0 is a rigid sphere.
     pub sphere_compliance: f64,
-    /// ρ_E = E*/E_h* = 1 − κ: share of the half-space.
+    /// ρ_E = E*/E_h* = 1 − κ: fraction of the half-space in the elastic compliance.
     pub half_space_compliance: f64,
     /// First yield, if a body has a yield strength.
     pub yield_point: Option<YieldPoint>,
-    /// Sphere and half-space, as far as they are balls that flow.
+    /// Sphere and half-space; a body that is no ball, or does not yield, changes nothing.
     pub balls: [Ball; 2],
 }
 
-/// How a ball that flows takes part in the law: a sphere, or a half-space with a positive radius.
+/// The part of a yielding ball in the law: a sphere, or a half-space with a positive radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
-    /// β_i: its share of the flow.
+    /// β_i: its fraction of the yielding.
     pub share: f64,
     /// E*/E_i*.
     pub compliance: f64,
@@ -298,7 +298,7 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// Sphere and half-space. Two equal balls are one of them on a rigid wall at half the approach, in units of its own radius.
+    /// Sphere and half-space. Two equal balls are one ball on a rigid wall at half the approach, in units of the radius of this ball.
     fn both(flow: &Flow, radii: [Option<f64>; 2], radius: f64, compliances: [f64; 2], are_equal: bool) -> [Self; 2] {
         let [sphere, half_space] = radii.map(|ball| ball.map_or(0.0, |ball| radius / ball));
         if are_equal {
@@ -311,16 +311,16 @@ impl Ball {
 }
 
 impl Pair {
-    /// First yield, unless the contact would have to be wider than the sphere, where no law holds.
+    /// First yield; `None` if the contact would be wider than the sphere, where no law holds.
     pub fn reachable_yield_point(&self) -> Option<YieldPoint> {
         self.yield_point.filter(|point| point.contact_radius < self.smaller_radius)
     }
 
-    /// Pairs a sphere with a half-space. The sphere's density does not matter.
+    /// Pairs a sphere with a half-space. The density of the sphere does not matter.
     ///
     /// # Errors
-    /// [`PairError`] where effective radius, modulus or yield point over- or underflow, for a hollow that is too narrow, and for
-    /// numbers that no body has.
+    /// [`PairError`] if effective radius, modulus or yield point over- or underflow, for a hollow that is too narrow, and for
+    /// numbers that are not possible for a body.
     pub fn try_new(sphere: &Sphere, half_space: &HalfSpace) -> Result<Self, PairError> {
         check_bodies(sphere, half_space)?;
         let radius = match half_space.radius {
@@ -358,7 +358,7 @@ impl Pair {
         })
     }
 
-    /// This pair where the strength at first yield is so many times as large. How the bodies share the flow stays as it is.
+    /// This pair with its strength at first yield multiplied by `factor`. The fractions of the bodies in the yielding do not change.
     pub(crate) fn with_raised_strength(&self, factor: f64) -> Result<Self, OutOfFloatRange> {
         let raised = |point: YieldPoint| {
             let strength = point.strength * factor;
@@ -367,26 +367,26 @@ impl Pair {
         Ok(Self { yield_point: self.yield_point.map(raised).transpose()?, ..*self })
     }
 
-    /// The sphere's own part of an approach: its share of the elastic one, and the flat that it keeps.
+    /// The approach of the sphere alone: its fraction of the elastic approach, and the flat that it keeps.
     pub fn sphere_part(&self, indentation: f64, elastic_approach: f64) -> f64 {
         let elastic = self.sphere_compliance * elastic_approach;
         let flat_share = self.yield_point.map_or(0.0, |point| point.flow.flat_share);
         if flat_share > 0.0 { elastic + flat_share * (indentation - elastic_approach) } else { elastic }
     }
 
-    /// [κ, 1 − κ] of the law: see [`Flow`]; for bodies that stay elastic the shares of sphere and half-space.
+    /// [κ, 1 − κ] of the law: see [`Flow`]. For bodies that stay elastic, the compliance fractions of sphere and half-space.
     pub(crate) fn shares(&self) -> [f64; 2] {
         let of_bodies = [self.sphere_compliance, self.half_space_compliance];
         self.yield_point.map_or(of_bodies, |point| [point.flow.elastic_share, point.flow.plastic_share])
     }
 
-    /// True if both bodies flow, and are balls that are not equal.
+    /// True if both bodies yield, and are balls that are not equal.
     pub fn is_of_unequal_balls(&self) -> bool {
         let is_of_both = self.yield_point.is_some_and(|point| point.flow.is_of_both());
         is_of_both && self.balls[1].curvature > 0.0
     }
 
-    /// True if two equal balls meet, of which the law is that of one on a rigid wall.
+    /// True for two equal balls, which the law treats as one ball on a rigid wall.
     pub fn is_of_equal_balls(&self) -> bool {
         self.geometry_radius != self.radius
     }
@@ -399,7 +399,7 @@ impl Pair {
 
 /// C_ν \[1\] of the softer body. For ν ≥ 0 it is 1.30075 + 0.87825 ν + 0.54373 ν² (Xie et al. 2024, Eq. 18): 1.61316 at ν = 0.3.
 ///
-/// Eq. 18 is a fit for ν ≥ 0. For ν < 0 the yield point is computed, in proportion, so that C_ν is continuous at ν = 0, where Eq. 18
+/// Eq. 18 is a fit for ν ≥ 0. For ν < 0 the yield point is computed and scaled, so that C_ν is continuous at ν = 0, where Eq. 18
 /// is 0.1 % above the computed value.
 pub fn yield_factor(poissons_ratio: f64) -> f64 {
     /// The polynomial over the computed value at ν = 0.
@@ -431,14 +431,14 @@ fn computed_yield_factor(poissons_ratio: f64) -> f64 {
     1.0 / axis.max(rim)
 }
 
-/// A number of a body, of gravity or of damping that no body has.
+/// A number of a body, of gravity or of damping outside of its possible range.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("{quantity} = {} is not allowed: {rule}", number(*.value))]
 pub struct InvalidInput {
     /// The name of the number, with its unit.
     pub quantity: &'static str,
     pub value: f64,
-    /// What is allowed.
+    /// The allowed values.
     pub rule: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! A contact without time: two bodies, the strengths at which they yield, and the laws of force and dent.
+//! A contact without time: two bodies, their strengths, and the laws of force and dent.
 
 pub mod law;
 pub mod material;

@@ -98,7 +98,7 @@ pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
     file.put()
 }
 
-/// Writes a single file where there is none: complete and on the disk, or not at all.
+/// Writes a single file that does not exist yet: complete and on the disk, or not at all.
 ///
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`] if there is one, even if another process has made it just now.

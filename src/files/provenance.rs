@@ -37,22 +37,23 @@ pub struct Provenance {
     pub numbers_version: u64,
     /// The scenario as the command line names it.
     pub scenario_file: String,
-    /// The way to that file from the folder of the results, by which a later run knows its own; `None` without file or folder.
+    /// Relative path of that file from the folder of the results. By it a later run recognises its own results; `None` without
+    /// file or folder.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scenario_from_here: Option<String>,
     /// SHA-256 of the scenario's text, its overrides and the coefficients that it names, hexadecimal.
     pub scenario_sha256: String,
-    /// SHA-256 of the overrides of the command line alone, by which a later run knows results with the same overrides; `None`
-    /// without overrides.
+    /// SHA-256 of the overrides of the command line alone. A later run recognises results with the same overrides by it; `None` without
+    /// overrides.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub overrides_sha256: Option<String>,
     pub command: String,
     /// The files beside the summary.
     pub files: Vec<String>,
-    /// How the motion was computed; `None` where there is none, or where it varies.
+    /// How the motion was computed; `None` without a motion, or if the method varies.
     #[serde(flatten)]
     pub method: Option<MethodOf>,
-    /// Which law it is under; `None` where laws vary.
+    /// The law of the results; `None` if laws vary.
     #[serde(flatten)]
     pub law: Option<LawOf>,
 }

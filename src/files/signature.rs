@@ -30,7 +30,7 @@ pub fn begins_like(path: &Path, new: &[u8]) -> io::Result<bool> {
     Ok(parts.into_iter().all(|part| part_of(&old, &part) == part_of(new, &part)))
 }
 
-/// The bytes in a range, as far as there are any.
+/// The bytes in a range; fewer if the text ends before the range does.
 fn part_of<'a>(bytes: &'a [u8], range: &Range<usize>) -> &'a [u8] {
     &bytes[range.start.min(bytes.len())..range.end.min(bytes.len())]
 }

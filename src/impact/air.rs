@@ -16,7 +16,7 @@
 //! h = ∫ u du/(g' ∓ d(u)),   t = ∫ du/(g' ∓ d(u)),   d = ρ C_d π R² u²/(2 m)
 //! ```
 //!
-//! Added mass, spin and wind are not in it.
+//! Added mass, spin and wind are not modelled.
 
 use std::f64::consts::PI;
 
@@ -30,9 +30,9 @@ use crate::numerics::root::bracketed;
 pub struct Medium {
     /// ρ \[kg/m³\].
     pub density: f64,
-    /// C_d; `None` for that of a sphere by its Reynolds number.
+    /// C_d; `None` for the drag of a sphere by its Reynolds number.
     pub drag: Option<f64>,
-    /// μ \[Pa s\], which only the drag of a sphere needs.
+    /// μ \[Pa s\], which is used only with the drag by Reynolds number.
     pub viscosity: f64,
 }
 
@@ -42,7 +42,7 @@ enum Drag {
     None,
     /// k \[1/m\].
     Constant(f64),
-    /// The deceleration a v + b v^1.687 up to the speed `turn`, and c v² beyond. Falls end at the speed `terminal`.
+    /// The deceleration a v + b v^1.687 up to the speed `turn`, and c v² above it. Falls end at the speed `terminal`.
     Sphere {
         a: f64,
         b: f64,
@@ -52,7 +52,7 @@ enum Drag {
     },
 }
 
-/// How a sphere flies under gravity. SI units.
+/// The free flight of a sphere under gravity. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flying {
     /// g \[m/s²\].
@@ -105,23 +105,23 @@ impl Flying {
         density * sphere_volume(radius) / mass
     }
 
-    /// True if air is computed.
+    /// True if the flight is in air.
     pub fn is_in_air(&self) -> bool {
         self.drag != Drag::None || self.pull != self.gravity
     }
 
-    /// g less the buoyancy \[m/s²\].
+    /// g minus the buoyancy \[m/s²\].
     pub fn pull(&self) -> f64 {
         self.pull
     }
 
-    /// Share of the energy m g h of a fall from this height \[m\] that the air takes, buoyancy counted.
+    /// Fraction of the energy m g h of a fall from this height \[m\] that the air absorbs, with the buoyancy.
     pub fn loss_fraction(&self, height: f64) -> f64 {
         let speed = self.landing_speed(height);
         1.0 - speed * speed / (2.0 * self.gravity * height)
     }
 
-    /// The speed at which the drag carries the weight \[m/s\]; infinite without air.
+    /// The speed at which the drag balances the weight \[m/s\]; infinite without air.
     pub fn terminal_speed(&self) -> f64 {
         match self.drag {
             Drag::None => f64::INFINITY,
@@ -139,7 +139,7 @@ impl Flying {
         }
     }
 
-    /// The time \[s\] of that fall.
+    /// The time \[s\] of a fall from rest through `height` \[m\].
     pub fn fall_time(&self, height: f64) -> f64 {
         match self.drag {
             Drag::None => self.landing_speed(height) / self.pull,
@@ -162,7 +162,7 @@ impl Flying {
         }
     }
 
-    /// The height \[m\] to which a sphere rises that begins with this speed \[m/s\].
+    /// The height \[m\] to which a sphere rises that starts with this speed \[m/s\].
     pub fn rise(&self, speed: f64) -> f64 {
         match self.drag {
             Drag::None => 0.5 * speed * speed / self.pull,
@@ -171,7 +171,7 @@ impl Flying {
         }
     }
 
-    /// The time \[s\] of that rise.
+    /// The time \[s\] of a rise that starts with this speed \[m/s\].
     pub fn rise_time(&self, speed: f64) -> f64 {
         match self.drag {
             Drag::None => speed / self.pull,
@@ -180,7 +180,7 @@ impl Flying {
         }
     }
 
-    /// The speed \[m/s\] with which a sphere takes off that is back at the same height after this time \[s\].
+    /// The take-off speed \[m/s\] of a sphere that returns to the same height after this time \[s\].
     pub fn take_off_speed(&self, time: f64) -> f64 {
         let whole = |v: f64| self.rise_time(v) + self.fall_time(self.rise(v));
         let (first, mut high) = (0.5 * self.pull * time, self.pull * time);
@@ -191,7 +191,7 @@ impl Flying {
         bracketed((0.0, high), first, is_near, |v| (time - whole(v), -rate(v)))
     }
 
-    /// The speed upwards \[m/s\] some time \[s\] after a take-off with `speed`; negative on the way down.
+    /// The upward speed \[m/s\] at a time \[s\] after a take-off with `speed`; negative during the fall.
     pub fn speed_after(&self, speed: f64, time: f64) -> f64 {
         let to_top = self.rise_time(speed) - time;
         match self.drag {
@@ -216,7 +216,7 @@ impl Flying {
         }
     }
 
-    /// The height \[m\] over the take-off, with a speed that [`Self::speed_after`] gives.
+    /// The height \[m\] above the take-off, for the upward speed of [`Self::speed_after`].
     pub fn height_at(&self, take_off: f64, speed: f64) -> f64 {
         let top = self.rise(take_off);
         if speed >= 0.0 { top - self.rise(speed) } else { top - self.drop_height(-speed) }
@@ -242,7 +242,7 @@ impl Flying {
         between(0.0, middle) + between(middle, speed)
     }
 
-    /// On the way down at the speed v_t (1 − e^(−depth)): this speed, and dt/d(depth) = v_t e^(−depth)/(g' − d).
+    /// During the fall, at the speed v_t (1 − e^(−depth)): this speed, and dt/d(depth) = v_t e^(−depth)/(g' − d).
     fn falling(&self, depth: f64) -> (f64, f64) {
         let Drag::Sphere { a, b, c, turn, terminal } = self.drag else { return (f64::NAN, f64::NAN) };
         let (v, short) = (terminal * -exp_m1(-depth), exp(-depth));
@@ -266,7 +266,7 @@ impl Flying {
                 part(v) * rate
             })
         };
-        // deeper than this the speed is the terminal one to the last bit
+        // at a larger depth the speed is the terminal speed to the last bit
         let last = depth.min(DEEPEST);
         let middle = if turn < terminal { (-ln_1p(-turn / terminal)).clamp(0.0, last) } else { 0.0 };
         let (v, rate) = self.falling(last);

@@ -1,5 +1,5 @@
 //! Warnings about the bodies: numbers that hardly any body has, a sphere that yields, and results that do not fit the named
-//! materials. Only metals yield here, and a metal that hardens needs more than its hardness.
+//! materials. Only metals yield in the laws, and the law of a hardening metal needs more than the hardness.
 
 use super::contact::{Contact, is_modulus_wrong};
 use super::essentials::Essentials;
@@ -13,15 +13,15 @@ use crate::units::{Dimension, four_digits, human, quantity};
 const LIGHT: f64 = 100.0;
 /// Spheres of a larger radius \[m\] get a warning.
 const LARGE: f64 = 1.0;
-/// Strengths that are a larger share of Young's modulus get a warning; whiskers without a flaw reach a tenth.
+/// Strengths above this fraction of Young's modulus get a warning; flawless whiskers reach a tenth.
 const HIGH: f64 = 0.1;
 
-/// How far e is too high by the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
+/// The error of e from the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
 pub const TOO_HIGH: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
-/// The smallest and the largest of these shares.
+/// The smallest and the largest of these errors.
 pub const TOO_HIGH_BY: [f64; 2] = [0.04, 0.35];
 
-/// The warnings of an impact for the materials of its bodies. With damping, what the material takes is given.
+/// The warnings of an impact for the materials of its bodies. With damping, the damping models the losses in the material.
 pub(super) fn of_materials(contact: &Contact, row: &Essentials) -> impl Iterator<Item = Warning> + use<> {
     let named = contact.named;
     let is_elastic = contact.half_space().yield_strength.is_none();
@@ -32,13 +32,13 @@ pub(super) fn of_materials(contact: &Contact, row: &Essentials) -> impl Iterator
         Warning::new(WarningKind::NoMetal, 0.0, text)
     };
     let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
-    // a ball of ceramic is harder than what it hits
+    // a ball of ceramic is harder than its target
     let is_weak = |entry: &&MaterialEntry| matches!(entry.class, Class::Glass | Class::Polymer);
     let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
     let hardens = |entry: &&MaterialEntry| entry.lacks_exponent || entry.hardens();
     let flow = contact.pair().yield_point.map(|point| point.flow);
     let share = flow.map_or(0.0, |flow| flow.sphere_share);
-    // a flow curve is refused where both flow
+    // a flow curve is refused if both bodies yield
     let is_of_both = flow.is_some_and(|flow| flow.is_of_both());
     let metal = |place: usize, body: &str, entry: Option<&'static MaterialEntry>, share: f64| {
         let is_too_high =
@@ -75,7 +75,7 @@ pub(super) fn of_materials(contact: &Contact, row: &Essentials) -> impl Iterator
     brittle.into_iter().chain(lead).chain(metals).flatten()
 }
 
-/// The warning for a named material that a slow indentation takes for elastic.
+/// The warning for a named material that is elastic in a quasi-static indentation, although its strength may be exceeded.
 pub(crate) fn of_elastic(half_space: &HalfSpace, entry: &MaterialEntry) -> Option<Warning> {
     let is_elastic = half_space.yield_strength.is_none() && !entry.is_metal();
     Warning::when(is_elastic, WarningKind::NoMetal, 0.0, || {
@@ -87,13 +87,13 @@ pub(crate) fn of_elastic(half_space: &HalfSpace, entry: &MaterialEntry) -> Optio
     })
 }
 
-/// How a material that is no metal gives way.
+/// How a material that is not a metal fails.
 fn fate(entry: &MaterialEntry) -> &'static str {
     if entry.class == Class::Polymer { "creeps" } else { "cracks" }
 }
 
-/// The body whose strength has no part in the law of a contact, its partner, and that strength: of the sphere where nothing yields by
-/// the law, and of the harder body where the other one hardens, as nothing says how hard that will be.
+/// The body whose strength the law of a contact ignores, its partner, and this strength. This is the sphere if nothing yields by the
+/// law. It is the harder body if the other body hardens, because its final strength is not known.
 pub(crate) fn left_out(
     pair: &Pair,
     law: &Law,
@@ -106,8 +106,8 @@ pub(crate) fn left_out(
     if flow.is_sphere { Some((["half-space", "sphere"], half_space?)) } else { of_sphere() }
 }
 
-/// The warning for a body of this strength under a mean pressure, where its strength has no part in the law. `so` says what is
-/// then wrong with the results.
+/// The warning for a body of this strength under a mean pressure, if the law ignores the strength. `so` states the consequence for
+/// the results.
 pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
     let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > 1.1 * strength)?;
     let ratio = pressure / strength;
@@ -125,10 +125,10 @@ pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so:
     Some(Warning::new(WarningKind::SphereYields, ratio, text))
 }
 
-/// The least σ_Y/E* of a ball that flows in the finite elements.
+/// The smallest σ_Y/E* of a yielding ball in the finite elements.
 const WEAKEST: f64 = 5e-4;
 
-/// The warnings for a sphere that flows, where it is weaker than any in the finite elements, or is said to be rigid.
+/// The warnings for a yielding sphere that is weaker than any in the finite elements, or rigid.
 pub(crate) fn of_flow(pair: &Pair) -> impl Iterator<Item = Warning> + use<> {
     let is_rigid = pair.sphere_compliance == 0.0;
     let point = pair.yield_point.filter(|point| point.flow.sphere_share > 0.0);
@@ -144,7 +144,7 @@ pub(crate) fn of_flow(pair: &Pair) -> impl Iterator<Item = Warning> + use<> {
     weak.into_iter().chain(rigid)
 }
 
-/// The warnings for a sphere whose numbers hardly any body has. A mass that is not its own has no density.
+/// The warnings for a sphere with numbers that hardly any body has. If the mass is given separately, the density is not checked.
 pub(crate) fn of_sphere(
     radius: f64,
     material: &Material,
@@ -157,7 +157,7 @@ pub(crate) fn of_sphere(
     large.into_iter().chain(of_body("sphere", material, strength, density))
 }
 
-/// The warnings for a half-space whose numbers hardly any body has.
+/// The warnings for a half-space with numbers that hardly any body has.
 pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
     let HalfSpace { material, yield_strength, density, .. } = half_space;
     of_body("half_space", material, *yield_strength, *density)

@@ -1,4 +1,4 @@
-//! One impact to be computed: its units, law, dimensionless speed and forces.
+//! The input of one impact: its units, law, dimensionless speed and forces.
 
 use std::sync::LazyLock;
 
@@ -12,7 +12,7 @@ use crate::contact::law::{Dent, Ground, Law};
 use crate::contact::material::normal;
 use crate::numerics::integrate::Drag;
 
-/// One impact to be computed.
+/// The input of one impact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Case<'a> {
     pub(super) scales: Scales,
@@ -24,17 +24,17 @@ pub(super) struct Case<'a> {
 }
 
 impl Contact {
-    /// Units, law and dimensionless speed of an impact. In its own units every elastic impact is the same.
+    /// Units, law and dimensionless speed of an impact. In these units all elastic impacts are equal.
     ///
     /// # Errors
-    /// [`ImpactError::Range`] where peak force, indentation or energy leave double precision.
+    /// [`ImpactError::Range`] if peak force, indentation or energy leave double precision.
     pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), ImpactError> {
         let Case { scales, ground, q, .. } = self.case(None, speed)?;
         Ok((scales, ground.law, q))
     }
 
-    /// The impact at a speed. With the dent of a spot that was loaded before the units are those of the yield point.
-    /// Under gravity the speed may be 0: a sphere that is let go at rest.
+    /// The impact at a speed. On a spot with a dent, the units are the units of the yield point. Under gravity the speed may be 0: the
+    /// sphere is released at rest.
     #[inline]
     pub(super) fn case<'a>(&'a self, dent: Option<&'a Dent>, speed: f64) -> Result<Case<'a>, ImpactError> {
         self.forces().check()?;
@@ -43,7 +43,7 @@ impl Contact {
             return Err(ImpactError::FreeUnderGravity);
         }
         let weight = self.mass() * gravity;
-        // damping and plate remove energy: an impact that stays elastic without them does so with them
+        // damping and plate remove energy: an impact that is elastic without them is elastic with them
         let with_weight = || {
             let (q, least) = (speed / self.scales.speed, self.elastic_speed / self.scales.speed);
             let until = self.law.recovers_until();
@@ -78,7 +78,7 @@ impl Contact {
     }
 }
 
-/// Hertz without end: the law of every impact that stays elastic, in its own units.
+/// Hertz without limit: the law of every impact that stays elastic, in its own units.
 pub(super) fn hertz() -> &'static Law {
     static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
     &HERTZ

@@ -1,4 +1,4 @@
-//! Everything about an impact that does not depend on its speed: bodies, law, scales, gravity and damping.
+//! The part of an impact that does not depend on its speed: bodies, law, scales, gravity and damping.
 
 use std::sync::Arc;
 
@@ -13,23 +13,23 @@ use crate::contact::materials::MaterialEntry;
 use crate::contact::strength::rate::Rate;
 use crate::numerics::functions::pow;
 
-/// The materials of the bodies, as far as they have names.
+/// The materials of the bodies that have a named material.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Named {
-    /// The material of the sphere, if it has a name.
+    /// The material of the sphere, if it is named.
     pub sphere: Option<&'static MaterialEntry>,
-    /// The material of the half-space, if it has a name.
+    /// The material of the half-space, if it is named.
     pub half_space: Option<&'static MaterialEntry>,
-    /// True if the strengths of sphere and half-space are their hardness, without an exponent of hardening.
+    /// True if the strengths of sphere and half-space come from their hardness, without a hardening exponent.
     pub is_by_hardness: [bool; 2],
-    /// True if the strengths of sphere and half-space are those of the impact itself, such as calibrated ones.
+    /// True if the strengths of sphere and half-space hold for the impact itself, such as calibrated strengths.
     pub is_of_impact: [bool; 2],
 }
 
-/// How the strengths of the bodies rise with the rate, and the law that they go into.
+/// How the strengths of the bodies rise with the strain rate, and the law that uses them.
 #[derive(Debug, Clone)]
 pub(super) struct Rates {
-    /// The rise of the sphere's strength and that of the half-space.
+    /// The strain-rate hardening of sphere and half-space.
     pub(super) of_bodies: [Option<Rate>; 2],
     pub(super) law: LawChoice,
 }
@@ -39,15 +39,15 @@ pub(super) struct Rates {
 pub struct Rated {
     /// 0.2 w \[1/s\].
     pub strain_rate: f64,
-    /// g of the body that yields; where both bodies flow, the mean of both by their shares of the flow.
+    /// g of the yielding body; if both bodies yield, the mean of both weighted by their fractions of the yielding.
     pub factor: f64,
-    /// g_t, where the sphere turns.
+    /// g_t, at maximum compression.
     pub factor_at_turn: f64,
-    /// How the strength rises; `None` if the body with a rate does not flow.
+    /// The strain-rate hardening; `None` if the body with a strain-rate dependence does not yield.
     pub(super) rate: Option<Rate>,
 }
 
-/// A sphere, a half-space and the law between them: all that does not depend on the impact speed.
+/// A sphere, a half-space and the law between them: everything that does not depend on the impact speed.
 #[derive(Debug, Clone)]
 pub struct Contact {
     sphere: Sphere,
@@ -57,31 +57,31 @@ pub struct Contact {
     mass: f64,
     /// Mass of a half-space that is free to move \[kg\].
     target_mass: Option<f64>,
-    /// m* \[kg\]: that of the relative motion.
+    /// m* \[kg\]: the reduced mass.
     reduced_mass: f64,
-    /// True if the sphere is only the tip of a body, which has the mass.
+    /// True if the sphere is only the tip of a body, and the mass is the mass of this body.
     is_tip: bool,
     pub(super) law: Law,
-    /// Its units: those of first yield, or of the sphere's radius for a half-space that stays elastic.
+    /// The units of first yield, or of the radius of the sphere for bodies that stay elastic.
     pub(super) scales: Scales,
-    /// Speed of the slowest impact that yields \[m/s\]; infinite if none yields.
+    /// Speed of the slowest impact that yields \[m/s\]; infinite if no impact yields.
     pub(super) yield_speed: f64,
-    /// Speed of the fastest impact without any loss \[m/s\]: the yield speed, or less where the metal relaxes.
+    /// Speed of the fastest impact without any loss \[m/s\]: the yield speed, or less if the metal relaxes.
     pub(super) elastic_speed: f64,
-    /// How the strengths rise with the rate of strain.
+    /// How the strengths rise with the strain rate.
     pub(super) rates: Option<Arc<Rates>>,
-    /// The strain rate that the strength of this contact belongs to; `None` without a rate, and before a speed is known.
+    /// The strain rate of the strength of this contact; `None` without a strain-rate dependence, and before a speed is known.
     pub(super) rated: Option<Rated>,
     forces: Forces,
-    /// How the half-space radiates, if its density is known.
+    /// The radiation of the half-space, if its density is known.
     waves: Option<Waves>,
-    /// Moment of inertia of all that moves about the sphere's centre \[kg m²\]; `None` for a solid sphere.
+    /// Moment of inertia of all moving parts about the centre of the sphere \[kg m²\]; `None` for a solid sphere.
     moment_of_inertia: Option<f64>,
-    /// The materials of the bodies, if they have names.
+    /// The materials of the bodies, if they are named.
     pub(super) named: Named,
 }
 
-/// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber has more.
+/// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber is stiffer.
 const SOFT: f64 = 1e5;
 /// No metal and hardly a ceramic has a larger strength \[Pa\].
 const STRONG: f64 = 1e10;
@@ -92,14 +92,14 @@ pub(super) fn is_modulus_wrong(modulus: f64, strength: Option<f64>) -> bool {
     modulus < SOFT || strength.is_some_and(|strength| modulus < strength && strength < STRONG)
 }
 
-/// A rebound slower than this share of the impact speed is rest: the error of an integration.
+/// A rebound slower than this fraction of the impact speed is the error of an integration, and counts as rest.
 const AT_REST: f64 = 1e-10;
 
 impl Contact {
     /// Pairs the bodies under a law (or Hertz alone, for a half-space without a yield strength).
     ///
     /// # Errors
-    /// [`ImpactError::Range`] where a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
+    /// [`ImpactError::Range`] if a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
     /// loading or no unloading (see [`Combined`](crate::contact::law::Combined)).
     pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let mass = normal("sphere mass (kg)", sphere.mass())?;
@@ -136,19 +136,19 @@ impl Contact {
     /// The scales, the law and the yield speed of a pair.
     fn law_of(pair: &Pair, mass: f64, law: &dyn ContactLaw) -> Result<(Scales, Law, f64), ImpactError> {
         let (scales, law) = (Scales::of_pair(pair, mass)?, law.of_pair(pair)?);
-        // up to there the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
+        // up to this x the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
         let until = law.limits.elastic_until;
         let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
         Ok((scales, law, yield_speed))
     }
 
-    /// This contact with the strengths of another pair of the same bodies, which no rate raises any more.
+    /// This contact with the strengths of another pair of the same bodies. No strain rate raises these strengths.
     pub(super) fn of_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
         let (scales, law, yield_speed) = Self::law_of(&pair, self.reduced_mass, law)?;
         Ok(self.of_law(pair, law, scales, yield_speed))
     }
 
-    /// This contact with another pair of the same bodies, the law of that pair, and what follows from it.
+    /// This contact with another pair of the same bodies, and with the law, the scales and the yield speed of this pair.
     pub(super) fn of_law(&self, pair: Pair, law: Law, scales: Scales, yield_speed: f64) -> Self {
         let elastic_speed = yield_speed;
         Self { pair, law, scales, yield_speed, elastic_speed, rates: None, rated: None, ..*self }
@@ -161,7 +161,7 @@ impl Contact {
         self
     }
 
-    /// The moment of inertia \[kg m²\], if it is not that of a solid sphere.
+    /// The moment of inertia \[kg m²\]; `None` for a solid sphere.
     pub fn moment_of_inertia(&self) -> Option<f64> {
         self.moment_of_inertia
     }
@@ -173,21 +173,21 @@ impl Contact {
         self
     }
 
-    /// Returns this contact with the names of its materials, by which the results are judged.
+    /// Returns this contact with the names of its materials, which some warnings need.
     #[inline]
     pub fn of_materials(mut self, named: Named) -> Self {
         self.named = named;
         self
     }
 
-    /// Returns this contact, where the sphere is only the tip of the body that moves. The wave speed of that body is not known.
+    /// Returns this contact with the sphere as the tip of the moving body. The wave speed of this body is not known.
     #[inline]
     pub(crate) fn of_a_body(mut self) -> Self {
         self.is_tip = true;
         self
     }
 
-    /// True if the sphere is only the tip of the body that moves.
+    /// True if the sphere is only the tip of the moving body.
     pub(crate) fn is_of_a_body(&self) -> bool {
         self.is_tip
     }
@@ -217,18 +217,18 @@ impl Contact {
         }
     }
 
-    /// Checks what does not depend on the speed: whether there may be impacts on the plate of this contact, if it has one.
+    /// Checks the plate of this contact, if it has one, for everything that does not depend on the speed.
     pub fn check_plate(&self) -> Result<(), PlateError> {
         self.on_plate().map(drop)
     }
 
-    /// How the half-space radiates elastic waves under an impact; `None` for one of unknown density or that is free to move, under
-    /// damping, whose force is not that of the law, and on a plate, which takes energy in another way.
+    /// The radiation of elastic waves from the half-space. `None` if its density is not known or it is free to move; under damping, as
+    /// the force then is not the force of the law; and on a plate, which absorbs energy in another way.
     pub fn waves(&self) -> Option<&Waves> {
         self.waves.as_ref().filter(|_| !self.forces.have_drag())
     }
 
-    /// True if the law has a flow curve of the body that yields.
+    /// True if the law has a flow curve of the yielding body.
     pub fn has_hardening(&self) -> bool {
         self.law.hardening().is_some()
     }
@@ -236,7 +236,7 @@ impl Contact {
     /// The contact radius at a peak \[m\].
     ///
     /// # Errors
-    /// [`ImpactError::TooDeep`] where it, or the indentation, is larger than the radius of the sphere, or of a smaller ball.
+    /// [`ImpactError::TooDeep`] if the radius or the indentation is larger than the radius of the sphere, or of a smaller ball.
     pub(super) fn contact_radius(
         &self,
         scales: &Scales,
@@ -269,24 +269,24 @@ impl Contact {
         self.mass
     }
 
-    /// Mass \[kg\] of the body that is hit, if it is free to move.
+    /// Mass \[kg\] of a target that is free to move.
     pub fn target_mass(&self) -> Option<f64> {
         self.target_mass
     }
 
-    /// m* \[kg\]: the mass that stands for both bodies in their relative motion; the sphere's where the other one is fixed.
+    /// m* \[kg\]: the reduced mass of the relative motion; the mass of the sphere if the other body is fixed.
     pub fn reduced_mass(&self) -> f64 {
         self.reduced_mass
     }
 
-    /// Speeds \[m/s\] after an impact at this closing speed: of the sphere away from where it came to, which is negative where it goes
-    /// on, and of a body that is free to move, in the direction of the approach.
+    /// Speeds \[m/s\] after an impact at this closing speed. The speed of the sphere is positive if it moves back, and negative if it
+    /// continues in its direction. The speed of a free target is positive in the direction of the approach.
     #[inline]
     pub fn speeds_after(&self, speed: f64, restitution: f64) -> (f64, Option<f64>) {
         let Some(target) = self.target_mass else { return (restitution * speed, None) };
         let both = self.mass + target;
         let share = (restitution * target - self.mass) / both;
-        // two equal elastic balls: what is left is the error of e
+        // two equal elastic balls: the remaining speed is the error of e
         let rebound = if share.abs() < AT_REST { 0.0 } else { share * speed };
         (rebound, Some((1.0 + restitution) * (self.mass / both) * speed))
     }
@@ -310,7 +310,7 @@ impl Contact {
         self.law.is_spring()
     }
 
-    /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` as for [`Contact::yield_speed`].
+    /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` like [`Contact::yield_speed`].
     pub fn yields_at(&self) -> Option<(f64, f64)> {
         self.yield_speed()?;
         let until = self.law.limits.elastic_until;

@@ -1,25 +1,25 @@
-//! The course of one impact, leg by leg: piece after piece up the loading curve, the turning point, and back down the
-//! unloading branch.
+//! The motion of one impact, leg by leg: the pieces of the loading curve one after the other, the turning point, and the unloading
+//! branch.
 //!
 //! ```text
 //! x'' = −(5/4) (f − w) − drag,    drag = (5/4) f χ u  or  2 ζ √((5/4) df/dx) u  or  y df/dx u
 //! w = m g/Φ,  χ in units of 1/V
 //! ```
 //!
-//! The contact ends where its total force vanishes on the way out: at the residual indentation, or before it under viscous
-//! damping. The run of a captured sphere ends at the static indentation on the way out. With damping it ends where the sphere
-//! turns back towards the half-space before the contact force has vanished: phase curves do not cross, so every later swing
-//! lies inside of this one and ends in it. Or it ends where an overdamped sphere (ζ from 0.9 on) has crept up to its static
-//! indentation, to one part in a thousand.
+//! The contact ends where its total force vanishes during the rebound: at the residual indentation, or before it under viscous
+//! damping. The run of a captured sphere ends when the rebound reaches the static indentation. With damping, the run also ends if
+//! the sphere moves towards the half-space again before the contact force has vanished. Trajectories in the phase plane do not
+//! cross, so all later oscillations stay inside this one and the sphere remains captured. An overdamped sphere (ζ from 0.9 on)
+//! creeps up to its static indentation, and its run ends within one part in a thousand of it.
 //!
-//! On a plate the momentum of the sphere stays where the force falls at once from f_1 to f_2, as it does where the metal relaxes:
+//! On a plate the momentum of the sphere stays constant when the force drops from f_1 to f_2, as in the relaxation of the metal:
 //!
 //! ```text
 //! p = u + y f   =>   u rises by y (f_1 − f_2)
 //! ```
 //!
-//! So the bodies still approach a little after the relaxation, along the unloading branch. They turn before that meets the loading
-//! curve, as u + y f only falls. The peak of the results is that before the relaxation.
+//! So the bodies approach a little further after the relaxation, along the unloading branch. They turn before the branch meets the
+//! loading curve, because u + y f can only fall. The peak in the results is the peak before the relaxation.
 
 use super::forces::{ScaledForces, StaticPoint};
 use super::outcome::{Fate, Outcome};
@@ -29,7 +29,7 @@ use crate::contact::law::Ground;
 use crate::numerics::integrate::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Sizes, State};
 use crate::numerics::power::max_or_nan;
 
-/// Integrates an impact at q = v/V from first touch to its end.
+/// Integrates an impact at q = v/V from first contact to its end.
 pub fn integrate<'a, I: Integrator>(
     ground: impl Into<Ground<'a>>,
     q: f64,
@@ -91,7 +91,7 @@ pub fn integrate<'a, I: Integrator>(
         at.speed = 0.0;
         path.sizes = Sizes { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
         path.piece = &branch;
-        // a sphere that came without speed does not leave
+        // a sphere that arrived without speed does not separate
         let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
         let stops = is_captured && forces.is_conservative();
         let end = if stops { unloading.recovered_at(forces.weight) } else { 0.0 };
@@ -123,7 +123,7 @@ pub fn integrate<'a, I: Integrator>(
         recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, &at);
     }
     let State { time, distance, speed, loss } = at;
-    // what is above 1 is then the error of the run
+    // an excess above 1 is the error of the run
     let limit = if forces.is_even(ground, &unloading) { 1.0 } else { f64::INFINITY };
     Ok(Outcome {
         restitution: if fate == Fate::Captured { 0.0 } else { (-speed / q).min(limit) },
@@ -138,8 +138,8 @@ pub fn integrate<'a, I: Integrator>(
     })
 }
 
-/// The first state: first touch. A sphere without speed starts a very short way further in, where the force of the law is
-/// still negligible beside the weight.
+/// The first state: first contact. A sphere without speed starts a very small distance further in, where the force of the law is
+/// still negligible compared with the weight.
 fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
     if touch.speed != 0.0 {
         return touch;
@@ -150,7 +150,7 @@ fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
     State { time: speed / pull, distance, speed, loss: 0.0 }
 }
 
-/// The speed and the loss where the force falls at once by so much. Only a plate gives way.
+/// The speed and the loss after the force drops by `fall`. Only a plate gives way.
 fn give_way(at: &mut State, fall: f64, drag: Drag) {
     let gained = ACCELERATION * drag.theta * fall;
     if gained != 0.0 {
@@ -159,7 +159,7 @@ fn give_way(at: &mut State, fall: f64, drag: Drag) {
     }
 }
 
-/// The way along a piece of the loading curve.
+/// The leg along a piece of the loading curve.
 #[inline(always)]
 fn way_out(ground: Ground, index: usize) -> Leg {
     let is_last = index + 1 == ground.way_in.pieces().len();

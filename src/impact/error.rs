@@ -15,7 +15,7 @@ pub enum ImpactError {
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
     Hollow(#[from] Hollow),
-    /// A number that no body, gravity or damping has.
+    /// A number that is not possible for a body, gravity or damping.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),
     #[error(transparent)]
@@ -23,7 +23,7 @@ pub enum ImpactError {
     /// The law has no answer for this impact.
     #[error(transparent)]
     Law(#[from] OutsideLaw),
-    /// A dent that no sphere can make.
+    /// An indentation deeper or wider than the sphere.
     #[error(
         "the sphere would go in by {} with a contact radius of {}, and its own radius is {}: no contact law holds there; check the units{}, or lower the speed",
         human(*.indentation, Dimension::Length), human(*.contact_radius, Dimension::Length), human(*.radius, Dimension::Length),
@@ -59,12 +59,12 @@ pub enum ImpactError {
         }
     )]
     SmallInertia {
-        /// The least one \[kg m²\]; `None` if none is large enough.
+        /// The smallest possible moment of inertia \[kg m²\]; `None` if every value is too small.
         least: Option<f64>,
         /// The moment of inertia of a solid sphere \[kg m²\].
         solid: f64,
     },
-    /// Nothing is known of what happens to two bodies that fall.
+    /// The fall of two bodies is not modelled.
     #[error(
         "gravity and a body that is free to move are not computed together: leave out [gravity], or half_space.mass"
     )]
@@ -74,7 +74,7 @@ pub enum ImpactError {
         "at an angle a body that is free to move has to be a ball: half_space.mass = \"ball\", or leave out impact.angle and sphere.spin"
     )]
     NoBall,
-    /// There is no impact on such a plate.
+    /// An impact on this plate is not possible.
     #[error(transparent)]
     Plate(#[from] PlateError),
     /// No closed form for this scene.

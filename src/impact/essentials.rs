@@ -1,4 +1,4 @@
-//! The results of an impact that a row of a table has, without the rest of an [`Impact`](super::Impact).
+//! The results of an impact in a row of a table, a part of an [`Impact`](super::Impact).
 
 use super::case::Case;
 use super::closed_form;
@@ -12,45 +12,45 @@ use super::waves;
 use crate::contact::material::{OutOfFloatRange, left_behind, normal};
 use crate::numerics::integrate::IntegrationError;
 
-/// The results of an impact that a row of a table has. SI units.
+/// The results of an impact in a row of a table. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Essentials {
     /// e \[1\].
     pub restitution: f64,
-    /// Both ends of the interval of e \[1\]. A table fills it in.
+    /// Both ends of the interval of e \[1\], which a table sets.
     pub restitution_interval: Option<[f64; 2]>,
-    /// First touch to separation \[s\], by [`Method::Verlet`](super::Method::Verlet) within its last step; infinite for a
+    /// First contact to separation \[s\], by [`Method::Verlet`](super::Method::Verlet) within its last step; infinite for a
     /// captured sphere.
     pub contact_time: f64,
-    /// The largest contact force on the way \[N\], damping included.
+    /// The peak contact force \[N\], damping included.
     pub peak_force: f64,
     /// δ_m \[m\].
     pub peak_indentation: f64,
-    /// δ_r \[m\]: how much closer the bodies stay, by a dent in the half-space and a flat on the sphere; 0 without both.
+    /// δ_r \[m\]: the residual indentation, by a dent in the half-space and a flat on the sphere; 0 without both.
     pub residual_indentation: f64,
-    /// The part of it that is a flat on the sphere \[m\].
+    /// The part of the residual indentation that is a flat on the sphere \[m\].
     pub flat_depth: f64,
     /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::contact::law::Law::contact_radius). If there is a dent, this
     /// is the radius of its rim.
     pub peak_contact_radius: f64,
     /// a_m/R \[1\], with the radius of the smaller ball.
     pub radius_ratio: f64,
-    /// True if a_m/R or δ_m is outside of the range that the law holds for, or is stated for.
+    /// True if a_m/R or δ_m is outside of the range of validity of the law, or outside of its stated range.
     pub is_outside_law: bool,
-    /// ½ m* v² \[J\]: without the motion of the centre of mass, which stays.
+    /// ½ m* v² \[J\]: without the motion of the centre of mass, which does not change.
     pub kinetic_in: f64,
     /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
     pub plastic_fraction: f64,
-    /// Share radiated as elastic waves \[1\], to first order and without gravity; `None` where the half-space's density is not
-    /// known, under damping or on a plate, and for a sphere that does not leave.
+    /// Fraction of the energy that is radiated as elastic waves \[1\], to first order and without gravity. `None` if the density of the
+    /// half-space is not known, under damping or on a plate, and for a sphere that does not separate.
     pub wave_loss_fraction: Option<f64>,
     pub on_plate: Option<OnPlate>,
-    /// Strain rate and factors of strength; `None` without a rate, and for an impact that turned in a dent.
+    /// Strain rate and factors of strength; `None` without a strain-rate dependence, and for an impact that turned in a dent.
     pub rated: Option<Rated>,
-    /// Speed \[m/s\] after the impact of a body that is free to move, normal to the surface.
+    /// Speed \[m/s\] of a free target after the impact, normal to the surface.
     pub target_speed: Option<f64>,
-    /// To which height the sphere rises \[m\], with waves and air where they are known; `None` without gravity and height, and
-    /// for a sphere that does not leave.
+    /// Rebound height \[m\], with waves and air if they are known; `None` without gravity and height, and for a sphere that does not
+    /// separate.
     pub rebound_height: Option<f64>,
     /// The rebound of an oblique impact with friction. All other results then describe the motion normal to the half-space.
     pub rebound: Option<Rebound>,
@@ -61,23 +61,23 @@ pub struct Essentials {
 pub struct OnPlate {
     /// λ \[1\].
     pub inelasticity: f64,
-    /// X \[1\]: plate thicknesses that a wave travels in the contact time on a half-space.
+    /// X \[1\]: number of plate thicknesses that a wave travels in the contact time on a half-space.
     pub thinness: f64,
     /// Energy in the plate \[J\] at separation, or at the end of the run of a captured sphere.
     pub energy: f64,
-    /// How far the plate has moved by then \[m\].
+    /// Displacement of the plate at that time \[m\].
     pub displacement: f64,
-    /// 2 √(c t_c) \[m\]: a nearer edge sends bending waves back in time; infinite for a captured sphere.
+    /// 2 √(c t_c) \[m\]: bending waves return in time from an edge that is nearer; infinite for a captured sphere.
     pub reach: f64,
 }
 
 impl OnPlate {
-    /// Takes them from an outcome; `contact_time` \[s\] may be infinite.
+    /// The results from an outcome; `contact_time` \[s\] may be infinite.
     fn of(case: &Case, outcome: &Outcome, contact_time: f64) -> Option<Self> {
         let ScaledPlate { under, mobility: y, inelasticity, thinness } = case.plate?;
         let Case { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;
         let Outcome { unloading, end_indentation, end_speed: u, .. } = outcome;
-        // a captured sphere is followed to where the contact still has a force
+        // the run of a captured sphere ends where the contact still has a force
         let f = match outcome.fate {
             Fate::Separated => 0.0,
             Fate::Captured => unloading.force_of(end_indentation - ground.dent(&unloading.peak).residual()),
@@ -99,13 +99,13 @@ impl Essentials {
     #[inline]
     pub(super) fn new(contact: &Contact, speed: f64, case: &Case, outcome: &Outcome) -> Result<Self, ImpactError> {
         let Case { scales, ground, q, forces, .. } = case;
-        // a sphere that is let go at rest has the kinetic energy 0, which is no underflow
+        // a sphere released at rest has the kinetic energy 0, which is no underflow
         let kinetic_in = 0.5 * contact.reduced_mass() * speed * speed;
         let is_at_rest = speed == 0.0 && !contact.forces().is_none();
         let kinetic_in = if is_at_rest { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
         let radiating = contact.waves().filter(|_| outcome.fate == Fate::Separated && !is_at_rest);
         let waves = match radiating {
-            // the first-order estimate is that of the impact without gravity
+            // the first-order estimate belongs to the impact without gravity
             Some(waves) if forces.weight > 0.0 => Some(waves.loss_fraction(
                 speed,
                 scales,
@@ -124,13 +124,13 @@ impl Essentials {
         let radius_ratio = peak_contact_radius / contact.pair().smaller_radius;
         let (law, residual) = (ground.law_at(peak.indentation), ground.dent(&peak).residual());
         let lost = ground.plastic(&outcome.unloading);
-        // under gravity the share may exceed 1; without kinetic energy there is none
+        // under gravity the share may exceed 1; without kinetic energy it does not exist
         let has_share = lost != 0.0 && kinetic_in > 0.0;
         let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
         if share.is_infinite() {
             return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
         }
-        // nothing is known of how two bodies fly
+        // the flight of two bodies is not modelled
         let flying = contact.forces().flying.filter(|_| contact.target_mass().is_none());
         let contact_time = normal("contact time (s)", outcome.contact_time * scales.time())?;
         let contact_time = if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time };
@@ -173,7 +173,7 @@ impl Essentials {
         self.flat_depth > 0.0
     }
 
-    /// The mark that the impact left: `dent`, `flat`, or `dent and flat`.
+    /// The imprint of the impact: `dent`, `flat`, or `dent and flat`.
     pub fn left_behind(&self) -> &'static str {
         left_behind(self.flat_depth / self.residual_indentation)
     }
@@ -183,28 +183,28 @@ impl Essentials {
         self.residual_indentation > 0.0
     }
 
-    /// True if the sphere arrived with a speed. If it was let go at first touch, it has no restitution and no kinetic energy
-    /// to take shares of.
+    /// True if the sphere arrived with a speed. A sphere released at first contact has no restitution and no kinetic energy to refer
+    /// fractions to.
     pub fn has_speed(&self) -> bool {
         self.kinetic_in > 0.0
     }
 
-    /// Share of the kinetic energy that the plate takes \[1\].
+    /// Fraction of the kinetic energy that the plate absorbs \[1\].
     pub fn plate_loss_fraction(&self) -> Option<f64> {
         self.on_plate.filter(|_| self.has_speed()).map(|plate| plate.energy / self.kinetic_in)
     }
 
-    /// (e v)²/v² \[1\]: share of the kinetic energy that comes back.
+    /// (e v)²/v² \[1\]: recovered fraction of the kinetic energy.
     pub fn recovered_fraction(&self) -> f64 {
         self.restitution * self.restitution
     }
 
-    /// e less what the waves take \[1\]; 0 where they would take more than comes back.
+    /// e with the loss by waves \[1\]; 0 if the waves would absorb more than the recovered energy.
     pub fn restitution_with_waves(&self) -> Option<f64> {
         self.wave_loss_fraction.map(|loss| waves::restitution_with_waves(self.restitution, loss))
     }
 
-    /// The restitution that is measured: with waves where they are known.
+    /// The restitution that a measurement finds: with waves if they are known.
     pub fn measured_restitution(&self) -> f64 {
         self.restitution_with_waves().unwrap_or(self.restitution)
     }

@@ -1,19 +1,19 @@
-//! The forces in addition to the contact law: gravity, damping and a plate that bends. A scene has only those that it names.
+//! The forces in addition to the contact law: gravity, damping and a plate that bends. A scene has only the forces that it names.
 //!
-//! The sphere moves by m δ'' = −F_c + m g, with the contact force F_c: the law's own F without damping, else as
-//! [`Damping`] says. The contact never pulls. Under viscous damping the sphere therefore leaves where F_c vanishes, above
-//! the bottom of its dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps at
-//! the knots of a law, and so does the viscous force. With damping the largest force comes before maximum
-//! compression; it is found as an event.
+//! The sphere moves by m δ'' = −F_c + m g. The contact force F_c is the F of the law without damping, and otherwise follows
+//! [`Damping`]. The contact never pulls. So under viscous damping the sphere separates where F_c vanishes, above the bottom of its
+//! dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps at the knots of a law, and
+//! so does the viscous force. With damping the peak force comes before maximum compression; the integration locates it as an
+//! event.
 //!
 //! A sphere that the recovered work cannot lift out of its dent is captured: e = 0, and there is no contact time. Without
 //! damping this is so where F_m ≤ (n + 1) m g. A sphere let go at first touch is always captured, because it has no kinetic
 //! energy; it has no restitution.
 //!
 //! Under gravity alone peak and rebound follow from the energy ([`super::closed_form`]). In other cases the energy balance
-//! is the check: kinetic + stored + plastic + damping − m g δ = ½ m v². The largest error measured is 10 tolerances; at
-//! tolerances above 1e-4 under a weight above the force at first yield it is 60, as such a weight takes a slow sphere to hundreds
-//! of times its speed, and the error of the first step grows with it.
+//! checks the run: kinetic + stored + plastic + damping − m g δ = ½ m v². Its error is at most about 10 tolerances. If the
+//! tolerance is above 1e-4 and the weight exceeds the force at first yield, it is up to 60 tolerances: such a weight accelerates
+//! a slow sphere to hundreds of times its speed, and the error of the first step grows with the speed.
 
 use super::plate::Plate;
 use super::scales::ACCELERATION;
@@ -34,7 +34,7 @@ pub enum Damping {
 }
 
 impl Damping {
-    /// The resistance in units of an impact whose unit of speed is `speed` \[m/s\].
+    /// The resistance in the units of an impact whose unit of speed is `speed` \[m/s\].
     pub fn drag(self, speed: f64) -> Drag {
         match self {
             Self::HuntCrossley(chi) => Drag { chi: chi * speed, ..Drag::NONE },
@@ -51,7 +51,7 @@ pub struct Forces {
     pub damping: Option<Damping>,
     /// The plate in place of the half-space.
     pub plate: Option<Plate>,
-    /// How the sphere flies before and after, if there is gravity or a height. It does not act in the contact.
+    /// The flight before and after the impact, if there is gravity or a drop height. It does not act in the contact.
     pub flying: Option<Flying>,
 }
 
@@ -72,18 +72,18 @@ impl Forces {
         }
     }
 
-    /// True if the law acts alone.
+    /// True if only the law acts.
     pub fn is_none(&self) -> bool {
         self.gravity.is_none() && self.damping.is_none() && self.plate.is_none()
     }
 
-    /// True if damping or a plate takes energy.
+    /// True if damping or a plate absorbs energy.
     pub(crate) fn have_drag(&self) -> bool {
         self.plate.is_some() || self.damping.is_some_and(|damping| damping.drag(1.0) != Drag::NONE)
     }
 }
 
-/// Gravity of a fall \[m/s²\] where none is given.
+/// Gravity of a fall \[m/s²\] if the scenario gives none.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// The forces in the units of an impact.
@@ -96,16 +96,16 @@ pub struct ScaledForces {
 }
 
 impl ScaledForces {
-    /// The law alone.
+    /// No force but the law.
     pub const NONE: Self = Self { weight: 0.0, drag: Drag::NONE };
 
-    /// True if the impact is that of the law alone.
+    /// True if only the law acts.
     #[inline]
     pub fn is_none(&self) -> bool {
         self.weight == 0.0 && self.is_conservative()
     }
 
-    /// True if there is no damping and no plate, so that only the dent takes energy.
+    /// True if there is no damping and no plate, so that only the dent absorbs energy.
     #[inline]
     pub(super) fn is_conservative(&self) -> bool {
         self.drag == Drag::NONE
@@ -114,26 +114,26 @@ impl ScaledForces {
     /// True if a sphere that came at q = v/V stays in its dent. It is for impacts without damping.
     pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
         let largest = (unloading.exponent + 1.0) * self.weight;
-        // an elastic contact gives back what it took, but for rounding
+        // an elastic contact recovers the energy that it absorbed, except for rounding
         let largest = if unloading.peak.residual() > 0.0 { largest } else { largest * (1.0 - GRAZING) };
         self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= largest)
     }
 
-    /// The whole way from first touch to where an impact of energy `kinetic` (in units of Φ L) turns without damping.
+    /// The distance from first contact to the point where an impact of energy `kinetic` (in units of Φ L) turns without damping.
     pub(super) fn way_to_turn(&self, ground: Ground, kinetic: f64) -> f64 {
         let (last, distance) = ground.turn(kinetic, self.weight);
         ground.piece(last).start - ground.touch() + distance
     }
 
-    /// True if the rebound speed is the impact speed: nothing takes energy, and the sphere leaves where it came. One that leaves
-    /// deeper, in a dent that cost nothing, has the work of its weight on that way.
+    /// True if the rebound speed equals the impact speed: nothing absorbs energy, and the sphere separates where it touched. If it
+    /// separates deeper, in a dent that cost no energy, its weight does work over this distance.
     pub(super) fn is_even(&self, ground: Ground, unloading: &Unloading) -> bool {
         let sinks = self.weight > 0.0 && ground.dent(&unloading.peak).residual() > ground.touch();
         self.is_conservative() && ground.plastic(unloading) == 0.0 && !sinks
     }
 
-    /// Where the contact carries the weight: on the unloading branch, or on the loading curve where the sphere has not yet
-    /// come so far.
+    /// The point at which the contact carries the weight: on the unloading branch, or on the loading curve if the sphere has not yet
+    /// reached this depth.
     pub(super) fn static_point(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
         if unloading.peak.force < self.weight {
             self.static_on_loading(ground)
@@ -142,7 +142,7 @@ impl ScaledForces {
         }
     }
 
-    /// Where the unloading branch carries the weight; at most its peak.
+    /// The point at which the unloading branch carries the weight; at most its peak.
     pub(super) fn static_on_unloading(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
         let distance = unloading.recovered_at(self.weight);
         let indentation = ground.dent(&unloading.peak).residual() + distance;
@@ -155,32 +155,32 @@ impl ScaledForces {
         StaticPoint { indentation, distance: indentation - ground.touch(), slope }
     }
 
-    /// Where an overdamped sphere comes to rest, at this distance of the leg: it creeps up to the static point, and never passes
-    /// it. `None` where it swings through it. A run ends there as soon as it is so near and so slow: at most the fast one of the
-    /// two rates of decay times that distance.
+    /// The criterion of rest for an overdamped sphere, at this distance of the leg: the sphere creeps up to the static point, and never
+    /// passes it. `None` for a sphere that oscillates about this point. A run ends as soon as the sphere is near enough and slow
+    /// enough: its speed is at most the faster of the two decay rates times the remaining distance.
     pub(super) fn rest(&self, point: &StaticPoint, distance: f64) -> Option<Rest> {
         let omega = (ACCELERATION * point.slope).sqrt();
         let Drag { chi, eta, theta } = self.drag;
-        // the fraction of critical damping of small swings
+        // the fraction of critical damping of small oscillations
         let zeta = 0.5 * (ACCELERATION * self.weight * chi / omega + eta + theta * omega);
         let tolerance = NEAR * point.distance;
-        // from ζ = 0.9 on every swing is less than e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
+        // from ζ = 0.9 on every half oscillation is below e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
         let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
         is_overdamped.then_some(Rest { distance, tolerance, largest_speed: fast * omega * tolerance })
     }
 }
 
-/// Where a contact carries the weight of its sphere.
+/// The point at which a contact carries the weight of its sphere.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StaticPoint {
     /// x.
     pub(super) indentation: f64,
-    /// From where its branch begins: first touch, or the residual indentation.
+    /// Distance from the start of its branch: first contact, or the residual indentation.
     pub(super) distance: f64,
     /// Tangent stiffness df/dx.
     slope: f64,
 }
 
-/// An overdamped sphere that is nearer to its static indentation than this share of the static depth counts as captured.
+/// An overdamped sphere counts as captured if its distance to the static indentation is a smaller fraction of the static depth.
 const NEAR: f64 = 1e-3;

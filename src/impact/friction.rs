@@ -1,32 +1,31 @@
-//! Friction as a force of its own, for codes that move the sphere themselves (DEM): one spring for the whole contact.
+//! Friction as a force for codes that move the sphere themselves (DEM): one spring for the whole contact.
 //!
-//! This is what a contact of a DEM code can carry, and what LAMMPS has as `mindlin_rescale/force` (Thornton, Cummins and
-//! Cleary 2013, Powder Technology 233, 30-46, Eq. 18). [`super::oblique`] has the better contact, which
-//! needs an impact as a whole.
+//! This is the most that a contact of a DEM code can store. LAMMPS has it as `mindlin_rescale/force` (Thornton, Cummins and Cleary
+//! 2013, Powder Technology 233, 30-46, Eq. 18). [`super::oblique`] has a more accurate contact, which needs the whole impact.
 
 use super::contact::Contact;
 use super::response::Memory;
 
-/// A contact after a step of time, and its motion in this step. SI units.
+/// A contact after a time step, and its motion in this step. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionStep {
     /// δ at the last step \[m\]; 0 in the first one.
     pub before: f64,
-    /// δ now \[m\].
+    /// δ after this step \[m\].
     pub indentation: f64,
-    /// The force that [`Contact::force`] gives there \[N\].
+    /// The result of [`Contact::force`] after this step \[N\].
     pub force: f64,
-    /// How far the contact point slipped along the surface since then \[m\].
+    /// Slip of the contact point along the surface in this step \[m\].
     pub slip: [f64; 3],
 }
 
 impl Contact {
-    /// Radius of the contact \[m\] as far as friction goes, after [`Contact::force`] gave this memory: that of Hertz with the
-    /// law's force and elastic approach on the way in, and in proportion to the stiffness on the way out.
+    /// Radius of the contact \[m\] for the friction, after [`Contact::force`] gave this memory. During loading it is the radius of
+    /// Hertz with the force and the elastic approach of the law; during unloading it is proportional to the stiffness.
     fn friction_radius(&self, indentation: f64, memory: &Memory) -> f64 {
         let Self { scales, law, .. } = self;
         let Some(peak) = memory.peak(scales.length, scales.force) else {
-            // Hertz's, of an elastic contact
+            // an elastic contact follows Hertz
             return (self.pair().radius * indentation.max(0.0)).sqrt();
         };
         let recovered = indentation / scales.length - peak.residual();
@@ -44,10 +43,10 @@ impl Contact {
     /// T_new = T min(1, a/a_old) − 8 G* a Δs,   |T_new| ≤ μ F
     /// ```
     ///
-    /// Its torque about the centre is that of T at the contact point, and a step should be short against the contact time.
+    /// Its torque about the centre is the torque of T at the contact point. A step should be short compared with the contact time.
     ///
-    /// Returns false, and leaves the history as it was, if the coefficient is negative, if a number is NaN or infinite, or if
-    /// no contact can have this memory.
+    /// Returns false and does not change the history if the coefficient is negative, if a number is NaN or infinite, or if the memory
+    /// is not possible for a contact.
     #[must_use]
     pub fn friction(&self, coefficient: f64, rub: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) -> bool {
         let numbers = [coefficient, rub.before, rub.force].into_iter().chain(rub.slip).chain(*history);

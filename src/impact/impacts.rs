@@ -1,4 +1,4 @@
-//! The impacts of a contact: results of one, rows of tables.
+//! The impacts of a contact: results of a single one, and rows of tables.
 
 use std::sync::LazyLock;
 
@@ -15,10 +15,10 @@ use crate::contact::law::{Dent, Ground, LoadingRule, Unloading};
 use crate::numerics::integrate::IntegrationError;
 
 impl Case<'_> {
-    /// The outcome by the balance of energy, where there is one; its times under gravity have this tolerance.
+    /// The outcome by the energy balance, if it has a closed form; its times under gravity have this tolerance.
     #[inline]
     fn exact(&self, tolerance: f64) -> Result<Option<Outcome>, IntegrationError> {
-        // in its own scales every elastic impact is the same
+        // in these scales all elastic impacts are equal
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(hertz(), 1.0));
         match self.ground.law.rule {
             LoadingRule::Elastic if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
@@ -28,19 +28,19 @@ impl Case<'_> {
 }
 
 impl Contact {
-    /// The exact outcome of an impact, without stepping; under gravity with times to 1e-13.
+    /// The exact outcome of an impact, without integration; under gravity its times are accurate to 1e-13.
     ///
     /// # Errors
-    /// [`ImpactError::Range`], see [`Contact::scaled`]; [`ImpactError::NoClosedForm`] where damping leaves none.
+    /// [`ImpactError::Range`], see [`Contact::scaled`]; [`ImpactError::NoClosedForm`] under damping and on a plate.
     pub fn closed_form(&self, speed: f64) -> Result<Impact, ImpactError> {
         self.impact(speed, &Solver { method: Method::ClosedForm, tolerance: FINEST, ..Solver::default() }, None)
     }
 
-    /// The results of an impact for a row of a table, computed by this solver, without the rest of an [`Impact`].
+    /// The results of an impact for a row of a table, computed by this solver.
     ///
     /// # Errors
-    /// [`ImpactError`] where the result leaves double precision, the law has no answer, the integrator gives up, or the
-    /// method does not fit.
+    /// [`ImpactError`] if the result leaves double precision, the law has no answer, the integrator fails, or the method is not
+    /// possible.
     #[inline]
     pub fn row(&self, approach: impl Into<Approach>, solver: &Solver) -> Result<Essentials, ImpactError> {
         let approach = approach.into();
@@ -79,7 +79,7 @@ impl Contact {
     /// spaced rows (first touch and separation among them) and a row for every other event.
     ///
     /// # Errors
-    /// [`ImpactError`] where the result leaves double precision or the integrator gives up.
+    /// [`ImpactError`] if the result leaves double precision or the integrator fails.
     pub fn impact(
         &self,
         approach: impl Into<Approach>,

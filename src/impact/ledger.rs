@@ -1,4 +1,4 @@
-//! The energy ledger of one impact, and the rows of a trace, which show it.
+//! The energy balance of one impact, and the rows of a trace, which contain its error.
 
 use super::case::Case;
 use super::contact::Contact;
@@ -12,17 +12,17 @@ use crate::numerics::integrate::State;
 /// A row of the trace of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceRow {
-    /// Time since first touch \[s\].
+    /// Time since first contact \[s\].
     pub time: f64,
     /// δ \[m\].
     pub indentation: f64,
-    /// δ_s \[m\], the sphere's share; 0 for a rigid sphere.
+    /// δ_s \[m\], the part of the sphere; 0 for a rigid sphere.
     pub sphere_indentation: f64,
-    /// δ_h = δ − δ_s \[m\], the half-space's share.
+    /// δ_h = δ − δ_s \[m\], the part of the half-space.
     pub half_space_indentation: f64,
-    /// δ' \[m/s\]: positive into the half-space, negative on the way out.
+    /// δ' \[m/s\]: positive into the half-space, negative during the rebound.
     pub speed: f64,
-    /// Speed of the sphere's centre \[m/s\], which is δ' and that of the plate, if there is a plate.
+    /// Speed of the centre of the sphere \[m/s\], the sum of δ' and the speed of the plate; `None` without a plate.
     pub sphere_speed: Option<f64>,
     /// The contact force \[N\]: F of the law and damping.
     pub force: f64,
@@ -36,13 +36,13 @@ pub struct TraceRow {
     pub energy_drift: f64,
 }
 
-/// The energy ledger of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v².
-/// On a plate its "kinetic" and "lost" are not those of sphere and plate, which [`super::plate`] gives; their sum is.
+/// The energy balance of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v². On a plate its
+/// "kinetic" and "lost" differ from the energies of sphere and plate, which [`super::plate`] defines; their sum is equal.
 pub(super) struct Ledger<'a> {
     contact: &'a Contact,
     case: &'a Case<'a>,
     outcome: &'a Outcome,
-    /// ½ m v²; 0 for a sphere that is let go at rest.
+    /// ½ m v²; 0 for a sphere released at rest.
     kinetic: f64,
     /// The work spent on the dent.
     spent: f64,
@@ -54,7 +54,7 @@ impl<'a> Ledger<'a> {
         Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, spent }
     }
 
-    /// The error of the sum, over ½ m v² + m g δ_m. While loading, W(x) stands for stored and plastic energy together.
+    /// The error of the sum, over ½ m v² + m g δ_m. During loading W(x) is the stored and the plastic energy together.
     fn drift(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
         let sunk = |x: f64| self.case.forces.weight * (x - self.case.ground.touch());
         let put_in = self.kinetic + sunk(self.outcome.unloading.peak.indentation);
@@ -64,13 +64,13 @@ impl<'a> Ledger<'a> {
     /// The error at the end of the contact.
     pub(super) fn at_end(&self) -> f64 {
         let Outcome { unloading, end_indentation: x, end_speed, loss, fate, .. } = *self.outcome;
-        // at the bottom of the dent nothing is stored, and x has too few digits to say so
+        // at the bottom of the dent no energy is stored, but x has too few digits to show this
         let is_at_dent = fate == Fate::Separated && !self.case.forces.drag.lifts_off();
         let stored = if is_at_dent { 0.0 } else { unloading.stored(x) };
         self.drift(end_speed, self.spent + stored, loss, x)
     }
 
-    /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with it.
+    /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with the plate.
     pub(super) fn left(&self) -> f64 {
         let Outcome { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
         let force = unloading.force_of(x - self.case.ground.dent(&unloading.peak).residual());
@@ -78,7 +78,7 @@ impl<'a> Ledger<'a> {
         0.4 * speed * speed + unloading.stored(x)
     }
 
-    /// The error at the peak. With damping the loss up to the peak is not known, and this is 0.
+    /// The error at the peak. With damping the loss up to the peak is not known, and the error is set to 0.
     pub(super) fn at_peak(&self) -> f64 {
         if !self.case.forces.is_conservative() {
             return 0.0;

@@ -1,7 +1,8 @@
-//! The impact of a sphere on a half-space: its motion, how it ends, and its results.
+//! The impact of a sphere on a half-space: its motion, its end, and its results.
 //!
-//! A [`Contact`] is what stays the same along a speed axis (bodies, law, scales); [`Contact::impact`] runs one impact on
-//! it, [`Contact::closed_form`] gives the exact outcome without stepping. SI units at this border, dimensionless inside.
+//! A [`Contact`] is the part of an impact that does not depend on the speed (bodies, law, scales). [`Contact::impact`] computes one
+//! impact, [`Contact::closed_form`] computes the exact outcome without integration. The interface uses SI units, and the inside
+//! dimensionless numbers.
 //!
 //! The files depend on each other in this order: what acts ([`scales`], [`plate`], [`forces`]); the dimensionless result
 //! ([`record`], [`outcome`]); how it is computed ([`closed_form`], [`course`], [`verlet`], [`solve`]); what is reported of it

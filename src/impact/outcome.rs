@@ -7,9 +7,9 @@ use crate::units::names::named;
 
 named! {
     pub enum Fate {
-        /// The total contact force vanished.
+        /// The total contact force vanishes.
         Separated = "separated",
-        /// It never vanishes: the sphere stays.
+        /// The total contact force never vanishes: the sphere stays.
         Captured = "captured",
     }
 }
@@ -19,14 +19,14 @@ named! {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedSteps {
     pub step: f64,
-    /// First touch to the deepest step.
+    /// First contact to the deepest step.
     pub compression_time: f64,
-    /// First touch to the first step without a pushing force; `None` for a captured sphere.
+    /// First contact to the first step without a pushing force; `None` for a captured sphere.
     pub separation_time: Option<f64>,
 }
 
 impl FixedSteps {
-    /// Returns the times in seconds, where this is the unit of time.
+    /// Returns the times in seconds, for this unit of time.
     pub(super) fn in_seconds(&self, time: f64) -> Self {
         Self {
             step: self.step * time,
@@ -43,16 +43,16 @@ pub struct Outcome {
     pub unloading: Unloading,
     /// e: rebound speed over impact speed; 0 for a captured sphere.
     pub restitution: f64,
-    /// The largest contact force on the way, damping included.
+    /// The peak contact force, damping included.
     pub largest_force: f64,
     pub loading_time: f64,
-    /// Time from first touch to separation, or to where the run of a captured sphere ends.
+    /// Time from first contact to separation, or to the end of the run of a captured sphere.
     pub contact_time: f64,
     pub fate: Fate,
     pub end_indentation: f64,
-    /// u at that end; negative on the way out.
+    /// u at that end; negative during the rebound.
     pub end_speed: f64,
-    /// Energy that drag has taken until then, in units of Φ L.
+    /// Energy that drag has absorbed until then, in units of Φ L.
     pub loss: f64,
 }
 
@@ -63,7 +63,7 @@ pub struct Computed {
     pub work: Effort,
     /// The times in fixed steps; `None` for other methods.
     pub fixed_steps: Option<FixedSteps>,
-    /// The trace, in order of time; empty if none was asked for.
+    /// The trace, in order of time; empty if no trace is requested.
     pub points: Vec<Point>,
 }
 

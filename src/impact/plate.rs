@@ -1,28 +1,28 @@
-//! A large thin plate in place of the half-space: it gives way under the impact and takes energy as bending waves.
+//! A large thin plate in place of the half-space: the plate gives way under the impact and absorbs energy as bending waves.
 //!
-//! Where a force F begins to act on an infinite plate, the plate moves with w' = Y F at every instant (Zener 1941, Phys. Rev.
-//! 59, 669-673). So for the centre of the sphere, p, and for the approach δ
+//! Under a force F an infinite plate moves with w' = Y F at every instant (Zener 1941, Phys. Rev. 59, 669-673). So for the centre of
+//! the sphere, p, and for the approach δ
 //!
 //! ```text
 //! Y = 1/(8 √(D ρ h)),   D = E_h* h³/12                          ρ, h, E_h*: density, thickness, plane-strain modulus
 //! m p' = −F + m g,   δ' = p − Y F    <=>    m δ'' = −F + m g − m Y F' δ'
 //! ```
 //!
-//! So the plate is a drag on the motion, and no part of the contact force. In the units of an impact y = Y Φ/V, and
+//! So the plate acts as a drag on the motion, and not in the contact force. In the units of an impact y = Y Φ/V, and
 //!
 //! ```text
 //! sphere   0.4 p²,  p = u + y f         plate   E_p = 0.8 ∫ drag u dτ − 0.8 y f u − 0.4 y² f² + w w_p
 //! plate's displacement   w_p = y (w τ + 0.8 (q − p))             w = m g/Φ
 //! ```
 //!
-//! Zener's number λ = Y m/T, T = (m/(K √v))^(2/5) with Hertz's K, says how much a plate takes: e = 1 − 1.73 λ for small λ, and
-//! 0.679 λ^−5 for large ones, of an elastic contact.
+//! Zener's number λ = Y m/T, T = (m/(K √v))^(2/5) with Hertz's K, measures the loss. For an elastic contact e = 1 − 1.73 λ for small
+//! λ, and 0.679 λ^−5 for large λ.
 //!
-//! **Where it holds**, against the exact motion of an elastic layer (Rayleigh and Lamb): X = c_p t_c/h is the number of plate
-//! thicknesses that a wave of speed c_p = √(E_h*/ρ) travels in the contact time t_c of the impact on a half-space. From X = 10
-//! on the loss is at most 21 % above Zener's, from 50 on 4 %; below X = 2 the plate is a half-space. The first term of a thick
-//! plate, Y (1 + 1.86 h/(c_p t_c)), brings the loss within 8 % from X = 5 on and within 2 % from 10 on. Bending waves
-//! come back from an edge in time if it is nearer than 2 √(c t_c), c = √(D/(ρ h)).
+//! **Range of validity**, against the exact motion of an elastic layer (Rayleigh and Lamb): X = c_p t_c/h is the number of plate
+//! thicknesses that a wave of speed c_p = √(E_h*/ρ) travels in the contact time t_c of the impact on a half-space. The loss is at most
+//! 21 % above Zener's from X = 10 on, and 4 % from X = 50 on. Below X = 2 the plate is a half-space. The first term of a thick plate,
+//! Y (1 + 1.86 h/(c_p t_c)), brings the loss within 8 % from X = 5 on and within 2 % from X = 10 on. Bending waves return in time from
+//! an edge that is nearer than 2 √(c t_c), c = √(D/(ρ h)).
 
 use thiserror::Error;
 
@@ -36,37 +36,37 @@ use crate::units::names::named;
 pub struct Plate {
     /// h \[m\], > 0.
     pub thickness: f64,
-    /// Distance of the nearest edge \[m\], which only serves to warn.
+    /// Distance of the nearest edge \[m\], used only for a warning.
     pub edge_distance: Option<f64>,
     pub theory: PlateTheory,
 }
 
 named! {
-    /// How a plate gives way.
+    /// The theory of the plate.
     #[derive(Default)]
     pub enum PlateTheory {
         #[default]
         Zener = "zener",
-        /// With the first term of a thick one.
+        /// With the first term of a thick plate.
         Thick = "thick",
     }
 }
 
-/// The largest λ that is computed: e is below 3e-7 there.
+/// The largest λ with a result: e is below 3e-7 there.
 const LARGEST: f64 = 20.0;
 
-/// Why there is no impact on a plate.
+/// Why an impact on a plate is not possible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum PlateError {
-    /// Nothing is known of its mass.
+    /// The density of the plate is not given.
     #[error("a plate needs a density, by which it resists the impact: give half_space.density")]
     NoDensity,
-    /// A wall that is no plane, or that moves as a whole.
+    /// A wall that is not flat, or that moves as a whole.
     #[error(
         "a plate is flat, and gives way by bending: leave out half_space.thickness, or half_space.radius and half_space.mass"
     )]
     Curved,
-    /// Two drags, of which one would act on the other.
+    /// A plate together with damping, where the drag of one would act on the other.
     #[error(
         "a plate and damping of the contact are not computed together: leave out half_space.thickness, or [damping]"
     )]
@@ -92,7 +92,7 @@ pub enum PlateError {
     },
 }
 
-/// A plate under a sphere: all that does not depend on the speed.
+/// A plate under a sphere: everything that does not depend on the speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LoadedPlate {
     plate: Plate,
@@ -117,7 +117,7 @@ pub(super) struct ScaledPlate {
 }
 
 impl LoadedPlate {
-    /// `law` is that of the contact, in these scales.
+    /// `law` is the law of the contact, in these scales.
     pub(super) fn new(
         plate: Plate,
         half_space: &HalfSpace,
@@ -139,7 +139,7 @@ impl LoadedPlate {
         Ok(under)
     }
 
-    /// 2 √(c t) \[m\]: how far an edge must be away, so that no bending wave comes back within a time; c = c_p h/√12.
+    /// 2 √(c t) \[m\], c = c_p h/√12: no bending wave returns within the time t from an edge that is farther away.
     pub(super) fn reach(&self, time: f64) -> f64 {
         2.0 * (self.wave_speed * self.plate.thickness / 12.0_f64.sqrt() * time).sqrt()
     }

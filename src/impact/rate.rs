@@ -1,4 +1,4 @@
-//! The strain rate of an impact, and the contact that has the strength of that rate.
+//! The strain rate of an impact, and the contact with the strength at this rate.
 //!
 //! ```text
 //! w    = v/√(R δ_m)
@@ -6,16 +6,17 @@
 //! g_t  = g(0.015 w)    factor where it turns, as the metal relaxes there: F_m, δ_e, n
 //! ```
 //!
-//! δ_m is that of the strength g σ, so g is a fixed point, found by repeating. Two factors for a whole impact keep every
-//! closed form. Against own explicit finite elements with the rate in every Gauss point (eleven impacts, 0.3 to 10 m/s,
-//! Johnson-Cook 0.014 to 0.03, Cowper-Symonds): e rms 1.0 %, contact time 0.8 %, depth 1.7 %, peak force −2.2 to +0.6 %. With one
-//! factor, at any rate, e is off by up to 9.5 %: the flow stress relaxes within a microsecond where the sphere turns.
+//! δ_m belongs to the strength g σ, so g is a fixed point, which is found by iteration. With two factors for a whole impact every
+//! closed form remains valid. Against explicit finite elements of this project with the rate in every Gauss point (eleven impacts,
+//! 0.3 to 10 m/s, Johnson-Cook 0.014 to 0.03, Cowper-Symonds): e rms 1.0 %, contact time 0.8 %, depth 1.7 %, peak force −2.2 to
+//! +0.6 %. With one factor, at any rate, e has an error of up to 9.5 %: the flow stress relaxes within a microsecond at maximum
+//! compression.
 //!
-//! The factor is that of the impact of the same normal speed on fresh surface, without gravity, damping and plate.
+//! The factor belongs to the impact of the same normal speed on fresh surface, without gravity, damping and plate.
 //!
-//! The bodies share the flow by their strengths without a rate, so that the same bodies flow on the way in and at the turn. g is the
-//! factor of the body that flows alone. Where both bodies flow, g = β g_s + (1 − β) g_h, with the share β of the sphere in the
-//! flow ([`Flow`]).
+//! The bodies share the yielding by their strengths without a rate, so the same bodies yield during loading and at maximum
+//! compression. g is the factor of the body that yields alone. Where both bodies yield, g = β g_s + (1 − β) g_h, with the fraction
+//! β of the sphere in the yielding ([`Flow`]).
 
 use std::sync::Arc;
 
@@ -27,21 +28,21 @@ use crate::contact::material::{Flow, OutOfFloatRange};
 use crate::contact::strength::rate::Rate;
 use crate::numerics::integrate::IntegrationError;
 
-/// The rate of the loading and that of the turn, over w.
+/// The strain rates of loading and of maximum compression, over w.
 const SHARES: [f64; 2] = [0.2, 0.015];
 
-/// A round gains one digit at least, and two with usual constants.
+/// The limit of iterations. Each one gains at least one digit, and with usual constants two.
 const MOST_ROUNDS: u64 = 60;
 
 impl Rates {
-    /// The factor of the strength of bodies that share the flow in this way, at a strain rate \[1/s\].
+    /// The factor of the strength of bodies with this partition of the yielding, at a strain rate \[1/s\].
     fn factor(&self, flow: &Flow, strain_rate: f64) -> f64 {
         let [sphere, half_space] = self.of_bodies.map(|of_body| of_body.map_or(1.0, |rise| rise.factor(strain_rate)));
-        // exact where one body flows alone, and where both factors are equal
+        // exact if one body yields alone, and if both factors are equal
         if flow.sphere_share == 1.0 { sphere } else { half_space + flow.sphere_share * (sphere - half_space) }
     }
 
-    /// How the strength rises that the factor belongs to: of the softer body, or of the other one if it flows too.
+    /// The strain-rate hardening behind the factor: the one of the softer body, or the one of the other body if it yields too.
     fn of_flow(&self, flow: &Flow) -> Option<Rate> {
         let [sphere, half_space] = self.of_bodies;
         let harder = flow.of_softer([half_space, sphere]);
@@ -50,7 +51,7 @@ impl Rates {
 }
 
 impl Contact {
-    /// Returns this contact of bodies whose strengths rise with the rate of strain, those of sphere and half-space under this law.
+    /// Returns this contact of bodies whose strengths rise with the strain rate; the order is sphere, half-space.
     pub fn with_rates(mut self, of_bodies: [Option<Rate>; 2], law: &LawChoice) -> Self {
         let has_rate = of_bodies.iter().any(Option::is_some) && self.pair().yield_point.is_some();
         self.rates = has_rate.then(|| Arc::new(Rates { of_bodies, law: law.clone() }));
@@ -62,20 +63,21 @@ impl Contact {
         self.rates.is_some()
     }
 
-    /// The strain rate that the strength of this contact belongs to, with its factors; `None` without a rate, and before a speed is known.
+    /// The strain rate of the strength of this contact, with its factors; `None` without a strain-rate dependence, and
+    /// before a speed is known.
     pub fn rated(&self) -> Option<&Rated> {
         self.rated.as_ref()
     }
 
-    /// The contact with the strength of an impact at this speed \[m/s\]; itself where the strength does not depend on it.
+    /// The contact with the strength of an impact at this speed \[m/s\]; the contact itself if its strength does not depend on the speed.
     ///
     /// # Errors
-    /// [`ImpactError`] where a constant of the pair over- or underflows, or the factors are no numbers.
+    /// [`ImpactError`] if a constant of the pair over- or underflows, or a factor is NaN.
     pub fn at_speed(&self, speed: f64) -> Result<Self, ImpactError> {
         Ok(self.rated_at(speed)?.unwrap_or_else(|| self.clone()))
     }
 
-    /// As [`Contact::at_speed`]; `None` where the strength does not depend on the speed.
+    /// Like [`Contact::at_speed`]; `None` if the strength does not depend on the speed.
     #[inline]
     pub(super) fn rated_at(&self, speed: f64) -> Result<Option<Self>, ImpactError> {
         match &self.rates {
@@ -100,7 +102,7 @@ impl Contact {
         Ok(contact)
     }
 
-    /// w, and the factor of the strength while the sphere goes in.
+    /// w, and the factor of the strength during loading.
     fn loading_factor(&self, rates: &Rates, flow: &Flow, speed: f64) -> Result<(f64, f64), ImpactError> {
         let mut factor = 1.0;
         for _ in 0..MOST_ROUNDS {
@@ -139,7 +141,7 @@ impl Contact {
         Ok(deepest(&raised, &raised.scales))
     }
 
-    /// This contact with this factor, without a rate.
+    /// This contact with its strength raised by this factor, without a strain-rate dependence.
     fn raised(&self, rates: &Rates, factor: f64) -> Result<Self, ImpactError> {
         if factor == 1.0 {
             let mut contact = self.clone();
@@ -156,7 +158,7 @@ impl Contact {
         self.of_pair(pair, law.get())
     }
 
-    /// This contact, which relaxes to the strength of another one where the sphere turns.
+    /// This contact, which relaxes to the strength of another contact at maximum compression.
     fn relaxing_to(mut self, turn: Self, ratio: f64) -> Self {
         self.law = self.law.relaxing_to(turn.law, ratio);
         self.elastic_speed = turn.yield_speed.min(self.yield_speed);

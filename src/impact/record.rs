@@ -1,5 +1,5 @@
-//! The trace of an impact: the continuous solution of every leg and every event while it is integrated, and the points that
-//! are made of them. A leg is the motion along one piece of the loading curve, or along the unloading branch.
+//! The trace of an impact: the recorder keeps the continuous solution and the events of every leg during the integration, and
+//! computes the points from them. A leg is the motion along one piece of the loading curve, or along the unloading branch.
 
 use super::scales::ACCELERATION;
 use crate::contact::law::{ContactState, Ground, Unloading};
@@ -11,25 +11,25 @@ use crate::numerics::root::falls_through;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
     Touch,
-    /// The half-space begins to yield (x = 1).
+    /// First yield of the softer body.
     Yield,
     /// The loading curve passes from one piece to the next.
     Knot,
     Peak,
-    /// The force falls where the sphere turns, as the metal relaxes to the strength of a lower rate of strain.
+    /// The force drops at maximum compression, where the metal relaxes to the strength of a lower strain rate.
     Relaxation,
     /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
     Separation,
-    /// Where the run of a sphere that does not separate ends.
+    /// The end of the run of a sphere that does not separate.
     Captured,
 }
 
 /// A point of a trace, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// τ, u and what drag has taken; the distance is that of its leg.
+    /// τ, u and the energy absorbed by drag; the distance is the distance of the leg.
     pub at: State,
-    /// Where the law is: x, its force, and ε, the part of x recovered if unloaded from here.
+    /// The state of the law: x, its force, and ε, the part of x that unloading from here recovers.
     pub state: ContactState,
     pub total_force: f64,
     /// True if compression is over.
@@ -47,12 +47,12 @@ impl Point {
         event: Option<Event>,
     ) -> Self {
         let of_drag = || drag.at(state.force, || slope() / ACCELERATION).0 * at.speed;
-        // at lift-off the total force is zero but for rounding
+        // at separation the total force is zero, except for rounding
         let total_force = if drag.is_in_contact() { max_or_nan(state.force + of_drag(), 0.0) } else { state.force };
         Self { at: *at, state, total_force, is_unloading: false, event }
     }
 
-    /// A point of a motion on the unloading branch; distances count from the residual indentation.
+    /// A point of a motion on the unloading branch; distances are measured from the residual indentation.
     pub(super) fn unloading(unloading: &Unloading, drag: Drag, at: &State, event: Option<Event>) -> Self {
         let recovered = at.distance.max(0.0);
         let state = ContactState {
@@ -64,7 +64,7 @@ impl Point {
     }
 }
 
-/// A leg of a motion that is recorded.
+/// A recorded leg of a motion.
 #[derive(Debug)]
 struct Recorded {
     /// The piece of the loading curve; `None` on the unloading branch.
@@ -75,7 +75,7 @@ struct Recorded {
     events: Vec<(Event, State)>,
 }
 
-/// The continuous solution of every leg of a motion, and every event; nothing unless it is on.
+/// Records the continuous solution and the events of every leg of a motion, if it is switched on.
 #[derive(Debug, Default)]
 pub struct Recorder {
     legs: Option<Vec<Recorded>>,
@@ -91,13 +91,13 @@ impl Recorder {
         self.legs.is_some()
     }
 
-    /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first one begins with this first touch.
+    /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first leg begins with first contact.
     #[inline]
     pub(super) fn begin(&mut self, piece: Option<usize>, touch: &State) -> Option<&mut Vec<Segment>> {
         self.legs.as_mut().and_then(|legs| begin(legs, piece, touch))
     }
 
-    /// Notes an event on the leg that was begun last.
+    /// Records an event of the last leg.
     #[inline]
     pub(super) fn mark(&mut self, event: Event, at: &State) {
         if let Some(legs) = &mut self.legs {
@@ -105,12 +105,12 @@ impl Recorder {
         }
     }
 
-    /// Returns the recorded motion on this ground, which gives its point at any time.
+    /// Returns the recorded motion on this surface.
     pub(super) fn track(self, ground: Ground<'_>, unloading: Unloading, drag: Drag) -> Track<'_> {
         Track { ground, unloading, drag, legs: self.legs.unwrap_or_default() }
     }
 
-    /// The points of the motion at these rising times, and its events, in order of time.
+    /// The points of the motion at these rising times and at its events, in order of time.
     pub(super) fn points(
         self,
         ground: Ground,
@@ -128,7 +128,7 @@ impl Recorder {
             begun = track.last().map_or(begun, |last| last.end);
             let mut events = events.into_iter().peekable();
             for segment in &track {
-                // the step before the last may go beyond the end of the leg, to which the last one comes back
+                // the step before the last may end beyond the end of the leg, and the last step then returns to this end
                 while let Some(time) = times.next_if(|time| *time < segment.end.min(begun)) {
                     while let Some((event, at)) = events.next_if(|(_, at)| at.time <= time) {
                         points.push(point(&at, Some(event)));
@@ -153,12 +153,12 @@ fn point_of(
 ) -> Point {
     let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
     let piece = ground.piece(index);
-    // distances count from the zero of a power law, else from the start of the piece
+    // distances are measured from the zero of a power law, otherwise from the start of the piece
     let distance = at.distance - piece.shape.offset();
     Point::loading(ground.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
 }
 
-/// A recorded motion, which gives its point at any time.
+/// A recorded motion, which can be evaluated at any time.
 #[derive(Debug)]
 pub struct Track<'a> {
     ground: Ground<'a>,
@@ -168,7 +168,7 @@ pub struct Track<'a> {
 }
 
 impl Track<'_> {
-    /// The times at which it passes from one formula of the force to the next, in order, and that of its end.
+    /// The times at which the motion passes from one formula of the force to the next, in order, and the time of its end.
     pub(super) fn ends(&self) -> impl Iterator<Item = f64> {
         let goes_on = |leg: Option<&Recorded>| {
             leg.and_then(|leg| leg.piece).is_some_and(|piece| self.ground.piece(piece).is_joint)
@@ -177,8 +177,8 @@ impl Track<'_> {
         ends.filter_map(|(_, leg)| leg.track.last()).map(|segment| segment.end)
     }
 
-    /// The state at a time between first touch and the end of the motion, or at the nearest of them otherwise; and the piece of
-    /// the loading curve that it is on, `None` on the unloading branch.
+    /// The state at a time, or at the nearest end of the motion for a time outside of it; and the piece of the loading curve of this
+    /// state, `None` on the unloading branch.
     pub(super) fn state(&self, time: f64) -> (State, Option<usize>) {
         let ends_before = |leg: &Recorded| leg.track.last().is_none_or(|segment| segment.end < time);
         let leg = self.legs.partition_point(ends_before).min(self.legs.len() - 1);
@@ -207,8 +207,8 @@ fn mark(legs: &mut [Recorded], event: Event, at: &State) {
     }
 }
 
-/// The state of first yield on a leg along a piece, begun at this time, if the leg passes it on the way. It ends no leg, because
-/// a trace must not change the steps.
+/// The state of first yield on a leg that begins at this time, if the leg passes it. First yield ends no leg, because a trace must
+/// not change the steps.
 fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
     let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
     let distance = yields_at - piece.start + piece.shape.offset();
@@ -220,7 +220,7 @@ fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Opti
     is_passed.then(|| State { distance, ..track[number].at(falls_through((begun, track[number].end), ahead)) })
 }
 
-/// The times of so many points evenly spaced over a motion of this length, but for both ends, which are events.
+/// The times of `samples` points evenly spaced over a motion of this length, without both ends, which are events.
 #[allow(clippy::cast_precision_loss)] // counts below 2^53
 pub(super) fn even_times(samples: usize, duration: f64) -> impl Iterator<Item = f64> {
     let inner = samples.saturating_sub(2);

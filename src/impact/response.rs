@@ -1,13 +1,13 @@
-//! The law as a force of its own, for codes that move the sphere themselves (DEM): indentation and memory in, force out.
+//! The law as a force for codes that move the sphere themselves (DEM): they pass in the indentation and the memory.
 
 use super::contact::Contact;
 use crate::contact::law::{ContactState, Ground};
 
-/// The largest indentation of a contact so far, with its force. It is the whole memory of the contact. A fresh contact has zeros,
-/// and so has a contact without a yield strength.
+/// The largest indentation of a contact so far, with its force: the whole memory of the contact. All numbers are zero for a fresh
+/// contact, and for a contact without a yield strength.
 ///
-/// A code that moves spheres sets it back to zero when the sphere has left the original surface (δ ≤ 0). It must not do so
-/// earlier, where the force ends at the depth of the dent. A sphere that comes back to the same spot keeps its memory.
+/// A code that moves spheres resets it to zero when the sphere has left the original surface (δ ≤ 0). It must not reset it earlier,
+/// where the force ends at the depth of the dent. A sphere that returns to the same spot keeps its memory.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Memory {
     /// δ_m \[m\].
@@ -24,8 +24,7 @@ impl Memory {
         self.indentation - self.elastic_approach
     }
 
-    /// True if this memory, and an indentation beside it, are numbers that a contact can have. What is recovered may be
-    /// larger than δ_m by rounding.
+    /// True if a contact can have this memory and this indentation. By rounding, the recovered part may be larger than δ_m.
     pub(super) fn is_possible_at(&self, indentation: f64) -> bool {
         let Self { indentation: largest, force, elastic_approach } = *self;
         [indentation, largest, force, elastic_approach].into_iter().all(f64::is_finite)
@@ -46,24 +45,24 @@ impl Memory {
 /// How the work done on a contact is divided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactEnergy {
-    /// The energy that unloading from here gives back \[J\].
+    /// The energy that unloading from here recovers \[J\].
     pub stored: f64,
-    /// The energy spent on the dent \[J\].
+    /// The plastic work \[J\].
     pub plastic: f64,
 }
 
 impl Contact {
-    /// Force \[N\] at an indentation δ \[m\], by the law alone. A new largest state is put into `memory`.
+    /// Force \[N\] at an indentation δ \[m\], by the law alone. A new largest state is stored in `memory`.
     ///
-    /// Below the largest indentation so far the force is that of the unloading branch, beyond it that of the loading curve.
-    /// It is 0 for δ ≤ 0. If δ is NaN or infinite, or the force would be, or no contact can have this memory (a number that is
-    /// negative, NaN or infinite, or more recovered than δ_m), the force is NaN and the memory stays as it was.
+    /// Below the largest indentation so far the force follows the unloading branch, above it the loading curve. The force is 0 for
+    /// δ ≤ 0. The force is NaN, and the memory does not change, if δ or the force would be NaN or infinite, or if the memory is not
+    /// possible for a contact (a number is negative, NaN or infinite, or more is recovered than δ_m).
     pub fn force(&self, indentation: f64, memory: &mut Memory) -> f64 {
         if !memory.is_possible_at(indentation) {
             return f64::NAN;
         }
         let Self { scales, law, .. } = self;
-        // a force that is asked for twice is the same to the last bit, so that a restarted run goes on as it was
+        // a force that is requested twice is the same to the last bit, so that a restarted run continues unchanged
         if indentation == memory.indentation && indentation > 0.0 {
             return memory.force;
         }
@@ -78,7 +77,7 @@ impl Contact {
             if !reached.is_possible_at(indentation) {
                 return f64::NAN;
             }
-            // what stays elastic comes back the way it went
+            // an elastic contact unloads along its loading curve
             if self.pair().yield_point.is_some() {
                 *memory = reached;
             }
@@ -86,14 +85,14 @@ impl Contact {
         force * scales.force
     }
 
-    /// How the work is divided after [`Contact::force`] gave this `force` at this indentation and memory.
+    /// The division of the work, for the result `force` of [`Contact::force`] at this indentation and memory.
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
         if !memory.is_possible_at(indentation) {
             return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
         }
         let Self { scales, law, .. } = self;
         let Some(peak) = memory.peak(scales.length, scales.force) else {
-            // Hertz's, of an elastic contact
+            // an elastic contact follows Hertz
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
         let unloading = law.unloading(peak);
@@ -104,8 +103,8 @@ impl Contact {
         }
     }
 
-    /// dF/dδ \[N/m\] there, the tangent stiffness: of the unloading branch below the largest indentation so far and at it, of
-    /// the loading curve beyond.
+    /// dF/dδ \[N/m\] at this indentation, the tangent stiffness: of the unloading branch up to the largest indentation so far, of the
+    /// loading curve beyond it.
     pub fn stiffness(&self, indentation: f64, memory: &Memory) -> f64 {
         if !memory.is_possible_at(indentation) {
             return f64::NAN;

@@ -1,4 +1,4 @@
-//! The result of an impact in SI units, as every report and plot reads it.
+//! The result of an impact in SI units, for reports and pictures.
 
 use std::ops::Deref;
 
@@ -14,19 +14,19 @@ use super::warning::Warning;
 use crate::numerics::integrate::{Effort, IntegrationError};
 use crate::numerics::power::max_or_nan;
 
-/// Where the kinetic energy went \[J\].
+/// The energies of an impact \[J\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Energy {
     /// ½ m* v².
     pub kinetic_in: f64,
-    /// Kinetic energy of the common motion of the sphere and a body that is free to move. It does not change.
+    /// Kinetic energy of the common motion of the sphere and a free target. It does not change.
     pub of_centre: Option<f64>,
     /// ½ m* (e v)².
     pub recovered: f64,
-    /// Spent on the dent, W(δ_m) − F_m δ_e/(n + 1); `None` for a half-space without a yield strength.
+    /// Plastic work, W(δ_m) − F_m δ_e/(n + 1); `None` if no body has a yield strength.
     pub plastic: Option<f64>,
-    /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the
-    /// error of the run as the run itself can see it.
+    /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the error that
+    /// the run itself can detect.
     pub drift: f64,
     /// The error of the energy balance at the end of the contact, relative as `drift`; positive for a gain.
     pub drift_at_end: f64,
@@ -55,69 +55,69 @@ impl Accuracy {
     }
 }
 
-/// Results that only an impact under gravity or damping or on a plate has. SI units.
+/// Additional results under gravity, under damping, or on a plate. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForcesResult {
     pub fate: Fate,
-    /// Time of separation, or where the run of a captured sphere ends \[s\].
+    /// Time of separation, or of the end of the run of a captured sphere \[s\].
     pub end_time: f64,
     /// δ at that time \[m\].
     pub end_indentation: f64,
-    /// δ at which the unloading branch carries the weight \[m\]: where a captured sphere comes to rest.
+    /// δ at which the unloading branch carries the weight \[m\]: the position of rest of a captured sphere.
     pub static_indentation: Option<f64>,
-    /// Taken by damping \[J\] until separation, or until the end of the run of a captured sphere.
+    /// Energy absorbed by damping \[J\] until separation, or until the end of the run of a captured sphere.
     pub damping_loss: Option<f64>,
-    /// Elastic energy left \[J\] where the sphere lifts off a contact that has not yet recovered, as it does under viscous
-    /// damping: no force is left then, so the contact's own damping takes it afterwards. `None` where there is none by rule.
+    /// Elastic energy left \[J\] if the sphere separates before the contact has recovered, as under viscous damping. No force is
+    /// left then, so the damping of the contact absorbs this energy afterwards. `None` if the contact has recovered by rule.
     pub stored_at_separation: Option<f64>,
     /// Kinetic and elastic energy \[J\] where the run of a captured sphere ends.
     pub left: Option<f64>,
-    /// m g times the way of the sphere's centre since first touch \[J\]: its indentation, and that of a plate below it.
+    /// m g times the displacement of the centre of the sphere since first contact \[J\]: its indentation, and the plate.
     pub gravity_work: Option<f64>,
 }
 
-/// One impact: every report and every picture reads this. It derefs to its [`Essentials`], the results that a row of a table has,
-/// as in `impact.peak_force`. SI units.
+/// One impact, for reports and pictures. It derefs to its [`Essentials`], the results in a row of a table, as in
+/// `impact.peak_force`. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
-    /// Impact speed v \[m/s\]; the whole speed of an oblique impact.
+    /// Impact speed v \[m/s\]; for an oblique impact the magnitude of the velocity.
     pub speed: f64,
-    /// The method that computed it. It is never `Auto` but the method that `Auto` chose.
+    /// The method that computed the impact. For `Auto` it is the method that `Auto` chose.
     pub method: Method,
     pub essentials: Essentials,
-    /// Speed of the sphere \[m/s\], normal to the half-space: e v, unless the other body is free to move.
+    /// Speed of the sphere \[m/s\], normal to the half-space: e v if the target is fixed.
     pub rebound_speed: f64,
-    /// First touch to maximum compression \[s\], by [`Method::Verlet`] within a step.
+    /// First contact to maximum compression \[s\], by [`Method::Verlet`] within a step.
     pub loading_time: f64,
     /// δ_sm \[m\].
     pub peak_sphere_indentation: f64,
     /// δ_e = δ_m − δ_r \[m\].
     pub elastic_approach: f64,
     pub unloading_exponent: f64,
-    /// R_e \[m\] of the peak that shaped the dent, (3 F_m/4E*)²/δ_e³ (Eq. 24) also where the branch is no 3/2 power; R
-    /// without a dent.
+    /// R_e \[m\] of the peak that shaped the dent, (3 F_m/4E*)²/δ_e³ (Eq. 24), also if the branch is no power law with n = 3/2;
+    /// R without a dent.
     pub unloading_radius: f64,
     /// R_res \[m\] (Eq. 25): radius of curvature of the dent; `None` without one.
     pub residual_radius: Option<f64>,
-    /// F_m \[N\]: the force at δ_m, where the sphere stands still. Under damping the largest one comes before it.
+    /// F_m \[N\]: the force at δ_m, where the sphere stands still. Under damping the peak force comes before it.
     pub force_at_peak_indentation: f64,
     /// F_m/(π a_m²) \[Pa\].
     pub peak_mean_pressure: f64,
-    /// Radius of the dent's rim \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
+    /// Radius of the rim of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     pub energy: Energy,
     pub work: Effort,
-    /// Error against the closed form; not a number where damping or a plate leaves none.
+    /// Error against the closed form; NaN if there is no closed form.
     pub accuracy: Accuracy,
-    /// Fate, losses and work under gravity or damping or on a plate, if the scene names them.
+    /// End, losses and work under gravity or damping or on a plate, if the scene names them.
     pub under_forces: Option<ForcesResult>,
     /// The times in fixed steps, by [`Method::Verlet`].
     pub in_fixed_steps: Option<FixedSteps>,
     /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
     pub oblique: Option<Oblique>,
-    /// Where the model or the run is doubtful.
+    /// The warnings about the model and the run.
     pub warnings: Vec<Warning>,
-    /// The trace, empty if none was asked for; rows rise in time.
+    /// The trace, in order of time; empty if no trace is requested.
     pub trace: Vec<TraceRow>,
 }
 
@@ -130,7 +130,7 @@ impl Deref for Impact {
 }
 
 impl Impact {
-    /// The result of an impact that was computed, without warnings. `exact` is the closed form, where there is one.
+    /// The result of a computed impact, without warnings. `exact` is the closed form, if it exists.
     pub(super) fn new(
         contact: &Contact,
         speed: f64,
@@ -227,18 +227,18 @@ impl Impact {
         Ok(())
     }
 
-    /// The results of a captured sphere; `None` for one that left.
+    /// The results of a captured sphere; `None` for a sphere that separates.
     pub fn captured(&self) -> Option<&ForcesResult> {
         self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
     }
 
-    /// How long the impact was followed \[s\]: the contact time, or to where the run of a captured sphere ends.
+    /// The simulated time \[s\]: the contact time, or the time to the end of the run of a captured sphere.
     pub fn duration(&self) -> f64 {
         self.captured().map_or(self.contact_time, |under| under.end_time)
     }
 }
 
-/// Removes rows at the time of the last one, a sample or a peak: the row of the end says the same.
+/// Removes rows at the time of the last row, a sample or a peak, because the last row holds the same values.
 fn drop_twin_of_end(trace: &mut Vec<TraceRow>) {
     while let [.., before, end] = trace.as_slice()
         && before.time == end.time

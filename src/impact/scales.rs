@@ -1,8 +1,8 @@
-//! Dimensionless variables and the way back.
+//! Dimensionless variables, and the factors from them to SI units.
 //!
 //! x = δ/L, f = F/Φ, u = δ'/V, τ = t V/L with ½ m V² = (2/5) Φ L, so that the equation of motion is x'' = −(5/4) f for
-//! every sphere. L, Φ, V are the yield indentation, force and speed; an impact that stays elastic takes its own Hertz peak
-//! and speed instead, so that the slowest impact is no closer to underflow than the fastest.
+//! every sphere. L, Φ, V are the yield indentation, force and speed. An impact that stays elastic uses its Hertz peak and its speed
+//! instead, so that the slowest impact is no closer to underflow than the fastest.
 
 use std::ops::Deref;
 
@@ -25,7 +25,7 @@ pub struct Units {
 }
 
 impl Units {
-    /// The units of first yield; for bodies without a yield strength those of a Hertz contact that is as deep as R.
+    /// The units of first yield; for bodies without a yield strength, the units of a Hertz contact that is as deep as R.
     pub(crate) fn of(pair: &Pair) -> Self {
         let Some(point) = pair.yield_point else {
             let length = pair.radius;
@@ -40,8 +40,7 @@ impl Units {
     }
 }
 
-/// The units of length, force and speed of one impact. Those without the speed are reached through a deref, as in
-/// `scales.length`.
+/// The units of length, force and speed of one impact. It derefs to the units of the contact, as in `scales.length`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scales {
     pub units: Units,
@@ -59,7 +58,7 @@ impl Deref for Scales {
 }
 
 impl Scales {
-    /// The units of a pair, with the speed at which this mass \[kg\] brings the energy (2/5) Φ L: v_Y for bodies that yield.
+    /// The units of a pair, with the speed at which this mass \[kg\] has the energy (2/5) Φ L: v_Y for bodies that yield.
     pub(crate) fn of_pair(pair: &Pair, mass: f64) -> Result<Self, OutOfFloatRange> {
         let units = Units::of(pair);
         let speed = (0.8 * (units.force / mass) * units.length).sqrt();
@@ -71,13 +70,13 @@ impl Scales {
     /// Φ = K L^1.5, and V with ½ m V² = (2/5) Φ L, which is v without gravity.
     ///
     /// # Errors
-    /// [`OutOfFloatRange`] where indentation, force or kinetic energy underflow or overflow.
+    /// [`OutOfFloatRange`] if indentation, force or kinetic energy underflow or overflow.
     pub(crate) fn of_hertz(pair: &Pair, mass: f64, speed: f64, gravity: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
         let (square, per_stiffness) = (speed * speed, 1.25 * mass / stiffness);
         let power = per_stiffness * square;
         let length = match gravity {
-            // the root leaves the range of doubles only where the kinetic energy does
+            // the root leaves the range of doubles only if the kinetic energy does
             0.0 if power.is_normal() => pow(power, 0.4),
             0.0 => pow(per_stiffness.sqrt() * speed, 0.8),
             _ => power_turn(stiffness / mass, 1.5, 0.5 * square, gravity),

@@ -1,4 +1,4 @@
-//! How an impact is computed: the methods, what controls their error, and one dimensionless impact by any of them.
+//! The methods that compute an impact, their error control, and one dimensionless impact by any of them.
 
 use super::closed_form;
 use super::course;
@@ -15,7 +15,7 @@ use crate::units::names::named;
 named! {
     #[derive(Hash)]
     pub enum Method {
-        /// The cheapest that is exact for the scene, see [`Method::chosen`].
+        /// The cheapest exact method for the scene, see [`Method::chosen`].
         Auto = "auto",
         /// Our adaptive Runge-Kutta-Nyström of order 8.
         Rk8 = "rk8",
@@ -25,16 +25,16 @@ named! {
         Dop853 = "dop853",
         /// Velocity Verlet with a fixed step, as DEM codes do.
         Verlet = "verlet",
-        /// Energy balance and exact times, no stepping. A trace is run by rk8 at a tolerance of 1e-13, and so are the times
-        /// under gravity, at the tolerance of the solver.
+        /// Energy balance and exact times, no integration. Its trace is computed by rk8 at a tolerance of 1e-13, and under gravity its
+        /// times by rk8 at the tolerance of the solver.
         ClosedForm = "closed_form",
     }
 }
 
 impl Method {
-    /// The method that computes an impact under these forces. [`Method::Auto`] stands for the closed form if nothing damps the
-    /// motion and no trace is wanted, else for rk8; every other method stands for itself. `None` for [`Method::ClosedForm`]
-    /// where there is no closed form.
+    /// The method that computes an impact under these forces. [`Method::Auto`] stands for the closed form if nothing damps the motion
+    /// and no trace is requested, and otherwise for rk8. Every other method stands for itself. `None` for [`Method::ClosedForm`] if
+    /// there is no closed form.
     pub fn chosen(self, forces: &Forces, has_trace: bool) -> Option<Self> {
         match self {
             Self::Auto if has_trace || forces.have_drag() => Some(Self::Rk8),
@@ -45,13 +45,13 @@ impl Method {
     }
 }
 
-/// Method and what controls its error.
+/// Method and error control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solver {
     pub method: Method,
     /// Relative, on the dimensionless state at the end; the fixed-step method does not use it.
     pub tolerance: f64,
-    /// Steps of the fixed-step method over the contact time without damping, ≥ 1; the others do not use it.
+    /// Steps of the fixed-step method over the contact time without damping, ≥ 1; other methods do not use it.
     pub steps_per_contact: u32,
 }
 
@@ -66,7 +66,7 @@ impl Default for Solver {
     }
 }
 
-/// Tolerance of the run that fills the trace of a closed form, or gives its times under gravity.
+/// Tolerance of the run that computes the trace of a closed form, or its times under gravity.
 pub(super) const FINEST: f64 = 1e-13;
 
 /// The contact time of an impact at q = v/V without damping and plate.
@@ -76,14 +76,14 @@ pub(super) fn free_time(ground: Ground, q: f64, forces: &ScaledForces) -> Result
     Ok(exact.map_or(f64::NAN, |exact| exact.contact_time))
 }
 
-/// The tolerance that a stepper is given, which delivers up to so many times that: measured over impacts with all forces, at
-/// tolerances from 1e-2 to 1e-11, these are 100 (dopri5) and 24 (dop853); rk8 needs no such factor. Below 1e-14 rounding
-/// decides.
+/// The tolerance that a stepper gets if its error is to be below `tolerance`. The error of a stepper is up to `delivers` times its
+/// own tolerance: 100 (dopri5) and 24 (dop853) in impacts with all forces, at tolerances from 1e-2 to 1e-11. rk8 needs no such
+/// factor. Below 1e-14 rounding decides.
 fn given(tolerance: f64, delivers: f64) -> f64 {
     (tolerance / delivers).max(1e-14)
 }
 
-/// An impact along the legs of its course; with a trace of so many samples over the contact time, which may be known.
+/// An impact leg by leg. `trace` holds the number of samples over the contact time, and this time if it is known.
 fn along<I: Integrator>(
     case: (Ground, f64, &ScaledForces),
     trace: Option<(usize, Option<f64>)>,
@@ -99,9 +99,9 @@ fn along<I: Integrator>(
     Ok(Computed { points, ..Computed::new(outcome, integrator.work()) })
 }
 
-/// One impact at q = v/V by any method, with its cost; `exact` is its closed form, where there is one. [`Method::Auto`] is
-/// rk8 here, and so is [`Method::ClosedForm`] without a closed form. With `samples` it comes with a trace of that many points
-/// evenly spaced over the contact, first touch and separation among them, and a point for every other event.
+/// One impact at q = v/V by any method, with its cost; `exact` is its closed form, if it exists. [`Method::Auto`] means rk8 here, and
+/// [`Method::ClosedForm`] means rk8 if there is no closed form. With `samples` the result has a trace of this number of points evenly
+/// spaced over the contact, including first contact and separation, and a point for every other event.
 pub fn run<'a>(
     ground: impl Into<Ground<'a>>,
     q: f64,
@@ -111,7 +111,7 @@ pub fn run<'a>(
     samples: Option<usize>,
 ) -> Result<Computed, IntegrationError> {
     let ground = ground.into();
-    // the same times by every method, where the contact time is known
+    // equal times for every method, if the contact time is known
     let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
     let (case, trace) = ((ground, q, forces), samples.map(|samples| (samples, duration)));
     let tolerance = solver.tolerance;

@@ -1,4 +1,4 @@
-//! A place on the half-space and what it remembers, so that it can be hit again.
+//! A spot on the half-space and its memory, for repeated impacts.
 
 use super::contact::Contact;
 use super::error::ImpactError;
@@ -7,8 +7,8 @@ use super::result::Impact;
 use super::solve::Solver;
 use crate::contact::law::{ContactState, Dent};
 
-/// A place on the half-space. The indentations of all impacts on it count from the original surface, so that first touch is at
-/// the depth of the dent.
+/// A spot on the half-space. The indentations of all its impacts are measured from the original surface, so first contact is at the
+/// depth of the dent.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spot {
     /// `None` on fresh surface.
@@ -16,27 +16,27 @@ pub struct Spot {
 }
 
 impl Spot {
-    /// A place that nothing has hit.
+    /// A spot without an impact.
     pub fn fresh() -> Self {
         Self::default()
     }
 
-    /// The largest state so far, in units of the yield point; `None` if the place never yielded.
+    /// The largest state so far, in units of the yield point; `None` if the spot never yielded.
     pub fn memory(&self) -> Option<ContactState> {
         Some(self.dent.as_ref()?.unloading.peak)
     }
 }
 
 impl Contact {
-    /// Depth of the dent on a spot \[m\]: where the sphere touches next.
+    /// Depth of the dent of a spot \[m\], at which the next contact begins.
     pub fn dent_depth(&self, spot: &Spot) -> f64 {
         spot.memory().map_or(0.0, |memory| memory.residual() * self.scales.length)
     }
 
-    /// As [`Contact::impact`], on a spot, which then remembers the impact.
+    /// Like [`Contact::impact`], on a spot, which then remembers the impact.
     ///
     /// # Errors
-    /// As [`Contact::impact`]; the spot is then as before.
+    /// The errors of [`Contact::impact`]; the spot does not change then.
     pub fn impact_on(
         &self,
         spot: &mut Spot,
@@ -56,8 +56,8 @@ impl Contact {
         Ok(impact)
     }
 
-    /// An impact of a rated contact: it goes up the old branch to its end, and on until that meets the loading curve of its own
-    /// rate. The spot remembers in the units of this contact.
+    /// An impact of a contact with a strain rate: reloading follows the old branch to its end, and then its continuation until it meets
+    /// the loading curve at the new rate. The memory of the spot is in the units of this contact.
     fn rated_on(
         &self,
         spot: &mut Spot,

@@ -1,10 +1,10 @@
-//! An impact by velocity Verlet in fixed steps, as DEM codes do it: kinks stepped over, separation noticed at the first step
+//! An impact by velocity Verlet in fixed steps, as in DEM codes: steps pass over kinks, and separation is noticed at the first step
 //! without force.
 //!
-//! A time in whole steps would hide the error of the motion. So the two times of the outcome lie within a step. Maximum
-//! compression is where speed and acceleration of the deepest step give zero speed. Separation is found by following the free
-//! flight at the end of the last step back to the contact. Without damping both are exact to second order in the step, as
-//! the motion is. [`FixedSteps`] has the times that a code with this step sees.
+//! A time in whole steps would hide the error of the motion, so the two times of the outcome lie within a step. Maximum compression
+//! is where the speed and the acceleration of the deepest step lead to zero speed. Separation is found by following the free
+//! flight after the last step back to the contact. Without damping both times are accurate to second order in the step, like the
+//! motion. [`FixedSteps`] has the times that a code with this step finds.
 
 use super::forces::ScaledForces;
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
@@ -16,19 +16,19 @@ use crate::numerics::integrate::{Drag, Effort, IntegrationError, Segment, State}
 use crate::numerics::power::max_or_nan;
 use crate::numerics::root::halved;
 
-/// The law as a code with fixed steps evaluates it: the largest indentation so far is its memory. Distances count from
-/// first touch.
+/// The law as a code with fixed steps evaluates it: its memory is the largest indentation so far. Distances are measured from first
+/// contact.
 struct Remembering<'a> {
     ground: Ground<'a>,
     drag: Drag,
     touch: f64,
     deepest: f64,
     unloading: Option<Unloading>,
-    /// Where the metal relaxes on a plate, the bodies approach a little further, along the unloading branch.
+    /// The phase after the metal relaxed on a plate, in which the bodies approach a little further along the unloading branch.
     after_relaxation: AfterRelaxation,
 }
 
-/// What has happened since the metal relaxed on a plate.
+/// The phase of the motion since the metal relaxed on a plate.
 #[derive(Clone, Copy, PartialEq)]
 enum AfterRelaxation {
     NotYet,
@@ -43,8 +43,8 @@ impl<'a> Remembering<'a> {
         Self { ground, drag, touch: ground.touch(), deepest, unloading, after_relaxation: AfterRelaxation::NotYet }
     }
 
-    /// The speed that the sphere gains against a plate at this speed, where it turns and the metal relaxes: its momentum stays
-    /// as the force falls (`course.rs`).
+    /// The speed that the sphere gains when the metal relaxes on a plate: the force falls, and the momentum stays (`course.rs`).
+    /// `speed` is the speed against the plate.
     fn relaxed(&mut self, speed: f64) -> f64 {
         if speed >= 0.0 || self.drag.theta == 0.0 || self.ground.law.relaxed.is_none() {
             return 0.0;
@@ -61,7 +61,7 @@ impl<'a> Remembering<'a> {
         ACCELERATION * self.drag.theta * fall
     }
 
-    /// The unloading branch from the deepest step, where the metal has not relaxed before.
+    /// The unloading branch from the deepest step. After a relaxation it is the branch of the relaxed metal.
     fn branch_from(&self, deepest: f64) -> Unloading {
         match self.unloading {
             Some(unloading) if self.after_relaxation != AfterRelaxation::NotYet => unloading,
@@ -99,10 +99,10 @@ impl<'a> Remembering<'a> {
         resisted(drag, force, || unloading.slope_of(recovered.max(0.0)), speed)
     }
 
-    /// The state in which the sphere left the contact, within the step of this length from `before` to `end`. At `end` nothing
-    /// pushes the sphere any more, so its free flight is followed backwards: to the depth of the dent or, under viscous
-    /// damping, to where the total force vanishes. If there is no such place, because the damping is larger than the force
-    /// only through a coarse step, the sphere leaves at the end of the step.
+    /// The state at separation, within the step of this length from `before` to `end`. At `end` no force pushes the sphere, so
+    /// its free flight is followed backwards: to the depth of the dent or, under viscous damping, to the zero of the total force.
+    /// If the damping exceeds the force only because the step is coarse, there is no such zero, and the separation is at the end
+    /// of the step.
     fn left_at(&mut self, before: &State, end: &State, step: f64, gravity: f64, residual: f64) -> State {
         let flown_back = |since: f64| State {
             time: end.time - since,
@@ -132,14 +132,14 @@ impl<'a> Remembering<'a> {
     }
 }
 
-/// A force of the law with what drag does there, see [`Remembering::at`].
+/// A force of the law with the drag on it, see [`Remembering::at`].
 fn resisted(drag: Drag, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
     // the drag is that of the deceleration g = c f
     let (in_contact, on_motion) = drag.at(ACCELERATION * force, || ACCELERATION * slope());
     (force, in_contact * speed / ACCELERATION, on_motion * speed)
 }
 
-/// A motion in steps of one length.
+/// A motion in steps of equal length.
 struct VerletMotion<'a> {
     contact: Remembering<'a>,
     weight: f64,
@@ -158,7 +158,7 @@ impl<'a> VerletMotion<'a> {
         Self { contact, weight, step, count: 0, state, acceleration: ACCELERATION * weight }
     }
 
-    /// Goes a step, with the force of damping at the speed half a step before; gives the force of the law and the total one.
+    /// Makes a step, with the damping force at the speed half a step earlier; returns the force of the law and the total force.
     fn advance(&mut self) -> (f64, f64) {
         let (step, mut from) = (self.step, self.state);
         let mut half = from.speed + 0.5 * step * self.acceleration;
@@ -180,12 +180,12 @@ impl<'a> VerletMotion<'a> {
     }
 }
 
-/// A contact that is passed in fewer steps has no result.
+/// A contact of fewer steps has no result.
 const MIN_STEPS: u64 = 5;
-/// A run that gives back more than this share of the speed has no result; one above 1 is warned of.
+/// A run with a larger restitution has no result; a restitution above 1 gets a warning.
 const MAX_RESTITUTION: f64 = 1.05;
 
-/// Marches in steps of `step`. The peak is the deepest step. The run ends with the first step on the way out in which no force
+/// Integrates in steps of `step`. The peak is the deepest step. The run ends with the first step of the rebound in which no force
 /// pushes; or, for a captured sphere, with the first step in which the sphere moves inwards again.
 ///
 /// # Errors
@@ -223,7 +223,7 @@ pub(crate) fn march(
             return Err(IntegrationError::NotFinite { time });
         }
         let is_back = time > peak.time;
-        // the total force of Hunt and Crossley vanishes before the law's only through rounding or a coarse step
+        // the total force of Hunt and Crossley vanishes before the force of the law only through rounding or a coarse step
         let pushes = if forces.drag.lifts_off() { total } else { force };
         let lifts_off = is_back && pushes == 0.0 && state.speed < 0.0;
         let is_slower =
@@ -246,7 +246,7 @@ pub(crate) fn march(
             state = motion.contact.left_at(&before, &state, step, ACCELERATION * forces.weight, residual);
         }
         let restitution = if separates { -state.speed / q } else { 0.0 };
-        // under gravity a slow sphere that sinks into its dent leaves faster than it came
+        // under gravity a slow sphere that sinks into its dent separates faster than it arrived
         let makes_energy = forces.weight == 0.0 && restitution > MAX_RESTITUTION;
         if separates && n < MIN_STEPS || makes_energy {
             return Err(IntegrationError::CoarseSteps { steps: n, restitution });
@@ -276,14 +276,14 @@ pub(crate) fn march(
     Err(IntegrationError::TooManyFixedSteps { steps: most_steps })
 }
 
-/// True if an overdamped sphere has come near its static indentation.
+/// True if an overdamped sphere is near its static indentation.
 fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
     let point = forces.static_point(motion.contact.ground, unloading);
     let indentation = motion.contact.touch + motion.state.distance;
     forces.rest(&point, point.indentation).is_some_and(|rest| rest.excess(indentation, motion.state.speed) <= 0.0)
 }
 
-/// The motion in a step that began in this state and ended at this time.
+/// The motion in a step that begins in this state and ends at this time.
 fn parabola(from: State, acceleration: f64, end: f64) -> Segment {
     Segment::new(end, move |time| {
         let t = time - from.time;
@@ -293,7 +293,7 @@ fn parabola(from: State, acceleration: f64, end: f64) -> Segment {
 }
 
 impl Remembering<'_> {
-    /// The points of this outcome at these rising times and at its events, along the steps up to its end.
+    /// The points of this outcome at these rising times and at its events, from the steps up to its end.
     fn points(
         &self,
         outcome: &Outcome,

@@ -1,4 +1,4 @@
-//! Energy that an impact radiates as elastic waves into the half-space, to first order: the force is that of the impact
+//! Energy that an impact radiates as elastic waves into the half-space, to first order: the force is the force of the impact
 //! without waves.
 //!
 //! A normal point force F(t) on an elastic half-space radiates the power C(ν) F'²/(ρ c_s³) as pressure, shear and Rayleigh
@@ -19,7 +19,7 @@ use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::functions::{atan2, gamma, ln_1p};
 use crate::numerics::quadrature::over as integrate;
 
-/// How a half-space radiates under a changing normal force.
+/// The radiation of a half-space under a changing normal force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waves {
     /// C/(ρ c_s³) \[s/kg\]: radiated power over F'².
@@ -40,7 +40,7 @@ impl Waves {
         Ok(Some(Self { coefficient: radiation_factor(nu) / resistance }))
     }
 
-    /// 2 W_rad/(m v²) \[1\]: what an impact at `speed` \[m/s\] radiates, over its kinetic energy.
+    /// 2 W_rad/(m v²) \[1\]: the radiated energy of an impact at `speed` \[m/s\] over its kinetic energy.
     pub fn loss_fraction(
         &self,
         speed: f64,
@@ -67,12 +67,12 @@ impl Waves {
     }
 }
 
-/// e_waves = √(e² − loss), or 0 where the waves would take more than comes back.
+/// e_waves = √(e² − loss), or 0 if the waves would absorb more than the recovered energy.
 pub fn restitution_with_waves(restitution: f64, loss_fraction: f64) -> f64 {
     (restitution * restitution - loss_fraction).max(0.0).sqrt()
 }
 
-/// ∫ f'² |u| dx along these pieces to a turn at x = `turn`, or from there back.
+/// ∫ f'² |u| dx along these pieces to a turning point at x = `turn`, or back from it.
 fn integral(pieces: &[Piece], turn: f64) -> f64 {
     let most = pieces.last().map_or(0.0, |last| last.work_at(turn));
     let speed_at = |work: f64| (2.0 * ACCELERATION * (most - work)).max(0.0).sqrt();
@@ -124,7 +124,7 @@ fn straight_integral(slope: f64, to_force: f64, from_force: f64, entry: f64, exi
     slope * slope.sqrt() / 5f64.sqrt() * (to * exit - from * entry + (entry * entry + from * from) * angle)
 }
 
-/// On any piece from its start to `end`, u from the work that is left.
+/// On any piece from its start to `end`, with u from the remaining work.
 fn integral_by_quadrature(piece: &Piece, end: f64, speed_at: impl Fn(f64) -> f64) -> f64 {
     integrate(piece.start, end, |x| {
         let slope = piece.slope_at(x);

@@ -11,7 +11,7 @@ pub fn power(distance: f64, exponent: f64) -> f64 {
     if exponent == 1.5 { distance * size.sqrt() } else { distance.signum() * pow(size, exponent) }
 }
 
-/// The larger of two numbers; not a number if one of them is none, which `f64::max` would pass over.
+/// The larger of two numbers. The result is NaN if one of them is NaN, which `f64::max` ignores.
 #[inline(always)]
 pub fn max_or_nan(a: f64, b: f64) -> f64 {
     if a > b || a.is_nan() { a } else { b }
@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn a_row_that_is_no_number_shows_in_the_largest_of_all() {
+    fn nan_max_propagates_nan() {
         let largest = |rows: [f64; 3]| rows.into_iter().fold(0.0, max_or_nan);
         assert_eq!(largest([1.0, 3.0, 2.0]), 3.0);
         for row in 0..3 {

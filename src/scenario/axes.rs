@@ -17,7 +17,7 @@ use crate::scenario::scene::written::{Name, Node, described};
 use crate::scenario::scene::{Body, BodyMaterial, KEYS, Key, Quantity};
 use crate::units::{did_you_mean, known_names};
 
-/// The keys that are axes of words.
+/// The keys whose axes hold words.
 pub(super) const METHOD: &str = "solver.method";
 pub(super) const LAW: &str = "law";
 
@@ -29,7 +29,7 @@ pub(super) struct RandomKeys {
     pub(super) seed: u64,
     /// Random keys in the order of the file.
     pub(super) variables: Vec<Variable>,
-    /// Bodies whose materials are drawn from their ranges, each with the number of random keys that stand before it.
+    /// Bodies whose materials are drawn from their ranges, each with the number of random keys before it.
     pub(super) materials: Vec<(Body, usize)>,
 }
 
@@ -43,7 +43,7 @@ pub(super) fn axes(node: &Node, reader: &mut Reader) -> Result<Vec<Axis>, Fault>
     Ok(each(keys, reader, axis))
 }
 
-/// Reads every key of a table; a refusal is kept.
+/// Reads every key of a table and collects the refusals.
 fn each<T>(keys: &DeTable, reader: &mut Reader, read: fn(&Name, &Node) -> Result<T, Fault>) -> Vec<T> {
     let mut all = Vec::new();
     for (name, node) in keys {
@@ -68,7 +68,7 @@ fn axis(name: &Name, node: &Node) -> Result<Axis, Fault> {
         return words(LAW, node, "[\"plm\", \"thornton\"]", law);
     }
     if let Some(body) = Body::of_key(path) {
-        // what is left to the materials depends on the other keys
+        // the values that a material leaves to its defaults depend on the other keys, and are set later
         let choice = |material| Word::Material(BodyMaterial { body, material, defaults: Vec::new() });
         let material = |item: &Node| named(&MATERIALS, item, materials::find).map(choice);
         return words(body.material(), node, "[\"steel-s235\", \"aluminium-6061-t6\"]", material);
@@ -87,7 +87,7 @@ fn words(
     Ok(Axis::of_words(path, different(node, list(node, example)?, word, Word::name)?))
 }
 
-/// The values of an axis: at least one, and none twice. Two values with the same `identity` are the same.
+/// The values of an axis: at least one, and no value twice. Two values with the same `identity` are equal.
 fn different<T, K: Eq + Hash>(
     node: &Node,
     items: &[Node],
@@ -143,7 +143,7 @@ impl RandomKeys {
     }
 }
 
-/// The keys of `calibrate.free`; none where measurements are only compared.
+/// The keys of `calibrate.free`; empty if measurements are only compared.
 pub(super) fn free_keys(node: &Node, reader: &mut Reader) -> Result<Vec<Free>, Fault> {
     let DeValue::Table(keys) = node.get_ref() else { return Err(Fault::unexpected(node, A_FREE_KEY)) };
     if keys.len() > 2 {
@@ -154,12 +154,12 @@ pub(super) fn free_keys(node: &Node, reader: &mut Reader) -> Result<Vec<Free>, F
     Ok(each(keys, reader, free))
 }
 
-/// The place of a logarithmic scale among [`SCALES`].
+/// The index of a logarithmic scale in [`SCALES`].
 const LOG: usize = 0;
 const A_FREE_KEY: &str = "a table such as { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"1 GPa\" } }";
 const FREE: &str = "{ from = ..., to = ... }, and scale = \"log\" or \"linear\" if need be";
 
-/// A key to find, with its range.
+/// A free key with its range.
 fn free(name: &Name, node: &Node) -> Result<Free, Fault> {
     let key = known(name, false)?;
     let [from, to, scale] = parts(node, ["from", "to", "scale"], FREE)?;
@@ -176,7 +176,7 @@ fn free(name: &Name, node: &Node) -> Result<Free, Fault> {
     Ok(Free { key, from, to, is_logarithmic, hardness: None })
 }
 
-/// Refuses the word that stands in place of a number: it is no number between others.
+/// Refuses the word in place of a number, because it cannot lie between numbers.
 fn refuse_word(key: &Key, node: &Node) -> Result<(), Fault> {
     let (Some(word), DeValue::Array(items)) = (key.word, node.get_ref()) else { return Ok(()) };
     let Some(item) = items.iter().find(|item| item.get_ref().as_str().is_some_and(|text| text.trim() == word)) else {
@@ -189,7 +189,7 @@ fn refuse_word(key: &Key, node: &Node) -> Result<(), Fault> {
     Err(Fault::at(item, message))
 }
 
-/// The values of a table that has these keys alone; `form` says how such a table is written.
+/// The values of a table that has only these keys; `form` describes such a table in messages.
 fn parts<'n, 't, const N: usize>(
     node: &'n Node<'t>,
     names: [&str; N],
@@ -225,7 +225,7 @@ fn known(name: &Name, has_words: bool) -> Result<&'static Key, Fault> {
     Err(Fault { span: name.span(), message: format!("`{path}` is no numeric key of a scenario{hint}") })
 }
 
-/// A list of values, or two ends and how many points.
+/// A list of values, or two ends and a number of points.
 fn axis_values(quantity: &Quantity, value: &Node) -> Result<Values, Fault> {
     if let DeValue::Array(items) = value.get_ref() {
         let read = |item: &Node| number(quantity, None, item);
@@ -296,7 +296,7 @@ fn moments(quantity: &Quantity, value: &Node) -> Result<(f64, f64), Fault> {
     Ok((number(quantity, None, mean)?, deviation(quantity, sd)?))
 }
 
-/// A standard deviation. On a curved scale of hardness a difference is no difference of pressures.
+/// A standard deviation. On a curved scale of hardness a difference of numbers is no difference of pressures.
 fn deviation(quantity: &Quantity, node: &Node) -> Result<f64, Fault> {
     let scale = node.get_ref().as_str().and_then(hardness::written).map(|(_, scale)| scale);
     if let Some(scale) = scale.filter(|scale| quantity.is_hardness && *scale != hardness::Scale::Vickers) {

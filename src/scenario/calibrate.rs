@@ -1,4 +1,4 @@
-//! `[calibrate]`: keys that are found from measurements.
+//! `[calibrate]`: keys that are fitted to measurements.
 
 use super::document::read_text;
 use super::{DATA, LARGEST_DATA, Scenario};
@@ -13,27 +13,27 @@ use crate::scenario::scene::{BODIES, Body, BodyMaterial, Input, Key, NEEDED, at}
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
-    /// In a file, by its name: its text.
+    /// A file: its name and its text.
     Text(String, String),
-    /// In `[calibrate.measured]`: names and values, SI, of one impact.
+    /// The table `[calibrate.measured]`: names and values, SI, of one impact.
     Numbers(Vec<(String, f64)>),
 }
 
-/// A calibration, as `[calibrate]` describes it. All numbers are in SI, and checked.
+/// The request of `[calibrate]`. All numbers are in SI, and checked.
 #[derive(Debug, Clone)]
 pub struct Wanted {
-    /// The input, with the keys to find at the lower ends of their ranges. The speed is not a number if none is given.
+    /// The input, with the free keys at the lower ends of their ranges. The speed is NaN if it is not given.
     pub input: Input,
-    /// The keys to find: one or two, or none where measurements are only compared.
+    /// The free keys: one or two, or empty if measurements are only compared.
     pub free: Vec<Free>,
     pub source: Source,
     /// Standard deviations by the name of the measurement.
     pub deviations: Vec<(String, f64)>,
-    /// Error of the law, as a share of each value.
+    /// Error of the law, as a fraction of each value.
     pub model_error: f64,
-    /// The noise is to be estimated, whatever the data say of it.
+    /// True if the noise is to be estimated, even if the data give standard deviations.
     pub is_estimated: bool,
-    /// Outliers are expected.
+    /// True if outliers are expected.
     pub is_robust: bool,
     /// Other laws to fit.
     pub laws: Vec<LawChoice>,
@@ -43,7 +43,7 @@ pub struct Wanted {
 const RANGE: [f64; 2] = [1e-5, 0.1];
 
 impl Scenario {
-    /// The calibration that the scenario asks for.
+    /// The calibration of the scenario.
     pub fn wanted(&self) -> Result<Wanted, Error> {
         self.refuse_columns()?;
         if !self.has("calibrate") {
@@ -101,8 +101,8 @@ impl Scenario {
         }
     }
 
-    /// The keys to find. If the scenario names none, it is the yield strength of one body; or its hardness, if the scenario gives
-    /// that.
+    /// The free keys. If the scenario names none, the free key is the yield strength of one body, or its hardness if the scenario gives
+    /// a hardness.
     fn free(&self, input: &Input) -> Vec<Free> {
         if let Some(free) = &self.varied.free {
             let on_scale = |free: &Free| Free { hardness: self.scale_of(free.key), ..*free };
@@ -125,8 +125,8 @@ impl Scenario {
         Key::find(path).map(free).into_iter().collect()
     }
 
-    /// The body whose strength is to be found, if the scenario names no key: the half-space, but the sphere if the scenario gives its
-    /// strength, makes it the softer body, and names no material of the half-space.
+    /// The body whose strength is fitted, if the scenario names no key. This is the half-space. It is the sphere if the scenario gives the
+    /// strength of the sphere, makes the sphere the softer body, and names no material of the half-space.
     fn unknown(&self, input: &Input) -> Body {
         let sphere = Body::Sphere;
         let is_given = [sphere.yield_strength(), sphere.hardness()].iter().any(|path| self.document.has(path));
@@ -135,7 +135,7 @@ impl Scenario {
         if is_given && !is_named && is_softer() == Some(true) { sphere } else { Body::HalfSpace }
     }
 
-    /// The scale of hardness on which the scenario gives a key or the end of its range, or a material gives it.
+    /// The hardness scale on which the scenario or a material gives a key, or on which the scenario gives an end of its range.
     fn scale_of(&self, key: &Key) -> Option<Scale> {
         let end = format!("calibrate.free.{}.from", key.path);
         let given = [key.path, &end].into_iter().find_map(|path| self.document.value(path));
@@ -145,7 +145,7 @@ impl Scenario {
         key.quantity.is_hardness.then(|| hardness::written(text)).flatten().map(|(_, scale)| scale)
     }
 
-    /// Refuses keys to find and columns of the data that have no effect, and impacts without a speed or a mass.
+    /// Refuses free keys and columns of the data that have no effect, and impacts without a speed or a mass.
     pub fn check_varied(&self, wanted: &Wanted, columns: &[&'static Key], is_of_impacts: bool) -> Result<(), Error> {
         let refuse = |path: &str, message: String| {
             let is_column = columns.iter().any(|key| key.path == path);
@@ -174,7 +174,7 @@ impl Scenario {
                 "is of a plate, which gives way only to an impact, and an indentation curve is slow: leave it out";
             return refuse("half_space.thickness", message.to_owned());
         }
-        // a speed of the scenario is replaced by that of the data
+        // the speed of the data replaces the speed of the scenario
         let is_speed = |path: &str| path.starts_with("impact.");
         if let Some((path, problem)) = self.contradicted(&paths).filter(|(path, _)| !is_speed(path)) {
             return refuse(path, problem);

@@ -1,5 +1,5 @@
-//! Which keys may be given together: keys that need another key, keys of which only one is allowed, and keys that are not
-//! computed together with another. These rules look only at whether a key or a table is given or varies, not at its value.
+//! Which keys may be given together: keys that need another key, keys that exclude each other, and keys that are not computed
+//! together. These rules only check whether a key or a table is given or varies, not its value.
 
 use super::Scenario;
 use crate::error::Error;
@@ -12,11 +12,11 @@ use crate::units::four_digits;
 /// A rule that refuses keys because of other keys.
 struct KeyRule {
     keys: &'static [&'static str],
-    /// They are refused if any of these is given too. An empty list refuses them always.
+    /// The keys are refused if any of these is given too. An empty list refuses them always.
     others: &'static [&'static str],
-    /// They are allowed if one of these is given.
+    /// The keys are allowed if one of these is given.
     unless: &'static [&'static str],
-    /// The reason and the way out, for the message; `{}` stands for the other key.
+    /// The reason and the remedy, for the message; `{}` stands for the other key.
     why: &'static str,
 }
 
@@ -71,7 +71,7 @@ const RULES: &[KeyRule] = &[
         &["calibrate"],
         "the impacts of [{}] are straight: leave this key out, and give the speed normal to the surface",
     ),
-    // a plate radiates no such waves: its density is for the plate
+    // a plate radiates no waves into a half-space: its density serves the plate
     KeyRule {
         keys: &["half_space.density"],
         others: &["damping"],
@@ -131,8 +131,7 @@ const RULES: &[KeyRule] = &[
 ];
 
 impl Scenario {
-    /// The refusals of tables of two kinds, of keys that cannot stand beside each other, of keys that need another, and of
-    /// tables without any key.
+    /// The refusals of tables of two kinds, of keys that exclude each other, of keys that need another key, and of empty tables.
     pub(super) fn check_combinations(&self) -> Vec<Error> {
         let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
         for [one, other] in EITHER {
@@ -146,7 +145,7 @@ impl Scenario {
                 refused.push(self.document.missing_one_of(table, &keys, "; or leave the table out"));
             }
         }
-        // what a calibration varies is checked with the data
+        // the keys that a calibration varies are checked with the data
         let swept = if self.has("calibrate") { Vec::new() } else { self.varied.paths() };
         if let Some((path, problem)) = self.contradicted(&swept) {
             refused.push(self.refuse_varied(path, problem));
@@ -155,7 +154,7 @@ impl Scenario {
         for KeyRule { keys, others, unless, why } in RULES {
             let (Some(key), None) = (given(keys), given(unless)) else { continue };
             if let Some(other) = if others.is_empty() { Some("") } else { given(others) } {
-                // beside another key there are other ways out
+                // together with another key there are other remedies
                 let needed = unless.first().copied().filter(|_| others.is_empty());
                 refused.push(self.refuse_varied(key, why.replace("{}", other)).needing(needed));
             }
@@ -163,23 +162,23 @@ impl Scenario {
         refused
     }
 
-    /// True if a key or a table is given, or a key of it varies.
+    /// True if a key or a table is given, or a key of the table varies.
     pub(super) fn gives(&self, path: &str) -> bool {
-        // a value that is refused is given too
+        // a refused value is given too
         let is_axis = |table: &&str| self.document.has(&format!("{table}.{path}"));
         self.has(path)
             || self.varied.paths().iter().any(|varied| is_at_or_below(varied, path))
             || ["sweep", "monte_carlo", "calibrate.free"].iter().any(is_axis)
     }
 
-    /// A refusal of a key where it stands, or where it varies.
+    /// A refusal of a key at its position, or at the position of its axis.
     pub(super) fn refuse_varied(&self, path: &str, message: impl AsRef<str>) -> Error {
         let places = ["sweep.", "monte_carlo.", "calibrate.free.", ""].map(|table| format!("{table}{path}"));
         let place = places.iter().find(|place| self.document.has(place)).map_or(path, String::as_str);
         self.document.refuse(place, message)
     }
 
-    /// Refuses a plate that is not computed with what the scene has besides.
+    /// Refuses a plate together with parts of the scene that are not computed on a plate.
     pub(super) fn check_plate(&self, input: &Input) -> Result<(), Error> {
         let contact = input.contact().ok().filter(|_| input.forces().plate.is_some());
         let refuse = |error: PlateError| {
@@ -189,7 +188,7 @@ impl Scenario {
         contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
     }
 
-    /// Refuses a hollow that is too narrow for a point contact, and a body that is free to move of which too little is known.
+    /// Refuses a hollow that is too narrow for a point contact, and a free target with missing values.
     pub(super) fn check_target(&self, input: &Input) -> Result<(), Error> {
         let refuse = |key: &str, message: &str| Err(self.refuse_varied(key, message));
         let radius = input.number(at!("half_space.radius"));
@@ -217,7 +216,7 @@ impl Scenario {
         }
     }
 
-    /// Refuses air that is described in part, and a ball that floats in it.
+    /// Refuses air with missing values, and a ball that floats in the air.
     pub(super) fn check_air(&self, input: &Input) -> Result<(), Error> {
         if !self.has("air") {
             return Ok(());
@@ -243,7 +242,7 @@ impl Scenario {
         Ok(())
     }
 
-    /// A key that cannot vary, because the key in place of which it stands is given, or varies too.
+    /// A key that cannot vary, because its alternative is given or varies too.
     pub(super) fn contradicted(&self, varied: &[&'static str]) -> Option<(&'static str, String)> {
         let varies = |path: &str| varied.contains(&path);
         // a swept diameter replaces a radius in the file

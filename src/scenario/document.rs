@@ -1,4 +1,4 @@
-//! The text of a scenario with its overrides: it is read and merged, and messages point into it.
+//! The text of a scenario with its overrides: both are parsed and merged, and messages point to positions in them.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -18,13 +18,13 @@ use crate::scenario::scene::read::Fault;
 use crate::scenario::scene::tables::is_at_or_below;
 use crate::scenario::scene::written::{Node, add_places};
 
-/// Largest scenario \[MiB\]: room for 50 000 values. Reading takes a hundred times the memory of the text.
+/// Largest scenario \[MiB\], which holds 50 000 values. Parsing takes a hundred times the memory of the text.
 pub const LARGEST_SCENARIO: u64 = 1;
 
 /// Largest file of measurements \[MiB\].
 pub const LARGEST_DATA: u64 = 64;
 
-/// Reads a text file of at most so many MiB, so that an endless device does not fill the memory.
+/// Reads a text file of at most `largest` MiB, so that an endless device does not fill the memory.
 pub fn read_text(path: &Path, largest: u64) -> Result<String, Error> {
     text_of(path, File::open(path).map_err(unreadable(path))?, largest)
 }
@@ -33,7 +33,7 @@ fn unreadable(path: &Path) -> impl Fn(std::io::Error) -> Error {
     Error::of_file(ErrorKind::Input, path, "cannot be read", "")
 }
 
-/// Reads what is open already; `path` stands for it in messages.
+/// Reads an open file; messages name it by `path`.
 pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Error> {
     let most = largest << 20;
     let mut bytes = Vec::new();
@@ -54,7 +54,7 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Err
     })
 }
 
-/// Longer keys and messages quote a value that nobody wrote by hand; the middle of it is left out.
+/// Longer keys and messages quote a generated value; their middle is omitted.
 const LONGEST_KEY: usize = 200;
 const LONGEST_MESSAGE: usize = 1800;
 
@@ -88,7 +88,7 @@ impl Override {
     }
 }
 
-/// The places of the values of a text, by their keys.
+/// The spans of the values of a text, by their keys.
 type Places = BTreeMap<String, Range<usize>>;
 
 fn places(text: &str) -> Result<Places, toml::de::Error> {
@@ -104,15 +104,15 @@ pub struct Document {
     name: String,
     text: String,
     overrides: Vec<Override>,
-    /// The text with the changes of the command line, which is what is read.
+    /// The text with the changes of the command line, which is parsed.
     edited: String,
     places: Places,
-    /// The places in the text of the file.
+    /// The spans in the text of the file.
     in_file: Places,
 }
 
 impl Document {
-    /// The text of a scenario called `name` (in messages), with `key=value` overrides.
+    /// Parses the text of a scenario called `name` (in messages), with `key=value` overrides.
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, Error> {
         let parsed: Vec<_> = overrides.iter().map(|given| Override::parse(given)).collect::<Result<_, _>>()?;
         let (overrides, changes): (Vec<_>, Vec<_>) = parsed.into_iter().unzip();
@@ -159,7 +159,7 @@ impl Document {
         &self.edited
     }
 
-    /// The refusals of the keys that were refused while they were read: first in the order of the file, then in that of the
+    /// The refusals of the keys that were refused during parsing: first in the order of the file, then in the order of the
     /// command line.
     pub(super) fn refused(&self, refused: Vec<(String, Fault)>) -> Vec<Error> {
         let mut placed: Vec<_> =
@@ -172,14 +172,14 @@ impl Document {
         placed.into_iter().map(|(place, key, message)| self.error_at(place, &key, &message)).collect()
     }
 
-    /// A refusal of the value at `key`, pointing at it.
+    /// A refusal of the value at `key`, with its position.
     pub fn refuse(&self, key: &str, message: impl AsRef<str>) -> Error {
         let place = self.places.get(key).and_then(|span| self.place(key, span.clone()));
         self.error_at(place, key, message.as_ref())
     }
 
-    /// The place of a span of the text that is read, which belongs to a key: where the command line gives the key, or a table
-    /// that it stands in; else in the file; else where the command line gives the first key of a table.
+    /// The location of a span of the parsed text that belongs to a key. It is on the command line if an override gives the key or a table
+    /// that holds it; otherwise in the file; otherwise at the override that gives the first key of the table.
     fn place(&self, key: &str, span: Range<usize>) -> Option<Location> {
         let by = |is_this: &dyn Fn(&str) -> bool| self.overrides.iter().rposition(|given| is_this(&given.key));
         if let Some(number) = by(&|given| is_at_or_below(key, given)) {
@@ -197,12 +197,12 @@ impl Document {
         self.places.contains_key(key)
     }
 
-    /// The value of a key as it is written, without its quotes.
+    /// The value of a key as written, without quotes.
     pub(super) fn value(&self, key: &str) -> Option<&str> {
         self.edited.get(self.places.get(key)?.clone()).map(|text| text.trim_matches(['"', '\'']))
     }
 
-    /// The keys that are given below this beginning, and tables without any key.
+    /// The given keys whose path begins with this text, and tables without keys.
     pub(super) fn inside(&self, begin: &str) -> Vec<&str> {
         let keys = self.places.range(begin.to_owned()..).map(|(key, _)| key.as_str());
         let keys: Vec<&str> = keys.take_while(|key| key.starts_with(begin)).collect();
@@ -210,13 +210,13 @@ impl Document {
         keys.iter().copied().filter(|key| !keys.iter().any(|other| is_inner(key, other))).collect()
     }
 
-    /// The refusal of a scenario without `key` in `table` (empty: without the table of that name).
+    /// The refusal of a scenario that lacks `key` in `table`; for an empty `table`, that lacks the table `key`.
     pub fn missing(&self, table: &str, key: &str) -> Error {
         let needed = format!("{table}.{key}");
         self.refuse(table, missing(key, table)).needing(Some(needed.as_str()).filter(|_| !table.is_empty()))
     }
 
-    /// The refusal where one of these keys is needed; `way_out` says what else can be done.
+    /// The refusal if one of these keys is needed; `way_out` names other remedies.
     pub(super) fn missing_one_of(&self, table: &str, keys: &[&str], way_out: &str) -> Error {
         let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
         let first = missing(names.next().unwrap_or_default(), table);
@@ -225,7 +225,7 @@ impl Document {
         self.refuse(table, first + &or_others + way_out).needing(keys.first().copied())
     }
 
-    /// The refusal of a key that is given beside another key which it stands in place of.
+    /// The refusal of a key that is given together with its alternative.
     pub(super) fn one_key(&self, first: &str, second: &str) -> Error {
         let [one, other] = [first, second].map(|path| path.rsplit('.').next().unwrap_or(path));
         self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
@@ -252,7 +252,7 @@ impl Document {
                 begin = format!("{begin}:{line}:{column}");
                 excerpt = marked;
                 (details.line, details.column) = (Some(line as u64), Some(column as u64));
-                // where the key itself is refused, the mark is under the key, and there is no value
+                // if the key itself is refused, the marker is under the key, and there is no value
                 let name = key.rsplit('.').next().unwrap_or(key);
                 details.value = Some(value).filter(|text| text != name && !text.starts_with('['));
             }
@@ -264,9 +264,9 @@ impl Document {
     }
 }
 
-/// A place that a message points at.
+/// The location of a message.
 enum Location {
-    /// A part of the text of the file, in bytes.
+    /// A span of the text of the file, in bytes.
     File(Range<usize>),
     /// The override of the command line with this number.
     Set(usize),

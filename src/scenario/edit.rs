@@ -1,5 +1,5 @@
-//! Changes in the text of a scenario: those of the command line, of the page, and the values that a calibration found. All
-//! that is not changed stays as it was written, with its comments.
+//! Changes in the text of a scenario: changes of the command line, of the page, and the values of a calibration. Everything else
+//! stays as written, with its comments.
 
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
@@ -7,21 +7,20 @@ use crate::scenario::scene::tables::is_known;
 use crate::scenario::scene::written::{COMBINED, below, pattern};
 use crate::scenario::scene::{NEEDED, partner};
 
-/// Why a text cannot be changed: it is no TOML.
+/// The text cannot be changed, because it is no TOML.
 pub type NotToml = toml_edit::TomlError;
 
 /// A key and its new value.
 #[derive(Debug, Clone)]
 pub struct Change {
-    /// The names of the tables around the key, and its own.
+    /// The names of the tables of the key, and the name of the key.
     path: Vec<String>,
-    /// Nothing takes the key or the table away.
+    /// `None` removes the key or the table.
     value: Option<Value>,
 }
 
 impl Change {
-    /// Reads `key=value`. A value that is no TOML is a word, whose quotes the shell has removed; the word `none` takes the key
-    /// away.
+    /// Parses `key=value`. A value that is no TOML is a word whose quotes the shell has removed; the word `none` removes the key.
     pub fn parse(key: &str, value: &str) -> Result<Self, NotToml> {
         let as_word = || format!("{key}={}", toml::Value::from(value.trim()));
         let document: DocumentMut = format!("{key}={value}").parse().or_else(|_| as_word().parse())?;
@@ -40,10 +39,10 @@ impl Change {
     }
 }
 
-/// The word that takes a key or a table away.
+/// The word that removes a key or a table.
 const NONE: &str = "none";
 
-/// The text with these changes, one after the other. A key in place of another takes its place, unless a change gave that.
+/// The text with these changes, one after the other. A key replaces its alternative, unless a change gave the alternative.
 pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) -> Result<String, NotToml> {
     let mut document: DocumentMut = text.parse()?;
     let mut given: Vec<String> = Vec::new();
@@ -51,7 +50,7 @@ pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) ->
         let key = change.key();
         let path: Vec<&str> = change.path.iter().map(String::as_str).collect();
         match (&path[..], &change.value) {
-            // a name that is unknown is put there, so that it is refused as such
+            // an unknown name is inserted, so that it is refused as unknown
             (_, None) if !remove(document.as_table_mut(), &path) && !is_known(&pattern(&key)) => {
                 put(&mut document, &path, NONE.into());
             }
@@ -74,7 +73,7 @@ pub fn changed<'c>(text: &str, changes: impl IntoIterator<Item = &'c Change>) ->
     Ok(document.to_string())
 }
 
-/// The keys whose place this change takes. An axis stands where its key would.
+/// The keys that this change replaces. The axis of a key counts like the key.
 fn replaced(path: &[&str], key: &str, value: &Value) -> Vec<&'static str> {
     match (path, value) {
         (["sweep" | "monte_carlo", number], _) => partner(number).into_iter().collect(),
@@ -86,7 +85,7 @@ fn replaced(path: &[&str], key: &str, value: &Value) -> Vec<&'static str> {
 }
 
 /// The text with another value of a key, or of the law. The value is given as on the command line: a number, a word, or a number
-/// with its unit; nothing takes the key away.
+/// with its unit; `None` removes the key.
 pub fn edited(text: &str, path: &str, given: &str) -> Result<String, NotToml> {
     let given = Some(given.trim()).filter(|given| !given.is_empty());
     let value = given.map(|given| given.parse().unwrap_or_else(|_| given.into()));
@@ -97,7 +96,7 @@ fn parts(path: &str) -> Vec<&str> {
     path.split('.').collect()
 }
 
-/// The keys that a text gives, and their values as they are given on the command line; and the name of the law.
+/// The given keys of a text, with their values as on the command line; and the name of the law.
 pub fn given(text: &str) -> Result<Vec<(String, String)>, NotToml> {
     let document: DocumentMut = text.parse()?;
     let mut all = Vec::new();
@@ -113,14 +112,14 @@ fn collect(path: &str, table: &dyn TableLike, all: &mut Vec<(String, String)>) {
         match (item.as_table_like(), item.as_value()) {
             (Some(table), _) => collect(&path, table, all),
             (None, Some(Value::String(text))) => all.push((path, text.value().to_owned())),
-            // without the comment behind it
+            // without the comment after it
             (None, Some(other)) => all.push((path, other.clone().decorated("", "").to_string())),
             (None, None) => {}
         }
     }
 }
 
-/// Takes a key or a table away, and a table that is empty then, unless every impact needs that table. Whether it was there.
+/// Removes a key or a table, and then a table that is empty, unless every impact needs this table. True if the key existed.
 fn remove(table: &mut dyn TableLike, path: &[&str]) -> bool {
     let Some((first, rest)) = path.split_first() else { return false };
     if rest.is_empty() {
@@ -134,7 +133,7 @@ fn remove(table: &mut dyn TableLike, path: &[&str]) -> bool {
     was_there
 }
 
-/// Sets the value of a key, which takes the place of another. Comments beside the old value and above it stay.
+/// Sets the value of a key, at the position of the key that it replaces. Comments beside and above the old value stay.
 pub fn set(document: &mut DocumentMut, path: &str, new: impl Into<Value>) {
     put(document, &parts(path), new.into());
     if let Some(other) = partner(path) {
@@ -166,14 +165,14 @@ fn put(document: &mut DocumentMut, path: &[&str], mut new: Value) {
     }
 }
 
-/// A table that has no head of its own while there are only tables in it.
+/// A table without a header, as long as it holds only tables.
 fn tables_alone() -> Table {
     let mut table = Table::new();
     table.set_implicit(true);
     table
 }
 
-/// Leaves the law of this name as the only one, with the keys that the text gives to it.
+/// Keeps only the law of this name, with its keys in the text.
 fn choose_law(document: &mut DocumentMut, law: &str) {
     let halves = law.split_once('+').map(|(loading, unloading)| [loading.trim(), unloading.trim()]);
     let chosen = halves.map_or(law.trim(), |_| COMBINED);

@@ -1,4 +1,4 @@
-//! `flow_stress` of a body: how it hardens, and which keys may stand beside that.
+//! `flow_stress` of a body: its hardening, and which keys may be combined with it.
 
 use super::Scenario;
 use crate::contact::law::LawChoice;
@@ -8,11 +8,11 @@ use crate::scenario::scene::tables::names;
 use crate::scenario::scene::{Body, EVERY_KEY, Input, Key};
 use crate::units::{Dimension, quantity};
 
-/// The four ways to write a curve.
+/// The four forms of a curve.
 const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
 
 impl Scenario {
-    /// Refuses two forms of a flow curve, none, and one that lacks a number.
+    /// Refuses two forms of a flow curve, a missing form, and a form that lacks a number.
     pub(super) fn check_flow(&self, input: &Input) -> Result<(), Error> {
         Body::ALL.into_iter().try_for_each(|body| self.check_curve(input, body.flow_stress()))
     }
@@ -33,7 +33,7 @@ impl Scenario {
         self.check_numbers(input, &path(form))
     }
 
-    /// Refuses a form of a flow curve, or of a rate, that lacks a number; numbers with a default may be left out.
+    /// Refuses a form of a flow curve, or of a rate, that lacks a number; numbers with a default may be omitted.
     pub(super) fn check_numbers(&self, input: &Input, form: &str) -> Result<(), Error> {
         let begin = format!("{form}.");
         let needed = EVERY_KEY.iter().filter(|key| key.path.starts_with(&begin) && key.default.is_empty());
@@ -45,7 +45,7 @@ impl Scenario {
         }
     }
 
-    /// Refuses laws and keys that cannot stand beside a flow curve.
+    /// Refuses laws and keys that cannot be combined with a flow curve.
     pub(super) fn check_strength(&self, input: &Input) -> Result<(), Error> {
         Body::ALL.into_iter().try_for_each(|body| self.check_strength_of(input, body))
     }

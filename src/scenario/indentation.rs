@@ -1,4 +1,4 @@
-//! `[indentation]`: loads and indentations that a sphere goes through slowly, on one half-space or on several.
+//! `[indentation]`: quasi-static loads and indentations of a sphere, on one half-space or on several.
 
 use super::Scenario;
 use crate::contact::law::LawChoice;
@@ -8,14 +8,14 @@ use crate::impact::Warning;
 use crate::impact::indentation::{Specimen, Target};
 use crate::scenario::scene::{Input, Purpose, at, key};
 
-/// The largest number of rows of a trace, which is held in memory: some hundred megabytes.
+/// Maximum number of rows of a trace, which is held in memory: some hundred megabytes.
 const MOST_ROWS: usize = 1_000_000;
 
-/// An indentation, as `[indentation]` describes it. All numbers are in SI, and checked.
+/// The request of `[indentation]`. All numbers are in SI, and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationScene {
     pub sphere: Sphere,
-    /// The half-spaces that it is pressed into; at least one.
+    /// The half-spaces; at least one.
     pub specimens: Vec<Specimen>,
     pub law: LawChoice,
     /// The ends of the steps; at least one.
@@ -112,8 +112,8 @@ impl Scenario {
     }
 }
 
-/// Why a name is not allowed in tables. A control character disturbs a terminal. A spreadsheet takes a text that begins
-/// with one of these signs for a formula.
+/// Why a name is not allowed in tables. A control character disturbs a terminal. A spreadsheet reads a text that begins with one of
+/// these signs as a formula.
 fn problem_of_name(name: &str) -> Option<String> {
     match name.trim_start().chars().next() {
         None => Some("has an empty name; call it by its material".to_owned()),

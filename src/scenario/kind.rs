@@ -1,11 +1,11 @@
-//! The kind of a scenario, which follows from its tables: one impact, unless there is the table of another kind.
+//! The kind of a scenario, which follows from its tables: one impact, unless the scenario has the table of another kind.
 
 use super::Scenario;
 use crate::error::Error;
 use crate::units::named;
 
 named! {
-    /// The kinds of scene, each with its own way to be run. Every kind but the first has a table of its name.
+    /// The kinds of scenarios. Every kind except the first has a table of its name.
     pub enum Kind {
         /// One impact: none of the tables below.
         Impact = "impact",
@@ -13,17 +13,17 @@ named! {
         Sweep = "sweep",
         /// A table of random impacts.
         MonteCarlo = "monte_carlo",
-        /// Impacts one after the other.
+        /// A series of impacts.
         Repeat = "repeat",
-        /// Loads and indentations without any impact.
+        /// Loads and indentations without impact.
         Indentation = "indentation",
-        /// Keys that are found from measurements.
+        /// Keys that are fitted to measurements.
         Calibrate = "calibrate",
     }
 }
 
-/// Scenarios to begin with, by name: one of each kind, and then usual tasks. A comment explains every key, and a test compares
-/// these with the list of keys.
+/// Templates of scenarios, by name: one of each kind, and then common tasks. A comment explains every key, and a test compares the
+/// comments with the list of keys.
 pub const TEMPLATES: [(&str, &str); 11] = [
     ("impact", include_str!("template/impact.toml")),
     ("sweep", include_str!("template/sweep.toml")),
@@ -39,7 +39,7 @@ pub const TEMPLATES: [(&str, &str); 11] = [
 ];
 
 impl Kind {
-    /// Names a scenario of this kind in messages.
+    /// The name of a scenario of this kind in messages.
     pub fn what(self) -> &'static str {
         match self {
             Self::Impact => "one impact",
@@ -50,7 +50,7 @@ impl Kind {
         }
     }
 
-    /// True if it is a table, which is made row after row.
+    /// True if the result is a table, which is computed row by row.
     pub fn is_table(self) -> bool {
         matches!(self, Self::Sweep | Self::MonteCarlo)
     }

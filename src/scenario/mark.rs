@@ -1,20 +1,20 @@
-//! A refused value as a person sees it: its line, with a mark under it; and long texts without their middle.
+//! A refused value as a person sees it: its line with a marker below; and long texts without their middle.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Characters of a long line that are shown.
+/// Maximum number of characters of a line that are shown.
 const WIDTH: usize = 120;
 
-/// A part of a text.
+/// A marked part of a text.
 pub(super) struct Mark {
     /// Counted from 1.
     pub line: usize,
     /// Counted from 1, in characters.
     pub column: usize,
-    /// The marked text, as far as it is shown.
+    /// The marked text, shortened for display.
     pub value: String,
-    /// The line, and the mark under the part.
+    /// The line, and the marker below the part.
     pub excerpt: String,
 }
 
@@ -27,7 +27,7 @@ impl Mark {
         let (line, column) = (1 + before.matches('\n').count(), before[line_start..].chars().count());
         let content = text[line_start..].split(['\n', '\r']).next().unwrap_or_default();
         let skipped = if column < WIDTH / 2 { 0 } else { column - WIDTH / 4 };
-        // control characters would move the mark, or the terminal
+        // control characters would move the marker, or disturb the terminal
         let visible = |c: char| if c.is_control() { ' ' } else { c };
         let shown: String = content.chars().skip(skipped).take(WIDTH).map(visible).collect();
         let indent = column - skipped;
@@ -41,7 +41,7 @@ impl Mark {
     }
 }
 
-/// At most about `longest` characters of a text: its beginning and its end, where the way out stands.
+/// At most about `longest` characters of a text: its beginning, and its end, which holds the remedy.
 pub(super) fn shortened(text: &str, longest: usize) -> Cow<'_, str> {
     let count = text.chars().count();
     if count <= longest {

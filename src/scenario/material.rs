@@ -1,4 +1,4 @@
-//! `material`: the values that a named material gives to its body, where the scenario does not give them itself.
+//! `material`: the values that a named material gives to its body, if the scenario does not give them itself.
 
 use super::Scenario;
 use super::document::Document;
@@ -12,8 +12,8 @@ use crate::scenario::scene::{
 };
 
 impl Varied {
-    /// Finds what the bodies take from the materials that they name: the values that the scenario leaves to them. A material that
-    /// is drawn becomes random keys.
+    /// Finds the values that the bodies take from their named materials, for keys that the scenario does not give. A material that is
+    /// drawn becomes random keys.
     pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<BodyMaterial>, Error> {
         let mut all = Vec::new();
         for body in Body::ALL {
@@ -64,7 +64,7 @@ impl Varied {
         random.variables.splice(place..place, drawn);
     }
 
-    /// The material of a body: of the first case, where it varies.
+    /// The material of a body; its material in the first case if it varies.
     fn material(&self, input: &Input, body: Body) -> Option<&'static MaterialEntry> {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
@@ -73,28 +73,28 @@ impl Varied {
         }
     }
 
-    /// True if a key takes its value from the material: it has a use, and neither the key nor another in its place is given.
+    /// True if a key takes its value from the material: the key has an effect, and neither the key nor its alternative is given.
     fn is_left(&self, input: &Input, document: &Document, body: Body, key: &AnyKey) -> bool {
         let has = |path: &str| document.has(path);
         let varied = self.paths();
         let is_given = |path: &str| {
             let inner = format!("{path}.");
-            // a calibration that names no key looks for the strength
+            // a calibration without free keys fits the strength
             let is_wanted = path == YIELD_STRENGTH && has("calibrate") && self.free.is_none();
             is_wanted || has(path) || varied.iter().any(|varied| *varied == path || varied.starts_with(&inner))
         };
         let is_used = match key.part {
             Part::Motion if has("indentation") => false,
-            // a plate needs a density; there are no elastic waves beside damping
+            // a plate needs a density; elastic waves are not computed together with damping
             Part::Motion if key.path == "half_space.density" => {
                 is_given("half_space.thickness") || !is_given("damping")
             }
-            // no other law has hardening, and a curve needs its own yield strength, or the hardness
+            // other laws have no hardening, and a curve needs its own yield strength, or the hardness
             Part::Flow => {
                 let is_plm = matches!(input.named_law, LawChoice::Plm(_)) && !varied.contains(&"law");
                 is_plm && !is_given(body.yield_strength()) && !is_given(body.flow_stress())
             }
-            // a rate is never taken in silence
+            // a rate is used only on request
             Part::Rate => asks_material(input, body),
             _ => true,
         };
@@ -102,12 +102,12 @@ impl Varied {
     }
 }
 
-/// True if the scenario says `rate = "material"` of a body.
+/// True if the scenario gives `rate = "material"` for a body.
 pub(super) fn asks_material(input: &Input, body: Body) -> bool {
     input.text(key_of!(body, "rate")).is_some()
 }
 
-/// The values of a material as random keys: even between the ends of their ranges.
+/// The values of a material as random keys, uniform between the ends of their ranges.
 fn drawn(input: &Input, choice: &BodyMaterial) -> Vec<Variable> {
     let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
     // a rigid sphere needs no Poisson's ratio
@@ -121,7 +121,7 @@ fn drawn(input: &Input, choice: &BodyMaterial) -> Vec<Variable> {
 }
 
 impl Scenario {
-    /// Refuses an axis of half-spaces of which some yield and some do not: their tables have different columns.
+    /// Refuses an axis of half-spaces of which some yield and some do not, because their tables have different columns.
     pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
             Word::Material(choice) => {

@@ -1,4 +1,4 @@
-//! Scenarios: a TOML file with units, checked while it is read.
+//! Scenarios: a TOML file with units, checked during parsing.
 
 mod axes;
 pub mod calibrate;
@@ -39,19 +39,19 @@ pub use kind::{Kind, TEMPLATES};
 pub use source::Source;
 use varied::Varied;
 
-/// A scenario file, read and checked.
+/// A parsed and checked scenario.
 #[derive(Debug, Clone)]
 pub struct Scenario {
-    /// Its text, in which the place of a value can be found.
+    /// Its text, for the positions of values.
     pub document: Document,
-    /// Its values, with what the bodies take from their materials.
+    /// Its values, including the values that the bodies take from their materials.
     input: Input,
     varied: Varied,
-    /// The files that it names, by their keys, with their texts. They are read once: hash and numbers are of one text.
+    /// The texts of the files that it names, by their keys. Each file is read once, so hash and numbers belong to one text.
     files: BTreeMap<String, (PathBuf, String)>,
     /// The folder of the files that it names.
     directory: PathBuf,
-    /// The way to its file from the folder of its results, where there is one.
+    /// The path of its file relative to the folder of its results, if there is a file.
     pub from_results: Option<String>,
 }
 
@@ -68,12 +68,12 @@ impl Scenario {
         Self::new(path.display().to_string(), text, overrides, directory, BTreeMap::new())
     }
 
-    /// Reads a scenario from a text; `name` stands for the file in messages.
+    /// Parses a scenario from a text; `name` stands for the file in messages.
     pub fn from_text(name: &str, text: &str, overrides: &[String]) -> Result<Self, Error> {
         Self::new(name.to_owned(), text.to_owned(), overrides, PathBuf::new(), BTreeMap::new())
     }
 
-    /// `texts` are those of files by their keys, where they are known without the files.
+    /// `texts` holds the texts of files by their keys, if they are known without the files.
     fn new(
         name: String,
         text: String,
@@ -99,7 +99,7 @@ impl Scenario {
             input.read(tables, "", &mut reader);
             varied = Varied::read(tables, &mut reader);
         }
-        // a material that is refused would have given keys
+        // a refused material would have given keys
         let lacks_material = |(path, _): &(String, _)| Body::of_key(varied_key(path)).is_some();
         let has_unknown = reader.has_unknown || reader.refused.iter().any(lacks_material);
         let mut mistakes = document.refused(reader.refused);
@@ -113,16 +113,16 @@ impl Scenario {
         input.set_materials(choices);
         if let Some(name) = input.text(at!("calibrate.data")) {
             let path = directory.join(name);
-            // one that cannot be read is refused where it is needed
+            // a file that cannot be read is refused where it is needed
             let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
             files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
         }
         let scenario = Self { document, input, varied, files, directory, from_results: None };
         mistakes.extend(scenario.check_combinations());
-        // a misspelt key, or what a misspelt material gives, is not told as missing too
+        // a misspelt key, or a value of a misspelt material, is not also reported as missing
         if !has_unknown {
             let needed = match scenario.kind() {
-                // an impact asks for all that it needs when it is resolved, unless the scenario has to change anyway
+                // an impact checks for all needed keys when it is resolved, unless the scenario has to change anyway
                 Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if mistakes.is_empty() => 0,
                 Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => NEEDED.len() - 1,
                 Ok(Kind::Indentation) if !scenario.has("half_space") => SPHERE,
@@ -134,24 +134,24 @@ impl Scenario {
         Error::all(mistakes).map_or(Ok(scenario), Err)
     }
 
-    /// True if the scenario, or a material that it names, gives a key, or the scenario has a table.
+    /// True if the scenario, or a named material, gives a key, or if the scenario has a table.
     fn has(&self, path: &str) -> bool {
         let is_taken = || self.input.materials().iter().flat_map(BodyMaterial::values).any(|(given, _)| given == path);
         self.document.has(path) || is_taken()
     }
 
-    /// True if a key varies over the cases of a table, or is to be found.
+    /// True if a key varies over the cases of a table, or is a free key of a calibration.
     fn varies(&self, path: &str) -> bool {
         self.varied.paths().contains(&path)
     }
 
-    /// Refuses a scenario in which one of these keys is missing.
+    /// Refuses a scenario that lacks one of these keys.
     fn need(&self, keys: &[&'static str]) -> Result<(), Error> {
         Error::all(self.missing(keys)).map_or(Ok(()), Err)
     }
 
-    /// The refusals of those of these keys that are missing. A key in place of one counts, and a key that varies over the
-    /// cases of a table. Of a table that is missing its keys are not told.
+    /// The refusals of those of these keys that are missing. A key is not missing if its alternative is given, or if it varies over
+    /// the cases of a table. If the table is missing, its keys are not reported.
     fn missing(&self, keys: &[&'static str]) -> Vec<Error> {
         let group = |key: &&'static str| {
             EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
@@ -159,7 +159,7 @@ impl Scenario {
         let (mut missing, mut tables) = (Vec::new(), Vec::new());
         for group in keys.iter().map(group).filter(|group| !group.iter().any(|path| self.gives(path))) {
             let (table, _) = group[0].split_once('.').unwrap_or_default();
-            // a body needs more keys than the one that varies, and so its table
+            // a body needs more keys than the varied one, and so its table
             let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
             if self.has(table) || self.varied.paths().iter().any(|path| table == "impact" && in_table(path)) {
                 missing.push(self.document.missing_one_of(table, &group, ""));
@@ -176,18 +176,18 @@ impl Scenario {
         &self.input
     }
 
-    /// The input of the first impact, with which all is given that an impact needs.
+    /// The input of the first impact, with all keys that an impact needs.
     pub fn resolve(&self) -> Result<Input, Error> {
         self.check_speeds()?;
         self.checked(if self.speeds().is_some() { NEEDED.len() - 1 } else { NEEDED.len() })
     }
 
-    /// The input of a scenario that needs no impact: its speed is not a number where none is given.
+    /// The input of a scenario that needs no impact: its speed is NaN if it is not given.
     pub fn resolve_bodies(&self) -> Result<Input, Error> {
         self.checked(NEEDED.len() - 1)
     }
 
-    /// The input of the first case, with which the first `needed` of [`NEEDED`] must be given.
+    /// The input of the first case, in which the first `needed` keys of [`NEEDED`] must be given.
     fn checked(&self, needed: usize) -> Result<Input, Error> {
         self.need(&NEEDED[..needed])?;
         let input = self.first_case();
@@ -205,8 +205,7 @@ impl Scenario {
         Error::all(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok(input), Err)
     }
 
-    /// The input with the first value of every key that varies: of its axis or range, of a list of shots, or the median of its
-    /// distribution.
+    /// The input with the first value of every varied key: of its axis or range, of a list of shots, or the median of its distribution.
     fn first_case(&self) -> Input {
         let mut input = self.input.clone();
         if let Some(speed) = self.speeds().and_then(<[f64]>::first) {
@@ -226,8 +225,8 @@ impl Scenario {
         input
     }
 
-    /// Warnings about keys that the scenario gives, and that have no effect on what is computed of these inputs. They are
-    /// allowed, as the file may also be run in another way. Keys that are needed are no mistake.
+    /// Warnings about given keys that have no effect on the results of these inputs. Such keys are allowed, as the file may also be run
+    /// in another way. Needed keys get no warning.
     pub fn without_effect(&self, inputs: &[Input], purpose: Purpose) -> Vec<Warning> {
         let needed = if purpose == Purpose::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
         let is_needed = |path: &str| [Some(path), partner(path)].into_iter().flatten().any(|key| needed.contains(&key));

@@ -1,4 +1,4 @@
-//! `[half_space.rate]` and `[sphere.rate]`: how a strength rises with the rate of strain, and what may stand beside it.
+//! `[half_space.rate]` and `[sphere.rate]`: how a strength rises with the strain rate, and which keys may be combined with it.
 
 use super::Scenario;
 use super::material::asks_material;
@@ -8,11 +8,11 @@ use crate::error::Error;
 use crate::scenario::scene::{Body, Input};
 use crate::units::number;
 
-/// How a rise may be written.
+/// The forms of strain-rate hardening.
 const EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { rate = \"6844 1/s\", exponent = 3.91 }";
 
 impl Scenario {
-    /// Refuses two forms of a rise, none, one that lacks a number, one that makes no strength, and what cannot stand beside it.
+    /// Refuses two forms, a missing form, a form that lacks a number or gives no strength, and keys that cannot be combined with it.
     pub(super) fn check_rates(&self, input: &Input) -> Result<(), Error> {
         let mut given = Body::ALL.into_iter().filter(|body| self.gives(body.rate_table()));
         given.try_for_each(|body| self.check_rate(input, body))

@@ -1,4 +1,4 @@
-//! The keys in words: what the command `keys`, the reference page and messages tell of a key.
+//! Descriptions of the keys for the command `keys`, the reference page and messages.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use crate::scenario::scene::tables::{POINT, pair_example};
 use crate::scenario::scene::written::pattern;
 use crate::scenario::scene::{AnyKey, EVERY_KEY, Form, Key, Quantity, Words, varied};
 
-/// Describes the keys whose paths have this text; `None` if there is none.
+/// Describes the keys whose paths hold this text; `None` if no path holds it.
 pub fn about_keys(text: &str) -> Option<String> {
     let known: Vec<&AnyKey> = EVERY_KEY.iter().collect();
     let exact: Vec<&AnyKey> = known.iter().copied().filter(|key| key.path == text).collect();
@@ -26,12 +26,12 @@ pub fn about_keys(text: &str) -> Option<String> {
     (!found.is_empty()).then_some(all)
 }
 
-/// The meaning of a result of an impact; `None` if there is none of this name.
+/// The meaning of a result of an impact; `None` if no result has this name.
 pub fn about_result(name: &str) -> Option<&'static str> {
     results().into_iter().find(|result| result.name == name).map(|result| result.about)
 }
 
-/// A key with more words than this refers to a table of them.
+/// A key with more words refers to a table of its words.
 const MOST_WORDS: usize = 20;
 
 /// The values that a key may have, as Markdown.
@@ -54,7 +54,7 @@ pub fn written(form: &Form) -> String {
     }
 }
 
-/// The values that a key may have, without marks and links.
+/// The values that a key may have, without Markdown.
 fn in_plain_text(form: &Form) -> String {
     let named = |words: &Words| match words.several {
         "materials" => "materials, which `plm-impact materials` lists".to_owned(),
@@ -84,7 +84,7 @@ fn quoted(words: &[String]) -> String {
     words.iter().map(|word| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
 }
 
-/// The value that a key takes, in words; that of an axis, of a distribution or of a range is the key that varies.
+/// The form of the value of a key, in words; for an axis, a distribution or a range, the form of the varied key.
 pub(super) fn allowed(key: &str) -> Option<String> {
     match form_of(varied(key))? {
         Form::Axes | Form::Variables | Form::Free => None,
@@ -93,7 +93,7 @@ pub(super) fn allowed(key: &str) -> Option<String> {
     }
 }
 
-/// How the value of a key is written.
+/// The form of the value of a key.
 fn form_of(key: &str) -> Option<Form> {
     let pattern = pattern(key);
     EVERY_KEY.iter().find(|key| key.path == pattern).map(|key| key.form)

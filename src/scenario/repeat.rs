@@ -16,7 +16,7 @@ impl Scenario {
         self.input.numbers(at!("repeat.speeds"))
     }
 
-    /// Refuses a list without shots, and one with too many.
+    /// Refuses an empty list of shots, and a list that is too long.
     pub(super) fn check_speeds(&self) -> Result<(), Error> {
         let refuse = |message: String| Err(self.document.refuse("repeat.speeds", message));
         match self.speeds().map(<[f64]>::len) {

@@ -55,7 +55,7 @@ fn table_of(properties: &Value, required: &[&str]) -> Value {
     json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
 }
 
-/// A list of so many of these, or more.
+/// A list of at least `least` such items.
 fn list_of(item: &Value, least: u32) -> Value {
     json!({ "type": "array", "items": item, "minItems": least })
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// What is wrong with the text at this place, and what to write; `message` is that of the parser.
+/// The mistake in the text at this position, and the remedy; `message` comes from the parser.
 pub(super) fn syntax_message(text: &str, span: Option<&Range<usize>>, message: &str) -> String {
     let known = span.and_then(|span| {
         if message.starts_with("duplicate key") {

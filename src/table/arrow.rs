@@ -32,7 +32,7 @@ impl Column {
         }
     }
 
-    /// The values of these rows: NaN where there is none, and of a word its place among the words.
+    /// The values of these rows. A missing value is NaN, and a word is its position in the list of words.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole numbers
     pub(crate) fn values(&self, rows: &Rows) -> Vec<f64> {
         let n_swept = rows.swept.len().checked_div(rows.results.len()).unwrap_or(0).max(1);

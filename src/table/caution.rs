@@ -14,7 +14,7 @@ const MOST_CORNERS: u64 = 1 << 13;
 /// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
-/// What the corners of a table show.
+/// The warnings at the corners of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Corners {
     /// The worst warning of each kind with the corner where it was found, and a warning about corners that were not looked at.

@@ -1,4 +1,4 @@
-//! How rows are counted: as results, as rows outside the range of a law, or as failures.
+//! Rows are classified as results, as rows outside the range of a law, or as failures.
 
 use super::Failure;
 use super::statistics::{Distribution, Statistics};
@@ -6,16 +6,16 @@ use crate::impact::Essentials;
 use crate::scenario::plan::Plan;
 use crate::scenario::scene::results::Column;
 
-/// How a row counts: its values of the columns of [`Plan::statistics_columns`], NaN where it has none; or why there is no result.
+/// The outcome of a row: its values in [`Plan::statistics_columns`], where a missing value is NaN; or the reason why it has no result.
 pub type Count = Result<Vec<f64>, Failure>;
 
-/// How a computed row counts. `columns` are those that have statistics.
+/// Classifies a computed row. `columns` are the columns with statistics.
 pub fn count(result: &Result<Essentials, Failure>, columns: &[Column]) -> Count {
     let values = |row: &Essentials| columns.iter().map(|column| (column.value)(row).unwrap_or(f64::NAN)).collect();
     result.as_ref().map(values).map_err(|failure| *failure)
 }
 
-/// The count of a row that was read back; `None` for an unknown status.
+/// The outcome of a row that is read from a file; `None` for an unknown status.
 pub(super) fn written(status: &str, values: Vec<f64>) -> Option<Count> {
     if status == OK {
         return Some(Ok(values));

@@ -105,8 +105,8 @@ impl Form for Csv {
     type Piece = Vec<u8>;
     type Writer = NewFile;
 
-    /// Few enough for the cache. Their text is also shorter than 128 KiB: memory of a longer one goes back to the system when it is
-    /// freed, and to get it again costs a quarter of the time of a row.
+    /// This number of rows fits into the cache. Its text is shorter than 128 KiB, from which on `malloc` uses `mmap`: such memory returns
+    /// to the system when it is freed, and a new allocation costs a quarter of the time of a row.
     const BATCH: u64 = 256;
 
     fn header(&self) -> &[u8] {

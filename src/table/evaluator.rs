@@ -28,7 +28,7 @@ named! {
         OutsideLaw = "outside_law",
         /// The moment of inertia is too small for the steps of friction.
         SmallInertia = "small_inertia",
-        /// There is no impact on such a plate.
+        /// An impact on this plate is not possible.
         OutsidePlate = "outside_plate",
         /// The method is `closed_form`, but the scene has no closed form.
         NoClosedForm = "no_closed_form",
@@ -69,8 +69,8 @@ impl From<ImpactError> for Failure {
 pub struct Rows {
     /// Case numbers.
     pub cases: Vec<u64>,
-    /// Swept values, case after case. On a grid it is the place of each value on its axis, not the value. Yield strengths that
-    /// follow from the swept values ([`Plan::derives_strength`]) are the last values of a case.
+    /// Swept values, case after case. On a grid each entry is the index of the value on its axis, not the value; it is an `f64` because
+    /// Monte Carlo rows hold values. Yield strengths that follow from the swept values ([`Plan::derives_strength`]) are the last entries.
     pub swept: Vec<f64>,
     pub results: Vec<Result<Essentials, Failure>>,
 }
@@ -105,7 +105,7 @@ struct RowContact {
 }
 
 impl RowContact {
-    /// The contact of an input under its law; `known` is it, if it is made already.
+    /// The contact of an input under its law; `known` is this contact if it exists already.
     fn new(input: &Input, law: &LawChoice, known: Option<&Contact>, ranges: Option<&HardnessRanges>) -> Self {
         let (sphere, half_space) = input.bodies(law);
         let pair = || input.pair(sphere, half_space, law).map_err(Failure::from);
@@ -119,8 +119,8 @@ impl RowContact {
     }
 }
 
-/// The law of the rows, which share it and the loading curve that it has computed. If the law changes from row to row, every row
-/// reads its own.
+/// The law of the rows. Rows share the law and its computed loading curve. If the law changes from row to row, every row reads its
+/// law anew.
 struct RowLaw {
     changes: bool,
     law: LawChoice,
@@ -214,7 +214,7 @@ impl<'a> Evaluator<'a> {
         self.plan.paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
     }
 
-    /// Where the contact of the combination at these places is kept.
+    /// The cache of the contact of these indices on the axes; `None` if contacts are not cached.
     #[allow(clippy::cast_possible_truncation)] // at most MAX_CONTACTS
     fn kept(&self, places: &[u64]) -> Option<&OnceLock<Box<RowContact>>> {
         let index: u64 = places.iter().zip(&self.strides).map(|(place, stride)| place * stride).sum();
@@ -334,7 +334,7 @@ mod tests {
 
     /// The rows of one speed need the contacts of all radii, and the rows of the next speed find them.
     #[test]
-    fn contacts_are_kept_whatever_the_order_of_the_axes() -> Result<(), Error> {
+    fn contacts_are_cached_for_any_axis_order() -> Result<(), Error> {
         let bodies = "[sphere]\nyoungs_modulus = 2e11\npoissons_ratio = 0.3\ndensity = 7850\n\
                       [half_space]\nyoungs_modulus = 2e11\npoissons_ratio = 0.3\nyield_strength = 3e8\n[sweep]\n";
         let radii = "\"sphere.radius\" = { linspace = [1e-3, 5e-3], points = 20000 }\n";

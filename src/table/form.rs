@@ -50,6 +50,6 @@ pub(super) trait Form: Sync + Send {
     /// Ends the file, which is then complete but not yet in its place.
     fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
 
-    /// Reads a file that ought to have so many rows, and counts them. Returns false as soon as it finds that the file is not whole.
+    /// Reads a file that should have `rows` rows, and counts them. Returns false as soon as it finds that the file is not whole.
     fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<bool>;
 }

@@ -117,7 +117,7 @@ impl<F: Form> Table<'_, F> {
     }
 
     fn part(&self, part: u64) -> PathBuf {
-        // so many digits that the names are in the order of the parts
+        // with enough digits that the names sort in the order of the parts
         self.path(PARTS).join(format!("part-{part:05}.{}", self.job.format.name()))
     }
 

@@ -42,7 +42,7 @@ pub(crate) fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
     Error::of_file(ErrorKind::Failed, path, "cannot be written", "free space, then give the same command")
 }
 
-/// A file that is in the way, and the way out.
+/// The error for a file that prevents writing, with the remedy.
 pub(crate) fn refused(path: &Path, problem: impl std::fmt::Display) -> Error {
     Error::in_file(ErrorKind::Input, &path.display().to_string(), problem)
 }

@@ -86,7 +86,7 @@ impl Parquet {
     }
 }
 
-/// Counts the rows of a file; whether there are so many, and all are whole. `names` are the columns with statistics.
+/// Counts the rows of a file; true if there are `rows` of them, and all are whole. `names` are the columns with statistics.
 fn count_rows(file: File, names: &[&str], rows: u64, count: &mut dyn FnMut(Count)) -> Result<bool, ParquetError> {
     let reader = ParquetRecordBatchReaderBuilder::try_new(file)?;
     if u64::try_from(reader.metadata().file_metadata().num_rows()).ok() != Some(rows) {

@@ -16,9 +16,9 @@ use crate::files::{FORMAT, NUMBERS, OutputDirectory, VERSION, create, remove, re
 use crate::scenario::Source;
 use crate::scenario::plan::Plan;
 
-/// A table of up to so many parts is written as one file: about a second's work.
+/// A table of at most this number of parts is written as one file: about a second of work.
 pub const ONE_FILE: u64 = 16;
-/// CSV is joined to one file up to so many rows.
+/// CSV is joined to one file up to this number of rows.
 pub const JOINED: u64 = 10_000_000;
 /// The folder of the parts, beside the summary.
 pub const PARTS: &str = "parts";
@@ -52,8 +52,8 @@ impl Layout {
         Self { rows, rows_per_part: rows_per_part.max(rows.div_ceil(MOST_PARTS).next_multiple_of(16)) }
     }
 
-    /// True if the table is written in parts, with which the same command goes on: a shard, a large table, or one that was
-    /// begun so.
+    /// True if the table is written in parts, from which the same command resumes: a shard, a large table, or one that was begun in
+    /// parts.
     pub fn is_in_parts(&self, shard: Option<Shard>, directory: &OutputDirectory) -> bool {
         shard.is_some() || self.parts() > ONE_FILE || directory.path().join(IDENTITY).exists()
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 /// Up to this number of samples the quantiles are exact; with more samples they come from bins.
 const EXACT: usize = 1_000_000;
-/// A bin holds the numbers that differ in so many last bits of their 52: it is 2⁻¹⁷ of a power of two wide.
+/// A bin holds the numbers that differ in this number of last bits of their 52: it is 2⁻¹⁷ of a power of two wide.
 const BIN_BITS: u32 = 35;
 /// Samples that scatter by a smaller share of their size are equal within rounding.
 const ROUNDING: f64 = 1e-9;
@@ -149,7 +149,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bins_are_narrow_hold_their_values_and_rise_with_them() {
+    fn bins_are_narrow_ordered_and_hold_their_values() {
         let values = [-3e5, -1.0, -1e-30, 0.0, 1e-300, 1e-6, 0.69, 0.7, 1.0, 4e9];
         for value in values {
             let (low, high) = (edge(bin(value)), edge(bin(value) + 1));
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_samples_are_told_from_samples_that_scatter() {
+    fn equal_samples_differ_from_scattered_samples() {
         let of = |values: &[f64]| {
             let mut all = Statistics::default();
             values.iter().for_each(|value| all.push(*value));

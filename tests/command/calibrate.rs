@@ -87,7 +87,7 @@ const BOTH: &str = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\
 // from 300 to 410 MPa; for two keys, the bounded search of scipy at each value of one key.
 
 #[test]
-fn with_a_known_noise_one_key_agrees_with_lmfit_and_a_brute_force_grid() {
+fn one_key_with_known_noise_matches_lmfit() {
     let text = of_nine_pieces(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
     let (_, summary) = calibrated(&text, &restitutions(), &[], 0);
     let key = &summary["keys"][0];
@@ -117,7 +117,7 @@ fn with_an_unknown_noise_the_scatter_gives_it() {
 }
 
 #[test]
-fn two_keys_agree_with_lmfit_and_a_brute_force_plane() {
+fn two_keys_match_lmfit_and_brute_force() {
     let text = of_nine_pieces(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
     let (_, summary) = calibrated(&text, MADE, &[], 0);
     let keys = &summary["keys"];
@@ -137,7 +137,7 @@ fn two_keys_agree_with_lmfit_and_a_brute_force_plane() {
 }
 
 #[test]
-fn the_posterior_of_two_keys_is_drawn_where_it_is_the_only_picture() {
+fn posterior_of_two_keys_is_only_picture() {
     // with as many values as keys there are no residuals to draw
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
     let data = "speed_m_per_s,restitution,peak_force_N,peak_force_N_sd\n3,0.49,1100,20\n";
@@ -148,7 +148,7 @@ fn the_posterior_of_two_keys_is_drawn_where_it_is_the_only_picture() {
 }
 
 #[test]
-fn restitution_alone_does_not_tell_strength_and_modulus_apart() {
+fn restitution_alone_cannot_separate_strength_and_modulus() {
     let text = scenario(&format!("data = \"d.csv\"\n{BOTH}noise = {{ restitution = 0.01 }}"));
     let (desk, summary) = calibrated(&text, &restitutions(), &DRAWN, 0);
     let refusal = summary["refusal"].as_str().unwrap();
@@ -163,7 +163,7 @@ fn restitution_alone_does_not_tell_strength_and_modulus_apart() {
 }
 
 #[test]
-fn a_hardness_tester_is_calibrated_by_one_number_and_predicts_the_others() {
+fn hardness_tester_is_calibrated_by_one_reading() {
     // rebound hardness of two blocks, nominal HLD 760 and 530. An independent program of the law gives the strength,
     // and e of the devices C and E: 2606 MPa, 0.836 and 0.731; 1081 MPa, 0.608 and 0.511
     let text = "[sphere]\nradius = \"1.5 mm\"\nyoungs_modulus = \"600 GPa\"\npoissons_ratio = 0.23\nmass = \"5.5 g\" # the body\n\
@@ -194,7 +194,7 @@ fn a_hardness_tester_is_calibrated_by_one_number_and_predicts_the_others() {
 
 /// The strength and the hardness that one rebound gives belong together.
 #[test]
-fn a_scenario_with_a_hardness_is_calibrated_by_the_hardness() {
+fn scenario_with_hardness_is_calibrated_by_hardness() {
     let of_hardness = crate::common::STEEL.replace("yield_strength = \"345 MPa\"", "hardness = \"300 HV\"");
     let arguments = ["--restitution", "0.49", "--speed", "3 m/s"];
     let (_, strength) = calibrated(crate::common::STEEL, "", &arguments, 0);
@@ -210,7 +210,7 @@ fn a_scenario_with_a_hardness_is_calibrated_by_the_hardness() {
 
 /// 9.80665 HV/0.9272 MPa is the mean pressure of a Vickers hardness, and 285 HB is 300 HV (ISO 18265).
 #[test]
-fn a_hardness_comes_back_on_the_scale_on_which_it_was_given() {
+fn hardness_is_returned_on_its_given_scale() {
     let of = |hardness: &str| crate::common::STEEL.replace("yield_strength = \"345 MPa\"", hardness);
     let arguments = ["--restitution", "0.49", "--speed", "3 m/s"];
     let (desk, summary) = calibrated(&of("hardness = \"300 HV\""), "", &arguments, 0);
@@ -242,7 +242,7 @@ fn a_hardness_comes_back_on_the_scale_on_which_it_was_given() {
 
 /// A ball that falls from 1 m and comes back to 24 cm has e = sqrt(0.24), at sqrt(2 g h) with standard gravity.
 #[test]
-fn one_drop_is_a_height_and_the_height_of_the_rebound() {
+fn one_drop_needs_heights_of_fall_and_rebound() {
     let heights = ["--drop-height", "1 m", "--rebound-height", "24 cm"];
     let (_, of_heights) = calibrated(crate::common::STEEL, "", &heights, 0);
     let (e, speed) = (0.24_f64.sqrt().to_string(), format!("{} m/s", (2.0 * 9.80665_f64).sqrt()));
@@ -251,7 +251,7 @@ fn one_drop_is_a_height_and_the_height_of_the_rebound() {
 }
 
 #[test]
-fn data_that_contradict_the_law_end_with_code_3_and_all_files() {
+fn contradicting_data_end_with_code_3() {
     let rising = "speed_m_per_s,restitution\n0.5,0.4\n1,0.5\n2,0.6\n4,0.7\n";
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
     let (desk, summary) = calibrated(&text, rising, &DRAWN, 3);
@@ -291,7 +291,7 @@ fn two_materials_in_one_file_are_two_basins() {
 }
 
 #[test]
-fn an_interval_that_reaches_its_bound_is_not_bounded() {
+fn interval_at_its_bound_is_not_bounded() {
     // these impacts stay below first yield for every high strength, which gives e = 1
     let data = "speed_m_per_s,restitution,restitution_sd\n0.01,1,0.01\n0.02,0.99,0.01\n";
     let (desk, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}")), data, &[], 0);
@@ -308,7 +308,7 @@ fn an_interval_that_reaches_its_bound_is_not_bounded() {
 }
 
 #[test]
-fn outliers_do_not_move_the_robust_estimate_by_more_than_its_sd() {
+fn outliers_shift_robust_estimate_below_one_sd() {
     let outliers = restitutions().replace("0.5,0.6623", "0.5,0.95").replace("4,0.4871", "4,0.80");
     let noise = "noise = { restitution = 0.01 }\nrobust = ";
     let of = |data: &str, robust: &str, code| {
@@ -330,7 +330,7 @@ fn outliers_do_not_move_the_robust_estimate_by_more_than_its_sd() {
 }
 
 #[test]
-fn the_law_that_made_the_data_is_ranked_first() {
+fn law_behind_data_is_ranked_first() {
     let data =
         swept("[law.thornton]\n[sweep]\n\"impact.speed\" = { logspace = [\"0.1 m/s\", \"10 m/s\"], points = 12 }\n");
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.005 }}"));
@@ -367,7 +367,7 @@ fn the_strength_of_a_soft_ball_is_found() {
 /// Without a key to find it is the strength of the body that yields by the strengths of the scenario, if these say something of the
 /// sphere.
 #[test]
-fn without_a_key_the_strength_of_the_body_that_yields_is_found() {
+fn strength_of_yielding_body_is_default_key() {
     let steel = "youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\n";
     let of = |sphere: &str, half_space: &str| {
         let text =

@@ -16,7 +16,7 @@ fn assert_refused(desk: &Desk, arguments: &[&str], wants: &[&str]) {
 }
 
 #[test]
-fn run_writes_all_outputs_and_prints_the_table_alone() {
+fn run_writes_outputs_and_prints_only_table() {
     let desk = Desk::with(STEEL);
     let (table, said) = desk.ends(&["run", "s.toml"], 0);
     assert_eq!(desk.files("plots/s"), FILES);
@@ -32,7 +32,7 @@ fn run_writes_all_outputs_and_prints_the_table_alone() {
 }
 
 #[test]
-fn overrides_directory_and_quiet_do_what_they_say_and_other_files_are_left_alone() {
+fn overrides_directory_and_quiet_keep_other_files() {
     let desk = Desk::with(STEEL);
     let slow = ["run", "s.toml", "--out", "a/b", "--set", "impact.speed=1 m/s"];
     assert_eq!(desk.ends(&[&slow[..], &["--quiet"]].concat(), 0), (String::new(), String::new()));
@@ -46,7 +46,7 @@ fn overrides_directory_and_quiet_do_what_they_say_and_other_files_are_left_alone
 }
 
 #[test]
-fn a_speed_on_the_command_line_takes_the_place_of_that_of_the_scenario_and_of_a_drop_height() {
+fn speed_option_replaces_speed_and_drop_height() {
     let desk = Desk::with(STEEL);
     let e = |arguments: &[&str]| -> f64 {
         let (printed, _) = desk.ends(
@@ -79,7 +79,7 @@ fn a_reader_who_has_left_is_no_failure() {
 }
 
 #[test]
-fn what_is_no_scenario_is_refused() {
+fn non_scenarios_are_refused() {
     assert_refused(&Desk::with(""), &["run", "s.toml"], &["s.toml: the table [sphere] is missing; give its radius"]);
     let binary: Vec<u8> = (0..=255).cycle().take(4096).collect();
     assert_refused(&Desk::with(binary), &["run", "s.toml"], &["s.toml:2: is not a text file"]);
@@ -92,7 +92,7 @@ fn what_is_no_scenario_is_refused() {
 }
 
 #[test]
-fn almost_a_megabyte_is_read_or_refused_in_few_words() {
+fn huge_values_are_read_or_refused_briefly() {
     const SIZE: usize = 1_000_000;
     let refused = |text: &str, wants: &[&str]| assert_refused(&Desk::with(text), &["check", "s.toml"], wants);
     let long_line = "x".repeat(SIZE);

@@ -34,7 +34,7 @@ fn smooth(x: f64, kappa: f64) -> (f64, SVector<f64, 6>) {
 /// The six coefficients of the smooth law by least squares of ln F. The built-in pieces follow that law: the forces agree to
 /// what the pieces wave about it.
 #[test]
-fn the_slopes_of_the_force_follow_from_the_curves() {
+fn force_slopes_follow_from_curves() {
     let curves = curves();
     let points: Vec<(f64, SVector<f64, 6>, f64, f64)> = curves
         .iter()
@@ -66,7 +66,7 @@ fn the_slopes_of_the_force_follow_from_the_curves() {
 
 /// The factors of the geometry are the steps of 1/(1 + (A a_Y/R/0.51)²), a mean over each interval of A a_Y/R.
 #[test]
-fn the_factors_of_the_geometry_are_those_of_one_smooth_law() {
+fn geometry_factors_follow_one_smooth_law() {
     let law = Second::of(CURVES[0]);
     let [from, factor] = ["geometry_from", "geometry_factor"].map(|key| list(&law.table, "elastic_approach", key));
     let mut product = 1.0;
@@ -80,7 +80,7 @@ fn the_factors_of_the_geometry_are_those_of_one_smooth_law() {
 /// A change of any coefficient of the elastic approach by a few per cent lowers no sum of squares of its logarithm by more than
 /// the rounding of the coefficients does.
 #[test]
-fn the_coefficients_of_the_elastic_approach_are_the_least_squares_of_the_curves() {
+fn elastic_approach_coefficients_are_least_squares() {
     let mut curves = curves();
     let mut sum = |key: &str, by: f64| -> f64 {
         let mut sum = 0.0;

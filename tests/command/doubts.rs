@@ -17,7 +17,7 @@ fn warned(text: &str) -> Vec<String> {
 const YIELDS: &str = "the sphere yields, which is left out here: e is far too high";
 
 #[test]
-fn a_sphere_that_yields_where_no_law_has_it_is_the_first_line_and_strict_refuses_it() {
+fn strict_refuses_sphere_that_yields_outside_laws() {
     // a key without effect is a warning too, and comes later; beside a half-space that hardens a harder sphere stays elastic
     let hardens = "flow_stress = { power = { exponent = 0.3 } }\n[friction]\ncoefficient = 0.1";
     let soft = pair("alumina-99.5", "steel-s235", &hardens.replace("flow_stress", "yield_strength = 1e8\nflow_stress"));
@@ -45,7 +45,7 @@ fn a_sphere_that_yields_where_no_law_has_it_is_the_first_line_and_strict_refuses
 }
 
 #[test]
-fn the_bias_of_a_hardness_without_an_exponent_is_a_number() {
+fn bias_of_hardness_without_exponent_is_number() {
     let guide = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/README.md")).unwrap();
     assert!(guide.contains(&format!("| {TOO_HIGH} |")));
     let says = |half_space: &str, more: &str| {

@@ -14,7 +14,7 @@ fn number(summary: &Value, name: &str) -> f64 {
 }
 
 #[test]
-fn a_drop_is_what_its_scenario_gives() {
+fn drop_matches_its_scenario() {
     let desk = Desk::with("");
     let direct = json(&desk, &["--save", "d.toml"]);
     desk.ends(&["run", "d.toml", "--out", "out", "--pictures", "none"], 0);
@@ -39,7 +39,7 @@ fn a_drop_is_what_its_scenario_gives() {
 }
 
 #[test]
-fn a_drop_prints_what_people_ask_for_and_writes_nothing() {
+fn drop_prints_main_results_and_writes_nothing() {
     let desk = Desk::with("");
     let (printed, _) = desk.ends(&DROP, 0);
     for name in ["restitution", "without waves", "rebound height", "dent diameter", "peak force", "contact time"] {
@@ -58,7 +58,7 @@ fn a_drop_prints_what_people_ask_for_and_writes_nothing() {
 
 /// A warning speaks of no key that nobody gave.
 #[test]
-fn a_drop_that_stays_elastic_has_no_law_to_warn_of() {
+fn elastic_drop_warns_of_no_law() {
     let desk = Desk::with("");
     let dropped = |more: &[&str]| {
         let drop = ["drop", "--ball", "nylon-66", "--diameter", "5 mm", "--on", "glass-soda-lime", "--speed", "1 m/s"];
@@ -110,7 +110,7 @@ fn a_restitution_outside_the_law_is_marked() {
 }
 
 #[test]
-fn keys_and_materials_are_found_by_a_part_of_their_names() {
+fn part_of_name_finds_keys_and_materials() {
     let desk = Desk::with("");
     let (angle, _) = desk.ends(&["keys", "impact.angle"], 0);
     assert!(
@@ -186,7 +186,7 @@ fn pictures_are_those_that_are_chosen() {
 }
 
 #[test]
-fn how_exact_the_integration_was_is_said_when_it_is_asked_for() {
+fn integration_accuracy_is_printed_on_request() {
     let desk = Desk::with(STEEL);
     let run = |more: &[&str]| desk.ends(&[&["run", "s.toml", "--out", "o", "--pictures", "none"], more].concat(), 0).0;
     let (short, long) = (run(&[]), run(&["--verbose"]));

@@ -5,7 +5,7 @@ use plm_impact::scenario::edit::{Change, changed, edited, given};
 const TEXT: &str = "# a ball\n[sphere]\n# how large\nradius = \"5 mm\"  # not the diameter\n[impact]\nspeed = 3\n";
 
 #[test]
-fn a_change_leaves_the_rest_of_the_text_as_it_was() {
+fn change_keeps_rest_of_text() {
     let change = |path, given| edited(TEXT, path, given).unwrap();
     assert_eq!(change("sphere.radius", "2 mm"), TEXT.replace("5 mm", "2 mm"));
     assert_eq!(change("impact.speed", "0.5"), TEXT.replace("= 3", "= 0.5"));
@@ -33,14 +33,14 @@ fn with(text: &str, changes: &[&str]) -> String {
 }
 
 #[test]
-fn a_change_of_the_command_line_leaves_comments_where_they_are() {
+fn command_line_change_keeps_comments() {
     assert_eq!(with(TEXT, &["sphere.radius=\"6 mm\""]), TEXT.replace("5 mm", "6 mm"));
     assert_eq!(with(TEXT, &["sphere.radius=6 mm", "sphere.radius=7 mm"]), TEXT.replace("5 mm", "7 mm"));
     assert_eq!(with(TEXT, &["impact={ drop_height = 1 }"]).matches('#').count(), 3);
 }
 
 #[test]
-fn a_key_in_place_of_another_takes_its_place_and_none_takes_a_key_or_a_table_away() {
+fn alternative_key_replaces_and_none_removes() {
     let radius = "# how large\nradius = \"5 mm\"  # not the diameter\n";
     assert_eq!(with(TEXT, &["sphere.diameter=1 cm"]), TEXT.replace(radius, "diameter = \"1 cm\"\n"));
     assert_eq!(with(TEXT, &["impact.drop_height=2"]), TEXT.replace("speed = 3", "drop_height = 2"));
@@ -57,7 +57,7 @@ fn a_key_in_place_of_another_takes_its_place_and_none_takes_a_key_or_a_table_awa
 }
 
 #[test]
-fn a_table_of_the_command_line_replaces_that_of_the_file_and_an_inline_table_takes_keys() {
+fn set_table_replaces_and_set_key_extends() {
     let inline = "sphere = { radius = 5 }\n";
     assert_eq!(with(inline, &["sphere.density=7"]).replace(' ', ""), "sphere={radius=5,density=7}\n");
     assert_eq!(with(inline, &["sphere={ density = 7 }"]), "sphere = { density = 7 }\n");
@@ -73,7 +73,7 @@ fn a_table_of_the_command_line_replaces_that_of_the_file_and_an_inline_table_tak
 }
 
 #[test]
-fn what_a_text_gives_is_what_was_put_there() {
+fn text_has_exactly_its_changed_keys() {
     let changes = [("impact.speed", "3 m/s"), ("half_space.flow_stress.power.exponent", "0.1"), ("law", "stronge")];
     let text = changes.iter().fold(TEXT.to_owned(), |text, (path, value)| edited(&text, path, value).unwrap());
     let found = given(&text).unwrap();

@@ -99,7 +99,7 @@ fn stepped(e: f64, steps: f64, phase: f64) -> f64 {
 }
 
 #[test]
-fn the_time_step_keeps_e_within_one_per_cent_wherever_in_a_step_the_contact_begins() {
+fn time_step_keeps_restitution_within_one_percent() {
     let off = |e: f64, steps: f64| {
         let errors = (0..40).map(|i| stepped(e, steps, (f64::from(i) + 0.5) / 40.0) / e - 1.0);
         errors.fold((0.0_f64, 0.0_f64), |(low, high), error| (low.min(error), high.max(error)))
@@ -120,7 +120,7 @@ fn the_time_step_keeps_e_within_one_per_cent_wherever_in_a_step_the_contact_begi
 }
 
 #[test]
-fn a_constant_e_says_how_far_it_holds() {
+fn constant_e_has_its_speed_range() {
     let contact = steel();
     let e = |speed| contact.closed_form(speed).unwrap().restitution;
     let [from, to] = range_of_constant(&contact, 3.0, e(3.0)).map(Option::unwrap);
@@ -143,7 +143,7 @@ fn a_constant_e_says_how_far_it_holds() {
 
 /// A fall of v²/(2 g), and e² of it on the way up.
 #[test]
-fn the_header_has_the_numbers_of_a_drop_test() {
+fn header_has_numbers_of_drop_test() {
     let impact = steel().closed_form(3.0).unwrap();
     let text = printed(&[STEEL, "--to", "yade", "--speed", "3 m/s"]);
     let line = text.lines().find(|line| line.contains("dent diameter")).unwrap();
@@ -190,7 +190,7 @@ fn every_code_gets_its_lines_with_their_origin() {
 /// A thick wall takes elastic waves, so where its density is known the lines have e with them. 0.574 is in the head of that
 /// scenario, 0.5795 in the finite elements that it names.
 #[test]
-fn the_lines_say_which_e_they_have() {
+fn lines_name_wave_loss_in_their_e() {
     let with_waves = printed(&["scenarios/alumina-on-aluminium-with-waves.toml", "--to", "lammps"]);
     assert!(with_waves.contains(": e 0.574") && with_waves.contains(" 0.574409212 damping"), "{with_waves}");
     assert!(
@@ -206,7 +206,7 @@ fn the_lines_say_which_e_they_have() {
 /// Two spheres: the springs that the codes make of the lines, by the formulas in their manuals, part two free masses with e of the
 /// closing speed after the contact time of the law.
 #[test]
-fn lines_of_two_spheres_part_them_as_the_law_does() {
+fn lines_of_two_spheres_separate_like_law() {
     let ball = "density = 7850.0\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength";
     let scenario = crate::common::STEEL.replace("yield_strength", ball);
     let desk = Desk::ran(&scenario);
@@ -286,7 +286,7 @@ fn plate_and_damping_are_in_e() {
 /// Gravity, air, series, angle and spin are of the motion, which the other code has itself: the e is that of the speed normal to
 /// the wall, here 3 cos(60 deg) and sqrt(2 g h).
 #[test]
-fn the_motion_of_a_scenario_is_left_out_and_named() {
+fn motion_of_scenario_is_omitted_and_named() {
     let law = |speed: f64| steel().closed_form(speed).unwrap().restitution;
     let of = |more: &str, arguments: &[&str]| {
         let bodies = crate::common::STEEL.split("[impact]").next().unwrap();
@@ -313,7 +313,7 @@ fn the_motion_of_a_scenario_is_left_out_and_named() {
 /// The stiffness that the hooke model of LIGGGHTS computes for a ball on a wall: k = (16/15) sqrt(R) Y* (15 m V^2/(16 sqrt(R) Y*))^(1/5).
 /// With `ktToKnUser on` its tangential spring is 2/7 of that, else as stiff, and `tangential_damping off` takes its damping out.
 #[test]
-fn liggghts_gets_the_tangential_spring_that_the_comment_names() {
+fn liggghts_gets_tangential_spring_of_comment() {
     let rubbing = crate::common::STEEL.to_owned() + "[friction]\ncoefficient = 0.2\n";
     let desk = Desk::with(rubbing.replace("[impact]", "[impact]\nangle = \"10 deg\""));
     let lines = |code: &str| desk.ends(&["export", "s.toml", "--to", code], 0).0;
@@ -331,15 +331,15 @@ fn liggghts_gets_the_tangential_spring_that_the_comment_names() {
     let factor = 16.0 / 15.0 * radius.sqrt() * number(&text, "youngsModulus peratomtype ") / (2.0 * (1.0 - 0.09));
     let speed = number(&text, "characteristicVelocity scalar ");
     let stiffness = factor * (mass * speed * speed / factor).powf(0.2);
-    // LAMMPS is told the tangential stiffness itself
+    // LAMMPS gets the tangential stiffness itself
     assert_relative_eq!(number(&lammps, "linear_history "), 2.0 / 7.0 * stiffness, max_relative = 1e-6);
     // without friction there is no such spring
     assert!(!printed(&[STEEL, "--to", "liggghts"]).contains("ktToKnUser"));
 }
 
-/// LIGGGHTS stops below a modulus of 5 MPa, unless it is told that the particles are soft, and at e of 0.05 and less.
+/// LIGGGHTS stops at a modulus below 5 MPa, unless the input sets `soft_particles yes`, and at e of 0.05 and less.
 #[test]
-fn liggghts_is_told_of_soft_particles_and_gets_no_e_that_it_refuses() {
+fn liggghts_gets_soft_particles_and_accepted_e() {
     for (modulus, is_soft) in [("2 MPa", true), ("210 GPa", false)] {
         let keys = [
             format!("sphere.youngs_modulus={modulus}"),
@@ -361,7 +361,7 @@ fn liggghts_is_told_of_soft_particles_and_gets_no_e_that_it_refuses() {
 
 /// Two balls of two densities: the masses of the materials or species in the lines give the effective mass of the spring.
 #[test]
-fn both_densities_of_two_balls_are_in_the_lines() {
+fn lines_have_both_densities_of_two_balls() {
     let ball = |density: f64| format!("density = {density:?}\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength");
     let volume = |radius: f64| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
     for (second, materials) in [(2000.0, 2), (7850.0, 1)] {
@@ -389,7 +389,7 @@ fn both_densities_of_two_balls_are_in_the_lines() {
 
 /// Two balls of one material with one strength: run, check and export name what is missing, and the share of e that it costs.
 #[test]
-fn one_strength_of_two_equal_balls_is_warned_of() {
+fn one_strength_of_two_equal_balls_warns() {
     let ball = "density = 7850.0\nradius = \"5 mm\"\nmass = \"ball\"\nyield_strength";
     let one = crate::common::STEEL.replace("yield_strength", ball);
     let both = one.replace("[sphere]", "[sphere]\nyield_strength = \"345 MPa\"");

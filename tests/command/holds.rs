@@ -1,4 +1,4 @@
-//! What is in the results of a run, as data: `holds.toml`.
+//! The results of runs, as data: `holds.toml`.
 
 use serde::Deserialize;
 
@@ -60,7 +60,7 @@ impl Ran {
 }
 
 #[test]
-fn results_hold_what_the_scenario_names_and_nothing_else() {
+fn results_contain_exactly_what_applies() {
     for Scene { about, text, with, rows } in toml::from_str::<Holds>(include_str!("holds.toml")).unwrap().scene {
         let with: Vec<&str> = if with.is_empty() { vec![""] } else { with.iter().map(String::as_str).collect() };
         for (row, with) in rows.iter().flat_map(|row| with.iter().map(move |with| (row, *with))) {

@@ -12,7 +12,7 @@ fn refusal(desk: &Desk, arguments: &[&str]) -> String {
 }
 
 #[test]
-fn a_long_scenario_takes_overrides_and_shows_a_bad_one() {
+fn long_scenario_takes_overrides_and_reports_bad_one() {
     // more than 65 535 bytes, the most blanks that a width of `format!` can make
     let desk = Desk::with(format!("{STEEL}{}", "# a comment\n".repeat(10_000)));
     let call = |speed: &str| desk.call(&["check", "s.toml", "--set", "sphere.density=7800", "--set", speed]);
@@ -33,7 +33,7 @@ fn one_set_changes_one_key() {
 }
 
 #[test]
-fn the_last_of_many_overrides_holds_and_a_bad_one_is_shown() {
+fn last_of_many_overrides_wins() {
     let desk = Desk::with(STEEL);
     let speeds: Vec<String> = (1..=3000).map(|i| format!("impact.speed=0.0{i}")).collect();
     let call = |last: &[&str]| {

@@ -8,7 +8,7 @@ const CYCLES: &str = include_str!("../../scenarios/indentation-cycles.toml");
 const ALLOYS: &str = include_str!("../../scenarios/indentation-ti-nb.toml");
 
 #[test]
-fn several_half_spaces_are_told_apart_by_name() {
+fn several_half_spaces_have_separate_names() {
     let desk = Desk::with(ALLOYS);
     let (table, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     for half_space in desk.summary()["half_spaces"].as_array().unwrap() {
@@ -24,7 +24,7 @@ fn several_half_spaces_are_told_apart_by_name() {
 
 /// Neither an elastic law nor an elastic half-space leaves a dent, and none is written.
 #[test]
-fn what_stays_elastic_has_no_dent() {
+fn elastic_indentation_leaves_no_dent() {
     let law = CYCLES.replace("[law.plm]\nunloading_exponent = \"pressure-shape\"", "[law.hertz]");
     let body = CYCLES.replace("yield_strength = \"630 MPa\"\n", "").replace("{ load = \"10 N\" },", "");
     for elastic in [law, body] {
@@ -35,7 +35,7 @@ fn what_stays_elastic_has_no_dent() {
     }
 }
 
-/// What an instrument reports of a diamond tip on fused silica, which stays elastic: 1/E* = (1 − 0.07²)/1141 GPa +
+/// The values of an instrument with a diamond tip on fused silica, which stays elastic: 1/E* = (1 − 0.07²)/1141 GPa +
 /// (1 − 0.17²)/72.5 GPa by hand, with the numbers of the two materials; S = 2 E* a; H = F/(π a²).
 #[test]
 fn a_nanoindentation_has_stiffness_modulus_and_hardness() {

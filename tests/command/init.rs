@@ -13,7 +13,7 @@ fn all_put_in(scenario: &str) -> String {
 }
 
 #[test]
-fn every_kind_runs_as_it_is_and_with_all_that_can_be_put_in() {
+fn every_template_runs_with_all_optional_keys() {
     for (kind, _) in TEMPLATES {
         let desk = Desk::with("");
         let (printed, said) = desk.ends(&["init", kind], 0);
@@ -37,7 +37,7 @@ fn every_kind_runs_as_it_is_and_with_all_that_can_be_put_in() {
 }
 
 #[test]
-fn the_comment_of_a_key_is_its_sentence_in_the_registry() {
+fn comment_of_key_is_its_registry_sentence() {
     let about = |path: &str| EVERY_KEY.iter().map(|key| (key.path, key.about)).find(|(known, _)| *known == path);
     let mut told = 0;
     for (kind, _) in TEMPLATES {
@@ -71,7 +71,7 @@ fn the_comment_of_a_key_is_its_sentence_in_the_registry() {
 }
 
 #[test]
-fn together_they_name_every_table_and_each_says_what_it_is() {
+fn templates_name_and_describe_every_table() {
     let all: Vec<String> =
         TEMPLATES.iter().map(|(kind, _)| Desk::with("").ends(&["init", kind, "--out", "-"], 0).0).collect();
     let all = all.join("\n");

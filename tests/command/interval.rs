@@ -83,7 +83,7 @@ fn hardness_of_a_material_moves_all_its_bodies() {
 /// One ball on one plate, by the proof stress of a data sheet, by a hardness and by the name alone: the intervals meet, and all hold e
 /// of the plate with its exponent of hardening and its strain rate.
 #[test]
-fn what_is_known_of_one_plate_gives_intervals_that_meet() {
+fn intervals_of_one_plate_overlap() {
     let s235 = ["--on", "steel-s235", "--from", "1 m"];
     let (by_strength, _) = drop(&[&s235[..], &["--strength", "235 MPa"]].concat());
     let (by_hardness, said) = drop(&[&s235[..], &["--hardness", "120 HV"]].concat());
@@ -130,8 +130,8 @@ fn wood_has_no_interval() {
     assert!(printed.contains("e has no interval: the law was made for metals"), "{printed}");
 }
 
-/// The error of the exponent 3/2 is on one side, and who did not ask for it is told. By the exponent that is closer to finite elements e
-/// lies inside.
+/// The error of the exponent 3/2 is one-sided, and a note states it if the exponent is the default. With the exponent that is closer
+/// to finite elements, e lies inside the interval.
 #[test]
 fn exponent_of_the_paper_is_a_shift() {
     let desk = Desk::with(STEEL);

@@ -26,7 +26,7 @@ fn the_command_prints_the_schema() {
 }
 
 #[test]
-fn the_reference_pages_have_the_tables_of_the_program() {
+fn reference_pages_have_tables_of_program() {
     let mut tables = 0;
     for name in ["keys.md", "results.md", "units.md"] {
         let path = format!("{}/scenarios/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -65,7 +65,7 @@ fn the_stub_of_an_impact_has_its_results() {
 /// Every key names the part of the scene that it changes. A table computes that part anew when the key varies, so none may be
 /// missing.
 #[test]
-fn a_key_that_keeps_contact_or_law_says_so() {
+fn key_without_effect_on_contact_says_so() {
     let text = format!("{STEEL}[friction]\ncoefficient = 0.1\n[gravity]\nacceleration = 9.81\n");
     let scene = Scenario::from_text("s.toml", &text, &[]).unwrap().resolve().unwrap();
     let contact = |input: &Input| format!("{:?}", input.contact());
@@ -83,7 +83,7 @@ fn a_key_that_keeps_contact_or_law_says_so() {
 }
 
 #[test]
-fn every_file_that_a_key_names_is_in_the_hash() {
+fn every_named_file_enters_the_hash() {
     let mut hashes = BTreeSet::from([Source::default().sha256()]);
     let named: Vec<&str> =
         EVERY_KEY.iter().filter(|key| matches!(key.form, Form::File(_))).map(|key| key.path).collect();
@@ -114,7 +114,7 @@ fn computed(input: &Input, of: Purpose) -> String {
 /// Every number that a scene gives changes what is computed, or the scene is warned that it does not, and why. An indentation
 /// refuses forces, a motion and its solver beside it.
 #[test]
-fn a_key_has_an_effect_on_every_use_or_a_reason_why_not() {
+fn every_key_has_effect_or_reason() {
     let scenes: &[&[&str]] = &[
         &["solver.tolerance=1e-9", "friction.coefficient=0.1", "sphere.moment_of_inertia=5e-8"],
         &["solver.method=auto", "solver.tolerance=1e-9", "half_space.density=7850", "law.stronge.unloading_factor=1.1"],

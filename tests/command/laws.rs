@@ -3,7 +3,7 @@
 use crate::common::prelude::*;
 
 #[test]
-fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures() {
+fn law_sweep_has_rows_for_every_law() {
     let whole: Vec<String> = LawChoice::all().iter().filter(|law| law.has_loading()).map(LawChoice::name).collect();
     let list: Vec<String> =
         whole.iter().chain(["jackson_green + brake".to_owned()].iter()).map(|name| format!("{name:?}")).collect();
@@ -28,7 +28,7 @@ fn every_law_of_a_sweep_has_its_rows_and_those_without_an_answer_are_no_failures
 }
 
 #[test]
-fn laws_lists_every_law_and_those_that_are_missing() {
+fn laws_lists_available_and_missing_laws() {
     let (text, _) = Desk::with("").ends(&["laws"], 0);
     for name in LawChoice::names() {
         assert!(text.contains(&format!("\n{name}\n")), "{name}");
@@ -50,7 +50,7 @@ fn laws_lists_every_law_and_those_that_are_missing() {
 }
 
 #[test]
-fn laws_as_json_have_the_facts_of_every_law() {
+fn laws_as_json_have_facts_of_all() {
     let (text, _) = Desk::with("").ends(&["laws", "--json"], 0);
     let all: Value = serde_json::from_str(&text).unwrap();
     let laws = all["laws"].as_array().unwrap();

@@ -159,7 +159,7 @@ fn written() -> String {
 }
 
 #[test]
-fn every_crate_that_is_linked_has_its_notice_and_the_command_prints_it() {
+fn every_linked_crate_has_a_printed_notice() {
     let path = root().join("src/doors/licenses.txt");
     let file = read(&path);
     if is_updating() {
@@ -184,7 +184,7 @@ fn every_crate_that_is_linked_has_its_notice_and_the_command_prints_it() {
 }
 
 #[test]
-fn a_licence_is_chosen_where_a_crate_leaves_the_choice() {
+fn one_of_alternative_licences_is_chosen() {
     let licences = ["Unlicense/MIT", "(MIT OR Apache-2.0) AND Unicode-3.0", "Apache-2.0 OR BSL-1.0", "Zlib"];
     assert_eq!(
         expression(licences.into_iter(), ["MIT", "Bitstream-Vera"]),
@@ -205,7 +205,7 @@ fn the_wheel_names_the_licences_of_what_is_linked_in() {
 
 /// The plug-in for LAMMPS is under the licence of LAMMPS; crate and sdist say MIT.
 #[test]
-fn what_is_packaged_is_under_the_licence_of_the_package() {
+fn packaged_files_have_licence_of_package() {
     let cargo = Command::new(env!("CARGO"))
         .current_dir(root())
         .args(["package", "--list", "--allow-dirty", "--offline"])

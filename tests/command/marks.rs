@@ -54,7 +54,7 @@ fn first_yield_is_that_of_the_law() {
 
 /// Newton's cradle: the first of two equal elastic balls stays.
 #[test]
-fn a_rebound_speed_that_is_an_error_of_rounding_is_0() {
+fn rebound_speed_within_rounding_is_0() {
     let cradle = STEEL
         .replace("density = \"7850 kg/m^3\"", "mass = \"4 g\"")
         .replace("yield_strength = \"345 MPa\"", "radius = \"5 mm\"\nmass = \"4 g\"");

@@ -25,7 +25,7 @@ fn value(name: &str, property: Property) -> f64 {
 }
 
 #[test]
-fn every_material_makes_an_impact_as_ball_and_as_plate() {
+fn every_material_works_as_ball_and_plate() {
     for entry in all() {
         let name = &entry.name;
         for (sphere, half_space) in [(name.as_str(), "steel-s355"), ("alumina-99.5", name.as_str())] {
@@ -47,7 +47,7 @@ fn every_material_makes_an_impact_as_ball_and_as_plate() {
 }
 
 #[test]
-fn a_material_says_what_keys_would_say() {
+fn material_equals_its_keys() {
     let by_name = scene(&pair("steel-52100-hardened", "steel-304-annealed"));
     let by_keys = scene(
         "[sphere]\nradius = \"5 mm\"\nyoungs_modulus = \"207 GPa\"\npoissons_ratio = 0.3\ndensity = \"7830 kg/m^3\"\n\
@@ -81,7 +81,7 @@ fn a_material_gives_both_bodies_the_same_strength() {
 }
 
 #[test]
-fn a_key_beside_the_material_goes_before_its_value() {
+fn key_overrides_value_of_material() {
     let with = |key: &str| {
         scene(&pair("steel-52100-hardened", "steel-304-annealed").replace("[impact]", &format!("{key}\n[impact]")))
     };
@@ -108,7 +108,7 @@ fn a_key_beside_the_material_goes_before_its_value() {
 }
 
 #[test]
-fn what_a_scene_has_no_use_for_is_not_taken() {
+fn unused_material_values_are_not_applied() {
     let with = |tables: &str| scene(&(pair("steel-52100-hardened", "steel-304-annealed") + tables));
     // no elastic waves beside damping; no hardening under another law
     assert!(with("[gravity]\nacceleration = 9.81\n").half_space().density.is_some());
@@ -159,7 +159,7 @@ fn materials_are_an_axis() {
 }
 
 #[test]
-fn one_line_draws_from_the_ranges_of_a_material() {
+fn material_ranges_are_drawn_by_one_line() {
     let random = steel()
         + "[monte_carlo]\nsamples = 2000\n\"half_space.material\" = \"uniform\"\n\"impact.speed\" = { uniform = [2, 4] }\n";
     let plan = Scenario::from_text("s.toml", &random, &[]).unwrap().plan().unwrap();
@@ -184,7 +184,7 @@ fn one_line_draws_from_the_ranges_of_a_material() {
 }
 
 #[test]
-fn a_calibration_looks_for_the_strength_that_the_material_would_give() {
+fn calibration_frees_the_strength_of_the_material() {
     let text = steel() + "[calibrate.measured]\nrestitution = 0.5\n";
     let wanted = Scenario::from_text("s.toml", &text, &[]).unwrap().wanted().unwrap();
     assert_eq!(
@@ -200,7 +200,7 @@ fn a_calibration_looks_for_the_strength_that_the_material_would_give() {
 /// The strength that a material gives, by every way to a result: an impact, a row of a table, a series, an export, and a
 /// comparison with measurements that has nothing to find. The keys written out are the reference.
 #[test]
-fn every_way_to_a_result_knows_the_hardness_of_a_material() {
+fn every_interface_uses_hardness_of_material() {
     let keys = |name: &str| {
         let of = |property| find(name).unwrap().get(property).map(|known| known.used.text.clone());
         let line = |(key, property)| of(property).map_or_else(String::new, |text| format!("{key} = \"{text}\"\n"));

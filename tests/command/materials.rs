@@ -23,7 +23,7 @@ fn quantity(property: Property) -> &'static Quantity {
 }
 
 #[test]
-fn every_value_is_one_that_a_scenario_takes_lies_in_its_range_and_has_two_sources() {
+fn values_are_valid_and_have_two_sources() {
     let mut names = BTreeSet::new();
     for entry in all() {
         let name = &entry.name;
@@ -66,7 +66,7 @@ fn values_are_those_that_are_published() {
 }
 
 #[test]
-fn hardness_and_hardening_from_tension_say_the_same_strength() {
+fn tension_data_and_hardness_give_equal_strength() {
     // K [MPa] and n of stress = K strain^n, measured in tension (Kalpakjian and Schmid; Callister). At the plastic
     // strain of a hardness test this stress has to agree with the stress of the hardness, which is accurate to 10 %. n
     // varies from batch to batch; the farthest is 304 with 24 %
@@ -98,7 +98,7 @@ fn power(start: f64, modulus: f64, exponent: f64, strain: f64) -> f64 {
 }
 
 #[test]
-fn a_power_law_by_name_has_the_proof_stress_of_its_metal() {
+fn named_power_law_keeps_proof_stress() {
     // least and largest usual 0.2 % proof stress: EN 10088-3 (1.4301, minimum) and AK Steel; ASM for C11000 annealed and
     // Callister; ASM (2024-T3 sheet, minimum) and MatWeb
     let usual = [
@@ -148,7 +148,7 @@ fn a_power_law_by_name_has_the_proof_stress_of_its_metal() {
 }
 
 #[test]
-fn a_file_with_a_slip_is_refused_with_its_place() {
+fn bad_material_file_is_refused_with_position() {
     let file = |value: &str, source: &str| {
         format!(
             "[basis]\n[sources]\nme = \"A book\"\n[[material]]\nname = \"x\"\ntitle = \"X\"\nclass = \"metal\"\n\
@@ -202,7 +202,7 @@ fn the_beginning_of_names_lists_those() {
 
 /// Every value lies in its range. The density of the alloy is that of the data sheets, 2700 kg/m^3.
 #[test]
-fn materials_as_json_have_values_in_si_with_their_ranges() {
+fn json_of_materials_has_si_values_and_ranges() {
     let desk = Desk::with("");
     let json = |arguments: &[&str]| -> Value { serde_json::from_str(&desk.ends(arguments, 0).0).unwrap() };
     let whole = json(&["materials", "--json"]);

@@ -15,7 +15,7 @@ fn check(table: &str, script: &str, now: impl Fn(&str) -> f64) {
 }
 
 #[test]
-fn the_picture_of_the_page_shows_the_numbers_of_today() {
+fn page_picture_shows_current_numbers() {
     let desk = Desk::with("");
     let template = desk.ends(&["init", "impact", "--out", "-"], 0).0;
     desk.put("s.toml", &template);
@@ -26,7 +26,7 @@ fn the_picture_of_the_page_shows_the_numbers_of_today() {
 }
 
 #[test]
-fn the_picture_of_lammps_shows_the_restitution_of_today() {
+fn lammps_picture_shows_current_restitution() {
     let desk = Desk::with("");
     let steel = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/steel-on-steel.toml");
     desk.put("s.toml", fs::read_to_string(steel).unwrap());

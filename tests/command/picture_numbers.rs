@@ -30,7 +30,7 @@ enum Form {
 
 use Form::{Area, Line, Marks, Through};
 
-/// What a picture shows in one of its boxes.
+/// The content of one box of a picture.
 struct Shown {
     /// File and function that make the picture.
     kind: &'static str,
@@ -97,7 +97,7 @@ fn nearest((x, y): (f64, f64), marks: &[(f64, f64)]) -> f64 {
     marks.iter().map(|at| (at.0 - x).hypot(at.1 - y)).fold(f64::INFINITY, f64::min)
 }
 
-/// What is wrong with what a picture shows.
+/// The mistake in the content of a picture.
 fn fault(desk: &Desk, Shown { picture, panel, form, rows, .. }: &Shown) -> Option<String> {
     let drawn = Drawn(desk.read(&format!("out/{picture}.svg")));
     let (scales, panel) = (drawn.scales(*panel), *panel);

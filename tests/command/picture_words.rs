@@ -1,4 +1,4 @@
-//! What the words and the scales of a picture say: units, titles, which curves are shown, and what a logarithmic axis can show.
+//! The words and the scales of pictures: units, titles, the choice of curves, and the limits of a logarithmic axis.
 
 use plm_impact::report::plot::{self, Axis, Chart, Series};
 
@@ -56,9 +56,9 @@ fn titles_are_in_the_words_of_the_field() {
     }
 }
 
-/// Of twenty curves seven are shown, at even steps, in one unit and in different colours; the key says that there are more.
+/// Seven of twenty curves are shown, at even steps, in one unit and in different colours; the key states that there are more.
 #[test]
-fn the_curves_of_a_long_axis_are_even_and_counted() {
+fn long_axis_has_even_counted_curves() {
     let still = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "");
     let axes = "\"half_space.youngs_modulus\" = { linspace = [1e11, 2e11], points = 20 }\n\"impact.drop_height\" = { linspace = [\"100 mm\", \"2 m\"], points = 20 }";
     let drawn = drawn(&format!("{still}[sweep]\n{axes}\n"), "restitution");
@@ -75,7 +75,7 @@ fn the_curves_of_a_long_axis_are_even_and_counted() {
 
 /// A dent that grows with the size of the sphere is on a logarithmic axis where the sizes are.
 #[test]
-fn a_dent_over_decades_of_sizes_has_a_logarithmic_axis() {
+fn dent_over_decades_has_logarithmic_axis() {
     let axes = "\"sphere.radius\" = { logspace = [\"10 um\", \"10 mm\"], points = 10 }";
     let output = "[output]\npicture = [\"residual_indentation_m\"]\n";
     let drawn = drawn(&format!("{STEEL}{output}[sweep]\n{axes}\n"), "residual_indentation_m");
@@ -87,7 +87,7 @@ fn a_dent_over_decades_of_sizes_has_a_logarithmic_axis() {
 
 /// The unloading curves of a series on logarithmic axes end at the lower edge.
 #[test]
-fn unloading_curves_on_logarithmic_axes_end_at_the_edge() {
+fn unloading_curves_on_logarithmic_axes_end_at_edge() {
     let series = "[gravity]\nacceleration = 9.81\n[repeat]\nimpacts = 12\nspot = \"fresh\"\n";
     let drawn = drawn(&(STEEL.to_owned() + series), "force_indentation");
     let [_, _, right, bottom] = drawn.boxes()[0];
@@ -114,7 +114,7 @@ fn an_error_bar_below_zero_reaches_the_edge() {
 
 /// The line below the title names the damping, and the key has both lines of a damped loop.
 #[test]
-fn a_damped_impact_says_so() {
+fn damped_impact_names_its_damping() {
     let elastic = STEEL.replace("yield_strength = \"345 MPa\"\n", "");
     for (damping, words) in
         [("viscous = 0.15", "; damping viscous 0.15"), ("hunt_crossley = 0.1", "; damping Hunt–Crossley 0.1 s/m")]
@@ -129,7 +129,7 @@ fn a_damped_impact_says_so() {
 
 /// Both heights of a fit are in one unit, and a hardness is in HV, as in a sweep.
 #[test]
-fn a_fit_has_one_unit_and_the_hardness_its_scale() {
+fn fit_has_one_unit_and_hardness_scale() {
     let desk = Desk::with(STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "[calibrate]\ndata = \"d.csv\"\n"));
     desk.put("d.csv", "drop_height_m,rebound_height_m\n0.5,0.13\n1,0.23\n1.5,0.31\n2,0.38\n");
     desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "svg"], 0);
@@ -160,7 +160,7 @@ fn titles_of_low_boxes_do_not_touch() {
 
 /// The box beside the loops has a title that stands alone.
 #[test]
-fn the_box_of_the_sphere_says_whose_indentation_it_shows() {
+fn sphere_panel_names_indented_body() {
     for format in ["svg", "narrow-svg"] {
         let drawn = drawn_as(STEEL, "force_indentation", format);
         assert!(has(&drawn, "Indentation of the sphere [µm]"), "{:?}", drawn.texts());
@@ -189,7 +189,7 @@ fn calibrated(keys: &str, data: &str, code: i32) -> Desk {
 
 /// The key of a fit has error bars where a reader sees them, and says so where the marker covers them.
 #[test]
-fn error_bars_below_the_size_of_a_marker_are_said() {
+fn error_bars_smaller_than_marker_are_noted() {
     for (deviation, is_seen) in [("0.03", true), ("0.0002", false)] {
         let data = format!(
             "speed_m_per_s,restitution,restitution_sd\n1,0.603138,{deviation}\n2,0.530915,{deviation}\n3,0.490579,{deviation}\n"
@@ -240,7 +240,7 @@ fn a_sought_hardness_is_in_vickers() {
     assert!((middle - x.place(vickers)).abs() < UNITS, "{vickers} HV");
 }
 
-/// Of many curves each has a colour of its own, and markers.
+/// In a picture of many curves each has its own colour, and markers.
 #[test]
 fn many_curves_have_markers() {
     let axes = "\"impact.speed\" = { logspace = [1e-2, 10], points = 40 }\n\"law\" = \"all\"\n";
@@ -255,7 +255,7 @@ fn many_curves_have_markers() {
 
 /// A key within the axes has a frame, and a key with one entry that the title of the axis has already is left out.
 #[test]
-fn a_key_has_a_frame_and_is_there_only_where_needed() {
+fn legend_has_frame_and_appears_when_needed() {
     let axes = [Axis::linear("x", ""), Axis::linear("y", "")];
     let lines = vec![Series::line("n = -2.623", vec![(0.0, 0.0), (1.0, 1.0)]).styled(0)];
     let with_key = Drawn::of(&Chart::new("t", axes, lines));
@@ -273,7 +273,7 @@ fn a_key_has_a_frame_and_is_there_only_where_needed() {
 
 /// The colours of a narrow map are beside it, and not on it.
 #[test]
-fn the_colours_of_a_narrow_map_are_beside_it() {
+fn narrow_map_has_colour_bar_beside_it() {
     let axes = "\"impact.speed\" = { linspace = [1, 2], points = 9 }\n\"half_space.yield_strength\" = { linspace = [3e8, 4e8], points = 9 }";
     let drawn = drawn_as(&sweep(axes), "restitution_map", "narrow-svg");
     let [map, bar] = drawn.boxes()[..] else { panic!("{:?}", drawn.boxes()) };

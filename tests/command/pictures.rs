@@ -59,7 +59,7 @@ fn pictures_of_the_program_keep_their_text() {
 }
 
 #[test]
-fn every_kind_of_run_writes_the_pictures_that_it_is_asked_for() {
+fn every_run_writes_requested_pictures() {
     for kind in Kind::ALL.map(Kind::name) {
         let desk = Desk::with("");
         let file = format!("{kind}.toml");
@@ -90,7 +90,7 @@ fn every_kind_of_run_writes_the_pictures_that_it_is_asked_for() {
 
 /// The line below the title says of the bodies that flow, and of no other, at which strength they yield.
 #[test]
-fn the_line_below_the_title_names_the_body_that_yields() {
+fn subtitle_names_yielding_body() {
     let yields = |sphere: &str, half_space: &str| {
         let text = crate::common::STEEL.replace("345 MPa", half_space);
         let desk = Desk::with(text.replace("[half_space]", &format!("yield_strength = \"{sphere}\"\n[half_space]")));

@@ -27,7 +27,7 @@ fn scenes() -> [Impact; 4] {
 /// The loops of approach and half-space share a box. The sphere has a box of its own where its loop would be too narrow: an
 /// elastic one on a dent. A rigid one has none, and then the half-space has the whole approach.
 #[test]
-fn force_against_indentation_shows_loops_that_fill_the_axes() {
+fn force_loops_fill_the_axes() {
     for (impact, (boxes, sphere)) in scenes().into_iter().zip([(2, Some(1)), (1, Some(0)), (1, None), (1, Some(0))]) {
         let drawn = Drawn::of(&plot::force_indentation(&impact).unwrap());
         assert_eq!(drawn.boxes().len(), boxes);
@@ -112,7 +112,7 @@ fn curves_and_guides_are_cut_at_the_axes() {
 }
 
 #[test]
-fn text_stays_text_within_the_sheet_in_any_font() {
+fn text_stays_in_sheet_with_any_font() {
     let drawn = Drawn::of(&lines(axes()[0].0.clone(), vec![vec![(0.0, 0.0), (2.0, 2.0)]]));
     let texts = drawn.texts();
     for want in ["a < b & \"c\"", "Length [m]", "Height [m]", "first", "a note", "0.5"] {
@@ -137,7 +137,7 @@ fn text_stays_text_within_the_sheet_in_any_font() {
 }
 
 #[test]
-fn a_narrow_picture_has_letters_of_the_same_size_and_its_key_below_the_axes() {
+fn narrow_picture_keeps_letters_and_moves_legend() {
     let curves = || (0..5).map(|i| Series::line(format!("curve {i}"), vec![(0.0, 0.0), (2.0, 3.0)])).collect();
     let chart = Chart::new("Title", [Axis::linear("Length", "m"), Axis::linear("Height", "m")], curves());
     let chart = chart.with_notes([LONG]);
@@ -190,7 +190,7 @@ fn odd_data_make_a_picture_and_no_panic() {
 }
 
 #[test]
-fn a_heat_map_has_each_cell_in_its_colour() {
+fn heat_map_colours_each_cell() {
     let map = |values: &[f64]| {
         let axes = [Axis::log("Speed", "m/s"), Axis::linear("Strength", "Pa")];
         let value = |column: usize, row: usize| values[2 * row + column];
@@ -217,7 +217,7 @@ const LONG: &str = "A title of forty words that somebody wrote who had much to s
                     and the law, and who would like to read all of it above the picture and not only its middle part";
 
 #[test]
-fn long_titles_names_and_notes_stay_on_the_sheet() {
+fn long_titles_and_notes_stay_on_sheet() {
     let endless = "word".repeat(200);
     let curves = |count: usize, name: &str| -> Vec<Series> {
         (0..count).map(|i| Series::line(format!("{name} {i}"), vec![(1.0, 1.0), (2.0, 3.0)])).collect()

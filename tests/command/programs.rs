@@ -18,7 +18,7 @@ fn objects(bytes: &[u8]) -> Vec<Value> {
 }
 
 #[test]
-fn json_prints_the_summary_that_is_written_and_nothing_else() {
+fn json_prints_only_the_written_summary() {
     for kind in Kind::ALL.map(Kind::name) {
         let desk = Desk::with("");
         let file = format!("{kind}.toml");
@@ -40,7 +40,7 @@ fn json_prints_the_summary_that_is_written_and_nothing_else() {
 }
 
 #[test]
-fn an_error_as_json_says_where_it_is_and_what_is_allowed() {
+fn json_error_has_position_and_allowed_values() {
     let desk = Desk::with(STEEL.replace("radius = \"5 mm\"", "radius = \"-5 mm\""));
     fs::write(desk.path("name.toml"), STEEL.replace("radius =", "radus =")).unwrap();
     fs::write(desk.path("good.toml"), STEEL).unwrap();

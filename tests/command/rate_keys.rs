@@ -14,7 +14,7 @@ const COOK: &str = "johnson_cook = { c = 0.02 }";
 
 /// The metal's rate is taken where it is asked for; where it is not, `check` says how much higher e is with it.
 #[test]
-fn a_material_gives_its_rate_only_if_it_is_asked() {
+fn material_gives_rate_only_on_request() {
     let copper = STEEL.replace("yield_strength = \"345 MPa\"", "material = \"copper-annealed\"");
     let asked = copper.replace("[impact]", "rate = \"material\"\n[impact]");
     let e = |text: &str| scene(text, NONE).contact().unwrap().closed_form(3.0).unwrap().restitution;
@@ -85,7 +85,7 @@ fn a_series_and_a_trace_have_the_rate() {
 
 /// Rate and strength together do not follow from restitutions, and the refusal says why.
 #[test]
-fn a_rate_and_a_strength_are_not_found_together() {
+fn rate_and_strength_are_not_fitted_together() {
     let contact = scene(&with_rate("johnson_cook = { c = 0.014 }"), NONE).contact().unwrap();
     let mut data = "speed_m_per_s,restitution\n".to_owned();
     for speed in [0.3, 0.5, 1.0, 2.0, 3.0, 5.0] {

@@ -115,7 +115,7 @@ fn refusal(file: &str, text: &str, overrides: &[String]) -> Option<String> {
 }
 
 #[test]
-fn every_wrong_scenario_is_refused_with_what_helps() {
+fn invalid_scenarios_are_refused_with_advice() {
     for case in all().iter().filter(|case| case.command.is_none()) {
         assert_eq!(refusal(&case.file, &(case.text() + &case.to_be_good), &[]), None, "{}", case.about);
         for change in case.changes() {
@@ -127,7 +127,7 @@ fn every_wrong_scenario_is_refused_with_what_helps() {
 }
 
 #[test]
-fn every_other_wrong_file_and_request_is_refused_and_nothing_is_written() {
+fn wrong_request_is_refused_without_output() {
     for case in all().iter().filter(|case| case.command.is_some()) {
         for change in case.changes() {
             let message = case.message(&change, change.command.as_ref().unwrap());
@@ -138,7 +138,7 @@ fn every_other_wrong_file_and_request_is_refused_and_nothing_is_written() {
 
 /// The command says of a scenario what the library says: one entry of each kind.
 #[test]
-fn run_and_check_refuse_what_is_refused_and_write_nothing() {
+fn run_and_check_refuse_alike_without_output() {
     for case in all().iter().filter(|case| case.command.is_none()) {
         let change = case.changes().next().unwrap();
         for command in ["run", "check"] {

@@ -25,7 +25,7 @@ samples = 20
 "#;
 
 #[test]
-fn what_is_asked_for_is_understood() {
+fn series_keys_are_read() {
     let read = |rest: &str| {
         let scenario = Scenario::from_text("s.toml", &format!("{BODIES}{rest}"), &[]).unwrap();
         scenario.repeat(&scenario.resolve().unwrap()).unwrap()
@@ -41,7 +41,7 @@ fn what_is_asked_for_is_understood() {
 }
 
 #[test]
-fn a_bouncing_ball_says_where_and_when_it_ends() {
+fn bouncing_ball_reports_place_and_time_of_end() {
     let desk = Desk::with(format!("{BODIES}{BOUNCING}"));
     let (table, _) = desk.ends(&["run", "s.toml", "--pictures", "none"], 0);
     assert_eq!(desk.files("plots/s"), ["impacts.csv", "summary.json", "trace.csv"]);
@@ -68,7 +68,7 @@ fn a_bouncing_ball_says_where_and_when_it_ends() {
 }
 
 #[test]
-fn shots_have_no_time_and_an_elastic_half_space_no_dent() {
+fn shots_have_no_time_elastic_ones_no_dent() {
     let elastic = BODIES.replace("yield_strength = \"276 MPa\"\n", "");
     let desk = Desk::ran(format!("{elastic}[repeat]\nspot = \"same\"\nspeeds = [1, 2]\n"));
     assert!(!desk.path("out/height.png").exists());
@@ -82,7 +82,7 @@ fn shots_have_no_time_and_an_elastic_half_space_no_dent() {
 
 /// A series that ends captured has separated before: at the touch and the contact time of the last impact that left.
 #[test]
-fn the_last_separation_is_that_of_the_last_impact_that_left() {
+fn last_separation_belongs_to_last_separated_impact() {
     let damped = BOUNCING.replace("0.5 m", "1 mm").replace("impacts = 4", "impacts = 10000");
     let desk = Desk::ran(format!("{BODIES}{damped}[damping]\nviscous = 0.3\n"));
     let (impacts, summary) = (desk.read("out/impacts.csv"), desk.summary());
@@ -94,7 +94,7 @@ fn the_last_separation_is_that_of_the_last_impact_that_left() {
 }
 
 #[test]
-fn bounces_report_what_waves_take() {
+fn bounces_report_wave_losses() {
     let bouncing = include_str!("../../scenarios/alumina-on-aluminium-with-waves.toml").to_owned()
         + "[gravity]\nacceleration = 9.81\n[repeat]\nspot = \"same\"\nimpacts = 4\n";
     let desk = Desk::ran(bouncing);

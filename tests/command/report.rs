@@ -27,7 +27,7 @@ fn ran(set: &[&str]) -> Ran {
 
 /// Those that `holds.toml` has no reference for.
 #[test]
-fn the_other_numbers_of_the_summary_read_back_to_the_same_bits() {
+fn summary_numbers_read_back_to_same_bits() {
     let Ran { contact, impact, summary, .. } = ran(&[]);
     for (key, value) in [
         ("/peak_contact_radius_m", impact.peak_contact_radius),
@@ -52,7 +52,7 @@ fn the_other_numbers_of_the_summary_read_back_to_the_same_bits() {
 
 /// A half-space without a yield strength says nothing plastic.
 #[test]
-fn an_elastic_scene_says_nothing_plastic() {
+fn elastic_scene_reports_no_plastic_results() {
     let desk = Desk::with(STEEL.replace("yield_strength = \"345 MPa\"\n", ""));
     let (table, _) = desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "none"], 0);
     let text = table + &desk.read("out/summary.json");
@@ -62,7 +62,7 @@ fn an_elastic_scene_says_nothing_plastic() {
 }
 
 #[test]
-fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
+fn trace_has_samples_and_events_as_exact_rows() {
     let Ran { impact, trace, .. } = ran(&[]);
     let of = |name: &str| numbers(&trace, name);
     let columns =
@@ -91,7 +91,7 @@ fn the_trace_has_every_sample_and_every_event_as_exact_rows() {
 
 /// The numbers of a check are those of the run, with all digits, in every kind of scene.
 #[test]
-fn a_check_as_json_has_the_inputs_and_the_contact_of_the_run() {
+fn json_check_has_inputs_and_contact_of_run() {
     let desk = Desk::ran(STEEL);
     let summary = desk.summary();
     let checked: Value = serde_json::from_str(&desk.ends(&["check", "s.toml", "--json"], 0).0).unwrap();
@@ -123,7 +123,7 @@ fn a_check_as_json_has_the_inputs_and_the_contact_of_the_run() {
 /// Which results and columns an angle adds is in `holds.toml`, their numbers are in tests/same_numbers (oblique.toml), and the balances
 /// of energy and momentum in tests/physics.
 #[test]
-fn e_of_an_oblique_impact_is_that_of_the_normal_speed() {
+fn e_of_oblique_impact_uses_normal_speed() {
     let angle = STEEL.replace("3 m/s\"", "3 m/s\"\nangle = \"20 deg\"") + "[friction]\ncoefficient = 0.15\n";
     for (scene, speed) in [(STEEL.to_owned(), 3.0), (angle, 3.0 * 20_f64.to_radians().cos())] {
         let summary = Desk::ran(scene).summary();
@@ -141,7 +141,7 @@ fn closed_form_and_warnings(scenario: &Scenario) -> (String, Vec<String>) {
 }
 
 #[test]
-fn without_a_closed_form_the_balance_of_energy_stands_in_for_it() {
+fn energy_balance_replaces_missing_closed_form() {
     let (line, _) = closed_form_and_warnings(&read(STEEL, &["law=jackson_green", "damping.viscous=0.1"]));
     assert!(line.ends_with("  none"), "{line}");
     // with an exponent of 1.4 near yield, unloading gives back no more than the work of loading, also without closed

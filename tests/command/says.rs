@@ -37,7 +37,7 @@ fn assert_says(about: &str, said: &str, entry: &[String]) {
 }
 
 #[test]
-fn check_says_what_it_should_and_nothing_else() {
+fn check_prints_exactly_the_expected_messages() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     for scene in toml::from_str::<Says>(include_str!("says.toml")).unwrap().scene {
         let copied = scene.copy_of.map(|path| std::fs::read_to_string(root.join(path)).unwrap());

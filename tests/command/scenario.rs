@@ -17,7 +17,7 @@ fn plm(input: &Input) -> Plm {
 }
 
 #[test]
-fn a_scenario_resolves_to_si_and_to_the_defaults() {
+fn scenario_resolves_to_si_and_defaults() {
     let scene = resolve(STEEL, &[]).unwrap();
     assert_eq!(scene.sphere().radius, 0.005);
     assert_eq!(scene.sphere().material.youngs_modulus, 210e9);
@@ -32,7 +32,7 @@ fn a_scenario_resolves_to_si_and_to_the_defaults() {
 }
 
 #[test]
-fn overrides_change_keys_as_the_shell_hands_them_over() {
+fn overrides_from_shell_change_keys() {
     let scene = resolve(
         STEEL,
         &[
@@ -68,7 +68,7 @@ fn overrides_change_keys_as_the_shell_hands_them_over() {
 
 /// A value of the file, and a change of the command line that needs it no more.
 #[test]
-fn the_command_line_replaces_siblings_and_tables_and_takes_keys_away() {
+fn overrides_replace_alternatives_and_tables_and_remove_keys() {
     let set = |set: &[&str]| resolve(STEEL, set).unwrap();
     assert_eq!(set(&["sphere.diameter=1 cm"]), set(&["sphere.radius=none", "sphere.diameter=1 cm"]));
     for [other, own] in EITHER {
@@ -81,7 +81,7 @@ fn the_command_line_replaces_siblings_and_tables_and_takes_keys_away() {
     assert_eq!(set(&["half_space={ youngs_modulus = 7e10, poissons_ratio = 0.3 }"]).half_space().yield_strength, None);
     assert_eq!(set(&["half_space.yield_strength=none"]).half_space().yield_strength, None);
     assert_eq!(set(&["gravity.acceleration=9.81", "gravity=none"]), set(&[]));
-    // what is wrong in the file is told at its place there, though the command line has moved it
+    // a mistake in the file is reported at its position in the file, though the command line has moved it
     let text = STEEL.replace("\"3 m/s\"", "-3");
     let message = resolve(&text, &["sphere.radius=none", "sphere.diameter=1 cm", "law=hertz"]).unwrap_err().to_string();
     let place = 1 + text.lines().position(|line| line == "speed = -3").unwrap();
@@ -131,7 +131,7 @@ fn beside(path: &str) -> (Vec<String>, &'static str) {
 }
 
 #[test]
-fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
+fn every_listed_key_is_read_from_file() {
     for key in KEYS.iter() {
         let is_share =
             ["poissons_ratio", "stiffness_ratio", "power.exponent"].iter().any(|name| key.path.ends_with(name));
@@ -167,7 +167,7 @@ fn every_key_of_the_table_is_a_key_of_the_file_and_reaches_the_scene() {
 
 /// Where the keys of a law are not given, `check` shows the values that the law takes.
 #[test]
-fn the_defaults_of_keys_are_those_of_the_laws() {
+fn key_defaults_match_law_defaults() {
     for law in LawChoice::all() {
         let mut input = Input::default();
         input.named_law = law;
@@ -177,7 +177,7 @@ fn the_defaults_of_keys_are_those_of_the_laws() {
 }
 
 #[test]
-fn a_drop_height_is_a_speed_and_gravity_acts_only_where_it_is_given() {
+fn drop_height_sets_speed_without_gravity_in_contact() {
     let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"0.5 m\"");
     // standard gravity of the 3rd general conference on weights and measures
     let fallen = resolve(&text, NONE).unwrap();
@@ -198,7 +198,7 @@ fn a_drop_height_is_a_speed_and_gravity_acts_only_where_it_is_given() {
 }
 
 #[test]
-fn damping_is_one_of_two_and_gravity_pulls_down() {
+fn damping_kinds_exclude_and_gravity_pulls_down() {
     let damping = |text: &str| resolve(STEEL, &[text]).unwrap().forces().damping;
     assert_eq!(damping("damping.hunt_crossley=0.1 s/m"), Some(Damping::HuntCrossley(0.1)));
     assert_eq!(damping("damping.viscous=5 %"), Some(Damping::Viscous(0.05)));
@@ -206,7 +206,7 @@ fn damping_is_one_of_two_and_gravity_pulls_down() {
 }
 
 #[test]
-fn whole_numbers_of_any_base_are_read_right_or_refused() {
+fn whole_numbers_of_any_base_are_read() {
     for (speed, want) in [
         ("7", 7.0),
         ("0x10", 16.0),
@@ -225,7 +225,7 @@ fn whole_numbers_of_any_base_are_read_right_or_refused() {
 }
 
 #[test]
-fn a_file_that_a_scenario_names_is_read_once() {
+fn named_file_is_read_once() {
     let directory = tempfile::tempdir().unwrap();
     let path = |name: &str| directory.path().join(name);
     let curve = |stress: &str| {
@@ -250,7 +250,7 @@ fn a_file_that_a_scenario_names_is_read_once() {
 }
 
 #[test]
-fn mistakes_are_told_at_once_each_with_its_place_and_of_very_many_their_number() {
+fn all_errors_are_reported_with_location() {
     let text =
         STEEL.replace("\"5 mm\"", "\"5 kg\"").replace("speed =", "sped =").replace("[half_space]", "[halfspace]");
     let message = Scenario::from_text("steel.toml", &text, &["solver.tolerance=7".to_owned()]).unwrap_err().to_string();
@@ -300,7 +300,7 @@ fn the_hash_is_of_text_overrides_and_coefficients() {
 
 /// That they run, and to which numbers, is in tests/same_numbers.
 #[test]
-fn every_scenario_of_the_repository_opens_with_a_comment_and_has_no_warning() {
+fn shipped_scenarios_have_a_comment_and_no_warning() {
     let mut checked = 0;
     for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios")).unwrap() {
         let path = entry.unwrap().path();
@@ -317,9 +317,9 @@ fn every_scenario_of_the_repository_opens_with_a_comment_and_has_no_warning() {
     assert!(checked > 15, "{checked}");
 }
 
-/// Values, names and rules: all mistakes of a file are told at once, and programs are told each of them.
+/// Values, names and rules: all mistakes of a file are reported at once, and programs get each of them.
 #[test]
-fn all_mistakes_of_a_file_are_told_at_once() {
+fn all_mistakes_of_file_are_reported() {
     let text = "[sphere]\nradius = \"5 mm\"\ndiameter = \"10 mm\"\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.7\n\
                 [half_space]\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nedge_distance = \"5 cm\"\n\
                 [impact]\nspeed = 1\ndrop_height = 1\nangle = \"10 deg\"\n";
@@ -343,7 +343,7 @@ fn all_mistakes_of_a_file_are_told_at_once() {
     let text = STEEL.replace("[impact]", "radius = 0\n[gravity]\nacceleration = 9.81\n[air]\ndensity = 1.2\n[impact]");
     let told = resolve(&text, &[]).unwrap_err().to_string();
     assert!(told.contains("half_space.radius: must not be 0") && told.contains("the key `drag` is missing"), "{told}");
-    // what a misspelt material would have given is not told as missing
+    // a value of a misspelt material is not reported as missing
     let materials = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardend\"\n[half_space]\nmaterial = \"steel-s2355\"\n\
                      [impact]\nspeed = 1\n";
     let error = Scenario::from_text("two.toml", materials, &[]).unwrap_err();

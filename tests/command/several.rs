@@ -8,7 +8,7 @@ use crate::common::prelude::*;
 const FAILING_ROW: &str = "\n[sweep]\n\"impact.speed\" = [1, 1e-250]\n";
 
 #[test]
-fn a_file_that_fails_does_not_stop_those_behind_it() {
+fn failing_file_does_not_stop_next_files() {
     let desk = Desk::with(STEEL);
     desk.put("f.toml", format!("{STEEL}{FAILING_ROW}").replace("speed = \"3 m/s\"\n", ""));
     desk.put("bad.toml", STEEL.replace("5 mm", "5 mn"));
@@ -22,7 +22,7 @@ fn a_file_that_fails_does_not_stop_those_behind_it() {
 }
 
 #[test]
-fn two_files_of_one_name_are_refused_before_anything_runs() {
+fn files_of_equal_name_are_refused_first() {
     let desk = Desk::with("");
     desk.put("a/s.toml", STEEL);
     desk.put("b/s.toml", STEEL.replace("3 m/s", "2 m/s"));
@@ -35,7 +35,7 @@ fn two_files_of_one_name_are_refused_before_anything_runs() {
 }
 
 #[test]
-fn columns_are_refused_with_the_kind_of_the_scenario() {
+fn unknown_columns_are_refused_with_scenario_kind() {
     let columns = "output.columns=[\"restitution\"]";
     for (more, kind) in [
         ("", "one impact"),
@@ -51,7 +51,7 @@ fn columns_are_refused_with_the_kind_of_the_scenario() {
 }
 
 #[test]
-fn a_file_that_is_too_large_is_told_what_helps() {
+fn too_large_file_is_refused_with_remedy() {
     let desk = Desk::with(STEEL.replace("[impact]", "flow_stress = { table = \"flow.csv\" }\n\n[impact]"));
     desk.put("flow.csv", "plastic_strain,stress_Pa\n".to_owned() + &"0.1,400e6\n".repeat(110_000));
     let said = desk.ends(&["check", "s.toml"], 2).1;
@@ -60,7 +60,7 @@ fn a_file_that_is_too_large_is_told_what_helps() {
 }
 
 #[test]
-fn a_column_of_deviations_without_a_unit_is_told_its_whole_name() {
+fn deviation_column_without_unit_gets_full_name() {
     let desk = Desk::with(STEEL);
     desk.put("d.csv", "speed_m_per_s,dent_depth_m,dent_depth_sd\n3,1e-5,1e-6\n");
     let said = desk.ends(&["calibrate", "s.toml", "d.csv"], 2).1;
@@ -90,7 +90,7 @@ fn progress_is_logged_where_there_is_no_terminal() {
 
 /// A standard deviation larger than the value: its bar ends at the lower end of a logarithmic axis, and does not vanish.
 #[test]
-fn a_bar_that_reaches_below_a_logarithmic_axis_is_cut() {
+fn bar_below_logarithmic_axis_is_cut() {
     let drawn = |share: f64| {
         let desk = Desk::with(STEEL);
         let depths = [(0.5, 1.2e-6), (1.0, 3.2e-6), (2.0, 8.0e-6), (4.0, 1.9e-5)];

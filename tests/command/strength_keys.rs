@@ -27,7 +27,7 @@ fn restitution(scene: &Input) -> f64 {
 }
 
 #[test]
-fn a_mass_is_a_density_said_otherwise() {
+fn mass_replaces_density() {
     // 4/3 π (5 mm)³ 7850 kg/m³
     let grams = 4.0 / 3.0 * std::f64::consts::PI * 0.125 * 7.85;
     let by_mass = scene(&with_mass(&format!("\"{grams} g\"")));
@@ -46,7 +46,7 @@ fn a_mass_is_a_density_said_otherwise() {
 /// The strengths are those of another program, which searches for the indentation of the law by halving. HB 285 and HRC 29.8 are
 /// HV 300 in DIN 50150.
 #[test]
-fn a_hardness_is_a_yield_strength_said_otherwise() {
+fn hardness_replaces_yield_strength() {
     for (hardness, wanted) in [
         ("\"300 HV\"", 1_143_580_700.198_075_5),
         ("\"285 HB\"", 1_143_580_700.198_075_5),
@@ -78,7 +78,7 @@ fn a_hardness_is_a_yield_strength_said_otherwise() {
 }
 
 #[test]
-fn a_hardness_and_an_exponent_meet_at_a_strain_of_0_08() {
+fn hardness_with_exponent_holds_at_strain_0_08() {
     let text = with_hardness("\"300 HV\"")
         .replace("[impact]", "[half_space.flow_stress]\npower = { exponent = 0.1 }\n[impact]");
     let scene = scene(&text);
@@ -108,7 +108,7 @@ fn every_form_of_a_flow_curve_is_read() {
 }
 
 #[test]
-fn a_table_of_a_flow_curve_is_a_file_beside_the_scenario() {
+fn flow_curve_table_is_read_beside_scenario() {
     let desk = Desk::with(with_flow("table = \"flow.csv\""));
     let file = desk.path("flow.csv");
     fs::write(&file, "# steel\nplastic_strain, stress_Pa\n0.002, 350e6\n0.01, 400e6\n").unwrap();
@@ -117,7 +117,7 @@ fn a_table_of_a_flow_curve_is_a_file_beside_the_scenario() {
 }
 
 #[test]
-fn every_number_is_an_axis_and_can_be_drawn() {
+fn every_number_is_axis_and_random_variable() {
     let base = with_flow("power = { exponent = 0.1 }");
     for (text, key, values) in [
         (with_mass("\"4 g\""), "sphere.mass", "[\"3 g\", \"5 g\"]"),
@@ -142,7 +142,7 @@ fn every_number_is_an_axis_and_can_be_drawn() {
 /// every hardness, by as much as the guide says. With a rate of c = 0.006, which is no fit but a value between those of 4340 and of
 /// hard steels, it is right in the mean.
 #[test]
-fn e_of_quenched_steels_from_their_hardness_is_low_on_one_side() {
+fn e_of_quenched_steels_is_biased_low() {
     let leeb = include_str!("../../scenarios/leeb-d.toml");
     let guide = include_str!("../../scenarios/README.md");
     let bias = |rate: &[&str]| -> Vec<f64> {
@@ -189,7 +189,7 @@ fn the_leeb_scenario_rebounds_as_calculated_elsewhere() {
 /// The page scenarios/trust.md says that a simulated Brinell test gives 11 to 14 % more than the number typed. The parts: the
 /// table of ISO 18265 (HV = 1.05 HB), the faces of the pyramid over their projection (1/0.9272), and the area of the cap.
 #[test]
-fn a_brinell_test_of_a_brinell_number_gives_more_by_the_way_over_vickers() {
+fn simulated_brinell_test_reads_high() {
     for (hardness, load) in [(130.0, 500.0), (130.0, 1000.0), (200.0, 1500.0), (300.0, 3000.0), (400.0, 3000.0)] {
         let steps = format!("[indentation]\nsteps = [{{ load = \"{load} kgf\" }}]\n");
         let bodies = format!(

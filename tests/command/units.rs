@@ -5,7 +5,7 @@ use plm_impact::scenario::scene::quantity::ANGLE;
 use plm_impact::units::{Dimension, describe, exact, human, parse, quantity, si};
 
 #[test]
-fn every_spelling_gives_the_number_that_si_digits_give() {
+fn every_spelling_equals_its_si_digits() {
     let rows: Vec<(String, String, f64)> = records(include_str!("spellings.csv"));
     assert_eq!(rows.len(), 77);
     for (spelling, name, want) in rows {
@@ -17,7 +17,7 @@ fn every_spelling_gives_the_number_that_si_digits_give() {
 /// The hint names the unit that is meant. A unit of few letters is not guessed from its letters, as one letter makes another unit
 /// of a speed.
 #[test]
-fn an_unknown_unit_gets_the_likely_one_or_the_list() {
+fn unknown_unit_gets_suggestion_or_list() {
     use Dimension::{Length, Mass, MomentOfInertia, Pressure, Speed, Viscosity};
     let table = [
         ("5 kmh", Speed, Some("km/h")),
@@ -49,7 +49,7 @@ fn an_unknown_unit_gets_the_likely_one_or_the_list() {
 }
 
 #[test]
-fn the_command_lists_every_unit_and_every_scale_of_hardness() {
+fn command_lists_units_and_hardness_scales() {
     let output = Desk::with("").call(&["units"]);
     assert_eq!(output.status.code(), Some(0));
     let list = text(&output.stdout);
@@ -71,7 +71,7 @@ fn an_angle_carries_its_unit() {
 }
 
 #[test]
-fn values_are_shown_in_si_and_in_a_unit_that_fits() {
+fn values_are_shown_in_si_and_fitting_unit() {
     use Dimension::{Density, Force, Length, Pressure, Ratio, Speed};
     let table = [
         (0.005, Length, "0.005 m (5 mm)"),
@@ -94,7 +94,7 @@ proptest! {
     #![proptest_config(crate::common::cases(256))]
 
     #[test]
-    fn what_is_shown_with_all_digits_is_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {
+    fn all_digits_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {
         for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed, Dimension::Ratio] {
             prop_assert_eq!(parse(&si(value, dimension), dimension).ok(), Some(value));
             prop_assert_eq!(parse(&exact(value, dimension), dimension).ok(), Some(value));
@@ -102,7 +102,7 @@ proptest! {
     }
 
     #[test]
-    fn what_is_shown_in_a_fitting_unit_is_within_six_digits(value in 1e-30..1e30_f64) {
+    fn fitting_unit_keeps_six_digits(value in 1e-30..1e30_f64) {
         for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed] {
             let read = parse(&human(value, dimension), dimension).unwrap();
             // half a unit in the sixth digit

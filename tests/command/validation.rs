@@ -144,7 +144,7 @@ fn the_page_shows_the_pictures_of_the_format() {
 }
 
 #[test]
-fn a_deviation_that_is_no_number_is_the_largest() {
+fn nan_is_the_largest_deviation() {
     for place in 0..3 {
         let mut deviations = [0.1, -0.3, 0.2];
         assert_eq!(largest(deviations.into_iter()), -0.3);
@@ -157,7 +157,7 @@ static COMPARED: LazyLock<Vec<Comparison>> =
     LazyLock::new(|| validate::comparisons(PlmCoefficients::built_in(), &Counter::default()).unwrap());
 
 #[test]
-fn rows_of_load_cycles_follow_from_a_second_implementation() {
+fn load_cycle_rows_match_independent_law() {
     let mut compared = 0;
     for cycle in records::<Row>(include_str!("../../src/impact/reference/fe_unloading.csv")) {
         let case: usize = cycle["case"].trim_start_matches("case").parse().unwrap();
@@ -252,7 +252,7 @@ pub fn rebound_of_device(strength: f64) -> f64 {
 /// hardness: with the tensile strength e is 4 to 14 % too low, with the 0.2 % strength of a structural steel about 30
 /// %.
 #[test]
-fn e_is_as_low_as_documented_with_the_strengths_that_people_have() {
+fn restitution_bias_of_common_strengths_is_as_documented() {
     let off = |hardness: f64, strength: f64| rebound_of_device(1e6 * strength) / (hardness / 1000.0) - 1.0;
     for steel in STEELS.rows().unwrap() {
         for end in ["low", "high"] {

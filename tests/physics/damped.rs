@@ -6,7 +6,7 @@ use plm_impact::numerics::integrate::library::{Library, Scheme};
 use plm_impact::numerics::integrate::{Drag, Landing, Leg, Path, Sizes, State};
 
 #[test]
-fn a_damped_spring_under_a_body_that_gives_way_follows_its_closed_form() {
+fn damped_oscillator_follows_closed_form() {
     // d'' = −ω² d − (2ζω + θω²) d', θ of a plate: the turning point is that of the sum of both, with b = ζ + θω/2 at
     // ω t = arccos b/√(1 − b²), d = u/ω e^(−b ω t). The sphere lifts off where the force of spring and damper is gone
     let (omega, u) = (3.0, 0.7_f64);
@@ -58,7 +58,7 @@ fn a_damped_spring_under_a_body_that_gives_way_follows_its_closed_form() {
 }
 
 #[test]
-fn a_weakly_damped_hertz_contact_lets_go_where_its_force_vanishes() {
+fn weakly_damped_hertz_contact_separates_at_zero_force() {
     // lift-off is where (5/4) d^1.5 = 2ζ √((5/4)(3/2) √d) u, with u = 1 near the end: d^(5/4) = 2ζ √1.875/1.25. It is
     // earlier by d than without damping, where it is at 2.9432751843247047
     let law = Law::hertz();

@@ -12,7 +12,7 @@ fn steel(n: f64) -> Scene {
 }
 
 #[test]
-fn a_series_on_one_spot_is_warned_of_the_raised_exponent_once() {
+fn series_on_one_spot_warns_of_exponent_once() {
     let contact = steel(1.4).contact();
     let speed = 1.1 * contact.yield_speed().unwrap();
     let repeat = Repeat { place: Place::Same, drive: Drive::Shots(vec![speed, speed, 1.05 * speed, 3.0 * speed]) };
@@ -23,7 +23,7 @@ fn a_series_on_one_spot_is_warned_of_the_raised_exponent_once() {
 
 /// The loading of Thornton's law and the unloading of the PLM.
 #[test]
-fn behind_the_loading_of_another_law_a_number_stays_that_number_too() {
+fn fixed_exponent_is_kept_under_other_loading() {
     let plm = LawChoice::Plm(Plm { exponent: UnloadingExponent::Fixed(1.2), ..Plm::default() });
     let [loading, unloading] = [LawChoice::from_name("thornton").unwrap(), plm].map(Box::new);
     let contact = Scene::steel().contact_by(&Combined { loading, unloading });

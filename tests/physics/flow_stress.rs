@@ -9,7 +9,7 @@ use crate::common::prelude::*;
 /// The series for the time on the first pieces against the sum of the times on all pieces: the same law with its curve made
 /// anew from its pieces has no series.
 #[test]
-fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
+fn contact_time_is_sum_over_pieces() {
     let flows = [
         (STEEL.to_owned(), "power.exponent = 0"),
         (STEEL.to_owned(), "power.exponent = 0.3"),
@@ -43,7 +43,7 @@ fn the_contact_time_is_the_sum_of_the_times_on_all_pieces() {
 /// A curve steeper than Young's modulus is refused where it is written (command/refusals.toml); where an axis makes it so, the
 /// rows say that they are outside of the law.
 #[test]
-fn rows_with_a_curve_that_no_metal_has_are_outside_of_the_law() {
+fn impossible_flow_curve_is_outside_the_law() {
     let rate = "half_space.flow_stress.voce.rate=2300";
     let got = rows_of(STEEL, &[rate, "sweep={\"half_space.flow_stress.voce.saturation\" = [0.1, 1, 23]}"]);
     let is_outside: Vec<bool> = got.results.iter().map(|row| *row == Err(Failure::OutsideLaw)).collect();
@@ -55,7 +55,7 @@ proptest! {
 
     /// A warning is given beyond the curve, and nowhere else.
     #[test]
-    fn an_impact_beyond_the_flow_curve_is_warned_of(
+    fn impact_beyond_flow_curve_warns(
         speed in 0.01..20.0_f64, first in 1.0..1.5_f64, second in 1.0..2.0_f64, strain in 1e-3..0.05_f64, zeta in 0.0..0.2_f64,
     ) {
         // steeper than the elastic line is refused

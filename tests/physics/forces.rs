@@ -41,7 +41,7 @@ fn fate(impact: &Impact) -> Fate {
 }
 
 #[test]
-fn hunt_crossley_restitution_falls_by_two_thirds_of_chi_v() {
+fn hunt_crossley_restitution_has_slope_two_thirds() {
     // Hunt and Crossley (1975), J. Appl. Mech. 42, 440-445: e = 1 − α v and damping (3/2) α of the force, so χ = (3/2)
     // α, to first order in χ v; the next term of G(−e v) = G(v) is + (4/9) (χ v)²
     let contact = |chi| under(&elastic(), hunt_crossley(chi));
@@ -62,7 +62,7 @@ fn hunt_crossley_restitution_falls_by_two_thirds_of_chi_v() {
 }
 
 #[test]
-fn viscous_damping_of_a_hertz_contact_does_not_know_the_speed() {
+fn viscous_hertz_restitution_is_independent_of_speed() {
     // Tsuji, Tanaka and Ishida (1992), Powder Technol. 71, 239-250, chose δ^¼ so that e does not depend on the speed
     for zeta in [0.01, 0.1, 0.5, 0.9, 1.0, 3.0] {
         let at = |speed| under(&elastic(), viscous(zeta)).impact(speed, &solver(Method::Rk8, 1e-11), None).unwrap();
@@ -74,10 +74,10 @@ fn viscous_damping_of_a_hertz_contact_does_not_know_the_speed() {
 }
 
 #[test]
-fn an_overdamped_contact_without_gravity_lets_go_and_with_gravity_creeps_to_rest() {
+fn overdamped_contact_separates_or_creeps_under_gravity() {
     let scene = Scene::steel();
     for zeta in [1.0, 2.0, 20.0] {
-        // on the way back the sphere would slow down only under a pulling force, and there is none
+        // during the rebound only a pulling force could slow the sphere down, and the contact never pulls
         let impact = under(&scene, viscous(zeta)).impact(3.0, &Solver::default(), None).unwrap();
         assert!(fate(&impact) == Fate::Separated && impact.restitution > 0.0 && impact.restitution < 0.1);
         let both = Forces { gravity: Some(1e6), ..viscous(zeta) };
@@ -101,7 +101,7 @@ fn an_overdamped_contact_without_gravity_lets_go_and_with_gravity_creeps_to_rest
 }
 
 #[test]
-fn methods_without_steps_say_where_they_end() {
+fn methods_without_steps_name_their_limits() {
     let closed = Solver { method: Method::ClosedForm, ..Solver::default() };
     let contact = under(&Scene::steel(), viscous(0.1));
     assert_eq!(contact.impact(3.0, &closed, None), Err(ImpactError::NoClosedForm));
@@ -117,7 +117,7 @@ fn methods_without_steps_say_where_they_end() {
 /// Strong damping of Hunt and Crossley lets the sphere out at 1/χ, where F (1 + χ δ') is zero but for rounding. The contact ends
 /// at the dent all the same: once it ended up to seven times too early.
 #[test]
-fn fixed_steps_follow_a_strongly_damped_sphere_to_the_dent() {
+fn fixed_steps_follow_strong_damping_to_dent() {
     for speed in [7.0, 15.0, 30.0] {
         for scene in [Scene::steel(), Scene { yield_strength: Some(900e6), ..Scene::steel() }] {
             let contact = under(&scene, hunt_crossley(10.0));
@@ -134,7 +134,7 @@ fn fixed_steps_follow_a_strongly_damped_sphere_to_the_dent() {
 /// Under gravity `auto` is as exact as the energy and costs what rk8 does: the rebound is that of the balance of energy, the
 /// times are those of a run by rk8.
 #[test]
-fn auto_has_the_times_of_rk8_under_gravity_and_a_rebound_without_its_error() {
+fn auto_matches_energy_and_rk8_under_gravity() {
     let contact = under(&Scene::steel(), gravity(1e4));
     let [auto, stepped] = [Method::Auto, Method::Rk8].map(|method| contact.row(0.5, &solver(method, 1e-5)).unwrap());
     assert_eq!(auto.contact_time, stepped.contact_time);

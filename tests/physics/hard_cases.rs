@@ -38,7 +38,7 @@ fn every_case_has_its_reference_value() {
 }
 
 #[test]
-fn every_method_follows_its_tolerance_on_every_case_and_problem() {
+fn every_method_meets_its_tolerance_on_all_cases() {
     let cases = hard_cases().into_iter().map(|case| {
         let rounding = rounding(&case);
         (case.name.to_string(), case.law, case.speed, case.exact, rounding)
@@ -75,7 +75,7 @@ fn every_method_follows_its_tolerance_on_every_case_and_problem() {
 }
 
 #[test]
-fn closed_form_gives_the_printed_values_of_the_problems() {
+fn closed_form_matches_printed_values() {
     for problem in problems().unwrap().into_iter().filter(|problem| problem.forces.is_none()) {
         // the printed values have 16 digits or more; the speed ratio is rounded once more
         let error = worst(&closed_form::solve(&problem.law, problem.speed), &problem.exact);
@@ -113,7 +113,7 @@ fn modulus_ratio_goes_to_its_limits() {
 }
 
 #[test]
-fn force_is_right_at_zero_and_beside_every_knot() {
+fn force_is_exact_at_zero_and_near_knots() {
     let cases = hard_cases().into_iter().map(|case| (case.name, case.law));
     for (name, law) in cases.chain([("case 3", Scene::case_3().law())]) {
         assert_eq!((law.respond(0.0, None), law.respond(-1.0, None)), ((0.0, None), (0.0, None)), "{name}");
@@ -158,7 +158,7 @@ proptest! {
 }
 
 #[test]
-fn the_smallest_and_the_largest_scenes_are_computed_or_refused_by_name() {
+fn extreme_scales_are_computed_or_refused() {
     let mut computed = 0;
     for radius in [1e-300, 1e-100, 1e-30, 1e30, 1e100, 1e300] {
         for modulus in [1e-300, 1e-30, 1e30, 1e300] {

@@ -81,7 +81,7 @@ proptest! {
     #![proptest_config(crate::common::cases(200))]
 
     #[test]
-    fn on_measured_curves_that_level_off_the_same_holds_more_loosely((law, bodies, _) in any_measured_law()) {
+    fn saturating_measured_curves_satisfy_looser_bounds((law, bodies, _) in any_measured_law()) {
         is_orderly(&law, &bodies, 1.0, 2e-3, 1e-2)?;
     }
 }
@@ -89,7 +89,7 @@ proptest! {
 /// The pressure of a soft sphere on a hard metal grows so fast that "pressure-shape" asks for an exponent below -1. The branch
 /// then gives back just what was spent, and an impact has no answer.
 #[test]
-fn an_exponent_that_no_branch_can_have_has_no_answer() {
+fn impossible_exponent_has_no_answer() {
     // e 1.6 GPa sphere on E = 437 GPa, as steep as the elastic line allows
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
     let (sphere, half_space, yield_strength) = (material(1.6e9), material(437e9), Some(130e6));
@@ -117,7 +117,7 @@ fn an_exponent_that_no_branch_can_have_has_no_answer() {
 /// curve, and by one constant strength in its place: that at the first plastic strain, at 0.2 %, and at 8 %, which a
 /// hardness test gives. rms and largest deviation.
 #[test]
-fn e_is_as_far_off_as_the_table_of_strengths_says() {
+fn error_of_e_matches_table_of_strengths() {
     let off_by = |strain: Option<f64>, exponent: UnloadingExponent| -> Vec<f64> {
         let unloadings = HARDENING.rows().unwrap().into_iter();
         let of_each = unloadings.map(|row| {

@@ -54,7 +54,7 @@ fn an_elastic_loop_is_hertz_to_and_fro() {
 
 /// On a ball the radius of Hertz's contact is the effective one, 1/R = 1/0.25 mm + 1/0.5 mm.
 #[test]
-fn an_elastic_contact_of_two_balls_is_as_wide_as_hertz_says() {
+fn elastic_contact_of_two_balls_follows_hertz() {
     let ball = HalfSpace { radius: Some(0.5e-3), ..alloy(77e9, None) };
     let contact = contact(&ball, UnloadingExponent::Paper);
     let memory = steps(&contact, &[To(1e-6)])[0].memory;
@@ -66,7 +66,7 @@ fn an_elastic_contact_of_two_balls_is_as_wide_as_hertz_says() {
 }
 
 #[test]
-fn a_loop_costs_the_work_less_what_comes_back() {
+fn loop_energy_is_work_minus_recovered_energy() {
     // from the definition of the law: ∮ F dδ = W − F_m δ_e/(n + 1), S = n F_m/δ_e, δ_r = δ_m − δ_e
     for (exponent, n) in [
         (UnloadingExponent::Paper, 1.5),
@@ -97,7 +97,7 @@ fn a_loop_costs_the_work_less_what_comes_back() {
 }
 
 #[test]
-fn above_the_dent_there_is_no_contact_and_no_force() {
+fn no_contact_and_no_force_above_dent() {
     let contact = ti_10_nb(UnloadingExponent::Paper);
     let done = contact.indent(&[Load(20.0), To(1e-6), To(0.0), To(2e-6), Load(5.0)], Some(30)).unwrap();
     let residual = done.steps[0].memory.residual_indentation;
@@ -118,7 +118,7 @@ fn above_the_dent_there_is_no_contact_and_no_force() {
 }
 
 #[test]
-fn doubts_are_raised_once_by_the_step_that_gives_them() {
+fn step_warns_once_of_its_own_problem() {
     // nothing says how hard a half-space will be that hardens
     let strong = Sphere { yield_strength: Some(1.2e9), ..indenter() };
     let half_space = alloy(77e9, Some(630e6));

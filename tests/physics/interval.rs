@@ -15,7 +15,7 @@ use crate::common::prelude::*;
 
 /// The table that the program uses is the one that follows from the rows of `validate`.
 #[test]
-fn law_error_table_is_that_of_the_finite_elements() {
+fn law_error_table_matches_finite_elements() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/scenario/scene/interval/law_errors.csv");
     assert_golden(&path, law_errors_csv(PlmCoefficients::built_in()).unwrap());
 }
@@ -99,10 +99,10 @@ fn drawn_piece(entry: &MaterialEntry, uniform: &mut impl FnMut([f64; 2]) -> f64)
     Some(text)
 }
 
-/// Of every metal by name, pieces with a hardness, an exponent and a strain rate of their own, and an error of the law as that of a load
-/// cycle: the interval, which knows the name alone, holds at least 90 % of their e.
+/// Samples of every named metal have a random hardness, exponent and strain rate, and the error of the law in a random load
+/// cycle. The interval, which depends on the name alone, contains at least 90 % of their e.
 #[test]
-fn interval_holds_e_of_pieces_of_which_everything_is_known() {
+fn interval_contains_e_of_fully_known_pieces() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut uniform = |[low, high]: [f64; 2]| low + (high - low) * f64::from(random.next_u32()) / f64::from(u32::MAX);
     let errors = cycle_errors(PlmCoefficients::built_in(), UnloadingExponent::PressureShape).unwrap();
@@ -143,9 +143,9 @@ fn likely(warning: &Warning, e: f64) -> Option<[f64; 2]> {
     }
 }
 
-/// No interval excludes an e that a warning of the same impact calls likely, and there is none beside a warning of e without figures.
+/// Every interval contains the e that a warning of the same impact calls likely. With a warning of e without figures there is no interval.
 #[test]
-fn no_interval_excludes_what_a_warning_calls_likely() {
+fn interval_contains_e_of_warnings() {
     let names: Vec<&str> = all().iter().filter(|entry| entry.is_metal()).map(|entry| entry.name.as_str()).collect();
     let (mut intervals, mut warned) = (0, 0);
     for half_space in &names {

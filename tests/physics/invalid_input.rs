@@ -12,7 +12,7 @@ fn half_space() -> HalfSpace {
     HalfSpace::flat(STEEL_MATERIAL, Some(345e6))
 }
 
-/// What a contact of these bodies is refused for.
+/// The reason why a contact of these bodies is refused.
 fn refused(sphere: Sphere, half_space: HalfSpace) -> String {
     match Contact::try_new(sphere, half_space, &Plm::default()) {
         Err(ImpactError::Invalid(error)) => {
@@ -105,7 +105,7 @@ fn coefficients_that_break_a_rule_are_refused() {
 
 /// Each reason has its own advice. Times without a unit are of no use to anyone.
 #[test]
-fn a_run_without_an_end_says_why() {
+fn run_without_end_names_reason() {
     let steps = 7;
     for (error, advice) in [
         (IntegrationError::StepUnderflow { time: 0.5, step: 1e-20 }, "loosen the tolerance"),
@@ -119,7 +119,7 @@ fn a_run_without_an_end_says_why() {
     ] {
         let text = error.to_string();
         assert!(text.contains(advice) && !text.contains("dimensionless") && !text.contains("0.5"), "{text}");
-        // only a method with a tolerance is told to loosen it
+        // only for a method with a tolerance the message advises to loosen it
         assert_eq!(text.contains("tolerance"), advice == "loosen the tolerance", "{text}");
     }
     // a contact that fixed steps do not leave: it creeps

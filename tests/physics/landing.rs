@@ -3,8 +3,8 @@
 use crate::common::prelude::*;
 
 #[test]
-fn a_knot_just_before_the_peak_is_passed_on_the_way_in() {
-    // a long step may pass the knot, turn, and end before the knot; the passage on the way in must still be found
+fn knot_just_before_peak_is_passed_during_loading() {
+    // a long step may pass the knot, turn, and end before the knot; its passage during loading must still be found
     let scene = Scene::steel();
     let yield_speed = scene.yield_speed();
     let law = scene.law();

@@ -14,7 +14,7 @@ fn restitution(law: &Law, x: f64) -> f64 {
 }
 
 #[test]
-fn printed_table_of_case_3_is_reproduced_to_its_digits() {
+fn printed_table_of_case_3_is_reproduced() {
     // x, f, ε, W/(F_Y δ_Y), δ_s/δ, δ_r/δ_m, e: Xie et al. 2024, Table 1, case 3; computed with 30 digits from the law's
     // definition and printed with 6 to 10
     #[rustfmt::skip]
@@ -68,7 +68,7 @@ proptest! {
     }
 
     #[test]
-    fn unloading_leaves_the_peak_and_ends_at_the_dent(scene in any_scene(), log_x in -1.0..4.0_f64, exponent in 0..3_usize) {
+    fn unloading_begins_at_peak_and_ends_at_dent(scene in any_scene(), log_x in -1.0..4.0_f64, exponent in 0..3_usize) {
         let exponent = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape][exponent];
         let law = Scene { exponent, ..scene }.law();
         let x = 10_f64.powf(log_x);
@@ -128,7 +128,7 @@ fn changed(change: impl FnOnce(&mut PlmCoefficients)) -> PlmCoefficients {
 }
 
 #[test]
-fn built_in_table_is_accepted_and_says_where_it_comes_from() {
+fn built_in_table_is_accepted_with_its_source() {
     let table = PlmCoefficients::built_in();
     table.check().unwrap();
     assert!(table.provenance.source.contains("CalculiX") && table.provenance.range.contains("0.45"));
@@ -146,7 +146,7 @@ fn a_table_without_geometry_is_read() {
 }
 
 #[test]
-fn tables_of_200_knots_and_of_knots_1e_12_apart_make_laws() {
+fn tables_of_200_and_of_close_knots_work() {
     let pair = *Scene::case_3().contact().pair();
     for ratio in [1.02, 1.0 + 1e-12] {
         let table = changed(|table| {

@@ -124,7 +124,7 @@ fn without_slip_the_sphere_swings_on_a_spring() {
 /// A deep dent in a steel of 10 MPa: s_1/s_0 has a limit as the angle goes to 0, which another sum over springs puts at −0.5374 ± 0.001. Once it
 /// ran away in dents of more than 1e6 yield indentations: 6.0 at 1e-7 degrees, and no answer below.
 #[test]
-fn friction_that_hardly_slips_in_a_deep_dent_has_its_limit() {
+fn hardly_slipping_friction_in_deep_dent_has_limit() {
     let soft = ["sphere.yield_strength=10 MPa", "sphere.poissons_ratio=0", "half_space.yield_strength=1e14"];
     let contact = contact(STEEL, &soft);
     let ratio = |angle: f64, friction: f64| {
@@ -149,7 +149,7 @@ fn friction_that_hardly_slips_in_a_deep_dent_has_its_limit() {
 
 /// With gross sliding the impulses are in the ratio μ to the last bit: the difference of two large speeds once gave 0.3 % more.
 #[test]
-fn the_ratio_of_impulses_in_gross_sliding_is_the_coefficient() {
+fn gross_sliding_impulse_ratio_is_friction_coefficient() {
     let contact = alumina_on_glass();
     for (angle, friction, spin) in
         [(89.999_999_999_9, 0.5, 0.0), (60.0, 1e-6, -3e4), (0.0, 1e-6, 3e4), (80.0, 0.1, 7.0)]
@@ -163,7 +163,7 @@ fn the_ratio_of_impulses_in_gross_sliding_is_the_coefficient() {
 
 /// Once I was made back from 1 + m R²/I: it lost digits, and was infinite from 1e16 m R² on.
 #[test]
-fn a_body_with_a_large_moment_of_inertia_has_its_energy() {
+fn large_moment_of_inertia_keeps_energy() {
     let contact = alumina_on_glass();
     let of_radius = contact.mass() * 2.5e-3 * 2.5e-3;
     for share in [0.1, 0.4, 1e3, 1e12, 1e16, 1e20] {
@@ -173,14 +173,14 @@ fn a_body_with_a_large_moment_of_inertia_has_its_energy() {
         let tangential = 3.9 * angle.to_radians().sin();
         let want = 0.5 * contact.mass() * tangential * tangential + 0.5 * share * of_radius * spin * spin;
         assert_relative_eq!(oblique.kinetic_in, want, max_relative = 1e-14);
-        // friction takes what the motion loses, as far as the digits of a fast spin show it
+        // friction absorbs the energy that the motion loses, within the digits of a fast spin
         let lost = oblique.kinetic_in - oblique.recovered;
         assert_abs_diff_eq!(lost, oblique.loss, epsilon = 1e-14 * want);
     }
 }
 
 #[test]
-fn gross_sliding_has_its_closed_form_and_begins_where_it_says() {
+fn gross_sliding_has_closed_form_and_its_limit() {
     // elastic: psi_2 = psi_1 - 4 chi from psi_1 = 4 chi - 1 on
     let chi = 1.3;
     let run = |psi: f64| psi * elastic_ratio(psi, chi, OF_RUNS);
@@ -251,7 +251,7 @@ fn limits_without_friction_without_slip_and_without_anything() {
 /// A solid sphere has (2/5) m R². With less the contact point swings faster, in proportion to √(1 + m R²/I): the steps become
 /// shorter, and beyond a hundred times as many there is no answer. Friction never makes energy.
 #[test]
-fn a_small_moment_of_inertia_takes_more_steps_up_to_a_limit() {
+fn small_moment_of_inertia_is_limited_by_steps() {
     for law in [LawChoice::from_name("hertz").unwrap(), LawChoice::default()] {
         let contact = steel(&law);
         let solid = 0.4 * contact.mass() * 25e-6;

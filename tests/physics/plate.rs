@@ -22,7 +22,7 @@ impl OnPlate {
         }
     }
 
-    /// The same ball on steel that yields.
+    /// This ball on steel that yields.
     fn steel(thickness: f64) -> Self {
         let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
         let half_space = HalfSpace { density: Some(7850.0), ..HalfSpace::flat(steel, Some(345e6)) };
@@ -66,7 +66,7 @@ impl OnPlate {
 }
 
 #[test]
-fn published_numbers_and_limits_of_zener_s_equation_are_met() {
+fn zener_equation_matches_published_numbers() {
     // expansion in λ and the limit of large λ: 50-digit arithmetic of the equation; an elastic contact
     for inelasticity in [1e-4, 1e-3, 3e-3_f64] {
         let e = OnPlate::glass(5e-3).of_inelasticity(inelasticity, 1.0).impact(1.0, None).restitution;
@@ -101,7 +101,7 @@ fn by_the_trace(bodies: &OnPlate, impact: &Impact) -> (f64, f64) {
 }
 
 #[test]
-fn the_plate_takes_the_work_that_the_force_does_on_it_under_gravity_too() {
+fn plate_energy_equals_work_of_the_force() {
     // a weight of some hundredths of the peak force; the last one stays on the plate
     for (gravity, is_captured) in [(None, false), (Some(1e4), false), (Some(3e5), true)] {
         for (bodies, speed) in [(OnPlate::glass(2.5e-3), 1.0), (OnPlate::steel(2e-3), 0.5)] {
@@ -122,7 +122,7 @@ fn the_plate_takes_the_work_that_the_force_does_on_it_under_gravity_too() {
 }
 
 #[test]
-fn a_thick_plate_gives_way_like_a_thin_one_that_is_thinner() {
+fn thick_plate_yields_like_thinner_thin_plate() {
     // Y (1 + 1.86/X) with Y ~ h^−2
     let bodies = OnPlate::steel(8e-3);
     let thick = Plate { theory: PlateTheory::Thick, ..bodies.plate() };
@@ -164,7 +164,7 @@ fn doubtful_plates_are_warned_of() {
 }
 
 #[test]
-fn a_plate_is_refused_just_below_the_least_thickness() {
+fn plate_below_least_thickness_is_refused() {
     let refused = |contact: &Contact, speed: f64| match contact.impact(speed, &Solver::default(), None) {
         Err(ImpactError::Plate(error)) => error,
         other => panic!("{other:?}"),
@@ -188,7 +188,7 @@ fn a_plate_is_refused_just_below_the_least_thickness() {
 }
 
 #[test]
-fn shots_find_the_plate_at_rest_and_on_one_spot_their_dent() {
+fn shots_meet_resting_plate_and_own_dent() {
     let contact = OnPlate::steel(2e-3).contact();
     let speeds = vec![3.0, 3.0, 1.0];
     let run = |place| Repeat { place, drive: Drive::Shots(speeds.clone()) }.run(&contact, &Solver::default(), 0, None);

@@ -113,7 +113,7 @@ fn the_factor_goes_to_one_without_a_step() {
 
 /// A reload goes up the branch of the old dent until that meets the loading curve of its own rate.
 #[test]
-fn a_dent_is_met_by_the_loading_of_the_new_rate() {
+fn loading_at_new_rate_meets_old_dent() {
     for exponent in ["1.5", "pressure-shape"] {
         let input = rated(COWPER, &[&*format!("law.plm.unloading_exponent={exponent}")]);
         let contact = input.contact().unwrap();
@@ -169,7 +169,7 @@ fn ball_that_hardens(rate: &[&str]) -> Contact {
 /// The rate of a ball raises its whole flow curve: while it goes in it is the ball of the raised strength and slope, and at the turn
 /// the force is the one of the relaxed strength and slope at that depth. A rise of nothing changes no bit.
 #[test]
-fn a_ball_with_a_flow_curve_has_its_rate() {
+fn ball_with_flow_curve_has_its_rate() {
     let plain = ball_that_hardens(&[]);
     let (none, rising) =
         (ball_that_hardens(&["sphere.rate.johnson_cook.c=0"]), ball_that_hardens(&["sphere.rate.johnson_cook.c=0.03"]));

@@ -83,7 +83,7 @@ fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
 }
 
 #[test]
-fn every_way_to_an_impact_comes_to_the_references() {
+fn every_method_matches_references() {
     for references in [BUILT_IN, PLAIN, HARDENING, YIELDING, PLATE] {
         let [exact, of_rk8, of_library] = references.allowed;
         for row in references.rows() {
@@ -122,7 +122,7 @@ fn every_way_to_an_impact_comes_to_the_references() {
 }
 
 #[test]
-fn a_trace_turns_as_the_reference_says() {
+fn peak_row_matches_reference() {
     for row in [BUILT_IN, PLAIN, HARDENING, YIELDING, PLATE].iter().flat_map(References::rows) {
         let (scene, _, impact) = run::impact::compute(&read("", &row.keys(&[])), Some(200)).unwrap();
         let peak = *impact.trace.iter().find(|at| at.event == Some(Event::Peak)).unwrap();

@@ -16,7 +16,7 @@ fn dented(exponent: UnloadingExponent) -> (Contact, Spot, Impact) {
 }
 
 #[test]
-fn equal_shots_approach_the_dent_that_can_hold_their_energy() {
+fn equal_shots_approach_elastic_dent() {
     // in the limit of w(x_(k+1)) = w(x_k) + kinetic − f ε/(n + 1), kinetic = f ε/(n + 1) and e = 1
     for exponent in EXPONENTS {
         let (contact, mut spot, first) = dented(exponent);
@@ -63,7 +63,7 @@ fn slow_reloads_keep_their_digits() {
 }
 
 #[test]
-fn a_dent_on_the_hertz_piece_is_cut_there() {
+fn dent_on_hertz_piece_is_cut() {
     // between first yield and the first knot (x = 1.7) the force is that of Hertz, but there is a dent
     for x in [1.000_001, 1.1, 1.5, 1.699_999, 1.7] {
         let law = Scene::steel().law();
@@ -87,7 +87,7 @@ fn a_dent_on_the_hertz_piece_is_cut_there() {
 /// knot at x = 1.7. The second hit goes beyond the knot and gains this energy. This follows from such a law, and a warning says
 /// so.
 #[test]
-fn energy_gained_at_a_knot_is_said() {
+fn energy_gain_at_knot_warns() {
     let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.0 };
     let (sphere, half_space) = (material(1.342e9), material(27.858e9));
     let scene =

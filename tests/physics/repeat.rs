@@ -57,7 +57,7 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
 }
 
 #[test]
-fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
+fn elastic_ball_keeps_energy_over_1e5_bounces() {
     // e = 1 in every impact, so impact N begins at (N − 1)(2 v/g + T); the sum of 10^5 terms has a rounding error of
     // 1e-12
     let contact = contact(elastic(), None);
@@ -76,7 +76,7 @@ fn an_elastic_ball_bounces_a_hundred_thousand_times_without_gain() {
 }
 
 #[test]
-fn a_ball_of_constant_restitution_follows_the_geometric_series() {
+fn constant_restitution_gives_geometric_series() {
     // viscous damping of a Hertz contact has the same e at every speed (Tsuji, Tanaka and Ishida 1992), except for
     // gravity during the contact: m g over the peak force is below 1e-5 here
     let contact = contact(elastic(), Some(Damping::Viscous(0.05)));
@@ -103,7 +103,7 @@ fn a_ball_of_constant_restitution_follows_the_geometric_series() {
 }
 
 #[test]
-fn on_the_same_spot_only_the_first_bounce_deepens_the_dent() {
+fn same_spot_deepens_only_in_first_bounce() {
     for exponent in [UnloadingExponent::Paper, UnloadingExponent::PressureShape] {
         for speed in [0.05, 1.0, 3.0, 20.0] {
             let contact = contact(Scene { exponent, ..Scene::steel() }, None);
@@ -129,7 +129,7 @@ fn on_the_same_spot_only_the_first_bounce_deepens_the_dent() {
 }
 
 #[test]
-fn fresh_spots_are_single_impacts_at_the_speeds_that_remain() {
+fn fresh_spots_give_single_impacts_at_remaining_speeds() {
     let contact = contact(Scene::steel(), None);
     let sequence = bouncing(Place::Fresh, 3.0, 100, Some(0.02)).run(&contact, &auto(), 10, None).unwrap();
     assert_eq!(sequence.end, End::Until);
@@ -150,7 +150,7 @@ fn fresh_spots_are_single_impacts_at_the_speeds_that_remain() {
 }
 
 #[test]
-fn the_ledger_of_a_hundred_bounces_with_gravity_and_damping_closes() {
+fn energy_balance_of_100_damped_bounces_closes() {
     for place in Place::ALL {
         for (damping, tolerance) in
             [(None, 1e-13), (Some(Damping::HuntCrossley(0.02)), 1e-10), (Some(Damping::Viscous(0.002)), 1e-10)]
@@ -214,7 +214,7 @@ fn capture_ends_a_series_at_its_limit() {
 
 /// Under viscous damping a slow ball lifts off while it is still indented, and falls back. No dent holds it: it is captured.
 #[test]
-fn a_ball_that_falls_back_into_its_contact_is_captured_and_not_in_a_dent() {
+fn ball_falling_back_into_contact_is_captured() {
     for zeta in [0.2, 0.4, 0.6, 0.8] {
         for place in [Place::Same, Place::Fresh] {
             let contact = contact(Scene::steel(), Some(Damping::Viscous(zeta)));
@@ -246,7 +246,7 @@ fn a_fall_takes_the_time_of_galilei() {
 }
 
 #[test]
-fn a_flight_out_of_a_dent_loses_its_depth() {
+fn flight_from_dent_loses_its_depth() {
     // from 1 m below at 6 m/s under 10 m/s²: 0.8 m above the surface, back on it at 4 m/s after 1 s
     let flight = Flight::between(Flying::in_vacuum(10.0), 3.0, 1.0, 6.0, 0.0).unwrap();
     assert_eq!((flight.landing_speed, flight.duration, flight.top()), (4.0, 1.0, 0.8));

@@ -25,7 +25,7 @@ const STEEL: (f64, f64, f64) = (5e-3, 345e6, 210e9);
 /// By symmetry two equal balls meet as one of them meets a rigid wall at half the closing speed: at half the approach, with the same
 /// force, time and contact radius.
 #[test]
-fn equal_balls_are_one_on_a_rigid_wall_at_half_the_speed() {
+fn equal_balls_equal_rigid_wall_at_half_speed() {
     for exponent in [UnloadingExponent::Paper, UnloadingExponent::PressureShape] {
         let pair = balls(STEEL, STEEL, exponent);
         let wall = HalfSpace::flat(Material { youngs_modulus: 1e30, poissons_ratio: 0.3 }, None);
@@ -49,7 +49,7 @@ fn equal_balls_are_one_on_a_rigid_wall_at_half_the_speed() {
     }
 }
 
-/// The same two balls, whichever comes in.
+/// Two balls, where either of them is the one that is hit.
 #[test]
 fn it_does_not_matter_which_ball_is_hit() {
     for (one, other) in
@@ -76,7 +76,7 @@ fn a_hollow_needs_room_for_the_sphere() {
 
 /// Two equal elastic balls exchange their speeds. What a run leaves of the speed of the first is its error, and no result.
 #[test]
-fn a_rest_that_is_an_error_of_the_run_is_none() {
+fn rest_within_error_of_run_is_no_rest() {
     let second =
         ["half_space.radius=5 mm", "half_space.mass=ball", "half_space.density=7850", "half_space.yield_strength=1e12"];
     let contact = crate::common::contact(crate::common::STEEL, &second);

@@ -25,7 +25,7 @@ fn every_force() -> [Forces; 4] {
 }
 
 #[test]
-fn the_times_of_a_hertz_impact_are_off_by_the_square_of_the_step() {
+fn hertz_times_have_second_order_error() {
     let elastic = Scene { yield_strength: None, ..Scene::steel() };
     let exact = elastic.impact(0.5, Method::ClosedForm, 1e-10, None);
     let contact_time = CONTACT_TIME * exact.peak_indentation / 0.5;
@@ -73,7 +73,7 @@ fn a_code_sees_both_times_in_whole_steps() {
 }
 
 #[test]
-fn the_times_are_exact_to_second_order_and_to_first_order_under_damping() {
+fn damped_times_converge_with_first_order() {
     for forces in every_force() {
         let scene = Scene::steel();
         let exact = scene.contact().with_forces(forces).impact(0.5, &solver(Method::Rk8, 1e-12), None).unwrap();
@@ -92,7 +92,7 @@ fn the_times_are_exact_to_second_order_and_to_first_order_under_damping() {
 /// Without a closed form, as under gravity on a law that is a formula, the number of steps was once that of another time: 104,
 /// 65, 47 and 38 in place of 50 at these speeds.
 #[test]
-fn the_steps_per_contact_are_kept_on_a_formula_under_gravity() {
+fn steps_per_contact_are_kept_under_gravity() {
     let law = LawChoice::from_name("jackson_green").unwrap();
     let contact = Scene::steel().contact_by(law.get()).with_forces(Forces { gravity: Some(9.81), ..Forces::default() });
     for speed in [0.05, 0.5, 3.0, 50.0] {
@@ -104,7 +104,7 @@ fn the_steps_per_contact_are_kept_on_a_formula_under_gravity() {
 /// A coarse step is an error that the run sees: in its energy, or in what comes back. A contact of less than five steps has no result:
 /// once an e of 5.9 was printed for one step, and 46540 with strong damping.
 #[test]
-fn steps_that_are_too_long_are_refused_or_warned_of() {
+fn too_long_steps_are_refused_or_warned_of() {
     let kinds = |impact: &Impact| impact.warnings.iter().map(|warning| warning.kind).collect::<Vec<_>>();
     let mut largest: f64 = 0.0;
     for scene in [Scene::steel(), Scene { yield_strength: None, ..Scene::steel() }] {

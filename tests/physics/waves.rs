@@ -9,7 +9,7 @@ fn steel(set: &[&str]) -> Contact {
     contact(STEEL, &[&["half_space.density=7850"], set].concat())
 }
 
-/// The same on steel that does not yield.
+/// A contact with steel that does not yield.
 fn elastic(set: &[&str]) -> Contact {
     contact(&STEEL.replace("yield_strength = \"345 MPa\"", "density = 7850"), set)
 }
@@ -65,7 +65,7 @@ fn the_factor_of_the_material_is_the_formulas() {
 }
 
 #[test]
-fn steel_on_steel_at_half_a_metre_a_second_loses_0_44_percent() {
+fn steel_on_steel_loses_published_wave_energy() {
     // by hand: K = 1.08786e10 N/m^1.5, δ_m = 6.743 µm, ∫ (dF/dδ)² |δ'| dδ = 2 · (9/4) (K δ_m)² v (2/5) B(4/5, 3/2)
     // = 4.2827e9 N²/s, C/(ρ c_s³) = 5.2967e-16 s/kg, ½ m v² = 5.1379e-4 J
     let of_steel = loss(&elastic(&[]), 0.5);
@@ -77,7 +77,7 @@ fn steel_on_steel_at_half_a_metre_a_second_loses_0_44_percent() {
 }
 
 #[test]
-fn an_elastic_impact_loses_as_v_to_three_fifths() {
+fn elastic_wave_loss_follows_speed_power_law() {
     // Hunter (1957); exact for this law, because all elastic impacts have the same shape
     let contact = elastic(&[]);
     let one = loss(&contact, 1.0);
@@ -91,7 +91,7 @@ fn an_elastic_impact_loses_as_v_to_three_fifths() {
 }
 
 #[test]
-fn the_integral_is_exact_just_before_and_behind_every_knot() {
+fn integral_is_exact_beside_every_knot() {
     let contact = steel(&[]);
     let yield_speed = contact.yield_speed().unwrap();
     let (_, law, _) = contact.scaled(2.0 * yield_speed).unwrap();
@@ -107,7 +107,7 @@ fn the_integral_is_exact_just_before_and_behind_every_knot() {
 }
 
 #[test]
-fn gravity_does_not_change_what_is_radiated() {
+fn gravity_does_not_change_radiated_energy() {
     // the estimate is that of the impact without gravity, by every method; at 3 m/s the weight does 2e-5 of the work
     let contact = steel(&["gravity.acceleration=9.81"]);
     for method in [Method::ClosedForm, Method::Rk8, Method::Verlet] {
@@ -124,7 +124,7 @@ fn gravity_does_not_change_what_is_radiated() {
 }
 
 #[test]
-fn a_reload_radiates_by_the_same_integral_and_bounces_lose_it() {
+fn reload_and_bounces_radiate_by_same_integral() {
     // on the dent the sphere runs up the unloading branch F = S d^n and down again: with d = d_m sin^(2/(n+1)),
     // the integral of F'^2 |u| over both ways, by quadrature over the branch
     let contact = steel(&[]);
@@ -167,7 +167,7 @@ fn a_reload_radiates_by_the_same_integral_and_bounces_lose_it() {
 }
 
 #[test]
-fn nothing_is_said_of_waves_without_a_density_and_nothing_else_changes() {
+fn waves_need_density_and_change_nothing_else() {
     let [with, without] = [steel(&[]), contact(STEEL, NONE)].map(|contact| contact.closed_form(3.0).unwrap());
     assert_eq!((without.wave_loss_fraction, without.restitution_with_waves()), (None, None));
     let essentials = Essentials { wave_loss_fraction: None, ..with.essentials };
@@ -176,7 +176,7 @@ fn nothing_is_said_of_waves_without_a_density_and_nothing_else_changes() {
 }
 
 #[test]
-fn waves_that_would_take_more_than_comes_back_leave_nothing_and_a_warning() {
+fn wave_loss_above_recovered_energy_warns() {
     // a soft but very heavy half-space has slow shear waves
     let soft =
         ["youngs_modulus=3e9", "poissons_ratio=0.45", "yield_strength=5e6"].map(|set| format!("half_space.{set}"));

@@ -25,7 +25,7 @@ fn von_mises(radius: f64, depth: f64, poissons_ratio: f64) -> f64 {
 
 /// Once the fit for ν ≥ 0 went on below 0: by 2.7 % too far at −0.3, 15 % at −0.5 and 54 % at −0.9.
 #[test]
-fn yield_factor_is_the_largest_stress_of_the_whole_field() {
+fn yield_factor_is_maximum_over_stress_field() {
     let steps = |from: f64, to: f64| (0..=150).map(move |i| from + (to - from) * f64::from(i) / 150.0);
     let mut before = 0.0;
     for nu in [-0.99, -0.9, -0.7, -0.5, -0.4, -0.35, -0.34, -0.3, -0.2, -0.1, -1e-3, 0.0, 0.1, 0.3, 0.45, 0.499] {
@@ -61,7 +61,7 @@ fn hard(keys: &[&str], radius_ratio: f64) -> Contact {
 
 /// Once the contact of a hard body shrank by up to 3 % where it began to yield, and the pressure rose by 6 %.
 #[test]
-fn contact_radius_and_pressure_have_no_step_at_first_yield() {
+fn radius_and_pressure_are_continuous_at_yield() {
     let walls: [&[&str]; 4] = [
         &["half_space.youngs_modulus=3 GPa", "half_space.poissons_ratio=0.37"],
         &["half_space.youngs_modulus=9 GPa", "sphere.youngs_modulus=rigid"],
@@ -89,7 +89,7 @@ fn contact_radius_and_pressure_have_no_step_at_first_yield() {
 
 /// An impact, a row of a table and a slow indentation to the same force have one radius, below first yield and beyond.
 #[test]
-fn an_indentation_has_the_contact_radius_of_the_impact() {
+fn indentation_and_impact_have_equal_contact_radius() {
     for radius_ratio in [0.05, 0.15, 0.25] {
         let contact = hard(&["half_space.youngs_modulus=3 GPa"], radius_ratio);
         let slow = StaticContact::try_new(contact.sphere(), contact.half_space(), &Plm::default()).unwrap();
@@ -115,7 +115,7 @@ fn an_indentation_has_the_contact_radius_of_the_impact() {
 
 /// A golf ball on steel would yield at 101 km/s, where the contact would be far wider than the ball: this is no result.
 #[test]
-fn a_yield_point_that_no_contact_reaches_is_none() {
+fn unreachable_yield_point_is_not_reported() {
     let ball = ["sphere.youngs_modulus=100 MPa", "sphere.radius=21.3 mm", "sphere.density=1135"];
     let contact = contact(STEEL, &ball);
     assert!(contact.pair().yield_point.unwrap().contact_radius > 21.3e-3);

@@ -79,7 +79,7 @@ fn whole_impacts_are_those_of_finite_elements() {
 
 /// Who keeps the residual indentation, up to a/R = 0.11: the harder body's share within 0.1 of that of the finite elements.
 #[test]
-fn dent_and_flat_are_shared_as_in_finite_elements() {
+fn dent_and_flat_match_finite_elements() {
     for row in rows(include_str!("../../src/impact/reference/fe_yielding.csv")) {
         if row.number("contact_radius_over_R") > 0.11 {
             continue;
@@ -94,7 +94,7 @@ fn dent_and_flat_are_shared_as_in_finite_elements() {
 /// The sphere's own part of the approach has its flat: on a rigid wall it is the whole approach all the way, and of bodies of the same
 /// modulus and strength half of it. A sphere that stays elastic has its share of what comes back alone.
 #[test]
-fn the_sphere_keeps_its_flat_in_its_part_of_the_approach() {
+fn sphere_keeps_flat_in_its_approach() {
     let sphere = Sphere { yield_strength: Some(345e6), ..Scene::steel().parts().0 };
     let wall = HalfSpace::flat(Material { youngs_modulus: 1e30, poissons_ratio: 0.3 }, None);
     let equal = HalfSpace::flat(sphere.material, Some(345e6));
@@ -122,7 +122,7 @@ fn with_sphere(scene: Scene, strength: Option<f64>) -> Contact {
 
 /// The law has no step where the number of bodies that flow changes.
 #[test]
-fn the_restitution_has_no_jump_over_the_ratio_of_strengths() {
+fn restitution_is_continuous_over_strength_ratio() {
     let of = |ratio: f64| with_sphere(Scene::steel(), Some(ratio * 345e6)).closed_form(3.0).unwrap().restitution;
     for edge in [0.8, 1.0, 1.25] {
         let [below, above] = [edge - 1e-9, edge + 1e-9].map(of);
@@ -152,7 +152,7 @@ fn a_lead_ball_on_steel_hardly_rebounds() {
 /// The law in units of first yield does not know which of two bodies flows, but for the flat. So with a sphere that is large beside
 /// its contact an exchange of the bodies changes nothing, and none of their flow curves.
 #[test]
-fn sphere_and_half_space_change_places_where_the_contact_is_small() {
+fn small_contacts_are_symmetric_in_the_bodies() {
     let [stiff, soft] = [210e9, 70e9].map(|youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 });
     let law = |strengths: [Option<f64>; 2], materials: [Material; 2], flow: [Option<FlowCurve>; 2]| {
         let sphere = Sphere { yield_strength: strengths[0], ..Sphere::elastic(1.0, materials[0], 1.0) };
@@ -189,7 +189,7 @@ fn impacts_before_change_no_bit_of_an_impact() {
 
 /// With coefficients that make a deep contact so narrow that a/R never reaches 0.6, the curve ends where the indentation is R.
 #[test]
-fn the_curve_of_a_flat_that_stays_narrow_has_an_end() {
+fn curve_of_narrow_flat_has_an_end() {
     let mut coefficients = PlmCoefficients::built_in().clone();
     coefficients.contact_radius.geometry_slope = 1.5;
     let (sphere, half_space) = Scene::steel().parts();
@@ -203,7 +203,7 @@ fn the_curve_of_a_flat_that_stays_narrow_has_an_end() {
 /// A flow curve that does not rise is the law of one strength, and one that rises lets more come back. A flow curve is known of a body
 /// that flows alone.
 #[test]
-fn a_ball_that_hardens_is_the_softer_body_with_a_flow_curve() {
+fn hardening_ball_is_softer_body_with_curve() {
     let of = |ratio: f64, flow: [Option<FlowCurve>; 2]| {
         let (sphere, half_space) = Scene::steel().parts();
         let sphere = Sphere { yield_strength: Some(ratio * 345e6), ..sphere };

@@ -17,7 +17,7 @@ import pytest
 from conftest import ROOT, STEEL, steel
 
 
-def test_an_impact_has_the_results_of_the_summary(contact: plm.Contact) -> None:
+def test_impact_has_results_of_summary(contact: plm.Contact) -> None:
     impact = contact.impact("3 m/s", samples=400)
     outcome = plm.run(ROOT / "scenarios" / "steel-on-steel.toml")
     results = impact.to_dict()
@@ -30,7 +30,7 @@ def test_an_impact_has_the_results_of_the_summary(contact: plm.Contact) -> None:
     assert "restitution       0.4906" in repr(impact) and "345 MPa" in repr(contact)
 
 
-def test_a_trace_comes_when_it_is_asked_for(contact: plm.Contact) -> None:
+def test_trace_is_computed_on_request(contact: plm.Contact) -> None:
     assert len(contact.impact(0.5).trace) >= 400
     assert len(contact.impact(0.5, samples=50).trace) < 70
 
@@ -47,7 +47,7 @@ def test_restitutions_are_those_of_the_table(contact: plm.Contact) -> None:
     assert damped.restitution(speeds).tobytes() == plm.impacts(damped, speed=speeds)["restitution"].tobytes()
 
 
-def test_the_speed_may_be_part_of_the_contact() -> None:
+def test_contact_may_hold_the_speed() -> None:
     assert steel(impact=dict(speed=2)).impact().restitution == steel().impact(2).restitution
     falling = steel(impact=dict(drop_height="0.1 m"), gravity=dict(acceleration=9.81))
     assert falling.impact().restitution < 1
@@ -57,7 +57,7 @@ def test_the_speed_may_be_part_of_the_contact() -> None:
 
 # the laws for which an impact at 1 m/s has a trace without jumps
 @pytest.mark.parametrize("law", ["plm", "thornton", "johnson", "stronge", "yigit_christoforou"])
-def test_the_force_along_a_trace_is_that_of_the_trace(law: str) -> None:
+def test_force_function_matches_trace(law: str) -> None:
     contact = steel(law={law: {}})
     trace = contact.impact(1.0, samples=200).trace
     memory = None
@@ -182,7 +182,7 @@ def test_a_result_of_tables_alone_is_said_to_be_one(contact: plm.Contact) -> Non
         contact.impact(3.0).plastic_fraction
 
 
-def test_what_is_computed_once_is_kept(contact: plm.Contact) -> None:
+def test_computed_results_are_cached(contact: plm.Contact) -> None:
     impact = contact.impact(3.0)
     assert impact.trace is impact.trace and not impact.trace.flags.writeable
     outcome = plm.run(ROOT / "scenarios" / "steel-on-steel.toml", pictures=False)
@@ -193,7 +193,7 @@ def test_what_is_computed_once_is_kept(contact: plm.Contact) -> None:
         plm.impacts(contact, speed=1.0).shape = (2,)
 
 
-def test_pictures_are_drawn_where_they_are_asked_for() -> None:
+def test_pictures_are_drawn_at_requested_path() -> None:
     path = ROOT / "scenarios" / "steel-on-steel.toml"
     without, drawn = plm.run(path, pictures=False), plm.run(path)
     assert without.pictures == {} and drawn.pictures
@@ -217,7 +217,7 @@ def test_threads_share_a_contact(contact: plm.Contact) -> None:
             assert together.tobytes() == alone.tobytes()
 
 
-def test_the_keys_of_a_contact_have_the_sentences_of_the_command() -> None:
+def test_keys_of_contact_have_sentences_of_command() -> None:
     with pytest.raises(ValueError, match='unknown unit "mmm" in "5 mmm"; units of a length are nm, '):
         plm.Contact(sphere=dict(radius="5 mmm"), half_space={})
     with pytest.raises(ValueError, match="impact.speed: -1 m/s is not allowed: a speed must be > 0 m/s"):
@@ -234,7 +234,7 @@ def test_the_keys_of_a_contact_have_the_sentences_of_the_command() -> None:
         steel().impact(1.0).peak_force
 
 
-def test_contacts_with_the_same_input_are_equal_and_say_where_they_yield(contact: plm.Contact) -> None:
+def test_contacts_with_equal_input_are_equal(contact: plm.Contact) -> None:
     same = steel(sphere=dict(radius=5e-3, density="7.85 g/cm^3", **STEEL))
     assert contact == same and hash(contact) == hash(same) and len({contact, same}) == 1
     assert contact == pickle.loads(pickle.dumps(contact)) and contact != "a contact"
@@ -292,7 +292,7 @@ def test_a_notebook_shows_numbers_and_picture(contact: plm.Contact) -> None:
     assert Shown(plm.impacts(contact, speed=3)._repr_html_()).tags["tr"] == 2
 
 
-def test_a_law_may_be_a_name_and_a_table_any_mapping() -> None:
+def test_law_may_be_name_tables_any_mapping() -> None:
     thornton = steel(law="thornton")
     assert thornton.restitution(3.0) == steel(law=MappingProxyType(dict(thornton={}))).restitution(3.0)
     assert thornton.restitution(3.0) != steel().restitution(3.0)

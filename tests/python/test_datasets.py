@@ -31,7 +31,7 @@ def clone(tmp_path_factory: pytest.TempPathFactory, command: Path) -> Path:
 
 
 @pytest.mark.parametrize("code", blocks("python"), ids=["duckdb", "polars", "datafusion"])
-def test_the_lines_of_the_page_give_what_the_csv_table_gives(
+def test_lines_of_page_match_csv_table(
     code: str, clone: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(clone)

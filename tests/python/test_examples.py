@@ -27,7 +27,7 @@ def test_the_example_draws_e_against_v(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("page", ["README.md", "src/registry.md"])
-def test_the_python_of_the_first_pages_runs_with_numpy_alone_and_warns_of_nothing(page: str) -> None:
+def test_python_of_pages_runs_without_warnings(page: str) -> None:
     _, block = (ROOT / page).read_text().split("```python\n")
     # `pip install .` brings NumPy and no other package
     others = ["pandas", "polars", "pyarrow", "xarray", "duckdb", "matplotlib"]
@@ -35,7 +35,7 @@ def test_the_python_of_the_first_pages_runs_with_numpy_alone_and_warns_of_nothin
     run("-W", "error", "-c", alone + block.split("```")[0], cwd=ROOT)
 
 
-def test_the_wheel_has_the_licences_of_what_is_linked_in() -> None:
+def test_wheel_has_licences_of_linked_crates() -> None:
     licences = metadata.distribution("plm-impact").read_text("licenses/src/doors/licenses.txt")
     assert licences == (ROOT / "src" / "doors" / "licenses.txt").read_text()
     expression = metadata.metadata("plm-impact")["License-Expression"]
@@ -46,7 +46,7 @@ def test_the_wheel_shows_the_page_for_registries() -> None:
     assert metadata.metadata("plm-impact").get_payload().strip() == (ROOT / "src" / "registry.md").read_text().strip()
 
 
-def test_a_table_divided_over_dask_is_the_undivided_one() -> None:
+def test_dask_table_matches_undivided_table() -> None:
     assert run(EXAMPLES / "dask_table.py").strip() == "40000 rows, the same as undivided: True"
 
 
@@ -61,7 +61,7 @@ def test_the_types_are_those_of_the_module(tmp_path: Path) -> None:
     assert str(inspect.signature(plm.Contact)) == "(*, sphere, half_space, **tables)"
 
 
-def test_mypy_finds_a_misspelt_result_and_a_result_that_is_set(tmp_path: Path) -> None:
+def test_mypy_rejects_misspelt_and_assigned_results(tmp_path: Path) -> None:
     program = tmp_path / "wrong.py"
     lines = ["import plm_impact as plm", "def show(impact: plm.Impact, table: plm.Table) -> None:"]
     lines += ["    print(impact.peak_force_N, impact.energy, impact.restitution)", "    print(impact.peak_forse_N)"]

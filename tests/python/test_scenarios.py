@@ -59,7 +59,7 @@ DRAWN = {"steel-on-steel", "ball-on-ball", "bouncing-clicks"}
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
 @pytest.mark.parametrize("path", SCENARIOS, ids=lambda path: path.stem)
-def test_a_scenario_gives_what_the_command_writes(path: Path, command: Path, tmp_path: Path) -> None:
+def test_scenario_results_match_output_of_command(path: Path, command: Path, tmp_path: Path) -> None:
     pictures = "png" if path.stem in DRAWN else "none"
     arguments = ["run", path, "--out", tmp_path, "--quiet", "--pictures", pictures]
     subprocess.run([command, *arguments], check=True, stderr=subprocess.DEVNULL)
@@ -90,7 +90,7 @@ def test_there_are_scenarios_of_every_kind() -> None:
     assert len(SCENARIOS) > 8 and {path.stem for path in SCENARIOS} > DRAWN
 
 
-def test_a_dict_is_read_as_the_file_of_the_same_form() -> None:
+def test_dict_is_read_like_file() -> None:
     path = ROOT / "scenarios" / "steel-on-steel.toml"
     tables = dict(
         sphere=dict(radius="5 mm", youngs_modulus="210 GPa", poissons_ratio=0.3, density="7850 kg/m^3"),
@@ -102,7 +102,7 @@ def test_a_dict_is_read_as_the_file_of_the_same_form() -> None:
     assert plm.run(tables, set={"impact.speed": "1 m/s"}).summary["restitution"] > made.summary["restitution"]
 
 
-def test_the_axes_of_a_dict_multiply_in_its_order() -> None:
+def test_axes_of_dict_multiply_in_its_order() -> None:
     sweep = {"impact.speed": dict(linspace=[1.0, 2.0], points=2), "half_space.yield_strength": [3e8, 4e8, 5e8]}
     steel = dict(youngs_modulus=210e9, poissons_ratio=0.3)
     tables = dict(sphere=dict(radius=5e-3, density=7850, **steel), half_space=steel, sweep=sweep)
@@ -110,7 +110,7 @@ def test_the_axes_of_a_dict_multiply_in_its_order() -> None:
     assert table["impact_speed_m_per_s"].tolist() == [1.0, 1.0, 1.0, 2.0, 2.0, 2.0]
 
 
-def test_laws_and_schema_are_those_of_the_command(command: Path) -> None:
+def test_laws_and_schema_match_command(command: Path) -> None:
     schema = subprocess.run([command, "schema"], check=True, capture_output=True).stdout
     assert plm.schema() == json.loads(schema)
     text = subprocess.run([command, "laws"], check=True, capture_output=True, text=True).stdout
@@ -149,7 +149,7 @@ def frames(columns: dict[str, np.ndarray]) -> list[object]:
 
 
 @pytest.mark.filterwarnings("error")
-def test_measurements_may_be_a_frame_and_are_those_of_a_file(contact: plm.Contact, tmp_path: Path) -> None:
+def test_measurements_of_frame_match_file(contact: plm.Contact, tmp_path: Path) -> None:
     path = ROOT / "scenarios" / "calibrate-ball-drop.toml"
     names, *rows = [line.split(",") for line in (ROOT / "scenarios" / "drops.csv").read_text().splitlines() if not line.startswith("#")]
     columns = {name: np.array([float(field or "nan") for field in column]) for name, column in zip(names, zip(*rows)) if name != "note"}
@@ -169,14 +169,14 @@ def test_measurements_may_be_a_frame_and_are_those_of_a_file(contact: plm.Contac
         ({}, "data: "),
     ],
 )
-def test_bad_measurements_are_named_by_their_place_in_the_data(data: dict, words: str) -> None:
+def test_bad_measurements_are_named_by_position(data: dict, words: str) -> None:
     path = ROOT / "scenarios" / "calibrate-ball-drop.toml"
     for frame in frames(data) if data else [data]:
         with pytest.raises(ValueError, match=words):
             plm.calibrate(path, frame)
 
 
-def test_a_masked_column_and_no_columns_are_refused() -> None:
+def test_masked_and_missing_columns_are_refused() -> None:
     path = ROOT / "scenarios" / "calibrate-ball-drop.toml"
     masked = np.ma.masked_array([0.5, 0.6], [True, False])
     for data in (dict(speed_m_per_s=[1.0, 2.0], restitution=masked), [1.0, 2.0]):
@@ -184,7 +184,7 @@ def test_a_masked_column_and_no_columns_are_refused() -> None:
             plm.calibrate(path, data)
 
 
-def test_a_warning_points_at_the_line_of_the_caller(contact: plm.Contact) -> None:
+def test_warning_points_at_line_of_caller(contact: plm.Contact) -> None:
     # one value for two keys that cannot be told apart
     data = dict(drop_height_mm=[50.0, 100.0, 200.0], restitution=[0.61, 0.52, 0.48])
     free = {"half_space.yield_strength": {"from": 1e8, "to": 1e9}, "half_space.youngs_modulus": {"from": 1e11, "to": 4e11}}

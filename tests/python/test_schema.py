@@ -40,12 +40,12 @@ def validator(command: Path) -> jsonschema.protocols.Validator:
 
 
 @pytest.mark.parametrize("path", SCENARIOS, ids=lambda path: path.stem)
-def test_every_scenario_of_the_repository_keeps_to_the_schema(path: Path, validator: jsonschema.protocols.Validator) -> None:
+def test_repository_scenarios_match_schema(path: Path, validator: jsonschema.protocols.Validator) -> None:
     assert not [error.message for error in validator.iter_errors(tomllib.loads(path.read_text()))]
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_what_init_writes_keeps_to_the_schema(kind: str, command: Path, validator: jsonschema.protocols.Validator) -> None:
+def test_templates_of_init_match_schema(kind: str, command: Path, validator: jsonschema.protocols.Validator) -> None:
     written = subprocess.run([command, "init", kind, "--out", "-"], check=True, capture_output=True, text=True).stdout
     # with all lines that can be put in, which stand there as comments without a blank
     lines = [line.lstrip("#") for line in written.splitlines() if not line.startswith("# ")]
@@ -80,7 +80,7 @@ def test_what_init_writes_keeps_to_the_schema(kind: str, command: Path, validato
         "[impact] -> [indentation]\nsteps = [{ lode = 1 }]\n[impact]",
     ],
 )
-def test_what_the_schema_refuses_the_program_refuses_too(
+def test_program_refuses_what_schema_refuses(
     wrong: str, command: Path, validator: jsonschema.protocols.Validator, tmp_path: Path
 ) -> None:
     old, new = wrong.split(" -> ")
@@ -107,7 +107,7 @@ def test_what_the_schema_refuses_the_program_refuses_too(
         'speed = "3 m/s" -> [sweep]\n"impact.speed" = ["1 m/s", 2]',
     ],
 )
-def test_what_the_schema_takes_the_program_takes_too(
+def test_program_accepts_what_schema_accepts(
     right: str, command: Path, validator: jsonschema.protocols.Validator, tmp_path: Path
 ) -> None:
     old, new = right.split(" -> ")
@@ -117,7 +117,7 @@ def test_what_the_schema_takes_the_program_takes_too(
     assert subprocess.run([command, "check", tmp_path / "right.toml"], capture_output=True).returncode == 0
 
 
-def test_every_example_of_the_schema_keeps_to_its_pattern(validator: jsonschema.protocols.Validator) -> None:
+def test_examples_of_schema_match_their_pattern(validator: jsonschema.protocols.Validator) -> None:
     forms = [form for quantity in validator.schema["$defs"].values() for form in quantity["anyOf"] if "examples" in form]
     examples = [(form, example) for form in forms for example in form["examples"] if example]
     assert len(examples) > 30

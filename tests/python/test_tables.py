@@ -19,7 +19,7 @@ import pytest
 from conftest import ROOT, steel
 
 
-def test_keys_are_broadcast_and_give_the_rows_of_a_sweep(contact: plm.Contact) -> None:
+def test_broadcast_keys_give_rows_of_sweep(contact: plm.Contact) -> None:
     speeds, strengths = np.linspace(0.5, 5, 7), np.array([200e6, 345e6, 900e6])
     table = plm.impacts(contact, speed=speeds, yield_strength=strengths[:, None])
     assert table.shape == table["restitution"].shape == (3, 7) and len(table) == 21
@@ -43,7 +43,7 @@ def test_keys_are_broadcast_and_give_the_rows_of_a_sweep(contact: plm.Contact) -
     assert plm.impacts(contact, speed=np.array([3], dtype=">f4"))["restitution"][0] == contact.restitution(3.0)
 
 
-def test_damped_tables_are_those_of_a_sweep_too() -> None:
+def test_damped_tables_match_sweep() -> None:
     speeds, fractions = np.linspace(0.5, 5, 9), np.array([0.0, 0.02, 0.3])
     table = plm.impacts(steel(damping=dict(viscous=0.1)), speed=speeds, viscous=fractions[:, None])
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
@@ -77,12 +77,12 @@ def test_damped_tables_are_those_of_a_sweep_too() -> None:
         ({}, ValueError, "no key is given"),
     ],
 )
-def test_what_is_no_table_is_refused(contact: plm.Contact, keys: dict, error: type, text: str) -> None:
+def test_bad_tables_are_refused(contact: plm.Contact, keys: dict, error: type, text: str) -> None:
     with pytest.raises(error, match=text):
         plm.impacts(contact, **keys)
 
 
-def test_a_value_that_is_not_allowed_has_no_result_and_spares_the_others(contact: plm.Contact) -> None:
+def test_forbidden_value_fails_only_its_row(contact: plm.Contact) -> None:
     speeds = np.array([1.0, np.nan, 3.0, 0.0, -1.0, np.inf])
     good = [0, 2]
     for damping in ({}, dict(damping=dict(viscous=0.05))):
@@ -123,7 +123,7 @@ def test_words_share_their_texts(contact: plm.Contact) -> None:
     assert table.to_numpy()["status"].dtype.kind == "U"
 
 
-def test_a_table_that_no_memory_holds_is_refused(contact: plm.Contact) -> None:
+def test_table_beyond_memory_is_refused(contact: plm.Contact) -> None:
     steps = np.broadcast_to(1.0, (1 << 20, 1 << 20))
     with pytest.raises((MemoryError, ValueError)):
         plm.impacts(contact, speed=steps)
@@ -162,7 +162,7 @@ def test_rows_have_the_interval_of_e_and_the_speed_of_the_body_that_is_hit() -> 
 
 
 @pytest.mark.filterwarnings("ignore:at impact.speed:UserWarning")
-def test_rows_without_a_result_are_not_numbers_and_warned_of() -> None:
+def test_rows_without_result_are_nan_and_warn() -> None:
     contact = steel(law=dict(stronge={}))
     with pytest.warns(UserWarning, match="cases have no result, the first: outside_law"):
         table = plm.impacts(contact, speed=np.logspace(-4, 3, 50))
@@ -173,7 +173,7 @@ def test_rows_without_a_result_are_not_numbers_and_warned_of() -> None:
     assert table.to_arrow()["restitution"].null_count == failed.sum()
 
 
-def test_a_call_has_at_most_one_warning_of_a_class_of_its_own() -> None:
+def test_call_warns_once_with_own_class() -> None:
     contact = steel(law=dict(stronge={}))
     # from a speed on at which adhesion counts no longer, as that is a warning too
     speeds = np.logspace(-3, 2, 50)
@@ -193,7 +193,7 @@ def test_a_call_has_at_most_one_warning_of_a_class_of_its_own() -> None:
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
-def test_a_dataset_of_xarray_has_the_keys_as_dimensions(contact: plm.Contact) -> None:
+def test_xarray_dataset_has_keys_as_dimensions(contact: plm.Contact) -> None:
     speeds, strengths = np.linspace(0.001, 5, 3), np.array([2e8, 9e8])
     table = plm.impacts(contact, speed=speeds, yield_strength=strengths[:, None], radius=1e-3)
     data = table.to_xarray()
@@ -221,7 +221,7 @@ def test_a_package_that_is_missing_is_named(contact: plm.Contact, monkeypatch: p
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
-def test_pandas_polars_and_pyarrow_read_a_table_where_it_is(contact: plm.Contact) -> None:
+def test_dataframe_libraries_read_table_in_place(contact: plm.Contact) -> None:
     square = plm.impacts(contact, speed=np.linspace(0.001, 5, 6).reshape(2, 3))
     expected = {name: column.ravel().tolist() for name, column in square.to_dict().items()}
     arrow = square.to_arrow()
@@ -277,7 +277,7 @@ def interrupted(work: Callable[[], object]) -> None:
 
 
 @pytest.mark.parametrize("kind", ["impacts", "bounces", "rows", "calibration"])
-def test_ctrl_c_ends_long_work_and_other_threads_go_on_meanwhile(kind: str) -> None:
+def test_ctrl_c_stops_work_while_threads_run(kind: str) -> None:
     bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
     # the steps take 5 ms for an impact, so that the whole work takes hours
     solver = dict(method="verlet", steps_per_contact=100_000)
@@ -300,14 +300,14 @@ def e_of(speeds: np.ndarray) -> bytes:
 
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 @pytest.mark.parametrize("start", ["spawn", "fork"])
-def test_a_child_process_has_threads_of_its_own(contact: plm.Contact, start: str) -> None:
+def test_child_process_has_own_threads(contact: plm.Contact, start: str) -> None:
     speeds = np.linspace(1, 2, 10_000)
     here = contact.restitution(speeds).tobytes()
     with get_context(start).Pool(2) as pool:
         assert pool.map_async(e_of, [speeds] * 3).get(timeout=600) == [here] * 3
 
 
-def test_oblique_impacts_take_the_keys_and_have_the_results_of_the_command() -> None:
+def test_oblique_impacts_have_keys_and_results() -> None:
     contact = steel(impact=dict(speed="3 m/s", angle="20 deg"), friction=dict(coefficient=0.15))
     impact = contact.impact()
     assert impact.sliding_regime == "partial" and impact.energy["friction_J"] > 0

@@ -108,7 +108,7 @@ fn a_moved_number_is_seen() {
 /// Rows that change places, a changed sign, a missing row, a word, a missing column and a missing run are seen. A new
 /// column is ignored, and so is the size of what is zero but for rounding.
 #[test]
-fn what_differs_is_seen() {
+fn record_detects_structural_changes() {
     let before = numbers_of(&[1.0, 3.0, -2.0, 5.0]);
     let [with_nan, with_gap] = [Cell::Word("NaN".to_owned()), Cell::Empty]
         .map(|cell| columns([cell, Cell::Number(3.0), Cell::Number(-2.0), Cell::Number(5.0)].into()));

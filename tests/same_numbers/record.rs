@@ -10,7 +10,7 @@ use super::numbers::{Cell, Columns, Place};
 const TOLERANCE: f64 = 1e-12;
 
 /// Where the last digit of a double moves a result further: whether one more evaluation of the force is needed, the
-/// derivatives of a fit, and the time left to a sphere that loses nothing any more.
+/// derivatives of a fit, and the remaining time of a sphere that loses no more energy.
 const LOOSE: [(&str, f64); 3] =
     [("scenarios/calibrate", 1e-8), ("work.force_evaluations", 0.02), ("remaining_time_s", 1e-2)];
 

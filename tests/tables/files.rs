@@ -25,7 +25,7 @@ fn start(desk: &Desk, arguments: &[&str]) -> Child {
 }
 
 #[test]
-fn what_runs_left_that_were_killed_an_hour_ago_is_removed_by_the_next_run_of_the_same_output() {
+fn stale_temporary_files_are_removed() {
     let desk = Desk::with(sweep(2));
     fs::create_dir(desk.path("out")).unwrap();
     let stale = [".table.csv.0123456789abcdef.part", ".summary.json.00000000000000ff.part", ".summary.json.1.part"];
@@ -98,7 +98,7 @@ fn files_of_others_are_replaced_by_force_alone() {
 }
 
 #[test]
-fn two_scenarios_do_not_share_a_folder_in_silence() {
+fn scenarios_share_a_folder_only_with_notice() {
     let desk = Desk::with("");
     for folder in ["a", "b"] {
         fs::create_dir(desk.path(folder)).unwrap();
@@ -130,7 +130,7 @@ fn two_scenarios_do_not_share_a_folder_in_silence() {
 }
 
 #[test]
-fn results_of_another_file_stay_whatever_its_path_looks_like() {
+fn results_of_other_file_stay_for_any_path() {
     let desk = Desk::with("");
     for (number, name) in (1..).zip(["case.toml", "a/case.toml", "b/case.toml"]) {
         desk.put(name, STEEL.replace("3 m/s", &format!("{number} m/s")));
@@ -173,7 +173,7 @@ fn results_of_another_file_stay_whatever_its_path_looks_like() {
 }
 
 #[test]
-fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
+fn results_folder_has_only_listed_files() {
     let desk = Desk::with(STEEL);
     desk.put("other.toml", STEEL);
     desk.put("d.csv", "speed_m_per_s,restitution\n1,0.6\n2,0.53\n3,0.49\n");
@@ -204,7 +204,7 @@ fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
         desk.ends(&arguments, 0);
         assert_eq!(desk.files("o"), listed(), "{arguments:?}");
     }
-    // files of others stay, also where a summary lists them by a way out of the folder
+    // files of others stay, also if a summary lists them by a path that leaves the folder
     desk.put("mine.png", "mine");
     desk.put("o/mine.txt", "mine");
     let summary = desk.read("o/summary.json").replace("\"history.png\"", "\"../mine.png\", \"history.png\"");
@@ -214,7 +214,7 @@ fn only_the_files_that_the_summary_lists_are_in_a_folder_of_results() {
 }
 
 #[test]
-fn signals_end_other_long_work_at_once_and_nothing_is_left() {
+fn signals_stop_other_long_work_without_leftovers() {
     let desk = Desk::with("");
     desk.ends(&["init", "repeat"], 0);
     desk.ends(&["init", "calibrate"], 0);
@@ -248,7 +248,7 @@ fn signals_end_other_long_work_at_once_and_nothing_is_left() {
 }
 
 #[test]
-fn a_signal_in_the_second_of_two_files_ends_the_command_as_in_the_first() {
+fn signal_in_second_file_ends_the_command() {
     let desk = Desk::with(STEEL);
     desk.put("big.toml", sweep(2_000_000));
     desk.put("third.toml", STEEL);

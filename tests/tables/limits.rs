@@ -20,7 +20,7 @@ fn assert_ends(output: &Output, words: &[&str]) {
 }
 
 #[test]
-fn so_many_threads_that_a_machine_stops_are_refused_from_the_environment_too() {
+fn excessive_threads_from_environment_are_refused() {
     let desk = Desk::with(format!("{STEEL}{SWEEP}"));
     let with = |threads: &str, more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_plm-impact"));
@@ -43,7 +43,7 @@ fn so_many_threads_that_a_machine_stops_are_refused_from_the_environment_too() {
 /// for the heap, and stacks of a gigabyte are far from that. With one heap for all threads mainly the stacks use memory.
 #[cfg(target_os = "linux")]
 #[test]
-fn where_fewer_threads_start_than_were_asked_for_the_way_out_is_said() {
+fn thread_start_failure_suggests_fewer_threads() {
     const STACK: u32 = 1 << 30;
     let desk = Desk::with(format!("{STEEL}{SWEEP}"));
     let script = format!("ulimit -v {} && RUST_MIN_STACK={STACK} exec \"$0\" \"$@\"", 2 * (STACK >> 10) + 220_000);

@@ -71,7 +71,7 @@ fn is_the_same_under(machine: impl Fn() -> Command, one_of: u32) {
 /// The variants are chosen by the processor: without fused multiply-add there is one, and this would compare it with itself.
 #[test]
 #[cfg(all(target_arch = "x86_64", target_env = "gnu"))]
-fn a_table_does_not_depend_on_the_variants_of_the_c_library() {
+fn table_is_independent_of_c_library_variant() {
     if !std::is_x86_feature_detected!("fma") {
         skip("tables under other variants of the C library", "This processor has no fused multiply-add.");
         return;

@@ -105,7 +105,7 @@ fn rows_have_the_bits_of_their_single_cases() {
 }
 
 #[test]
-fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
+fn law_and_material_rows_equal_single_impacts() {
     let whole =
         plm_impact::contact::law::LawChoice::all().into_iter().filter(plm_impact::contact::law::LawChoice::has_loading);
     let laws: Vec<String> = whole.map(|law| law.name()).chain(["jackson_green + brake".to_owned()]).collect();
@@ -134,7 +134,7 @@ fn rows_of_laws_and_materials_have_the_bits_of_their_single_cases() {
 
 /// A row has the interval of e where more is known of the strength than its number.
 #[test]
-fn the_interval_of_e_has_two_columns_where_more_than_a_strength_is_known() {
+fn interval_of_e_adds_two_columns() {
     let bodies = STEEL.split("youngs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\nyield").next().unwrap();
     let metal = "half_space.material=\"aluminium-6061-t6\"";
     let sizes = "sweep={\"sphere.radius\"=[\"1 mm\",\"2 mm\"]}";

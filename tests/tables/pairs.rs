@@ -103,7 +103,7 @@ fn compare(set: &[String], keys: [&'static Key; 2], values: [[f64; 2]; 2]) -> bo
 }
 
 #[test]
-fn a_row_of_any_two_keys_is_its_single_run() {
+fn row_of_any_two_keys_matches_run() {
     let (mut covered, mut idle, mut pairs) = (BTreeSet::new(), BTreeSet::new(), 0);
     for scene_keys in SCENES {
         let mut set: Vec<String> = scene_keys.iter().map(ToString::to_string).collect();

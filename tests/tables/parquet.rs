@@ -61,7 +61,7 @@ fn compare(csv: &Path, parquet: &Path) -> usize {
 }
 
 #[test]
-fn row_groups_hold_what_the_csv_table_holds() {
+fn row_groups_match_the_csv_table() {
     for (tables, code) in [(GRID, 1), (RANDOM, 0)] {
         let (csv, parquet) = (run(tables, code, &[]), run(tables, code, &["--format", "parquet"]));
         let row_groups = compare(&csv.path("out/table.csv"), &parquet.path("out/table.parquet"));
@@ -78,7 +78,7 @@ fn row_groups_hold_what_the_csv_table_holds() {
 }
 
 #[test]
-fn the_bytes_do_not_depend_on_the_number_of_threads() {
+fn bytes_are_independent_of_thread_number() {
     for (tables, code) in [(GRID, 1), (RANDOM, 0)] {
         let table = |threads: &str| {
             let desk = run(tables, code, &["--format", "parquet", "--threads", threads]);
@@ -91,7 +91,7 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
 
 /// The table of contents has the range of each column in a row group, so a reader can skip row groups.
 #[test]
-fn row_groups_tell_the_range_of_their_numbers() {
+fn row_groups_state_range_of_their_numbers() {
     let desk = run(RANDOM, 0, &["--format", "parquet"]);
     let reader = SerializedFileReader::new(File::open(desk.path("out/table.parquet")).unwrap()).unwrap();
     let mut next = 0;

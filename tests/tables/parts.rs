@@ -30,7 +30,7 @@ fn random() -> String {
     format!("{STEEL}[monte_carlo]\nsamples = 12000\nseed = 11\n{strength}\n{asked}")
 }
 
-/// The command on this scenario, with parts of so many rows.
+/// The command on this scenario, with parts of `rows_per_part` rows.
 fn run(desk: &Desk, out: &str, rows_per_part: Option<u32>, more: &[&str]) -> Command {
     let mut command = Command::new(PROGRAM);
     command
@@ -71,7 +71,7 @@ fn summary(desk: &Desk, out: &str) -> serde_json::Value {
 const FORMATS: [&str; 2] = ["csv", "parquet"];
 
 #[test]
-fn threads_parts_and_shards_in_any_order_give_the_same_bytes_and_statistics() {
+fn threads_parts_and_shards_give_identical_tables() {
     for scenario in [grid(), random()] {
         let desk = Desk::with(&scenario);
         ends(run(&desk, "whole", None, &[]), 0);
@@ -159,7 +159,7 @@ fn killed_after_every_change(desk: &Desk, there: &Files, between: &Files, first:
 }
 
 #[test]
-fn after_a_kill_at_any_change_of_the_disk_all_files_are_whole_and_the_same_command_makes_the_same_table() {
+fn table_survives_a_kill_at_every_disk_change() {
     let none = Files::new();
     // older results of the same file, before it was edited
     let older_results = |desk: &Desk, more: &[&str]| {
@@ -215,7 +215,7 @@ fn a_torn_part_is_computed_anew() {
 }
 
 #[test]
-fn parts_of_another_table_are_refused_with_the_difference() {
+fn parts_of_other_table_are_refused() {
     let desk = Desk::with(grid());
     ends(run(&desk, "out", Some(500), &["--shard", "0/2"]), 0);
     let refused = |rows: u32, more: &[&str], wanted: &str| {
@@ -276,7 +276,7 @@ fn a_table_that_was_put_together_is_kept() {
 }
 
 #[test]
-fn another_run_of_the_same_file_leaves_nothing_of_a_table_beside_its_results() {
+fn other_run_of_same_scenario_removes_table_files() {
     let desk = Desk::with(random());
     ends(run(&desk, "out", Some(500), &[]), 0);
     assert_eq!(desk.files("out"), ["_table.json", "summary.json", "table.csv"]);
@@ -312,7 +312,7 @@ fn shards_that_cannot_be_are_refused() {
 }
 
 #[test]
-fn a_task_of_a_slurm_array_is_a_shard() {
+fn slurm_array_task_is_a_shard() {
     let desk = Desk::with(grid());
     let parts = |out: &str, more: &[&str], task: Option<[&str; 4]>| {
         let mut command = run(&desk, out, Some(2000), more);

@@ -1,4 +1,4 @@
-//! What a run may replace or remove in its folder: its own results alone, and nothing without a word.
+//! A run may replace or remove only its own results in its folder, and reports every such change.
 
 use crate::common::prelude::*;
 
@@ -31,7 +31,7 @@ fn pictures_of_other_programs_are_kept() {
 }
 
 #[test]
-fn an_earlier_summary_gives_no_right_to_files_that_it_does_not_list() {
+fn earlier_summary_protects_files_outside_its_list() {
     let desk = Desk::with(STEEL);
     desk.ends(&[&RUN[..], &["--pictures", "none"]].concat(), 0);
     desk.put("o/history.png", "mine");
@@ -63,7 +63,7 @@ fn a_parquet_table_of_another_program_is_kept() {
 }
 
 #[test]
-fn files_of_the_scenario_are_never_removed_or_replaced() {
+fn scenario_files_are_never_removed_or_replaced() {
     let desk = Desk::with(STEEL);
     desk.put("d.csv", "speed_m_per_s,restitution\n1,0.6\n2,0.53\n3,0.49\n");
     desk.ends(&["calibrate", "s.toml", "d.csv", "--out", "o", "--pictures", "none"], 0);
@@ -96,7 +96,7 @@ fn pictures_that_are_removed_are_named() {
 }
 
 #[test]
-fn a_table_stays_when_the_same_table_is_written_in_another_format() {
+fn table_stays_when_written_in_other_format() {
     let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let run = [&RUN[..], &["--pictures", "none"]].concat();
     desk.ends(&run, 0);
@@ -118,7 +118,7 @@ fn a_table_stays_when_the_same_table_is_written_in_another_format() {
 
 /// The parts of a table have no name of their table: none of an older table may stay.
 #[test]
-fn files_of_others_beside_parts_stay_and_no_part_of_an_older_table_does() {
+fn foreign_files_stay_beside_parts_old_parts_go() {
     let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let shard = [&RUN[..], &["--shard", "0/1", "--pictures", "none"]].concat();
     desk.ends(&shard, 0);
@@ -135,7 +135,7 @@ fn files_of_others_beside_parts_stay_and_no_part_of_an_older_table_does() {
 }
 
 #[test]
-fn a_part_that_the_scenario_reads_is_not_removed() {
+fn part_read_by_scenario_is_not_removed() {
     let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 2]\n"));
     let curve = "plastic_strain,stress_Pa\n0,345e6\n0.1,600e6\n";
     desk.put("o/parts/part-00000.csv", curve);
@@ -147,7 +147,7 @@ fn a_part_that_the_scenario_reads_is_not_removed() {
 }
 
 #[test]
-fn other_settings_have_a_default_folder_of_their_own() {
+fn other_settings_have_own_default_folder() {
     let desk = Desk::with(STEEL);
     let run = |more: &[&str]| desk.ends(&[&["run", "s.toml", "--pictures", "none"], more].concat(), 0).1;
     let folders = [
@@ -187,7 +187,7 @@ fn other_settings_have_a_default_folder_of_their_own() {
 }
 
 #[test]
-fn one_folder_does_not_take_results_of_other_settings() {
+fn folder_refuses_results_of_other_settings() {
     let desk = Desk::with(STEEL);
     let run = [&RUN[..], &["--pictures", "none"]].concat();
     let slow = [&run[..], &["--set", "impact.speed=1 m/s"]].concat();
@@ -211,7 +211,7 @@ fn one_folder_does_not_take_results_of_other_settings() {
 }
 
 #[test]
-fn another_text_of_standard_input_is_told_as_such() {
+fn other_text_of_standard_input_is_named() {
     let desk = Desk::with("");
     let piped = |speed: &str| {
         let output = desk.fed(&["run", "-", "--out", "w", "--pictures", "none"], &STEEL.replace("3 m/s", speed));

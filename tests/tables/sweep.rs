@@ -55,7 +55,7 @@ fn axes_multiply_and_the_first_varies_slowest() {
 
 /// The PLM holds up to a contact radius of 0.45 R, and no law beyond R: at 3 m/s steel is at 0.13 R, at 100 m/s at 0.8 R.
 #[test]
-fn rows_say_where_they_are_outside_the_law() {
+fn rows_outside_the_law_have_a_status() {
     let sweep = "[sweep]\n\"impact.speed\" = [3, 10, 30, 60, 100, 1000]\n";
     let (table, _) = table(&format!("{STEEL}{sweep}"));
     let ratios = numbers(&table, "contact_radius_over_R");
@@ -75,7 +75,7 @@ fn columns(text: &str) -> Vec<(String, Vec<String>)> {
 }
 
 #[test]
-fn a_table_has_the_columns_named_and_the_same_digits() {
+fn table_has_named_columns_and_same_digits() {
     let sweep = format!("{STEEL}[sweep]\n\"impact.speed\" = {{ logspace = [\"1 mm/s\", \"10 m/s\"], points = 21 }}\n");
     let few = columns(&format!("{sweep}[output]\ncolumns = [\"dent_diameter_m\", \"peak_force_N\"]\n"));
     let names: Vec<&str> = few.iter().map(|(name, _)| name.as_str()).collect();
@@ -87,7 +87,7 @@ fn a_table_has_the_columns_named_and_the_same_digits() {
 
 /// Without air a sphere that leaves with e v rises to e² h, and waves take a part of e.
 #[test]
-fn a_table_over_drop_heights_says_how_high_the_sphere_rises() {
+fn table_over_drop_heights_has_rebound_heights() {
     let steel = STEEL.replace("speed = \"3 m/s\"", "drop_height = 1");
     let block = steel.replace("yield_strength", "density = 7850\nyield_strength");
     let axis = "[sweep]\n\"impact.drop_height\" = [0.1, 1, 10]\n";
@@ -147,7 +147,7 @@ fn any_order_of_axes_gives_the_same_rows() {
 
 /// More than 10⁴ contacts are not kept, and each is made where a row needs it.
 #[test]
-fn rows_of_many_contacts_depend_neither_on_threads_nor_on_where_a_piece_begins() {
+fn rows_are_independent_of_threads_and_chunks() {
     let axes = r#""sphere.radius" = { linspace = [0.001, 0.02], points = 5000 }
 law = ["plm", "thornton"]
 "law.plm.unloading_exponent" = [1.3, 1.4]"#;
@@ -175,7 +175,7 @@ law = ["plm", "thornton"]
 }
 
 #[test]
-fn a_case_without_a_result_is_a_row_with_a_status() {
+fn case_without_result_has_a_status() {
     let desk = Desk::with(format!("{STEEL}[sweep]\n\"impact.speed\" = [1, 1e-250, 1e200]\n"));
     let (_, said) = desk.ends(&["run", "s.toml", "--out", "out"], 1);
     assert!(said.contains("2 of 3 cases have no result"), "{said}");
@@ -187,7 +187,7 @@ fn a_case_without_a_result_is_a_row_with_a_status() {
 }
 
 #[test]
-fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
+fn sphere_released_at_contact_has_no_restitution() {
     // gravity is so large that the sphere leaves a dent
     let tables = "[gravity]\nacceleration = 8e6\n[sweep]\n\"impact.drop_height\" = [0, \"1 mm\"]\n";
     let text = STEEL.replace("[impact]\nspeed = \"3 m/s\"\n", "") + tables;
@@ -201,14 +201,14 @@ fn a_sphere_let_go_at_first_touch_has_a_row_without_restitution() {
     assert!(column(&whole, "status").iter().all(|status| status == "ok"));
     let residual = column(&whole, "residual_indentation_m");
     assert!(residual.iter().all(|depth| depth.parse::<f64>().unwrap() > 1e-3), "{residual:?}");
-    // such a row counts among those that are there when a run goes on
+    // such a row counts among the existing rows when a run resumes
     desk.ends(&["run", "s.toml", "--out", "out", "--shard", "0/1"], 0);
     desk.ends(&["run", "s.toml", "--out", "out"], 0);
     assert_eq!(desk.read("out/table.csv"), whole);
 }
 
 #[test]
-fn shares_beyond_double_precision_are_a_status_and_no_number() {
+fn values_beyond_double_precision_are_a_status() {
     // about 80 J of the work of gravity go into the dent, which is 10^309 times the kinetic energy
     let tables = "[gravity]\nacceleration = 8e6\n[sweep]\n\"impact.speed\" = [1e-152, 1e-3]\n";
     let results = rows(&format!("{STEEL}{tables}")).results;
@@ -220,7 +220,7 @@ fn shares_beyond_double_precision_are_a_status_and_no_number() {
 /// The corners of few axes are all computed; of 16 384, those on one axis and a sample. The speeds are the last axis, which a
 /// search that only begins with the first corners would leave at its first value.
 #[test]
-fn of_very_many_corners_the_worst_is_found_and_what_was_not_looked_at_is_said() {
+fn corner_sample_finds_the_worst_and_reports_coverage() {
     let eleven = r#"
 "sphere.radius" = [0.005, 0.006]
 "sphere.youngs_modulus" = [2.0e11, 2.1e11]
@@ -254,7 +254,7 @@ fn of_very_many_corners_the_worst_is_found_and_what_was_not_looked_at_is_said() 
 }
 
 #[test]
-fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
+fn summary_lists_shared_inputs_and_model_warnings() {
     let inside = summary("[sweep]\n\"impact.speed\" = [1, 3]\n\"sphere.diameter\" = [0.01, 0.02]\n");
     assert_eq!(inside["warnings"].as_array().unwrap().len(), 0);
     let inputs = inside["inputs"].as_object().unwrap();
@@ -273,7 +273,7 @@ fn a_summary_says_what_all_rows_share_and_where_the_table_leaves_the_model() {
 }
 
 #[test]
-fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
+fn varied_key_needs_no_own_table() {
     let same = |without: &str, tables: &str| {
         assert!(STEEL.contains(without), "{without}");
         let gap = STEEL.replacen(without, "", 1);
@@ -297,7 +297,7 @@ fn a_key_that_varies_need_not_stand_in_its_own_table_too() {
 }
 
 #[test]
-fn a_tolerance_can_vary_wherever_auto_integrates_and_only_there() {
+fn tolerance_varies_only_where_auto_integrates() {
     // under gravity the restitution is that of the energy, and the times are integrated with the tolerance
     let table = "[sweep]\n\"solver.tolerance\" = [1e-3, 1e-9]\n";
     for law in ["", "[law.thornton]\n", "[law.stronge]\n", "[law.yigit_christoforou]\n"] {

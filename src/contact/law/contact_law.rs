@@ -19,12 +19,12 @@ pub struct About {
     pub loading: &'static str,
     pub unloading: &'static str,
     pub validity: &'static str,
-    /// How sure its equations are: "high" where several independent texts agree, "low" where they were written from memory.
+    /// How reliable its equations are: "high" if several independent texts agree, "low" if they were written from memory.
     pub confidence: &'static str,
 }
 
 impl About {
-    /// The facts of a law, a line of the table `facts.csv`; nothing of a law that is not in it.
+    /// The facts of a law, from its line in the table `facts.csv`; empty facts for a law without a line.
     pub(super) fn of(name: &str) -> &'static Self {
         static FACTS: LazyLock<Vec<About>> =
             LazyLock::new(|| include_str!("facts.csv").lines().map(About::read).collect());
@@ -43,14 +43,14 @@ impl About {
 /// Two bodies of which at least one yields. A law is built for them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bodies {
-    /// Effective modulus, shares of compliance.
+    /// Effective modulus, fractions of the compliance.
     pub pair: Pair,
     /// First yield of the softer body by C_ν: the unit of x and f.
     pub yield_point: YieldPoint,
 }
 
 impl Bodies {
-    /// `None` for bodies without a yield strength: there is only Hertz.
+    /// `None` for bodies without a yield strength, which follow Hertz alone.
     pub fn new(pair: &Pair) -> Option<Self> {
         Some(Self { pair: *pair, yield_point: pair.yield_point? })
     }
@@ -85,7 +85,7 @@ impl Bodies {
     }
 }
 
-/// A contact law: its own parameters, and the law of two bodies that follows from them.
+/// A contact law: its parameters, and the law of two bodies that follows from them.
 pub trait ContactLaw: Debug {
     /// Its loading and unloading for these bodies, in units of δ_Y and F_Y by C_ν.
     fn rules(&self, bodies: &Bodies) -> LawParts;
@@ -93,16 +93,16 @@ pub trait ContactLaw: Debug {
     /// The whole law.
     ///
     /// # Errors
-    /// [`OutsideLaw::Incomplete`] for a law that lacks its loading; of the PLM [`OutsideLaw::BothFlow`] and [`OutsideLaw::Flow`].
+    /// [`OutsideLaw::Incomplete`] for a law without a loading rule; for the PLM also [`OutsideLaw::BothFlow`] and [`OutsideLaw::Flow`].
     fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
         let LawParts { loading, recovery } = self.rules(bodies);
         Ok(Law::published(loading?, recovery))
     }
 
-    /// The whole law of a pair of bodies. Without a yield strength every contact is Hertz's.
+    /// The whole law of a pair of bodies. Without a yield strength the law is Hertz.
     ///
     /// # Errors
-    /// As of [`ContactLaw::law`].
+    /// The errors of [`ContactLaw::law`].
     fn of_pair(&self, pair: &Pair) -> Result<Law, OutsideLaw> {
         Bodies::new(pair).map_or_else(|| Ok(Law::hertz()), |bodies| self.law(&bodies))
     }

@@ -1,21 +1,21 @@
-//! The ground that a sphere meets: a law, and the dent where it was loaded before. A sphere that comes back goes up the old
-//! unloading branch, then on along the loading curve of the law.
+//! The surface that a sphere meets: a law, and the dent if the spot was loaded before. A sphere that returns to the dent follows
+//! the old unloading branch, and then the loading curve of the law.
 //!
 //! ```text
 //! f = the branch, f_m ((x − x_r)/ε_m)^n x_r ≤ x ≤ x_m     (a turn here leaves the dent as it is)
 //! f, ε as on fresh surface              x > x_m           (a turn here makes a new dent)
 //! ```
 //!
-//! x is measured from the surface as it was before the first impact, so first touch is at x_r. Work is counted from there. A
-//! reload turns at the old peak if its kinetic energy is just the energy stored there, f_m ε_m/(n + 1). A faster one goes on
-//! along the loading curve, and the energy in excess is the further work of loading:
+//! x is measured from the surface as it was before the first impact, so first contact is at x_r. Work is counted from there.
+//! Reloading ends at the old peak if the kinetic energy is just the energy stored there, f_m ε_m/(n + 1). A faster sphere
+//! continues along the loading curve, and its further energy is the further work of loading:
 //!
 //! ```text
 //! w(x_m2) = w(x_m) + (kinetic − f_m ε_m/(n + 1))
 //! ```
 //!
-//! So the way in is a curve of its own: on fresh surface that of the law; in a dent the branch, the rest of the piece that the
-//! old peak lies on, and the pieces behind it.
+//! So a sphere follows a reloading path. On fresh surface this is the loading curve of the law. In a dent it has three parts: the
+//! unloading branch, the rest of the piece that holds the old peak, and the pieces behind that piece.
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ use crate::numerics::curve::Curve;
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::power::max_or_nan;
 
-/// The dent that a spot has which was loaded before.
+/// The dent of a spot that was loaded before.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dent {
     /// The unloading branch from the largest state so far.
@@ -46,7 +46,7 @@ impl Law {
         self.dented_with(unloading, unloading.peak.force, false)
     }
 
-    /// As [`Law::dented_by`], where the loading behind the branch goes on with this force.
+    /// Like [`Law::dented_by`], but the loading curve behind the branch begins with this force.
     pub(super) fn dented_with(&self, unloading: Unloading, force: f64, is_of_other_rate: bool) -> Dent {
         let start = unloading.peak.indentation;
         let index = self.loading.index_at(start);
@@ -63,7 +63,7 @@ impl Law {
 #[derive(Debug, Clone, Copy)]
 pub struct Ground<'a> {
     pub law: &'a Law,
-    /// The force over x on the way in, with the work from first touch.
+    /// The force over x during loading or reloading, with the work from first contact.
     pub way_in: &'a Curve,
     branch: Option<&'a Unloading>,
     is_of_other_rate: bool,
@@ -85,13 +85,13 @@ impl<'a> Ground<'a> {
         Self { law, way_in, branch: dent.map(|dent| &dent.unloading), is_of_other_rate }
     }
 
-    /// The unloading branch that a reload runs back up; `None` on fresh surface.
+    /// The unloading branch that reloading follows; `None` on fresh surface.
     #[inline]
     pub fn branch(&self) -> Option<&'a Unloading> {
         self.branch
     }
 
-    /// The branch, if a state at x lies on it.
+    /// The branch, if the state at x lies on the branch.
     #[inline]
     pub(crate) fn branch_at(&self, x: f64) -> Option<&'a Unloading> {
         self.branch.filter(|branch| x <= branch.peak.indentation)
@@ -103,24 +103,24 @@ impl<'a> Ground<'a> {
         self.branch_at(x).is_none().then_some(self.law)
     }
 
-    /// x up to which loading is elastic: all of the approach is recovered, on the loading curve itself.
+    /// Loading is elastic up to this x: the whole approach is recovered along the loading curve.
     #[inline(always)]
     pub fn elastic_until(&self) -> f64 {
         self.branch().map_or(self.law.limits.elastic_until, |branch| branch.peak.indentation)
     }
 
-    /// True if an impact that turns at x leaves the ground as it was: at most first yield, or on the branch.
+    /// True if an impact that turns at x does not change the surface: it turns at first yield at most, or on the branch.
     #[inline(always)]
     pub(crate) fn is_elastic_to(&self, x: f64) -> bool {
         x <= self.branch().map_or_else(|| self.law.recovers_until(), |branch| branch.peak.indentation)
     }
 
-    /// True if an impact that turned at this peak leaves a dent, or a deeper one. A peak without a residual indentation leaves none.
+    /// True if an impact that turns at this peak leaves a dent, or a deeper dent. A peak without a residual indentation leaves no dent.
     pub(crate) fn keeps_mark_of(&self, peak: &ContactState) -> bool {
         !self.is_elastic_to(peak.indentation) && peak.residual() > 0.0
     }
 
-    /// How far the force falls on the way in where a piece begins: at the end of a branch that was made at another rate of strain.
+    /// The drop of the loading force at the start of a piece. It is not zero only where a branch of another strain rate ends.
     pub(crate) fn fall_at_start(&self, index: usize) -> f64 {
         match self.branch {
             Some(branch) if index == 1 && self.is_of_other_rate => branch.peak.force - self.piece(index).force,
@@ -128,18 +128,18 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// x of first touch: x_r of the branch, 0 on fresh surface.
+    /// x of first contact: x_r of the branch, 0 on fresh surface.
     pub fn touch(&self) -> f64 {
         self.branch().map_or(0.0, |branch| branch.peak.residual())
     }
 
-    /// The peak that shaped the dent of an impact that turned at `peak`: the old one, if it turned on the branch.
+    /// The peak that shaped the dent after an impact with the peak `peak`: the old peak if the impact turned on the branch.
     #[inline(always)]
     pub fn dent(&self, peak: &ContactState) -> ContactState {
         self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
     }
 
-    /// A piece of the way in.
+    /// A piece of the reloading path.
     #[inline(always)]
     pub fn piece(&self, index: usize) -> &'a Piece {
         &self.way_in.pieces()[index]
@@ -153,8 +153,8 @@ impl<'a> Ground<'a> {
         })
     }
 
-    /// The piece that an impact with this kinetic energy and this weight turns on, and the distance from its start. The work
-    /// less that of the weight is convex, and not above the energy before the peak.
+    /// The piece on which an impact with this kinetic energy and this weight turns, and the distance from the start of the piece. The
+    /// work minus the work of the weight is convex, and does not exceed the energy before the peak.
     #[inline(always)]
     pub(crate) fn turn(&self, kinetic: f64, weight: f64) -> (usize, f64) {
         let remaining = |index: usize| {
@@ -169,7 +169,7 @@ impl<'a> Ground<'a> {
         (last, self.piece(last).way_to_turn(max_or_nan(remaining(last), 0.0), weight))
     }
 
-    /// The x at which the force is `force` ≥ 0 on the way in.
+    /// The x at which the force during loading is `force` ≥ 0.
     pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
         match self.branch() {
             Some(branch) if force <= branch.peak.force => branch.peak.residual() + branch.recovered_at(force),
@@ -191,7 +191,7 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// The state at x on the way in, as a peak that unloading may leave from.
+    /// The state at x during loading, from which unloading may begin.
     pub fn loaded_to(&self, x: f64) -> ContactState {
         match self.branch_at(x) {
             Some(branch) => branch.state_at(x - branch.peak.residual()),
@@ -199,7 +199,7 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// The unloading branch from a peak. On the branch of a dent it is that branch.
+    /// The unloading branch from a peak. From a peak on the branch of a dent it is this branch.
     pub fn unloading(&self, peak: ContactState) -> Unloading {
         if let Some(branch) = self.branch_at(peak.indentation) {
             return branch.up_to(peak);
@@ -211,8 +211,8 @@ impl<'a> Ground<'a> {
         unloading
     }
 
-    /// The unloading branch from a turn at a distance from the start of a piece, where the kinetic energy was this. With a
-    /// weight it follows from the place.
+    /// The unloading branch from a turning point at a distance from the start of a piece, for an impact with this kinetic energy. Under
+    /// a weight the branch follows from the position.
     #[inline(always)]
     pub(crate) fn turned(&self, index: usize, distance: f64, kinetic: Option<f64>) -> Unloading {
         match (self.branch, kinetic) {
@@ -225,8 +225,8 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// Contact radius a/a_L at a peak, see [`Law::contact_radius`]. On the branch of a dent, which keeps its shape, it goes
-    /// with f/ε.
+    /// Contact radius a/a_L at a peak, see [`Law::contact_radius`]. On the branch of a dent, which keeps its shape, the radius is
+    /// proportional to f/ε.
     pub fn contact_radius(&self, peak: &ContactState) -> f64 {
         let Some(branch) = self.branch_at(peak.indentation) else { return self.law.contact_radius(peak) };
         let deepest = &branch.peak;
@@ -235,21 +235,21 @@ impl<'a> Ground<'a> {
         self.law.contact_radius(deepest) * share
     }
 
-    /// Checks that the law has an answer for the peak of this branch, which it has in a dent that it made.
+    /// Checks that the law has an answer for the peak of this branch. In a dent that the law made it always has one.
     ///
     /// # Errors
     /// See [`Law::accept`].
     #[inline]
     pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
         let Some(law) = self.law_at(unloading.peak.indentation) else { return Ok(()) };
-        // the law answers for the branch on fresh surface, not for what a dent made of it
+        // the law is checked for the branch on fresh surface, not for the branch of the dent
         if self.is_of_other_rate {
             return law.accept(&law.unloading(law.loaded_to(unloading.peak.indentation)));
         }
         law.accept(unloading)
     }
 
-    /// Work from first touch to a state on the way in; on the branch it follows from ε, which has more digits than x.
+    /// Work from first contact to a state of loading. On the branch it follows from ε, which has more digits than x.
     pub(crate) fn work_to(&self, state: &ContactState) -> f64 {
         match self.branch_at(state.indentation) {
             Some(branch) => branch.stored_of(state.elastic_approach),
@@ -257,7 +257,7 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// Work that an impact spent on the dent: w(x_m) − f_m ε_m/(n + 1), nothing on the branch, and 0 where it is rounding.
+    /// Plastic work of an impact: w(x_m) − f_m ε_m/(n + 1); 0 on the branch, and 0 if it is rounding.
     pub fn plastic(&self, unloading: &Unloading) -> f64 {
         let spent = self.spent(unloading);
         if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }

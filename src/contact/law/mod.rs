@@ -1,8 +1,8 @@
 //! Contact laws: a loading curve made of smooth pieces, the elastic approach along it, and an unloading rule.
 //!
-//! A law is data. It knows no time, no file and no solver, and evaluating it changes nothing. What a spot remembers that was
-//! loaded before is a [`Dent`]; law and dent are the [`Ground`] of an impact. Who follows a contact step by step hands its
-//! memory, a [`ContactState`], in and out.
+//! A law is data. It does not depend on time, files or solvers, and evaluating it changes nothing. A spot that was loaded before
+//! has a [`Dent`]; law and dent are the [`Ground`] of an impact. A code that follows a contact step by step keeps its memory, a
+//! [`ContactState`], and passes it in at every step.
 //!
 //! # Sources
 //! * Hertz (1882), J. reine angew. Math. 92, 156-171.
@@ -33,10 +33,10 @@ use published::{LARGEST_CUT, Limits, Published, WIDEST_PARABOLOID};
 pub use published::{Loading, OutsideLaw};
 pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
-/// How a contact unloads that was loaded beyond the elastic regime.
+/// How a contact unloads after loading beyond the elastic regime.
 #[derive(Debug, Clone)]
 pub enum LoadingRule {
-    /// Back along Hertz's curve, at any load.
+    /// Along Hertz's curve, at any load.
     Elastic,
     Polyline(Box<PlmRule>),
     Published(Box<Published>),
@@ -44,13 +44,13 @@ pub enum LoadingRule {
 
 named! {
     pub enum Branch {
-        /// Loading without a dent so far.
+        /// Loading without a dent.
         Elastic = "elastic",
         Plastic = "plastic",
-        /// Loading in a dent made before, back up its unloading branch.
+        /// Reloading along the unloading branch of an earlier dent.
         Reloading = "reloading",
         Unloading = "unloading",
-        /// The sphere is above the dent, without contact. An impact ends there.
+        /// The sphere is above the dent, without contact. An impact ends in this state.
         Separated = "separated",
     }
 }
@@ -59,30 +59,30 @@ named! {
 #[derive(Debug, Clone)]
 pub struct Law {
     pub loading: Arc<Curve>,
-    /// Where the loading holds.
+    /// The range in which the loading holds.
     pub limits: Limits,
     pub rule: LoadingRule,
-    /// The law at the turn, if it is another one.
+    /// The law at maximum compression, if it differs.
     pub relaxed: Option<Box<Relaxed>>,
 }
 
-/// The law at the turn of a metal that relaxes there (`law/relaxed.rs`).
+/// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
 #[derive(Debug, Clone)]
 pub struct Relaxed {
-    /// In units of its own yield point.
+    /// In units of the yield point of this law.
     law: Law,
     /// r.
     ratio: f64,
 }
 
-/// An exponent of unloading that is larger than the one that was asked for, which would give back more than was spent.
+/// An unloading exponent that is larger than the requested one, because the requested one would recover more energy than was spent.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Raised {
-    /// The one that was asked for.
+    /// The requested exponent.
     pub(crate) asked: f64,
-    /// The one of the branch.
+    /// The exponent of the branch.
     pub(crate) used: f64,
-    /// The energy that the exponent asked for would give back, over the energy that was spent, less 1.
+    /// The energy that the requested exponent would recover, over the energy that was spent, minus 1.
     pub(crate) gain: f64,
 }
 
@@ -96,7 +96,7 @@ impl Law {
         self.limits.widest.is_infinite()
     }
 
-    /// Hertz without end: loading and unloading on f = x^1.5.
+    /// Hertz without limit: loading and unloading on f = x^1.5.
     pub fn hertz() -> Self {
         Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), LoadingRule::Elastic)
     }
@@ -111,13 +111,13 @@ impl Law {
         Self::new(curve, limits, LoadingRule::Published(Box::new(Published { radius, recovery })))
     }
 
-    /// How fresh surface unloads from x; the last digit of x does not count.
+    /// The unloading of fresh surface from x; the last digit of x does not matter.
     #[inline(always)]
     fn rule_at(&self, x: f64) -> &LoadingRule {
         if x <= self.limits.elastic_until * (1.0 + f64::EPSILON) { &LoadingRule::Elastic } else { &self.rule }
     }
 
-    /// How fresh surface unloads from a point (x, f) of the loading curve that took the work `spent`.
+    /// The unloading of fresh surface from a point (x, f) of the loading curve, after the loading work `spent`.
     #[inline(always)]
     fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
         if let Some(unloading) = self.relaxed_at(x, force, || spent) {
@@ -139,17 +139,17 @@ impl Law {
         }
     }
 
-    /// The state at x on the loading curve, as a peak that unloading may leave from.
+    /// The state at x on the loading curve, from which unloading may begin.
     pub fn loaded_to(&self, x: f64) -> ContactState {
         let force = self.loading.force(x);
         ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
 
-    /// The unloading branch from a peak. Where loading was elastic (ε = x), n = 3/2 whatever the rule. It never gives back
-    /// more than was spent (`unloading::allowed_exponent`).
+    /// The unloading branch from a peak. If loading was elastic (ε = x), n = 3/2 for every rule. The branch never recovers more
+    /// than was spent (`unloading::allowed_exponent`).
     pub fn unloading(&self, peak: ContactState) -> Unloading {
         let spent = || self.loading.work(peak.indentation);
-        // the force of a memory is already that behind the relaxation
+        // the force of a memory is the force after the relaxation
         if self.relaxed.is_some()
             && let Some(unloading) = self.relaxed_at(peak.indentation, self.loading.force(peak.indentation), spent)
         {
@@ -162,18 +162,18 @@ impl Law {
         }
     }
 
-    /// The range of x that the authors of the law state, where a plastic peak is outside of it.
+    /// The range of x that the authors of the law state, if a plastic peak is outside of it.
     pub(crate) fn outside_stated(&self, peak: &ContactState) -> Option<(f64, f64)> {
         let x = peak.indentation;
         self.limits.stated.filter(|(from, to)| x > self.recovers_until() && !(*from..=*to).contains(&x))
     }
 
-    /// How a body that hardens changes the law.
+    /// The hardening of the yielding body, if it hardens.
     pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
         if let LoadingRule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
     }
 
-    /// If the exponent was raised on this branch: the exponent that was asked for, the one that is used, and the gain of energy
+    /// The exponents of this branch, if the requested exponent was raised: the requested one, the used one, and the gain of energy
     /// that this avoids.
     pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
         if let Some((law, own)) = self.at_turn(unloading) {
@@ -183,7 +183,7 @@ impl Law {
         match self.rule_at(peak.indentation) {
             LoadingRule::Polyline(rule) => {
                 let asked = rule.asked(peak);
-                // the energy of a branch goes with 1/(n + 1)
+                // the energy of a branch is proportional to 1/(n + 1)
                 (used > asked).then(|| Raised { asked, used, gain: (used - asked) / (asked + 1.0) })
             }
             _ => None,
@@ -193,8 +193,8 @@ impl Law {
     /// Checks that the law has an answer for the peak of this branch.
     ///
     /// # Errors
-    /// [`OutsideLaw`] where a law has no answer there: a published one outside of its formulas, and any one whose unloading
-    /// gives back more energy than was spent, by more than [`LARGEST_CUT`].
+    /// [`OutsideLaw`] if the law has no answer there: a published law outside of its formulas, and any law whose unloading would
+    /// recover more energy than was spent, by more than [`LARGEST_CUT`].
     #[inline]
     pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
         if let Some((law, own)) = self.at_turn(unloading) {
@@ -217,15 +217,15 @@ impl Law {
         }
     }
 
-    /// x over the indentation at which this law yields; over that of C_ν where it has no elastic regime.
+    /// x over the yield indentation of this law; over the yield indentation of C_ν for a law without an elastic regime.
     pub(crate) fn in_yields(&self, x: f64) -> f64 {
         if self.limits.elastic_until > 0.0 { x / self.limits.elastic_until } else { x }
     }
 
     /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1).
     ///
-    /// Compared with finite elements, the radius of the PLM is within 6 % up to a = 0.48 R. A mean pressure computed from it
-    /// has twice the error, with the opposite sign.
+    /// The radius of the PLM is within 6 % of finite elements up to a = 0.48 R. A mean pressure computed from it has twice the
+    /// error, with the opposite sign.
     pub fn contact_radius(&self, peak: &ContactState) -> f64 {
         if let Some(radius) = self.relaxed_radius(peak) {
             return radius;
@@ -237,9 +237,9 @@ impl Law {
         }
     }
 
-    /// Force at x for a contact whose largest state so far is `memory`, and the memory afterwards.
+    /// Force at x of a contact with the largest state `memory`, and the memory afterwards.
     ///
-    /// Below the old peak the contact moves on the unloading branch, up or down; beyond it, on the loading curve.
+    /// Below the old peak the contact follows the unloading branch, in both directions; beyond the peak it follows the loading curve.
     pub fn respond(&self, x: f64, memory: Option<ContactState>) -> (f64, Option<ContactState>) {
         match memory {
             _ if x.is_nan() => (f64::NAN, memory),
@@ -247,7 +247,7 @@ impl Law {
             None if x <= 0.0 => (0.0, None),
             _ => {
                 let peak = self.loaded_to(x);
-                // a metal that has relaxed goes up its branch until that meets the loading curve
+                // a relaxed metal follows its branch until the branch meets the loading curve
                 let relaxed = memory.filter(|_| self.relaxed.is_some());
                 let force_beyond = |old: &Unloading| old.branch().force_beyond(x - old.peak.residual());
                 match relaxed.map(|old| force_beyond(&self.unloading(old))) {

@@ -1,11 +1,11 @@
 //! The rules of a published law: contact radius along the loading curve, and unloading from a peak.
 //!
-//! No contact gives back more energy than it has taken, and no dent is higher than the surface. Where the formulas of a law
-//! break this, the elastic approach is reduced to the largest possible one. Where they break it by more than
-//! [`LARGEST_CUT`], the law has no answer ([`OutsideLaw`]).
+//! No contact recovers more energy than it has absorbed, and no dent is higher than the surface. If the formulas of a law break
+//! these rules, the elastic approach is reduced to the largest possible value. If they break them by more than [`LARGEST_CUT`],
+//! the law has no answer ([`OutsideLaw`]).
 //!
 //! The law has no answer for: `mesarovic_johnson` and `johnson` near yield (case 3 of Xie et al. 2024: below 14 yield
-//! indentations); `stronge` between x = 1.1 and 2.5, where it gives back up to 17 % more energy than was spent; the
+//! indentations); `stronge` between x = 1.1 and 2.5, where it would recover up to 17 % more energy than was spent; the
 //! residual of Jackson, Chusoipin and Green beyond x = 10⁴, where δ_r > δ_m; and fits beyond a = R or δ = R/2.
 
 use std::fmt;
@@ -19,7 +19,7 @@ use crate::numerics::curve::Curve;
 use crate::numerics::root::halved;
 use crate::units::{four_digits, percent};
 
-/// How much a law's own formulas may exceed the approach, or the energy spent, before the law is refused there.
+/// The formulas of a law may exceed the approach, or the energy spent, by this fraction. Above it the law has no answer.
 pub const LARGEST_CUT: f64 = 0.05;
 
 /// A point of a loading curve from which the contact unloads.
@@ -31,7 +31,7 @@ pub struct PeakState {
     pub force: f64,
     /// a_m/a_Y.
     pub radius: f64,
-    /// (E_s*/E*) δ_sm/δ_Y, where the sphere's own indentation is known, as from a measurement.
+    /// (E_s*/E*) δ_sm/δ_Y, if the indentation of the sphere is known, as from a measurement.
     pub elastic_approach: Option<f64>,
     /// W/(F_Y δ_Y): the work of loading.
     pub spent: f64,
@@ -47,8 +47,8 @@ impl PeakState {
         problem.map_or(Ok(unloading), |problem| Err(OutsideLaw::Range { ratio: self.indentation, problem }))
     }
 
-    /// The branch whose ε is at most x and at most what the work of loading allows, and the limit that the law's own formulas
-    /// break by more than [`LARGEST_CUT`].
+    /// The branch whose ε is at most x and at most the limit of the work of loading; and this limit, if the formulas of the law
+    /// exceed it by more than [`LARGEST_CUT`].
     fn unloaded(&self, raw: Recovered) -> (Unloading, Option<&'static str>) {
         let &Self { indentation, force, spent, .. } = self;
         let branch =
@@ -69,10 +69,10 @@ impl PeakState {
     }
 }
 
-/// A dent that is a smaller share of the indentation than this comes from rounding, and counts as none.
+/// A dent that is a smaller fraction of the indentation than this comes from rounding, and is ignored.
 const NO_DENT: f64 = 1e-13;
 
-/// The unloading from a peak by the law's own formulas.
+/// The unloading from a peak by the formulas of the law, before the limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recovered {
     /// ε = x_m − x_r.
@@ -88,20 +88,20 @@ pub fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'sta
 
 pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
 
-/// a/R up to which a sphere may be taken for the paraboloid of Hertz: at 0.3 its force is 1 % larger than that of the sphere
-/// itself (Sneddon 1965, a rigid one), at 0.45 it is 2 %.
+/// a/R up to which the paraboloid of Hertz represents a sphere: at 0.3 the force of the paraboloid is 1 % larger than the force of
+/// a rigid sphere (Sneddon 1965), at 0.45 it is 2 % larger.
 pub const WIDEST_PARABOLOID: f64 = 0.3;
 
-/// Where a loading holds.
+/// The range in which a loading holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// x up to which it is elastic, Hertz's curve.
+    /// Loading is elastic up to this x, along Hertz's curve.
     pub elastic_until: f64,
-    /// x up to which a peak can be on it: beyond, the law has no answer.
+    /// A peak may be up to this x; beyond, the law has no answer.
     pub holds_until: f64,
-    /// The range of x that its authors state, if they do.
+    /// The range of x that the authors state, if they do.
     pub stated: Option<(f64, f64)>,
-    /// Largest a/R of the data behind it, or of what it takes for granted.
+    /// Largest a/R of the data behind the loading, or of its assumptions.
     pub widest: f64,
 }
 
@@ -137,7 +137,7 @@ impl Loading {
 /// The two halves of a law.
 #[derive(Clone)]
 pub struct LawParts {
-    /// How it loads; [`OutsideLaw::Incomplete`] of a law of unloading only.
+    /// The loading; [`OutsideLaw::Incomplete`] for a law that has only unloading.
     pub loading: Result<Loading, OutsideLaw>,
     pub recovery: RecoveryRule,
 }
@@ -148,7 +148,7 @@ impl LawParts {
     }
 }
 
-/// A peak, or a whole impact, that the law has no answer for.
+/// A peak, or a whole impact, for which the law has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum OutsideLaw {
     /// Outside the range of its formulas.
@@ -157,12 +157,12 @@ pub enum OutsideLaw {
         four_digits(*.ratio)
     )]
     Range {
-        /// The peak indentation over that at which the law yields.
+        /// The peak indentation over the yield indentation of the law.
         ratio: f64,
         /// The reason, in words.
         problem: &'static str,
     },
-    /// An exponent of unloading that gives back too much.
+    /// An unloading exponent that would recover too much energy.
     #[error(
         "with the unloading exponent {}, a peak indentation of {} x the yield indentation would give back {} of the energy more than was spent: give a larger exponent, or another speed or depth",
         four_digits(*.asked), four_digits(*.ratio), percent(*.gain)
@@ -170,23 +170,23 @@ pub enum OutsideLaw {
     Exponent {
         /// n.
         asked: f64,
-        /// The peak indentation over that at which the law yields.
+        /// The peak indentation over the yield indentation of the law.
         ratio: f64,
-        /// The energy given back over that spent, less 1.
+        /// The recovered energy over the spent energy, minus 1.
         gain: f64,
     },
     /// A table of coefficients that breaks a rule.
     #[error("the coefficients of the law: {key} is not allowed: {rule}")]
     Coefficients {
-        /// The place in the table.
+        /// The position in the table.
         key: &'static str,
-        /// What is allowed there.
+        /// The allowed values of the key.
         rule: &'static str,
     },
     /// The points or the numbers make no flow curve.
     #[error("the flow curve of the body that yields: {0}")]
     Flow(#[from] FlowError),
-    /// A flow curve of one of two bodies that both flow.
+    /// A flow curve although both bodies yield.
     #[error(
         "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: give both a yield_strength at the strain of the impact, without flow_stress, or strengths at least 1.25 to 1",
         four_digits(*.ratio)
@@ -216,24 +216,24 @@ impl fmt::Debug for Published {
 }
 
 impl Published {
-    /// A point of the loading curve that took the work `spent`.
+    /// A point of the loading curve with the loading work `spent`.
     fn loaded(&self, indentation: f64, force: f64, spent: f64) -> PeakState {
         let radius = (self.radius)(indentation, force);
         PeakState { indentation, force, radius, elastic_approach: None, spent }
     }
 
-    /// The branch from a point of the loading curve that took the work `spent`.
+    /// The branch from a point of the loading curve with the loading work `spent`.
     #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
     pub(super) fn unloading(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
         let at = self.loaded(indentation, force, spent);
         at.unloaded((self.recovery)(at)).0
     }
 
-    /// Why the law has no answer for a peak that took the work `spent`, where it has none.
+    /// Why the law has no answer for a peak with the loading work `spent`; `None` if it has an answer.
     #[cold]
     pub(super) fn problem(&self, peak: &ContactState, spent: f64) -> Option<&'static str> {
         let &ContactState { indentation, force, elastic_approach } = peak;
-        // an approach that is well below both limits (n is at least 1) is that of the formulas
+        // an approach well below both limits (n is at least 1) is the approach of the formulas
         if elastic_approach < indentation && force * elastic_approach < 1.9 * spent {
             return None;
         }
@@ -242,8 +242,8 @@ impl Published {
     }
 }
 
-/// Where two printed pieces meet that do not join: the place where an excess that is positive at `from` falls to zero. `None`
-/// if it is not positive at `from`, or not zero before `until`.
+/// Where two printed pieces that do not join intersect: the zero of an excess that is positive at `from`. `None` if the excess
+/// is not positive at `from`, or has no zero before `until`.
 pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
     /// Steps of the search.
     const GROWTH: f64 = 1.02;

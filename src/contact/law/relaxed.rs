@@ -1,4 +1,4 @@
-//! A metal that relaxes where the sphere turns: its strength is then that of a slower rate of strain than on the way in.
+//! A metal that relaxes at maximum compression: there it has the strength of a lower strain rate than during loading.
 //!
 //! ```text
 //! loading   f_g(x), a law of the strength g σ, in units of its yield point
@@ -6,16 +6,16 @@
 //!           x = r² x_t,  f = min(f_g, r³ f_t),  ε = r² ε_t
 //! ```
 //!
-//! At the turn the force falls from f_g to f, and the dent takes the energy. Just beyond first yield r³ f_t would be above f_g by up
-//! to 10⁻⁴, as the first straight piece of the law at the turn lies above Hertz's curve: the force then stays f_g. The work that was
-//! spent is that of the loading, and the branch gives back no more than that. Fresh surface that turns at x_t ≤ 1 stays elastic.
+//! At maximum compression the force falls from f_g to f, and the dent absorbs the energy. Just beyond first yield r³ f_t would exceed
+//! f_g by up to 10⁻⁴, because the first straight piece of the law at the turn lies above Hertz's curve. There f = f_g. The branch
+//! recovers at most the work of loading. Fresh surface that turns at x_t ≤ 1 stays elastic.
 
 use super::unloading::{ContactState, GRAZING, Unloading, allowed_exponent};
 use super::{Dent, Ground, Law, LoadingRule, Relaxed};
 use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::root::halved;
 
-/// The largest force is reported lower than the force at the end of loading, by this share of the step.
+/// The reported peak force is lower than the force at the end of loading by this fraction of the drop.
 const UNREPORTED: f64 = 0.8;
 
 impl Relaxed {
@@ -30,7 +30,7 @@ impl Relaxed {
         self.law.limits.elastic_until * length
     }
 
-    /// The unloading branch of a surface that was loaded to x with this force, where the loading took the work `spent`.
+    /// The unloading branch of a surface that was loaded to x with this force and the loading work `spent`.
     fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
         let [per_length, per_force] = self.units();
         let (own, most, spent) = (x / per_length, force / per_force, spent / (per_length * per_force));
@@ -38,17 +38,17 @@ impl Relaxed {
         let unloading = if own_force <= most {
             self.law.left_at(own, own_force, spent)
         } else {
-            // shape and approach are those of the law at the turn; f x is more than any branch gives back
+            // shape and approach follow the law at the turn; f x is more than any branch recovers
             let lowered = self.law.left_at(own, own_force, own_force * own).scaled(1.0, most / own_force);
             Unloading { exponent: allowed_exponent(spent, &lowered.peak, lowered.exponent), ..lowered }
         };
         let scaled = unloading.scaled(per_length, per_force);
-        // the depth is that of the impact, to the last bit, and no more than that comes back
+        // the depth is the depth of the impact, to the last bit, and at most the depth is recovered
         let elastic_approach = scaled.peak.elastic_approach.min(x);
         Unloading { peak: ContactState { indentation: x, elastic_approach, ..scaled.peak }, ..scaled }
     }
 
-    /// A branch in units of this law.
+    /// A branch in the units of this law.
     fn own(&self, unloading: &Unloading) -> Unloading {
         let [length, force] = self.units();
         unloading.scaled(1.0 / length, 1.0 / force)
@@ -56,7 +56,7 @@ impl Relaxed {
 }
 
 impl Law {
-    /// Returns this law with another one for the turn: of a strength that is `ratio` times as large, in its own units.
+    /// Returns this law with another law at maximum compression, whose strength is larger by `ratio`, in the units of that law.
     #[must_use]
     pub(crate) fn relaxing_to(self, law: Law, ratio: f64) -> Self {
         Self { relaxed: Some(Box::new(Relaxed { law, ratio })), ..self }
@@ -67,13 +67,13 @@ impl Law {
         matches!(&self.rule, LoadingRule::Polyline(rule) if rule.hardening.is_none() && rule.flattening.is_none())
     }
 
-    /// x up to which fresh surface gives back all.
+    /// Fresh surface recovers the whole approach up to this x.
     #[inline(always)]
     pub(crate) fn recovers_until(&self) -> f64 {
         self.relaxed.as_ref().map_or(self.limits.elastic_until, |relaxed| relaxed.until())
     }
 
-    /// How fresh surface unloads from a point (x, f) of the loading curve that took the work `spent`, if the metal relaxes there.
+    /// The unloading of fresh surface from a point (x, f) of the loading curve, after the loading work `spent`, if the metal relaxes.
     #[inline(always)]
     pub(super) fn relaxed_at(&self, x: f64, force: f64, spent: impl FnOnce() -> f64) -> Option<Unloading> {
         let relaxed = self.relaxed.as_ref()?;
@@ -95,7 +95,7 @@ impl Law {
         (peak.indentation > relaxed.until()).then(|| of_law() * relaxed.ratio)
     }
 
-    /// How far the force falls where a loading turns at this branch; 0 where that is rounding.
+    /// The drop of the force where loading turns into this branch; 0 if the drop is rounding.
     pub(crate) fn step(&self, unloading: &Unloading) -> f64 {
         let ContactState { indentation, force, .. } = unloading.peak;
         match self.relaxed {
@@ -107,9 +107,9 @@ impl Law {
         }
     }
 
-    /// The dent with this unloading branch, which was made at another rate of strain. A reload goes up the branch to its end, and
-    /// on along the same curve until that meets this loading curve. Where the branch ends above this loading curve, as after a much
-    /// faster impact, the force falls to the loading curve there.
+    /// The dent with this unloading branch, which was made at another strain rate. Reloading follows the branch to its end, and then
+    /// the continuation of the branch until it meets this loading curve. If the branch ends above this loading curve, as after a
+    /// much faster impact, the force drops to the loading curve there.
     pub(crate) fn dent_of_other_rate(&self, branch: &Unloading) -> Dent {
         let (piece, old) = (branch.branch(), branch.peak);
         let over = |recovered: f64| piece.force_beyond(recovered) - self.loading.force(old.residual() + recovered);
@@ -130,7 +130,7 @@ impl Law {
 
 impl Unloading {
     /// This branch in a dent with that residual indentation, in which the impact has spent this work: the dent becomes no
-    /// shallower, and the branch gives back no more than was spent.
+    /// shallower, and the branch recovers no more than was spent.
     pub(super) fn in_dent(&self, residual: f64, spent: f64) -> Self {
         let elastic_approach = self.peak.elastic_approach.min(self.peak.indentation - residual);
         let peak = ContactState { elastic_approach, ..self.peak };
@@ -141,13 +141,13 @@ impl Unloading {
 }
 
 impl Ground<'_> {
-    /// How far the force falls where an impact turns that leaves along this branch; nothing in a dent.
+    /// The drop of the force where an impact turns into this branch; 0 in a dent.
     pub(crate) fn step(&self, unloading: &Unloading) -> f64 {
         self.law_at(unloading.peak.indentation).map_or(0.0, |law| law.step(unloading))
     }
 
-    /// The largest force as it is reported: above the relaxed one by a fifth of the step, as in the finite elements. With damping
-    /// `largest` is the largest on the way in.
+    /// The reported peak force: the relaxed force and a fifth of the drop, as in the finite elements. With damping
+    /// `largest` is the largest force of loading.
     pub(crate) fn reported_force(&self, unloading: &Unloading, largest: Option<f64>) -> f64 {
         let step = self.step(unloading);
         largest.unwrap_or(unloading.peak.force + step) - UNREPORTED * step

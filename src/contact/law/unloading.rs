@@ -7,7 +7,7 @@ use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::power::{power, turning_time, work_share};
 
-/// The largest indentation of a contact so far, with its force: the whole memory of the law.
+/// A state of the contact. The state of the largest indentation so far is the whole memory of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactState {
     /// x_m.
@@ -61,11 +61,11 @@ impl UnloadingExponent {
     }
 }
 
-/// A reload whose energy exceeds what the branch can store by at most this share still turns at the old peak. The share is
-/// some ten roundings: a sphere that comes back with the speed of its rebound has just that energy, but for rounding.
+/// Reloading with this relative excess over the energy that the branch can store still ends at the old peak. The excess is about
+/// ten rounding errors: a sphere that returns with the speed of its rebound has just this energy, except for rounding.
 pub const GRAZING: f64 = 32.0 * f64::EPSILON;
 
-/// The unloading branch that leaves a peak; d = x − x_r is what is still to be recovered.
+/// The unloading branch from a peak; d = x − x_r is the distance from the end of unloading.
 ///
 /// ```text
 /// f = f_m ((x − x_r)/ε_m)^n,   x_r ≤ x ≤ x_m        (Eq. 19 for n = 3/2)
@@ -83,18 +83,17 @@ pub struct Unloading {
     pub(super) curve: Option<Branch>,
 }
 
-/// The exponent of a branch that gives back no more than was spent: the one that was `asked` for, or, where that branch
-/// would give back more than the work of loading to the peak, the one that gives back just that work.
+/// The exponent of a branch that recovers no more energy than loading spent. This is the requested exponent `asked`. If a branch
+/// with `asked` would recover more than the work of loading to the peak, it is the exponent that recovers just this work.
 ///
 /// ```text
 /// n = asked                 where f_m ε_m ≤ w_m (asked + 1)
 ///     f_m ε_m/w_m − 1       elsewhere
 /// ```
 ///
-/// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the exponent that was asked for, if that is below 3/2; if
-/// it is above, n jumps to it. An impact says so: it warns of a larger exponent, and has no answer where the one that was asked
-/// for gives back over 5 % more than was spent ([`Law::accept`](super::Law::accept)). A code that asks for the force alone always
-/// gets one.
+/// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the requested exponent if that is below 3/2; if it is above, n
+/// jumps to it. An impact warns of a larger exponent than requested. It has no answer if the requested one would recover over
+/// 5 % more than was spent ([`Law::accept`](super::Law::accept)). A code that computes the force alone always gets an exponent.
 #[inline(always)]
 pub(crate) fn allowed_exponent(spent: f64, peak: &ContactState, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
@@ -161,7 +160,7 @@ impl Unloading {
         curve.time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
     }
 
-    /// Returns this branch with another end: where a reload turned on it, or a point beyond.
+    /// Returns this branch with another end: the point where reloading turned on it, or a point beyond.
     #[inline]
     #[must_use]
     pub fn up_to(&self, peak: ContactState) -> Self {
@@ -188,7 +187,7 @@ impl Unloading {
         self.force_of(x - self.peak.residual())
     }
 
-    /// Force where `recovered`, x − x_r, is still to be recovered.
+    /// Force at the distance `recovered` = x − x_r from the end of unloading.
     pub(crate) fn force_of(&self, recovered: f64) -> f64 {
         match recovered {
             _ if recovered <= 0.0 => 0.0,
@@ -203,7 +202,7 @@ impl Unloading {
         self.stored_of(if x == self.peak.indentation { self.peak.elastic_approach } else { x - self.peak.residual() })
     }
 
-    /// Elastic energy stored where `recovered` is still to be recovered.
+    /// Elastic energy stored at the distance `recovered` = x − x_r from the end of unloading.
     pub(crate) fn stored_of(&self, recovered: f64) -> f64 {
         match recovered {
             _ if recovered <= 0.0 => 0.0,
@@ -219,7 +218,7 @@ impl Unloading {
         self.peak.force * self.peak.elastic_approach * work_share(self.exponent)
     }
 
-    /// df/dx where `recovered` is still to be recovered; n f_m/ε_m where unloading begins.
+    /// df/dx at the distance `recovered` = x − x_r from the end of unloading; n f_m/ε_m where unloading begins.
     pub(crate) fn slope_of(&self, recovered: f64) -> f64 {
         self.branch().slope_beyond(recovered)
     }

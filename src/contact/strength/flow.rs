@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_are_none_make_no_curve_and_rounding_makes_no_other_start() -> Result<(), FlowError> {
+    fn nan_makes_no_curve_and_rounding_is_tolerated() -> Result<(), FlowError> {
         for list in
             [[(0.01, 3e8), (f64::NAN, 4e8)], [(0.01, f64::NAN), (0.02, 2e8)], [(0.01, 3e8), (0.02, f64::INFINITY)]]
         {
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn the_yield_strength_of_a_power_curve_gives_back_its_stress() {
+    fn power_curve_yield_strength_recovers_its_stress() {
         for exponent in [0.0, 0.02, 0.1, 0.3, 0.5] {
             for stress in [1e5, 1e8, 3e9, 1e12] {
                 let strength = yield_strength_of_power(stress, 0.08, exponent, 210e9);

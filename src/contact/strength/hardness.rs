@@ -9,10 +9,10 @@
 //! ```
 //!
 //! Published values of σ in MPa are between 3.3 HV (Tabor's measurements) and 4.0 HV (a cone without friction). So a
-//! strength from hardness alone is known to 10 %, and e to 5 %. For a metal that does not harden any more, such as after
+//! strength from hardness alone is known to 10 %, and e to 5 %. For a metal that does not harden further, such as after
 //! quenching or cold work, σ is the yield strength. For a metal that hardens, the hardening exponent is needed too.
 //!
-//! Measured, the error is on one side: against Leeb's conversion of quenched steels e is 1.4 to 4.5 % too low at every hardness
+//! The error against measurements is systematic: against Leeb's conversion of quenched steels e is 1.4 to 4.5 % too low at every hardness
 //! (with the exponent "pressure-shape"). An impact strains the metal 10⁴ to 10⁵ times as fast as a hardness test, and metals
 //! are stronger then.
 
@@ -133,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pressures_are_those_of_the_definition_and_of_the_table() -> Result<(), OutsideTable> {
+    fn pressures_match_definition_and_table() -> Result<(), OutsideTable> {
         // 9.80665 × 300/0.9272 by hand
         assert_relative_eq!(Scale::Vickers.mean_pressure(300.0)?, 3_172_988_567.730_8, max_relative = 1e-12);
         // rows of DIN 50150, and points half way between two rows

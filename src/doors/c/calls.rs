@@ -1,4 +1,4 @@
-//! What the functions of [`super`] have in common: memories, texts, panics.
+//! Helpers of the functions of [`super`]: memories, texts, panics.
 
 use std::ffi::{CStr, c_char};
 use std::panic::{AssertUnwindSafe, catch_unwind};

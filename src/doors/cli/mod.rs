@@ -31,8 +31,8 @@ use terminal::ErrorFormat;
 /// Low-velocity impact of an elastic sphere on an elastic-plastic half-space.
 ///
 /// Exit codes: 0 done, 1 a run failed, 2 the input is wrong, 3 measurements contradict
-/// the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command goes on).
-/// Of several files the largest of these codes counts.
+/// the law, 130 interrupted by Ctrl-C and 143 by SIGTERM (the same command resumes).
+/// For several files the exit code is the largest of theirs.
 #[derive(Debug, Parser)]
 #[command(
     version,
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn the_help_of_every_command_ends_with_two_examples_that_parse() {
+    fn help_of_every_command_ends_with_parsable_examples() {
         let program = Cli::command();
         for command in program.get_subcommands().chain([&program]).filter(|command| command.get_name() != "help") {
             let text = command.get_after_help().map(ToString::to_string).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! How fast work goes on, as the progress shows it.
+//! The rate of the work, as the progress bar shows it.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -59,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rate_has_no_idle_digits_and_comes_from_the_last_seconds() {
+    fn rate_is_rounded_and_uses_last_seconds() {
         // within the first second nothing is known of the rate
         assert_eq!(pace(&[(0.0, 0), (0.5, 16)]).describe(5_000_000, "rows"), "16/5,000,000 rows");
         let steady = pace(&[(0.0, 0), (2.0, 420_759)]);

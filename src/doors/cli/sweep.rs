@@ -131,7 +131,7 @@ fn parse_shard(text: &str) -> Result<Shard, Error> {
     if text == "auto" { Shard::from_slurm(|name| std::env::var(name).ok()) } else { Shard::parse(text) }
 }
 
-/// The same table in another format, which an earlier run wrote: it stays, as it may have cost hours.
+/// The table of an earlier run in another format. It stays, because it may have cost hours.
 fn other_table(directory: &OutputDirectory, written: &[String]) -> Option<String> {
     let names = Format::ALL.map(|format| format!("table.{}", format.name()));
     let is_there = |name: &String| {
@@ -143,7 +143,7 @@ fn other_table(directory: &OutputDirectory, written: &[String]) -> Option<String
 /// Does the work on as many threads as the option says, or the environment, or on one per core.
 ///
 /// # Errors
-/// [`Error`] for a number in the environment that is not allowed, and where the system does not start so many.
+/// [`Error`] if the number in the environment is not allowed, or if the system does not start that number of threads.
 pub fn with_threads<R: Send>(option: Option<u16>, work: impl FnOnce() -> R + Send) -> Result<R, Error> {
     let threads = option.map_or_else(threads_from_environment, Ok)?;
     let pool = ThreadPoolBuilder::new().num_threads(threads.into()).build().map_err(|error| {

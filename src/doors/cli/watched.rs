@@ -76,7 +76,7 @@ impl Signals {
 
 pub struct Watch {
     pub is_quiet: bool,
-    /// What is counted, such as rows.
+    /// The things that are counted, such as rows.
     pub counted: &'static str,
     /// Time that the work has to stop by itself after a signal; then it is abandoned.
     pub patience: Duration,
@@ -110,13 +110,13 @@ impl Watch {
         // signals end the process from now on, as they do by default
         signals.is_off.store(true, Ordering::Relaxed);
         let done = done.unwrap_or_else(|| {
-            // it ended without a result: by a panic
+            // the worker panicked, or ended without a result
             worker.join().unwrap_or_else(|panic| resume_unwind(panic));
             Err(Error::failed("the work ended without a result"))
         });
         done.map_err(|error| match (error.kind, u8::try_from(signals.code.load(Ordering::Relaxed))) {
             (ErrorKind::Stopped(_), Ok(code @ 1..)) => {
-                // work that is abandoned at once may see the signal first, and is told in the same words
+                // abandoned work may see the signal first; its message is then the same
                 let message = if self.patience.is_zero() { self.interrupted() } else { error.to_string() };
                 Error::new(ErrorKind::Stopped(code), message)
             }
@@ -128,7 +128,7 @@ impl Watch {
         format!("interrupted; {}", self.leaves)
     }
 
-    /// The result of the work; `None` where it ended without one.
+    /// The result of the work; `None` if the worker ended without a result (it panicked).
     fn wait<T>(&self, receiver: &Receiver<Result<T, Error>>, progress: &Counter) -> Option<Result<T, Error>> {
         let (begun, mut signalled) = (Instant::now(), None);
         let bar = self.bar();
@@ -193,7 +193,7 @@ pub fn when_signalled() {
     let changes = AtomicU64::new(0);
     after_changes(move || {
         if changes.fetch_add(1, Ordering::Relaxed) + 1 == change {
-            // a system without this signal goes on
+            // a system without this signal continues
             drop(raise(signal));
         }
     });

@@ -9,8 +9,8 @@ use crate::numerics::root::halved;
 /// Largest relative error of a constant e within its range of speeds.
 pub const E_WITHIN: f64 = 0.02;
 
-/// With so many steps of velocity Verlet in a contact, e of a damped spring is accurate to 1 %, wherever in a step the
-/// contact begins. The damping uses the speed of half a step before, and first and last step are partly out of contact:
+/// The number of steps of velocity Verlet in a contact at which e of a damped spring is accurate to 1 %, wherever in a step
+/// the contact begins. The damping uses the speed half a step earlier, and the first and the last step are partly out of contact:
 /// errors of first order in the step that grow with the damping, by about ln² e.
 pub fn steps_per_contact(e: f64) -> f64 {
     let decrement = ln(e);

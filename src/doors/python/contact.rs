@@ -251,7 +251,7 @@ pub struct Impact {
     samples: Option<usize>,
     /// The interval of e. It is computed when the first result is asked for, and then serves all results.
     interval: OnceLock<Option<RestitutionInterval>>,
-    /// What the user should know of the strength and of the exponent behind e.
+    /// Notes for the user on the strength and on the exponent behind e.
     notes: Vec<String>,
     /// The impact with a trace, if `result` has none; and the trace as an array. Each is computed when it is asked for first.
     traced: OnceLock<impact::Impact>,

@@ -72,7 +72,7 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Counter) -> T +
     })
 }
 
-/// Columns of so many rows, made piece by piece; `widths` says how many numbers each column has for a row. Few rows are
+/// Columns of `rows` rows, made piece by piece; `widths` holds how many numbers each column has for a row. Few rows are
 /// computed in the calling thread, unless a single one may take long (`is_slow`).
 ///
 /// # Errors
@@ -100,7 +100,7 @@ pub fn columns(
     done.map(|()| columns).map_err(PyValueError::new_err)
 }
 
-/// Empty columns with memory for so many rows; see [`columns`].
+/// Empty columns with memory for `rows` rows; see [`columns`].
 pub fn reserved(rows: usize, widths: &[usize]) -> PyResult<Vec<Vec<f64>>> {
     let reserved = |width: usize| {
         let mut column = Vec::new();

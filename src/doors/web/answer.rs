@@ -20,7 +20,7 @@ use crate::units::four_digits;
 /// The most rows of a table, which is held in memory.
 const MOST_ROWS: u64 = 100_000;
 const POINTS: usize = 601;
-/// The curve goes so many decades below the power of ten at or below the impact, and as many above it.
+/// The decades of the curve below, and also above, the power of ten at or below the impact.
 const DECADES: f64 = 2.0;
 
 /// Runs a scenario of any kind.

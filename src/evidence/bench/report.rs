@@ -65,7 +65,7 @@ fn csv<'a>(
     Ok(OutputFile { name: name.into(), bytes: written(writer)? })
 }
 
-/// The page, as Markdown, with the times of the problems as its table. `rates` are rows a second of a table of so many columns,
+/// The page, as Markdown, with the times of the problems as its table. `rates` are rows a second of a table with `columns` columns,
 /// computed and made into lines of CSV.
 pub fn page(all: &[Measured], laws: &[Rate], (columns, rates): (usize, [f64; 2])) -> String {
     let [computed, csv] = rates.map(|rate| format!("{:.1}", 1e-6 * rate));

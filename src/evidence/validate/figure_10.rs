@@ -99,7 +99,7 @@ mod tests {
     /// With the peak of the finite elements, the energies of the law of the paper are those of its exponent 3/2: e is 0.9 to
     /// 4.5 % low, and the dent is right to 1 %.
     #[test]
-    fn the_law_of_the_paper_keeps_the_dent_at_all_depths() {
+    fn paper_law_keeps_dent_at_all_depths() {
         let (bodies, cases) = (bodies().unwrap(), cases().unwrap());
         let case = cases.iter().find(|case| case.loading.case == "case3").unwrap();
         let mut compared = 0;

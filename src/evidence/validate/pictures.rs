@@ -101,7 +101,7 @@ fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     (format!("restitution-{}", case.name().replace(' ', "-")), chart)
 }
 
-/// Every so many samples of finite elements have a marker, so that the lines below stay visible.
+/// The step from marker to marker, in samples of finite elements; the lines below the markers stay visible.
 const SHOWN: usize = 4;
 
 /// An indentation: its name, its column of the reference, and its value in the law.

@@ -1,10 +1,9 @@
 //! Quasi-static indentation: the contact law without inertia, through a list of loads and indentations.
 //!
-//! Each step ends at a target: a load or an indentation. The way there runs along the loading curve, down the unloading branch
-//! or back up it; the contact remembers the largest state it has seen. Any law will do: its loading curve and the unloading
-//! from the largest state are all that is needed.
+//! Each step ends at a set point: a load or an indentation. A step follows the loading curve or the unloading branch. The contact
+//! remembers the largest state so far. Every law with a loading curve and an unloading rule is possible.
 //!
-//! SI units at this border, dimensionless inside.
+//! The interface uses SI units, the inside dimensionless numbers.
 //!
 //! Xie et al. (2024), section 4.3; Oliver and Pharr (1992), J. Mater. Res. 7, 1564-1583, for the unloading stiffness.
 
@@ -18,35 +17,34 @@ use crate::impact::scales::Units;
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
 use stroke::Stroke;
 
-/// A step that moves by less than this share of the indentation counts as no move: it is rounding.
+/// A step that moves by a smaller fraction of the indentation is rounding, and counts as no motion.
 const STILL: f64 = 1e-12;
 
-/// Where a step ends.
+/// The set point at which a step ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
     /// F \[N\], ≥ 0.
     Load(f64),
-    /// δ \[m\], ≥ 0. Below the residual indentation the surfaces part, and the load is zero.
+    /// δ \[m\], ≥ 0. Below the residual indentation there is no contact, and the load is zero.
     Indentation(f64),
 }
 
-/// A half-space that is indented.
+/// The half-space of an indentation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Specimen {
-    /// Its name among several; `None` for a single one.
+    /// Its name if there are several half-spaces; `None` for a single one.
     pub name: Option<String>,
-    /// The half-space that is indented.
     pub half_space: HalfSpace,
 }
 
-/// One half-space and its results.
+/// A half-space and its results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tested {
     /// The half-space.
     pub specimen: Specimen,
     /// The sphere and this half-space as a pair.
     pub pair: Pair,
-    /// True if a load that is large enough leaves a dent.
+    /// True if a sufficiently large load leaves a dent.
     pub can_yield: bool,
     /// True if the law is a pair of springs, which leave no dent.
     pub is_spring: bool,
@@ -61,17 +59,17 @@ pub enum IndentationError {
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
     Pair(#[from] PairError),
-    /// A law that has no loading or no unloading.
+    /// A law without a loading or an unloading rule.
     #[error(transparent)]
     Law(#[from] OutsideLaw),
-    /// A step that ends where the law has no answer.
+    /// A step to a point where the law has no answer.
     #[error("step {step}: {reason}")]
     Outside {
         step: usize,
         /// Why the law has no answer.
         reason: OutsideLaw,
     },
-    /// A step that ends where it begins.
+    /// A step that ends at its start.
     #[error("step {step} ends where it begins; take it out, or give it another target")]
     NoMove { step: usize },
     /// A step whose contact is wider than any sphere.
@@ -165,7 +163,7 @@ pub struct Indentation {
 /// A sphere on a half-space under a law.
 #[derive(Debug, Clone)]
 pub struct StaticContact {
-    /// Yield strengths of sphere and half-space \[Pa\], as far as they have one.
+    /// Yield strengths of sphere and half-space \[Pa\]; `None` for a body without one.
     strengths: [Option<f64>; 2],
     pair: Pair,
     units: Units,
@@ -190,7 +188,7 @@ impl StaticContact {
         &self.pair
     }
 
-    /// True if a load that is large enough leaves a dent.
+    /// True if a sufficiently large load leaves a dent.
     pub fn can_yield(&self) -> bool {
         self.law.limits.elastic_until.is_finite()
     }

@@ -1,8 +1,8 @@
-//! How a sphere comes in: its speed, and the angle, the spin and the friction where it does not come straight.
+//! The velocity of an arriving sphere: its speed, and for an oblique impact the angle, the spin and the friction.
 
 use crate::numerics::functions::{atan2, hypot, sin_cos};
 
-/// The direction of a sphere that comes in, its spin and its friction.
+/// The direction, the spin and the friction of an arriving sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Incidence {
     /// θ \[rad\] from the normal, −π/2 < θ < π/2.
@@ -13,24 +13,24 @@ pub struct Incidence {
     pub friction: f64,
 }
 
-/// The speed of a sphere, and how it comes in if it does not come straight.
+/// The speed of a sphere, and its incidence if the impact is not normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Approach {
-    /// The whole speed \[m/s\].
+    /// The magnitude of the velocity \[m/s\].
     pub speed: f64,
     /// `None` without angle and spin: friction is then not computed.
     pub incidence: Option<Incidence>,
 }
 
 impl From<f64> for Approach {
-    /// Straight towards the half-space.
+    /// A normal impact.
     fn from(speed: f64) -> Self {
         Self { speed, incidence: None }
     }
 }
 
 impl Approach {
-    /// From the speeds normal to the half-space and along it, the latter backwards where it is negative.
+    /// From the velocities normal to the half-space and along it; a negative tangential velocity points backwards.
     pub fn from_components([normal, tangential]: [f64; 2], spin: f64, friction: f64) -> Self {
         let angle = atan2(tangential, normal);
         Self { speed: hypot(normal, tangential), incidence: Some(Incidence { angle, spin, friction }) }

@@ -1,4 +1,4 @@
-//! Where friction has a kink inside of a step: there T goes with a root of time, which no step passes well.
+//! Kinks of the friction within a step, where T depends on a root of time, which a step cannot pass accurately.
 //!
 //! ```text
 //! begins to stick   springs at a stop cease to slip where their stop moves away from them: first those in the middle of the

@@ -1,8 +1,8 @@
 //! The contact of Mindlin and Deresiewicz in its one-dimensional form (MDR): springs along the radius, each with its own
 //! Coulomb stop.
 //!
-//! The friction rides on the normal motion, of which it needs force f, radius α and time. With σ = 4γ s/μ in place of the
-//! slip speed s, T in units of μ, and springs at 0 < ξ < α:
+//! The friction follows the normal motion, from which it needs force f, radius α and time. With σ = 4γ s/μ in place of the slip
+//! speed s, T in units of μ, and springs at 0 < ξ < α:
 //!
 //! ```text
 //! stop      φ(ξ) = (3/2) (f/α) (1 − ξ²/α²)                  (∫ φ dξ = f)
@@ -11,12 +11,12 @@
 //! ```
 //!
 //! So an impact depends on σ_0 and χ alone. For Hertz this is the theory of Mindlin and Deresiewicz (Jäger 1993; Popov and Heß,
-//! *Method of Dimensionality Reduction*, 2015), and what Maw, Barber and Fawcett (1976), Wear 38, 101-114, solve. With
-//! plasticity it is an extension: pressure of Hertz's shape with the force and the radius of the law. It creates no energy.
+//! *Method of Dimensionality Reduction*, 2015), which Maw, Barber and Fawcett (1976), Wear 38, 101-114, solve numerically. With
+//! plasticity it is an extension: the pressure has Hertz's shape, with the force and the radius of the law. It creates no energy.
 //!
-//! The stretch of the springs is exact in space (`profile.rs`). In time, with the shift M' = (3/2) σ of a spring that
-//! sticks, M'' = (15/4) χ T is integrated by Nyström's method of order 4 in two stages, whose second stage is the first of the
-//! next step. Two half steps are compared with a whole one, and the difference improves them. A step ends where T has a kink
+//! The displacement of the springs is exact in space (`profile.rs`). In time, with the shift M' = (3/2) σ of a spring that sticks,
+//! M'' = (15/4) χ T is integrated by Nyström's method of order 4 in two stages, whose second stage is the first stage of the next
+//! step. Two half steps are compared with a whole step, and the difference improves them. A step ends where T has a kink
 //! (`kink.rs`).
 
 use super::kink::{kink, sliding, slopes};
@@ -25,18 +25,18 @@ use super::profile::{Profile, Rim};
 use crate::impact::scales::ACCELERATION;
 use crate::numerics::integrate::IntegrationError;
 
-/// How the slip speed changes.
+/// The change of the slip speed.
 #[derive(Debug)]
 pub(in crate::impact) struct SlipChange {
     /// σ_1/σ_0, which is s_1/s_0.
     pub(super) ratio: f64,
-    /// Its error: the sum of those of the steps.
+    /// Its error: the sum of the errors of the steps.
     pub(super) error: f64,
-    /// True if the contact point slides all the time.
+    /// True if the contact point slides during the whole contact.
     pub(super) is_sliding: bool,
     /// The time of its end.
     pub(super) end: f64,
-    /// The steps, in order of time; empty where none were asked for or needed.
+    /// The steps, in order of time; empty if they are not requested or not needed.
     pub(super) steps: Vec<Step>,
 }
 
@@ -55,9 +55,9 @@ pub(super) struct Step {
 /// T during a step.
 #[derive(Debug, Clone, Copy)]
 enum Friction {
-    /// T is the contact force, against a slip to this side. The impulse is that at the start.
+    /// T equals the contact force, and acts against a slip to this side. `impulse` is the impulse at the start.
     Sliding { side: f64, impulse: f64 },
-    /// T at start, middle and end, which is a parabola.
+    /// T at start, middle and end, interpolated by a parabola.
     Partial([f64; 3]),
 }
 
@@ -84,8 +84,8 @@ impl SlipChange {
         Self { ratio, error: 0.0, is_sliding, end: 0.0, steps: Vec::new() }
     }
 
-    /// The change from a σ_0 that is this share of the one that was run. Both are so small that no spring slips but at the rim, and
-    /// σ goes in proportion.
+    /// The change from a smaller σ_0, in this ratio to the σ_0 of the run. Both are so small that springs slip only at the rim, so σ is
+    /// proportional to σ_0.
     pub(super) fn scaled(mut self, share: f64) -> Self {
         for step in &mut self.steps {
             if let Friction::Partial(friction) = &mut step.friction {
@@ -151,8 +151,8 @@ impl State {
         [first / rate, second / rate, third / rate]
     }
 
-    /// Slides over the middle to the end with all springs at their stops on this side, if they go on slipping there; else
-    /// gives the share of the step up to which they do. T is then the contact force, whose impulse is known.
+    /// Slides over the middle to the end with all springs at their stops on this side, if they keep slipping; otherwise returns the
+    /// fraction of the step up to which they slip. T then equals the contact force, whose impulse is known.
     fn slide(&mut self, rims: &[Rim; 5], side: f64, rate: f64, near: f64) -> f64 {
         let ends = [rims[0], rims[2], rims[4]];
         let speeds = ends.map(|rim| self.speed - side * rate * (rim.impulse - self.rim.impulse));
@@ -174,7 +174,7 @@ impl State {
         [self.speed, self.profile.shift]
     }
 
-    /// Adds what two half steps still lack, by their difference to a whole one.
+    /// Improves two half steps by their difference to a whole step.
     fn improve(&mut self, [speed, shift, acceleration]: [f64; 3]) {
         self.speed += speed;
         self.profile.shift += shift;
@@ -188,7 +188,7 @@ impl State {
 }
 
 impl TangentialMotion<'_> {
-    /// The angle \[rad\] that a contact that sticks would swing through at its largest stiffness: ω² = (15/4) χ α.
+    /// The phase angle \[rad\] of a contact that sticks, at its largest stiffness: ω² = (15/4) χ α.
     pub(super) fn swings(&self, chi: f64) -> f64 {
         let largest = self.rim(self.durations[0]).square.sqrt();
         (3.0 * ACCELERATION * chi * largest).sqrt() * self.durations[1]
@@ -207,19 +207,19 @@ impl TangentialMotion<'_> {
         accuracy: f64,
         has_steps: bool,
     ) -> Result<SlipChange, IntegrationError> {
-        /// The longest step and the first one, as shares of half the contact time.
+        /// The longest step and the first step, as fractions of half the contact time.
         const LONGEST: f64 = 0.3;
         const FIRST: f64 = 0.01;
-        /// How much of the difference to a whole step two half ones leave at most, once it has improved them: in 1500 random
-        /// impacts a fifth.
+        /// Two half steps are compared with a whole step, and the difference improves them. This fraction of the difference is the
+        /// estimate of the error that remains.
         const LEFT: f64 = 0.12;
-        /// The share of the accuracy that every step may use up, however short it is.
+        /// The fraction of the accuracy that every step may use, however short it is.
         const SHARE: f64 = 0.02;
-        /// The share of the accuracy by which a piece of the profile may be off.
+        /// The fraction of the accuracy that is allowed as the error of a piece of the profile.
         const JOINED: f64 = 0.2;
-        /// Steps after which a run gives up.
+        /// Maximum number of steps of a run.
         const MOST: u64 = 50_000;
-        // behind a jump a step is of first order, and leaves more of the difference
+        // behind a jump a step is of first order, and the improved half steps have a larger error
         let accuracy = if self.jumps || !self.is_smooth_at_touch { 0.2 * accuracy } else { accuracy };
         let rate = 1.5 * 2.0 * ACCELERATION * chi;
         let start = 1.5 * sigma;
@@ -229,10 +229,10 @@ impl TangentialMotion<'_> {
         let (mut steps, mut sum, mut is_sliding) = (Vec::new(), 0.0, true);
         let [peak, last] = self.durations;
         let duration = 0.5 * last;
-        // a sphere that a plate holds goes in fast and comes out slowly
+        // on a plate the sphere arrives fast and separates slowly
         let quick = duration.min(peak);
         let mut length = FIRST * quick;
-        // a kink so near to the end of a step costs less than it may, and so does a joint so near to the one before
+        // a kink that is nearer to the end of a step costs less than allowed, and so does a joint that is nearer to the joint before
         let near = 0.025 * accuracy.sqrt() * quick;
         let apart = 0.3 * accuracy.sqrt().sqrt() * quick;
         let joined = JOINED * accuracy * start / (rate * self.rim(peak).square.sqrt() * duration);
@@ -286,7 +286,7 @@ impl TangentialMotion<'_> {
                 whole.step(rims[2], rims[4], rate);
                 let off = |part: fn(&State) -> f64| part(&halves) - part(&whole);
                 let offs = [off(|s| s.speed), off(|s| s.profile.shift), off(|s| s.acceleration)];
-                // a force that is off acts for a swing at most
+                // an error of the force acts for one oscillation at most
                 let swing = (rate * rims[4].square.sqrt()).sqrt().recip();
                 let weights = [1.0, duration.recip(), swing.min(last - to)];
                 let error: f64 = offs.iter().zip(weights).map(|(off, weight)| off.abs() * weight).sum();
@@ -314,7 +314,7 @@ impl TangentialMotion<'_> {
     }
 
     /// σ_1/σ_0 with one spring in place of all, as the contact of a DEM code carries it (`mindlin_rescale/force` of LAMMPS;
-    /// Thornton, Cummins and Cleary 2013): on the way out the force is scaled with the radius first. Velocity Verlet in 1000
+    /// Thornton, Cummins and Cleary 2013): during unloading the force is first scaled with the radius. Velocity Verlet in 1000
     /// steps a leg.
     ///
     /// ```text

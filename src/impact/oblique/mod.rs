@@ -1,6 +1,6 @@
 //! Oblique impact with Coulomb friction, in the plane of incidence.
 //!
-//! The normal motion is as without friction (exact for equal bodies, and for a rigid one on an incompressible one). With the
+//! The normal motion does not depend on friction (exact for equal bodies, and for a rigid body on an incompressible one). With the
 //! tangential speed v_t, the spin ω > 0 of rolling forward, the slip speed s of the contact point and the friction T:
 //!
 //! ```text
@@ -8,22 +8,22 @@
 //! J = m (s_1 − s_0)/j,   v_t1 = v_t + J/m,   ω_1 = ω − R J/I
 //! ```
 //!
-//! A second ball that is free to move takes the opposite impulse. Then s is less by its speed at the contact point, and
+//! A free second ball receives the opposite impulse. Then s is reduced by the speed of this ball at the contact point, and
 //!
 //! ```text
 //! j = m* (1/m_s + R_s²/I_s + 1/m_h + R_h²/I_h),   J = m* (s_1 − s_0)/j,   v_h = −J/m_h,   ω_h = −R_h J/I_h        I = (2/5) m R²
 //! ```
 //!
-//! So s_1/s_0 is all there is to find. With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, and the normal speed v_n:
+//! So s_1/s_0 is the only unknown. With γ = G*/E*, 1/G* = (2 − ν_s)/G_s + (2 − ν_h)/G_h, and the normal speed v_n:
 //!
 //! ```text
 //! ψ_1 = 4γ s_0/(μ v_n),   ψ_2 = 4γ s_1/(μ v_n),   χ = 2γ j
 //! ```
 //!
-//! Gross sliding has a closed form; everything else is [`mindlin`]'s contact.
+//! Gross sliding has a closed form; all other cases use the contact of [`mindlin`].
 //!
-//! Gravity and damping change the normal motion, and friction is limited by μ times the whole contact force, as LAMMPS has it.
-//! Along the surface gravity does not act. A sphere that stays in its dent has no rebound.
+//! Gravity and damping change the normal motion. The friction is limited by μ times the whole contact force, as in LAMMPS. Gravity
+//! does not act along the surface. A sphere that stays in its dent has no rebound.
 
 mod approach;
 mod kink;
@@ -43,30 +43,30 @@ pub use approach::{Approach, Incidence};
 use mindlin::SlipChange;
 use motion::TangentialMotion;
 
-/// The rebound of an oblique impact, as far as a table holds it. SI units.
+/// The results of an oblique impact that are columns of a table. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rebound {
     /// v_t1 \[m/s\].
     pub tangential_speed: f64,
     /// ω_1 \[rad/s\].
     pub spin: f64,
-    /// From the normal \[rad\]; negative where the sphere is thrown back.
+    /// From the normal \[rad\]; negative if the sphere moves backwards.
     pub angle: f64,
-    /// v_t1/v_t; no number without v_t.
+    /// v_t1/v_t; NaN without v_t.
     pub tangential_restitution: f64,
-    /// −s_1/s_0; no number without s_0.
+    /// −s_1/s_0; NaN without s_0.
     pub contact_point_restitution: f64,
-    /// −J_t over the normal impulse: positive where friction slows v_t; its size is at most μ.
+    /// −J_t over the normal impulse: positive if friction slows v_t; its magnitude is at most μ.
     pub impulse_ratio: f64,
     /// Speed \[m/s\] along the surface and spin \[rad/s\] of a second ball.
     pub target: Option<[f64; 2]>,
-    /// Energy taken by friction, over ½ m* v².
+    /// Energy absorbed by friction, over ½ m* v².
     pub loss_fraction: f64,
-    /// True if the contact point slides all the time.
+    /// True if the contact point slides during the whole contact.
     pub is_sliding: bool,
     /// ψ_1; infinite without friction.
     pub psi: f64,
-    /// The error of s_1/s_0 as the run estimates it; 0 for gross sliding.
+    /// The estimated error of s_1/s_0; 0 for gross sliding.
     pub error: f64,
 }
 
@@ -82,9 +82,9 @@ impl Rebound {
 pub struct Oblique {
     /// ½ m v_t² + ½ I ω² before the impact \[J\].
     pub kinetic_in: f64,
-    /// This energy after the impact \[J\], with that of a second ball.
+    /// This energy after the impact \[J\], with the energy of a second ball.
     pub recovered: f64,
-    /// Taken by friction \[J\], ½ (m*/j)(s_0² − s_1²).
+    /// Energy absorbed by friction \[J\], ½ (m*/j)(s_0² − s_1²).
     pub loss: f64,
     /// Change of m v_t R + I ω, over the larger of its two parts.
     pub momentum_drift: f64,
@@ -104,7 +104,7 @@ pub struct FrictionState {
 }
 
 impl Contact {
-    /// γ = G*/E*: tangential over normal stiffness of the pair, but for a factor 4.
+    /// γ = G*/E*: tangential over normal stiffness of the pair, up to a factor of 4.
     pub fn shear_ratio(&self) -> f64 {
         // 1/G* of one body
         let share =
@@ -124,7 +124,7 @@ impl Contact {
         1.0 + self.spin_factor()
     }
 
-    /// j: how much faster the slip is slowed than the relative motion of the bodies.
+    /// j: the deceleration of the slip over the deceleration of the relative motion of the bodies, for the same force.
     pub fn slip_factor(&self) -> f64 {
         let own = self.own_slip_factor();
         // 7/2 of a solid ball
@@ -136,7 +136,7 @@ impl Contact {
         2.0 * self.shear_ratio() * self.slip_factor()
     }
 
-    /// Dundurs' β of the pair: how far pressure and shear act on each other. 0 for equal materials; friction neglects it.
+    /// Dundurs' β of the pair, the coupling of pressure and shear. It is 0 for equal materials; the friction neglects it.
     pub fn dundurs_beta(&self) -> f64 {
         let [sphere, half_space] = [self.sphere().material, self.half_space().material];
         let share = |body: &Material, part: f64| {
@@ -147,7 +147,7 @@ impl Contact {
     }
 }
 
-/// An oblique impact whose normal motion is known.
+/// An oblique impact with a known normal motion.
 pub(super) struct ObliqueImpact<'a> {
     contact: &'a Contact,
     case: &'a Case<'a>,
@@ -162,25 +162,25 @@ pub(super) struct ObliqueImpact<'a> {
     chi: f64,
 }
 
-/// The largest angle \[rad\] that the swings of a contact point may go through; a solid sphere has about 7. The cost of a run
-/// goes with the square of this angle.
+/// The largest phase angle \[rad\] of the tangential oscillation of a contact point; a solid sphere has about 7. The cost of a run
+/// grows with the square of this angle.
 const LARGEST_SWINGS: f64 = 100.0;
 
-/// s_1/s_0 has a limit as ψ_1 → 0, where only the rim slips. At this ψ_1 it differs from the limit by 2e-7 at most. Below, the
-/// stops are so large against the stretch of the springs that rounding decides, and the ratio here is taken.
+/// s_1/s_0 has a limit as ψ_1 → 0, where only the rim slips. At this ψ_1 it differs from the limit by at most 2e-7. At smaller ψ_1
+/// the stops are so large against the displacement of the springs that rounding dominates, so the ratio at this ψ_1 is used.
 const MIN_PSI: f64 = 1e-8;
 
-/// Accuracy of s_1/s_0 in a table. Of 6000 random impacts under the PLM, also with damping, with gravity and on plates, two were off by
-/// more than 1e-5, the worst by 1.3e-5; under other laws three of 1500, the worst by 5e-5.
+/// Requested accuracy of s_1/s_0 in a table. The error of a row may exceed it: in random impacts the largest error is 1.3e-5 under the
+/// PLM (also with damping, with gravity and on plates), and 5e-5 under other laws.
 const OF_ROWS: f64 = 5e-6;
-/// Accuracy of a run by itself: s_1/s_0 was within 1e-7 in 1200 random impacts.
+/// Requested accuracy of s_1/s_0 in a single run; the error in random impacts is at most 1e-7.
 const OF_RUNS: f64 = 2e-9;
 
 impl<'a> ObliqueImpact<'a> {
-    /// `None` for an impact without angle and spin, and for a sphere that stays.
+    /// `None` for an impact without angle and spin, and for a sphere that does not separate.
     ///
     /// # Errors
-    /// [`ImpactError::NoBall`] where the body that is hit is free to move, and is no ball.
+    /// [`ImpactError::NoBall`] if the target is free to move and is no ball.
     pub(super) fn new(
         contact: &'a Contact,
         case: &'a Case,
@@ -198,33 +198,33 @@ impl<'a> ObliqueImpact<'a> {
         InvalidInput::check("coefficient of friction", friction, friction >= 0.0, "it must be 0 or a positive number")?;
         let speeds = approach.components();
         let rolls = contact.sphere().radius * incidence.spin;
-        // a difference of rounding is a sphere that rolls
+        // a sphere rolls if the difference is rounding
         let slip = speeds[1] - rolls;
         let slip = if slip.abs() <= 4.0 * f64::EPSILON * rolls.abs() { 0.0 } else { slip };
         let psi = if slip == 0.0 { 0.0 } else { 4.0 * contact.shear_ratio() * slip / (incidence.friction * speeds[0]) };
         Ok(Some(Self { contact, case, outcome, incidence, speeds, slip, psi, chi: contact.chi() }))
     }
 
-    /// The normal impulse over m v_n: 1 + e, and under gravity that of the weight.
+    /// The normal impulse over m v_n: 1 + e, and under gravity also the impulse of the weight.
     fn impulse(&self) -> f64 {
         let Outcome { restitution, contact_time, .. } = self.outcome;
         1.0 + restitution + ACCELERATION * self.case.forces.weight * contact_time / self.case.q
     }
 
-    /// s_1/s_0 where the contact point slides all the time.
+    /// s_1/s_0 if the contact point slides during the whole contact.
     fn sliding_ratio(&self) -> f64 {
         1.0 - 2.0 * self.chi * self.impulse() / self.psi.abs()
     }
 
-    /// True if the contact point surely slides all the time, without gravity, damping and plate.
+    /// True if the contact point certainly slides during the whole contact, without gravity, damping and plate.
     ///
     /// ```text
     /// |ψ_1| ≥ max(2χ (1 + e) − e min(1, 2n − 2),  2χ + r)
     /// ```
     ///
-    /// First: at separation it still slides faster than the stops at the rim close in. Second: at the peak it still slides
-    /// faster than the stops rise, where r bounds their rate: 1 for Hertz, and 2 for the PLM, whose stops rise by at most 1.3.
-    /// The stops of other laws may jump: they are run.
+    /// First condition: at separation the contact point still slides faster than the stops at the rim close in. Second condition: at
+    /// the peak it still slides faster than the stops rise. r bounds the rate of the stops: 1 for Hertz, and 2 for the PLM, whose
+    /// stops rise by at most 1.3. The stops of other laws may jump; these laws are integrated.
     fn slides(&self) -> bool {
         let Outcome { unloading, restitution: e, .. } = self.outcome;
         let rate = match self.case.ground.law.rule {
@@ -238,11 +238,11 @@ impl<'a> ObliqueImpact<'a> {
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
     }
 
-    /// How the slip speed changes: known at once where the contact point does not move, or slides all the time; else from a
-    /// run. One that is followed has friction on the way.
+    /// The change of the slip speed. It is known without a run if the contact point does not move, or slides during the whole contact.
+    /// With `is_followed` the result also has the friction during the contact.
     ///
     /// # Errors
-    /// [`ImpactError::SmallInertia`] where the contact point swings too often for a run.
+    /// [`ImpactError::SmallInertia`] if the contact point oscillates too often for a run.
     pub(super) fn slip(&self, is_followed: bool) -> Result<SlipChange, ImpactError> {
         if self.slip == 0.0 {
             return Ok(SlipChange::known(0.0, false));
@@ -250,7 +250,7 @@ impl<'a> ObliqueImpact<'a> {
         if self.slides() {
             return Ok(SlipChange::known(self.sliding_ratio(), true));
         }
-        // the normal motion of all elastic impacts is the same
+        // all elastic impacts have the same normal motion
         let is_elastic = matches!(self.case.ground.law.rule, LoadingRule::Elastic) && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
@@ -268,13 +268,13 @@ impl<'a> ObliqueImpact<'a> {
         Ok(if run.is_sliding { SlipChange { ratio: self.sliding_ratio(), ..run } } else { run })
     }
 
-    /// Checks that the contact point does not swing too often for a run.
+    /// Checks that the contact point does not oscillate too often for a run.
     fn resolves(&self, motion: &TangentialMotion) -> Result<(), ImpactError> {
         let (swings, mass, radius) = (motion.swings(self.chi), self.contact.mass(), self.contact.sphere().radius);
         if swings <= LARGEST_SWINGS {
             return Ok(());
         }
-        // the angle goes with √j, and j − 1 with 1/I
+        // the angle is proportional to √j, and j − 1 to 1/I
         let share = LARGEST_SWINGS / swings;
         let j = self.contact.slip_factor() * share * share;
         let of_sphere = mass * radius * radius;
@@ -314,7 +314,7 @@ impl<'a> ObliqueImpact<'a> {
         })
     }
 
-    /// (s_0² − s_1²)/j: what friction takes, over half of m*.
+    /// (s_0² − s_1²)/j: the energy absorbed by friction, over ½ m*.
     fn lost(&self, slip: &SlipChange) -> f64 {
         self.slip * self.slip * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
     }
@@ -342,7 +342,7 @@ impl<'a> ObliqueImpact<'a> {
         }
     }
 
-    /// Tangential speed and spin where the slip speed is this.
+    /// Tangential speed and spin at this slip speed.
     fn at(&self, slip: f64) -> [f64; 2] {
         let share = self.contact.reduced_mass() / self.contact.mass();
         let change = share * ((slip - self.slip) / self.contact.slip_factor());
@@ -350,14 +350,14 @@ impl<'a> ObliqueImpact<'a> {
         [self.speeds[1] + change, spin]
     }
 
-    /// Speed along the surface and spin of a second ball where the slip speed is this.
+    /// Tangential speed and spin of a second ball at this slip speed.
     fn target(&self, slip: f64) -> Option<[f64; 2]> {
         let share = self.contact.reduced_mass() / self.contact.target_mass()?;
         let speed = share * ((self.slip - slip) / self.contact.slip_factor());
         Some([speed, 2.5 * speed / self.contact.half_space().ball_radius()?])
     }
 
-    /// Friction at a time \[s\], where the sphere has this speed towards the half-space, and the contact this force. SI units.
+    /// Friction at a time \[s\], for this speed of the sphere towards the half-space and this contact force. SI units.
     pub(super) fn friction_at(&self, slip: &SlipChange, time: f64, speed: f64, force: f64) -> FrictionState {
         let (mu, scales) = (self.incidence.friction, &self.case.scales);
         let direction = self.slip.signum();

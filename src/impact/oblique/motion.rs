@@ -1,4 +1,4 @@
-//! The normal motion as friction sees it: the radius of the contact and the stops of its springs at any time.
+//! The normal motion as friction needs it: the radius of the contact and the stops of its springs at any time.
 
 use std::sync::LazyLock;
 
@@ -19,18 +19,18 @@ use crate::numerics::root::halved;
 #[derive(Debug)]
 pub struct TangentialMotion<'a> {
     track: Track<'a>,
-    /// The unloading branch, and the radius of the contact over its slope.
+    /// The unloading branch, and the ratio of the contact radius to its slope.
     branch: (Piece, f64),
     /// q = v/V.
     q: f64,
     forces: ScaledForces,
-    /// The times of the joints of the law, of the peak and of the end; each stretch between two of them is smooth.
+    /// The times of the joints of the law, of the peak and of the end. The motion is smooth between two of them.
     pub(super) ends: Vec<f64>,
-    /// True if the stops jump at joints: those of some laws, and viscous damping, which goes with the root of the slope.
+    /// True if the stops jump at joints: under some laws, and under viscous damping, which is proportional to the root of the slope.
     pub(super) jumps: bool,
-    /// True if the stops grow in proportion to time at first.
+    /// True if the stops first grow in proportion to time.
     pub(super) is_smooth_at_touch: bool,
-    /// Time of compression, and from first touch to the end.
+    /// Time of compression, and time from first contact to the end.
     pub(super) durations: [f64; 2],
 }
 
@@ -52,7 +52,7 @@ impl<'a> TangentialMotion<'a> {
         let mut motion = Self { track, branch, q, forces, ends, jumps: is_viscous, is_smooth_at_touch, durations };
         if is_published {
             motion.jumps |= motion.ends.iter().any(|&end| motion.jumps_at(end));
-            // where the law leaves a dent from there on, the stops have a kink
+            // from the time on at which a dent begins to form, the stops have a kink
             let (without_dent, _) = halved(0.0, durations[0], |time| motion.is_elastic_at(time));
             motion.ends.push(without_dent);
             motion.ends.sort_by(f64::total_cmp);
@@ -72,7 +72,7 @@ impl<'a> TangentialMotion<'a> {
         (before - after).abs() > 1e-6 * before
     }
 
-    /// The motion of an elastic impact. It is one for all of them in units of its own peak and speed.
+    /// The motion of an elastic impact, equal for all of them in units of peak and speed.
     pub fn elastic() -> Result<&'static TangentialMotion<'static>, IntegrationError> {
         static ELASTIC: LazyLock<Result<TangentialMotion, IntegrationError>> =
             LazyLock::new(|| TangentialMotion::new(hertz(), 1.0, &ScaledForces::NONE));
@@ -82,7 +82,7 @@ impl<'a> TangentialMotion<'a> {
     /// Rim and stops at a time. The friction is limited by the whole contact force, damping included.
     ///
     /// ```text
-    /// α = f/ε on the way in,   α ∝ df/dx on the way out
+    /// α = f/ε during loading,   α ∝ df/dx during unloading
     /// ```
     pub(super) fn rim(&self, time: f64) -> Rim {
         let mut rim = Rim { time, square: 0.0, stop: 0.0, impulse: 0.0 };
@@ -99,7 +99,7 @@ impl<'a> TangentialMotion<'a> {
             let drag = self.forces.drag.at(force, || slope / ACCELERATION).0 * at.speed;
             (force, max_or_nan(force + drag, 0.0), radius_per_slope * slope)
         };
-        // on a plate the sphere is faster than the contact closes
+        // on a plate the sphere is faster than the approach
         let speed = at.speed + ACCELERATION * self.forces.drag.theta * force;
         rim.impulse = (self.q - speed) / ACCELERATION + self.forces.weight * time;
         if radius > 0.0 {

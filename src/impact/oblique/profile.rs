@@ -1,8 +1,8 @@
-//! The stretch of the springs of an MDR contact, as a polyline over η = ξ².
+//! The tangential displacement of the springs of an MDR contact, as a polyline over η = ξ².
 //!
-//! Springs stand at 0 < ξ < α. Their stops are straight lines in η, and a spring that enters at the rim takes with it the
-//! stretch of the time since then, which is a smooth curve in η. So the stretch is a list of pieces, straight ones along the
-//! stops and curved ones where springs entered, and nothing is sampled in space:
+//! The springs are at 0 < ξ < α. Their stops are straight lines in η. A spring that enters at the rim has the displacement since its
+//! entry, which is a smooth curve in η. So the displacement is a list of pieces, straight ones along the stops and curved ones
+//! where springs entered, and nothing is sampled in space:
 //!
 //! ```text
 //! stop      |ζ| ≤ P (1 − η/α²),   P = (3/2) f/α
@@ -10,12 +10,12 @@
 //! friction  T = −∫₀^α ζ dξ
 //! ```
 
-/// The normal motion at one time, as far as friction needs it.
+/// The values of the normal motion that friction needs, at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rim {
     /// τ.
     pub(super) time: f64,
-    /// α²: the place of the rim in η.
+    /// α²: η of the rim.
     pub(super) square: f64,
     /// P: the stop of the spring in the middle.
     pub(super) stop: f64,
@@ -30,20 +30,20 @@ impl Rim {
     }
 }
 
-/// A knot nearer to the stop than this share of it, behind one beyond the stop, lies on the stop but for rounding.
+/// A knot behind a knot beyond the stop lies on the stop within rounding if it is nearer to the stop than this fraction of it.
 const ROUNDING: f64 = 1e-13;
 
-/// Room for most profiles.
+/// Capacity for most profiles.
 const ROOM: usize = 32;
 
-/// The end of a piece of the stretch. The piece leads there from the knot before:
+/// The end of a piece of the displacement. The piece begins at the knot before:
 /// `ζ = straight line + bend (η − η_before)(η − η_here)`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Knot {
     square: f64,
     /// ξ.
     radius: f64,
-    /// ζ less the shift of all springs.
+    /// ζ minus the shift of all springs.
     stretch: f64,
     /// Half of d²ζ/dη² on the piece.
     bend: f64,
@@ -57,11 +57,11 @@ pub(super) struct Profile {
     knots: Vec<Knot>,
     /// The shift of all springs so far. Springs that stick keep their knots.
     pub(super) shift: f64,
-    /// The η between which springs slip to either side: those at their stops.
+    /// The ranges of η in which springs slip to either side, at their stops.
     rings: [Option<[f64; 2]>; 2],
-    /// How many knots are joined as far as they can be.
+    /// How many knots are joined already.
     joined: usize,
-    /// Room for the knots that are clipped.
+    /// Memory for the knots that are clipped.
     spare: Vec<Knot>,
 }
 
@@ -72,7 +72,7 @@ impl Clone for Profile {
         same
     }
 
-    /// Copies the knots into the room that is there.
+    /// Copies the knots into the existing memory.
     fn clone_from(&mut self, from: &Self) {
         self.knots.clone_from(&from.knots);
         (self.shift, self.rings, self.joined) = (from.shift, from.rings, from.joined);
@@ -80,7 +80,7 @@ impl Clone for Profile {
 }
 
 impl Profile {
-    /// A contact of one point, before first touch.
+    /// A contact of one point, before first contact.
     pub(super) fn new() -> Self {
         let mut knots = Vec::with_capacity(ROOM);
         knots.push(Knot::default());
@@ -105,14 +105,14 @@ impl Profile {
         self.rings = if side > 0.0 { [ring, None] } else { [None, ring] };
     }
 
-    /// The stretch of the spring in the middle, less the shift.
+    /// The displacement of the spring in the middle, minus the shift.
     pub(super) fn middle(&self) -> f64 {
         self.knots.first().map_or(0.0, |knot| knot.stretch)
     }
 
-    /// Shifts all springs, lets springs enter or leave up to the new rim, clips them at their stops, and gives the friction T.
-    /// The stretch of the springs that enter is curved by `bend`. At the `fronts` the springs at either stop are as fast as
-    /// it is at the end.
+    /// Shifts all springs, adds or removes springs up to the new rim, clips the springs at their stops, and returns the friction T.
+    /// `bend` is the curvature of the displacement of the springs that enter. `fronts` are the η at which the springs at either stop
+    /// have the speed of their stop at the end of the step.
     pub(super) fn advance(&mut self, [from, to]: [&Rim; 2], shift: f64, bend: f64, fronts: [f64; 2]) -> f64 {
         self.shift += shift;
         let rim = to.square;
@@ -152,8 +152,8 @@ impl Profile {
         self.knots.last().map_or(0.0, |last| -(last.integral + self.shift * last.radius))
     }
 
-    /// Rounds the corner of the stretch between springs that stick and springs that slip, where the front between them has
-    /// moved over springs of this ring.
+    /// Rounds the corner of the displacement between springs that stick and springs that slip, if the front between them has moved
+    /// over springs of this ring.
     fn round(&mut self, i: usize, ring: [f64; 2], [corner, front]: [f64; 2], bend: f64, [level, fall]: [f64; 2]) {
         let side = [1.0, -1.0][i];
         let width = (front - corner).abs();
@@ -206,7 +206,7 @@ impl Profile {
         self.knots.push(Knot { square, radius, stretch, bend, integral });
     }
 
-    /// Joins pieces that one parabola follows to this accuracy.
+    /// Joins pieces that one parabola represents to this accuracy.
     pub(super) fn join(&mut self, accuracy: f64) {
         let mut old = std::mem::take(&mut self.spare);
         old.clear();
@@ -230,7 +230,7 @@ impl Profile {
         self.joined = self.knots.len();
     }
 
-    /// Takes away what lies outside of the rim.
+    /// Removes the part outside of the rim.
     fn cut(&mut self, rim: f64) {
         while self.knots.len() > 1 && self.knots[self.knots.len() - 2].square >= rim {
             self.knots.pop();
@@ -243,7 +243,7 @@ impl Profile {
         }
     }
 
-    /// Holds ζ (or −ζ) below `stop − fall η` from this knot on. Pieces that lie on the stop become one.
+    /// Limits ζ (or −ζ) to `stop − fall η` from this knot on. Pieces that lie on the stop become one.
     fn clip(&mut self, from: usize, stop: f64, fall: f64, side: f64) {
         let shift = self.shift;
         let gap = |knot: &Knot| stop - fall * knot.square - side * (knot.stretch + shift);
@@ -267,7 +267,7 @@ impl Profile {
                 }
             }
             if let Some((before, _)) = last.filter(|_| !was_beyond && !is_beyond) {
-                // the piece is as it was
+                // the piece has not changed
                 let moved = self.knots.last().map_or(0.0, |last| last.integral - before.integral);
                 self.knots.push(Knot { integral: knot.integral + moved, ..knot });
             } else if !is_beyond {

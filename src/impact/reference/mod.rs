@@ -63,7 +63,7 @@ impl Table {
 }
 
 impl Row {
-    /// The text of a cell; empty where there is none.
+    /// The text of a cell; empty if the cell does not exist.
     pub fn text(&self, column: &str) -> &str {
         self.0.get(column).map_or("", String::as_str)
     }
@@ -73,7 +73,7 @@ impl Row {
         self.text(column).parse().ok()
     }
 
-    /// The number in a cell, and NaN where there is none.
+    /// The number in a cell; NaN if the cell holds no number.
     pub fn number(&self, column: &str) -> f64 {
         self.maybe(column).unwrap_or(f64::NAN)
     }

@@ -1,20 +1,18 @@
-//! Impacts one after the other, on one spot or on fresh ones: a sphere bouncing under gravity, or shots of given speeds.
+//! Series of impacts, on one spot or on fresh spots: a sphere bouncing under gravity, or shots of given speeds.
 //!
-//! A spot remembers its dent ([`Spot`]): on the same spot the sphere meets it next, at the depth of the dent, so that an
-//! impact of no more energy than the last one gave back is elastic. On fresh spots every impact is the first, and a
-//! bouncing sphere has to climb out of its dent before it can fall on new surface.
+//! A spot remembers its dent ([`Spot`]). On the same spot the next contact begins at the depth of the dent, so an impact with no
+//! more energy than the last one recovered is elastic. On fresh spots every impact meets original surface, and a bouncing
+//! sphere must rise out of its dent before it can fall on new surface.
 //!
-//! Bouncing ends by rule ([`End`]). What would come after the end is estimated, not computed.
+//! Bouncing ends by rule ([`End`]). The motion after the end is estimated, not computed.
 //!
-//! [`law::Ground`](crate::contact::law::Ground) says what a spot remembers, and when an impact on it is elastic. So a second
-//! equal shot is not elastic: it goes as deep as one impact of √(2 − e²) times the speed. Equal shots deepen the dent less and
-//! less, up to the one whose branch holds their whole energy.
+//! [`law::Ground`](crate::contact::law::Ground) states when an impact on a used spot is elastic. A second equal shot is not
+//! elastic: it is as deep as one impact at √(2 − e²) times the speed. Equal shots deepen the dent less and less, until its branch
+//! can store their whole energy.
 //!
-//! Time counts from the release if there is a drop height, else from first touch. Numbers come from the closed form where
-//! there is one, so that a long series gathers no error of steps: 10⁵ bounces of an elastic ball end with the speed of the
-//! first to the last bit. Under damping, and with `method = "rk8"`, impacts are stepped. The energy balance of 100 bounces from
-//! 3 m/s on steel closes to 2e-15 without damping, to 1e-11 with Hunt-Crossley damping (χ = 0.02 s/m), and to 5e-12 with
-//! viscous damping (ζ = 0.002), at a tolerance of 1e-10.
+//! Time counts from the release if there is a drop height, otherwise from first contact. Impacts are computed by the closed form if
+//! possible, so that a long series accumulates no error of steps. Under damping, and with `method = "rk8"`, impacts are
+//! integrated with the tolerance of the solver.
 
 pub mod flight;
 pub mod sequence;
@@ -29,36 +27,36 @@ pub use sequence::{End, Hit, Sequence};
 /// The largest number of impacts that a scenario may ask for.
 pub const MOST_IMPACTS: u64 = 1_000_000;
 
-/// Rows of a trace that are recorded in all; impacts after that have none.
+/// Maximum number of recorded rows of all traces; later impacts have no trace.
 pub const MOST_ROWS: usize = 200_000;
 
 named! {
-    /// Where the impacts hit.
+    /// The spots of the impacts.
     pub enum Place {
         Same = "same",
         Fresh = "fresh",
     }
 }
 
-/// The reason why the sphere hits again: it falls back, or it is shot again.
+/// The kind of series: the sphere bounces, or it is shot repeatedly.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {
     Bouncing {
         /// g \[m/s²\].
         gravity: f64,
-        /// Height of the first fall \[m\]; time then counts from the release, else from first touch.
+        /// Height of the first fall \[m\]. Time counts from the release; without a height, from first contact.
         drop_height: Option<f64>,
-        /// The first impact. A ball that comes at an angle, or spins, hops along.
+        /// The first impact. A ball with an angle or a spin hops along the surface.
         approach: Approach,
         most: u64,
-        /// Ends before an impact slower than this \[m/s\]; the first one is always run.
+        /// The series ends before an impact slower than this \[m/s\]; the first impact is always computed.
         until: Option<f64>,
     },
-    /// One shot after the other, of these speeds \[m/s\]; what happens between them is left open.
+    /// Shots at these speeds \[m/s\]; the motion between them is not computed.
     Shots(Vec<f64>),
 }
 
-/// A series of impacts to be computed.
+/// The input of a series of impacts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeat {
     pub place: Place,
@@ -71,8 +69,8 @@ impl Repeat {
         matches!(self.drive, Drive::Bouncing { .. })
     }
 
-    /// Computes the impacts one after the other. A counter counts them, and may stop them. `samples` rows of each contact are
-    /// traced, of the first impacts only if there are many.
+    /// Computes the impacts one after the other. The counter counts them, and may stop them. Each contact is traced with `samples` rows;
+    /// in a long series only the first impacts are traced.
     ///
     /// # Errors
     /// [`ImpactError`] of the first impact that has no result.
@@ -138,7 +136,7 @@ impl Repeat {
                     let touch = if self.place == Place::Same { hit.residual_indentation } else { 0.0 };
                     let (begin, from) = (time + hit.contact_time, hit.end_indentation());
                     let Some(flight) = Flight::between(flying, begin, from, hit.rebound_speed, touch) else {
-                        // without a dent, or on the same spot, it falls back into the contact that it has left
+                        // without a dent, or on the same spot, the sphere falls back into its contact
                         let in_dent = self.place == Place::Fresh && hit.residual_indentation > 0.0;
                         break if in_dent { End::InDent } else { End::Captured };
                     };
@@ -164,8 +162,8 @@ impl Repeat {
     }
 }
 
-/// One impact on a spot, with a trace if there are samples. The method `auto` takes the closed form, if there is one, for the
-/// numbers that the next impact depends on, so that a long series gathers no error of steps. The trace is then another run.
+/// One impact on a spot, with a trace if samples are requested. For the method `auto`, the next impact depends only on the closed
+/// form, if it exists, so that a long series accumulates no error of steps. The trace is then a separate run.
 fn strike(
     contact: &Contact,
     spot: &mut Spot,

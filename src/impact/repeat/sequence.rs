@@ -13,24 +13,24 @@ named! {
     pub enum End {
         /// The list of shots is finished.
         Shots = "shots",
-        /// As many impacts as were asked for.
+        /// The requested number of impacts is reached.
         Impacts = "impacts",
         /// The next impact would be slower than `until`.
         Until = "until",
-        /// The sphere does not leave. Without damping this is where the recovered work cannot lift it, F_m ≤ (n + 1) m g. Under
-        /// viscous damping, or after waves have taken their energy, it may lift off, but not high enough to leave the spot.
+        /// The sphere does not separate. Without damping this happens if the recovered work cannot lift the sphere, F_m ≤ (n + 1) m g.
+        /// Under viscous damping, or after losses by waves, the sphere may separate, but not rise high enough to leave the spot.
         Captured = "captured",
-        /// The rebound does not lift the sphere out of its dent onto the fresh surface that was asked for.
+        /// The rebound does not lift the sphere out of its dent onto the requested fresh surface.
         InDent = "in_dent",
     }
 }
 
-/// One impact of a series. It derefs to the results that a row of a table has, as in `hit.peak_force`. SI units.
+/// One impact of a series. It derefs to the results in a row of a table, as in `hit.peak_force`. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
-    /// First touch \[s\]; `None` for shots.
+    /// Time of first contact \[s\]; `None` for shots.
     pub time: Option<f64>,
-    /// The place of this impact along the surface \[m\]; 0 for the first.
+    /// Position of this impact along the surface \[m\]; 0 for the first impact.
     pub position: f64,
     /// Impact speed \[m/s\], normal to the half-space.
     pub speed: f64,
@@ -38,14 +38,14 @@ pub struct Hit {
     pub approach: Approach,
     /// Energy and momentum of friction, if the sphere comes at an angle or spins.
     pub oblique: Option<Oblique>,
-    /// Speed with which the flight begins \[m/s\]: e v, where e is the one with waves if the half-space has a density.
+    /// Take-off speed of the flight \[m/s\]: e v, where e includes the loss by waves if the half-space has a density.
     pub rebound_speed: f64,
     pub essentials: Essentials,
-    /// Where the kinetic energy went; what is recovered is that of the rebound speed.
+    /// The energies; the recovered energy belongs to the rebound speed.
     pub energy: Energy,
     /// Fate, losses and work under gravity or damping.
     pub under_forces: Option<ForcesResult>,
-    /// How much deeper this impact made the dent \[m\].
+    /// Growth of the dent depth in this impact \[m\].
     pub dent_growth: f64,
     pub flight: Option<Flight>,
 }
@@ -62,15 +62,15 @@ impl Deref for Hit {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sequence {
     pub hits: Vec<Hit>,
-    /// The first of them with their traces.
+    /// The first impacts with their traces.
     pub traced: Vec<Impact>,
     /// The fall before the first impact.
     pub fall: Option<Flight>,
     pub end: End,
-    /// Time from the last separation until the sphere would rest, if the last e held for all bounces to come \[s\]:
-    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v; in air the sum of the flights in air. Contact
-    /// times are left out, and where e rises as the speed falls this is a lower bound. `None` where it is infinite (e of 1 or
-    /// more), where more than 10 000 flights in air would follow, or nothing bounces.
+    /// Time from the last separation until rest, if the last e held for all later bounces \[s\]:
+    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v; in air the sum of the flights in air. Contact times are
+    /// not included, and if e rises as the speed falls, this is a lower bound. `None` if the time is infinite (e of 1 or more), if
+    /// more than 10 000 flights in air would follow, or if nothing bounces.
     pub remaining_time: Option<f64>,
     pub method: Method,
     /// The first warning of each kind, with the number of its impact.
@@ -110,12 +110,12 @@ impl Hit {
         self.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
     }
 
-    /// How far the sphere moves along the surface in contact \[m\], at the mean of the speeds before and after.
+    /// Displacement of the sphere along the surface in contact \[m\], at the mean of the speeds before and after.
     pub(super) fn way_in_contact(&self) -> f64 {
         0.5 * (self.speed_along().unwrap_or(0.0) + self.rebound_along()) * self.contact_time
     }
 
-    /// How the sphere comes to its next impact, where it lands at this speed.
+    /// The speed and the incidence of the next impact, for this landing speed.
     pub(super) fn next_approach(&self, landing_speed: f64) -> Approach {
         self.rebound.zip(self.approach.incidence).map_or(landing_speed.into(), |(rebound, incidence)| {
             Approach::from_components([landing_speed, rebound.tangential_speed], rebound.spin, incidence.friction)
@@ -137,12 +137,12 @@ impl Hit {
         self.on_plate.map(|plate| plate.energy)
     }
 
-    /// True if the sphere does not leave: without damping F_m ≤ (n + 1) m g.
+    /// True if the sphere does not separate: without damping F_m ≤ (n + 1) m g.
     pub fn is_captured(&self) -> bool {
         self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)
     }
 
-    /// δ at separation \[m\]: that of the dent, or more under viscous damping.
+    /// δ at separation \[m\]: the depth of the dent, or more under viscous damping.
     pub fn end_indentation(&self) -> f64 {
         self.under_forces.map_or(self.residual_indentation, |forces| forces.end_indentation)
     }
@@ -159,17 +159,17 @@ impl Sequence {
         self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
     }
 
-    /// The mark that the first impact left: `dent`, `flat`, or `dent and flat`.
+    /// The imprint of the first impact: `dent`, `flat`, or `dent and flat`.
     pub fn left_behind(&self) -> &'static str {
         self.hits.first().map_or("dent", |hit| hit.left_behind())
     }
 
-    /// When the sphere would rest \[s\]: the last separation and the remaining time.
+    /// Estimated time of rest \[s\]: the last separation and the remaining time.
     pub fn rest_time(&self) -> Option<f64> {
         Some(self.hits.iter().rev().find_map(Hit::separation_time)? + self.remaining_time?)
     }
 
-    /// Largest drift of the ledgers of the impacts.
+    /// Largest error of the energy balances of the impacts.
     pub fn drift(&self) -> f64 {
         self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, max_or_nan)
     }
@@ -182,7 +182,7 @@ impl Sequence {
         }
     }
 
-    /// [`Sequence::remaining_time`] of flights under these forces.
+    /// [`Sequence::remaining_time`] for flights under these forces.
     pub(super) fn estimated_rest(&self, flying: &Flying) -> Option<f64> {
         let last = self.hits.last().filter(|_| matches!(self.end, End::Impacts | End::Until))?;
         let (speed, restitution) = (last.rebound_speed, last.measured_restitution());
@@ -195,10 +195,10 @@ impl Sequence {
     }
 }
 
-/// The time until rest of bounces in air with this restitution < 1, the first one at this take-off speed.
+/// The time until rest of bounces in air with this restitution < 1, from this take-off speed on.
 ///
-/// The rest of the series after a take-off at v lasts at least as long as if every flight lost the share of the next one, and at
-/// most as long as without drag. The two limits meet as the speed falls.
+/// After a take-off at v the series has two bounds: every flight loses the fraction of the next flight (lower bound), or there is no
+/// drag (upper bound). The two bounds meet as the speed falls.
 fn rest_in_air(flying: &Flying, take_off: f64, restitution: f64) -> Option<f64> {
     const MAX_FLIGHTS: u32 = 10_000;
     const REST_TIME_TOLERANCE: f64 = 1e-6;

@@ -30,7 +30,7 @@ pub(super) fn of_rebound(contact: &Contact, impact: &Impact) -> Option<Warning> 
 
 /// An energy drift of fixed steps above this one is warned of.
 const LARGEST_DRIFT: f64 = 1e-2;
-/// Why a run in fixed steps is off, and the way out.
+/// Why a run in fixed steps is inaccurate, and the remedy.
 const COARSE: &str =
     "the fixed steps are too long for this contact; raise solver.steps_per_contact, or use another method than verlet";
 

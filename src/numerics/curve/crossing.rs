@@ -1,7 +1,7 @@
 //! The time of a fast sphere on the first part of a curve of many straight pieces, as a power series.
 //!
-//! A sphere that comes with the energy E (its speed is then q) has the speed q √(1 − w/E) where the contact has taken the
-//! work w. So the time from first touch to a knot x_i is
+//! A sphere with the energy E at first contact (its speed is q) has the speed q √(1 − w/E) where the contact has absorbed the
+//! work w. So the time from first contact to a knot x_i is
 //!
 //! ```text
 //! t = (1/q) ∫ dx/√(1 − w/E) = (1/q) Σ c_k E^(−k),   c_k = (2k)!/(4^k k!²) ∫ w^k dx from 0 to x_i
@@ -19,11 +19,11 @@ use crate::numerics::quadrature::gauss;
 const TERMS: usize = 14;
 /// The largest w_i/E that the series is used for.
 const LARGEST_SHARE: f64 = 0.1;
-/// One of so many knots of a curve of straight pieces has a series: series for all would take four times the room and save
-/// little.
+/// Every fourth knot of a curve of straight pieces has a series. Series for all knots would need four times the memory and
+/// would save little time.
 const EVERY: usize = 4;
 
-/// No series is made for a knot of more work: the powers of the work would leave double precision.
+/// A knot with more work than this has no series: the powers of the work would leave double precision.
 const LARGEST_WORK: f64 = 1e20;
 
 /// (2k)!/(4^k k!²) over its value for k − 1, 1/(2k + 1), and k times the product of both, for k from 1 on.
@@ -41,14 +41,14 @@ const CONSTANTS: [[f64; 3]; TERMS - 1] = {
 /// The series of a curve.
 #[derive(Debug, Clone)]
 pub(super) struct Crossings {
-    /// From one knot with a series to the next there are so many pieces.
+    /// Number of pieces from one knot with a series to the next.
     every: usize,
     knots: Vec<OnceLock<Crossing>>,
 }
 
 impl Crossings {
-    /// The series of a curve that begins with a power law from zero, none computed yet; there are none behind a piece that is
-    /// neither straight nor a formula.
+    /// The series of a curve that begins with a power law from zero. No series is computed yet. The knots behind the first piece that
+    /// is neither straight nor a formula have no series.
     pub(super) fn of(pieces: &[Piece]) -> Self {
         let every = if pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_))) { 1 } else { EVERY };
         let is_covered = |pair: &&[Piece]| {
@@ -72,7 +72,7 @@ impl Crossings {
         last.get().or_else(|| self.computed(pieces, count))
     }
 
-    /// The last of so many knots, with the series of all of them.
+    /// The series of knot number `count`; computes the series of the knots before it too.
     #[cold]
     fn computed(&self, pieces: &[Piece], count: usize) -> Option<&Crossing> {
         self.knots[..count].iter().enumerate().fold(None, |before, (index, knot)| {
@@ -125,7 +125,7 @@ impl Crossing {
     }
 }
 
-/// A place on the way in.
+/// A position during loading.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reached {
     pub piece: usize,

@@ -10,7 +10,7 @@ use crate::numerics::functions::{exp_m1, ln_1p, pow};
 use crate::numerics::power::{power, power_turn, work_share};
 use crate::numerics::root::fallen_from;
 
-/// How the force goes on from the start of a piece.
+/// How the force continues from the start of a piece.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
     /// f = k (d + l)^n with d = x − x_i from the start of the piece; Hertz is n = 3/2.
@@ -20,7 +20,7 @@ pub enum Shape {
         /// n ≥ 1.
         exponent: f64,
         /// l ≥ 0: how far the zero of the force lies before the start of the piece. It is 0 where the piece begins without
-        /// force, and more where it goes on from other pieces or from a dent.
+        /// force, and positive where the piece continues other pieces or begins in a dent.
         offset: f64,
     },
     /// f = f_i + s d from the start (x_i, f_i) of the piece.
@@ -81,7 +81,7 @@ pub struct Piece {
     pub force: f64,
     /// w(x_i), the work from first touch to here.
     pub work: f64,
-    /// True if the formula of the piece before goes on here: no knot of the law.
+    /// True if the formula of the piece before continues here, so that the start is no knot of the law.
     pub is_joint: bool,
     pub shape: Shape,
 }

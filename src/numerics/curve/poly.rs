@@ -142,7 +142,7 @@ impl Poly {
         [f, slope * self.scale, 2.0 * half * self.scale * self.scale]
     }
 
-    /// Beyond its interval, where the trial steps of an integrator may go, the polynomial goes on along its tangent.
+    /// Beyond its interval, which trial steps of an integrator may reach, the polynomial continues along its tangent.
     #[cold]
     fn continued(&self, t: f64) -> [f64; 3] {
         let end = t.clamp(-1.0, 1.0);
@@ -243,7 +243,7 @@ mod tests {
 
     /// x^1.5 from 2 to 4, against its closed forms.
     #[test]
-    fn hertz_on_an_octave_has_its_force_its_work_and_its_times() {
+    fn hertz_on_octave_has_exact_force_work_times() {
         let (start, hertz) = (2.0, |x: f64| x * x.sqrt());
         let poly = Poly::fit(hertz, start, 4.0, 0.0);
         let work = |x: f64| 0.4 * pow(x, 2.5);

@@ -1,5 +1,5 @@
 //! The stepper of rk8 for motions with drag: Dormand-Prince 8(5,3) on regularised variables, landed on every event. Straight
-//! pieces on the way in need no steps where the drag is linear: see `oscillation.rs`.
+//! pieces need no steps during loading if the drag is linear: see `oscillation.rs`.
 //!
 //! **Landing.** The step that would reach the end of the leg, by the speed and its rate at the start of the step, is made a
 //! little longer than that. Where a step has passed an event, the event is located on the continuous solution of the step,
@@ -24,10 +24,10 @@ const PART: f64 = 0.05;
 /// The first step on a leg is this times tolerance^(1/8) in units of 1/ω.
 const FIRST_STEP: f64 = 2.0;
 
-/// The longest step on the way back under a pull, in units of 1/ω: half a swing takes π.
+/// The longest step of the rebound under gravity, in units of 1/ω: half an oscillation takes π.
 const LONGEST: f64 = 2.0;
 
-/// How far beyond the end of a leg, as far as it is known, a step goes.
+/// A step to the predicted end of a leg is longer by this factor.
 const BEYOND: f64 = 1.005;
 /// Up to here in a step (0 ≤ θ ≤ 1) its continuous solution may have a larger error than the step.
 pub(super) const WELL_INSIDE: f64 = 0.98;
@@ -204,8 +204,8 @@ pub(super) fn step_beyond(step: f64) -> f64 {
     BEYOND * step
 }
 
-/// True if a sphere at rest where it landed would be pushed on: under strong drag a creep is slower than the error that a loose
-/// tolerance allows, and a step may end with a speed of the wrong sign.
+/// True if a sphere at rest at this state would be pushed on in the direction of the leg. Under strong drag the creep may be
+/// slower than the error of a loose tolerance, so that a step ends with a speed of the wrong sign.
 pub(super) fn is_false_turn<P: Dragged>(motion: P, path: &Path, landed: &Landed) -> bool {
     let (Landed { landing, node, .. }, sign) = (landed, path.leg.direction());
     let is_turn = *landing == Landing::Turning || *landing == Landing::End && sign * node[1] <= 0.0;

@@ -46,7 +46,7 @@ impl Target {
         let energy = 0.5 * u * u + field.potential(y);
         let (end, direction) = match leg {
             Leg::Outward(end) => (field.y_at(end), 1.0),
-            // other ends of a way back are left to the stepper with drag
+            // a rebound leg with another end is left to the stepper with drag
             Leg::Back(_) => (0.0, -1.0),
         };
         let kinetic_at_end = if end.is_finite() { energy - field.potential(end) } else { -1.0 };
@@ -98,7 +98,7 @@ impl Target {
         let series = Series { y, u, g, j: slope * u, k: curvature * u * u + slope * g };
         let gap = self.end - y;
         // if the turning point of an outward leg is about as near as the end, the series goes to the turning point first
-        // (with u < 0 the sphere has turned already, and is on the way back)
+        // (with u < 0 the sphere has turned already and rebounds)
         let is_near = self.direction > 0.0 && u * u.abs() < (g * gap).abs() * 4.0;
         let (d, y_end, speed, landing) = if is_near {
             let d = -u / g;

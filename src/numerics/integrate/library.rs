@@ -1,14 +1,14 @@
 //! The crate `ode_solvers` (Dormand-Prince 5(4) and 8(5,3)) behind [`Integrator`]: it takes every step of every leg, in plain
 //! variables.
 //!
-//! The crate stops after the accepted step that passed an event, which is located as in `event.rs`. Where it lies well
-//! inside of the step, the crate goes once more from the state before to a little behind the event. The crate tells no stages,
-//! so the continuous solution of a step, for events and traces, has those of our own Dormand-Prince 8(5,3) and is led through
-//! both ends of the crate's step.
+//! The crate stops after the accepted step that passed an event, which is located as in `event.rs`. If the event lies well
+//! inside of the step, the crate repeats the step from its start to a little behind the event. The crate does not expose its
+//! stages. So the continuous solution of a step, for events and traces, uses the stages of our own Dormand-Prince 8(5,3), and
+//! passes through both ends of the step of the crate.
 //!
-//! The crate takes one absolute tolerance for all components, so it is given variables of size one. In release 0.6.2 the
-//! twelfth node of Dop853 is 0 instead of 1 (found here: the row sums of its tableau are right, and with an explicit
-//! independent variable the order drops to 3), so nothing here depends on the independent variable explicitly.
+//! The crate takes one absolute tolerance for all components, so its variables are scaled to size one. In release 0.6.2 the
+//! twelfth node of Dop853 is 0 instead of 1: the row sums of its tableau are right, but with an explicit independent variable
+//! the order drops to 3. So nothing here depends on the independent variable explicitly.
 
 use nalgebra::Vector3;
 use ode_solvers::dop_shared::{IntegrationError as Failure, OutputType};
@@ -177,7 +177,7 @@ impl Integrator for Library {
             if self.work.steps + self.work.rejected >= most {
                 return Err(out_of_steps(path));
             }
-            // a step to a little behind the end of a piece, as far as it is known, needs no second one
+            // a step to just behind the predicted end of a piece needs no second step
             let time = again.take().or_else(|| time_to_end(path, &from));
             let nodes = self.nodes(path, from, time)?;
             for mut to in nodes.into_iter().skip(1) {

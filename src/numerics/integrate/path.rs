@@ -11,7 +11,7 @@ pub struct State {
     pub time: f64,
     /// d, from the zero of a power law, or from the start of any other piece.
     pub distance: f64,
-    /// d'; negative on the way back.
+    /// d'; negative during the rebound.
     pub speed: f64,
     /// ∫ drag d' dt: the energy that drag has taken so far, in units of speed².
     pub loss: f64,
@@ -242,7 +242,7 @@ pub enum Landing {
     End,
     /// At speed zero, exactly.
     Turning,
-    /// Where the contact force vanishes on the way back, before the restoring force does.
+    /// Where the contact force vanishes during the rebound, before the restoring force does.
     LiftOff,
     /// Where the state begins to count as rest.
     Rest,
@@ -253,7 +253,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slope_below_zero_by_rounding_damps_nothing_and_one_that_is_no_number_stays_so() {
+    fn sqrt_slope_clamps_rounding_and_propagates_nan() {
         let both = Drag { eta: 0.2, theta: 3.0, ..Drag::NONE };
         assert_eq!(both.at(1.0, || -1e-17), (0.0, 0.0));
         assert!(both.at(1.0, || f64::NAN).0.is_nan());

@@ -1,6 +1,6 @@
 //! Our own integrator. Without drag: adaptive Runge-Kutta-Nyström of order 8 on regularised variables, landed on the end of
-//! every piece. The stepper of [`super::damped`], with the same variables and error control, does the other legs: those with
-//! drag, those under a pull on curves other than powers and straight lines, and ways back that do not end at the zero of
+//! every piece. The stepper of [`super::damped`], with the same variables and error control, does the other legs: legs with
+//! drag, legs under gravity on curves other than powers and straight lines, and rebound legs that do not end at the zero of
 //! the force.
 //!
 //! **Landing.** Before a step its landing is predicted: energy gives the speed where the leg will end, and the two-point
@@ -17,11 +17,11 @@
 //! evaluations and one stage sum, where Dormand-Prince 8(5,3) takes twelve and three. No stage divides. Traces use a
 //! polynomial of degree 9 through derivatives that are known, at no extra evaluation.
 //!
-//! **What did not pay.** Hénon's device (switching the independent variable) for the last step: it costs a division in
-//! every stage. A Newton step on the prediction of the landing: the correction is enough. 8th roots by square roots or
-//! `powf` in the control of the step: a shift of the exponent's bits does it to 4 %. Carrying the step size across
-//! pieces: a first step from the piece's own frequency is rejected less often. Many impacts side by side in SIMD lanes: tables
-//! of undamped impacts have closed forms, and damped ones gained less than a factor of two.
+//! **Choices.** The last step has no Hénon device (a switch of the independent variable), which costs a division in every
+//! stage, and no Newton step on the prediction, because the correction suffices. The step control takes 8th roots by a shift of
+//! the bits of the exponent, which is exact to 4 %. Every piece begins with a step from the frequency of the piece, which is
+//! rejected less often than the step of the piece before. Impacts do not share SIMD lanes: tables of undamped impacts have
+//! closed forms, and damped impacts would gain less than a factor of two.
 
 use super::damped::DragStepper;
 use super::dense::segment;
@@ -153,7 +153,7 @@ impl Rk8 {
         let size = field.y_at(path.sizes.distance);
         let inverse_y = 1.0 / (self.estimate_limit * size);
         let inverse_u = 1.0 / (self.estimate_limit * path.sizes.speed);
-        // −g' is largest at the far end outward, at the start on the way back
+        // −g' is largest at the far end during loading, at the start during the rebound
         let fastest = if matches!(path.leg, Leg::Back(_)) { y } else { target.y };
         let h = self.first_step / field.stiffness(fastest).sqrt();
         let left_out = 0.1 * self.tolerance * size;

@@ -48,7 +48,7 @@ impl Axis {
         Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, range: None, prefix_of: None }
     }
 
-    /// True if the unit takes a prefix: it is none of these, and has none yet.
+    /// True if the unit takes a prefix: it is not one of these, and has no prefix yet.
     fn takes_prefix(&self) -> bool {
         !["", "HV", "°", "%", "MPa", "µs"].contains(&&*self.unit) && !self.unit.starts_with("kg")
     }
@@ -216,7 +216,7 @@ impl FittedAxis {
         let (low, high) = (self.low, self.high);
         let is_short = self.scale != Scale::Log || high / low < SHORT;
         let every = if is_short { 0 } else { decades_between_labels(low, high, wanted) };
-        // labels closer together, as far as to every decade, and then more labels in each decade
+        // labels closer together, up to one in every decade, and then more labels in each decade
         let of_decades = (1..=every).rev().map(move |every| log_ticks(low, high, every, &[1]));
         let digits = DIGITS.into_iter().filter(move |_| !is_short);
         let of_digits = digits.map(move |digits| log_ticks(low, high, 1, digits));
@@ -376,7 +376,7 @@ mod tests {
     }
 
     #[test]
-    fn a_prefix_stands_before_a_unit_that_has_none() {
+    fn prefix_precedes_unit_without_prefix() {
         let title = |unit, value| Axis::linear("x", unit).fitted([0.0, value]).title;
         assert_eq!(title("m", 1e-6), "x [µm]");
         // 0.4 is not 400 "m", and 7850 kg/m^3 are not 7.85 kkg/m^3

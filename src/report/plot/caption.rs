@@ -25,7 +25,7 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     let radius = if varies("sphere.diameter") { "sphere.diameter" } else { "sphere.radius" };
     let varies_strength =
         |body: Body| [body.yield_strength(), body.hardness(), body.material()].into_iter().any(varies);
-    // who yields is not the same all over a picture in which a strength varies
+    // if a strength varies, the body that yields may differ within the picture
     let is_same = !Body::ALL.into_iter().any(varies_strength);
     let pair = Pair::try_new(&sphere, &half_space).ok().filter(|_| is_same);
     let flow = pair.and_then(|pair| pair.yield_point).map(|point| point.flow);

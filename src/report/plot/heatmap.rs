@@ -5,9 +5,9 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 
 use super::{Axis, Cell, Chart, GRID, extremes};
 
-/// A map of values on a grid. Along each axis the places rise or fall. A `value` (of column, row) that is not finite is
-/// drawn in grey. The cells fill the box, so the ranges of `x` and `y` are ignored; the range of `color` is that of the
-/// colours, and if there is none, that of the values.
+/// A map of values on a grid. Along each axis the positions rise or fall. A `value` (of column, row) that is not finite is
+/// drawn in grey. The cells fill the box, so the ranges of `x` and `y` are ignored. The range of `color` is the range of the
+/// colours; without it, the range of the values is used.
 pub fn heatmap(
     title: &str,
     [x, y]: [Axis; 2],

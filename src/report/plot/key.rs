@@ -95,7 +95,7 @@ impl Key {
         Self { scale, entries, is_inside: false }
     }
 
-    /// The key and a place in the box at which it covers neither curves nor guides; none if there is none.
+    /// The key and a position in the box at which it covers neither curves nor guides; `None` if it covers one everywhere.
     pub fn inside(series: &[(&Series, Style)], frame: &Frame, shown: &[&Series]) -> Option<(Self, Point)> {
         let lines: Vec<Vec<Point>> =
             shown.iter().map(|one| one.drawn(frame).iter().map(|at| frame.place(*at)).collect()).collect();

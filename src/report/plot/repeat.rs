@@ -181,7 +181,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn loops_are_picked_from_the_first_to_the_last() {
+    fn picked_loops_include_first_and_last() {
         assert_eq!(spread(3, 7), [0, 1, 2]);
         assert_eq!(spread(20, 7), [0, 1, 2, 3, 6, 11, 19]);
         assert_eq!(*spread(1_000_000, 300).last().unwrap(), 999_999);

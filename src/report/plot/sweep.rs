@@ -18,7 +18,7 @@ const MOST_POINTS: u64 = 2000;
 const FEW_POINTS: usize = 12;
 /// Largest number of curves in one picture that a reader can distinguish.
 const MOST_CURVES: u64 = 8;
-/// A step from curve to curve is chosen so that the last value has a curve if at least so many curves remain.
+/// A step from curve to curve is chosen so that the last value has a curve, if at least this number of curves remains.
 const FEWEST_CURVES: u64 = 5;
 /// Pictures with more curves than this have markers on each.
 const PLAIN_CURVES: usize = 6;

@@ -38,7 +38,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     Ok(Outcome { contradiction, notes: known, ..Outcome::done(warnings(&found), text, files) })
 }
 
-/// What a user should know of the law behind the values that were found, and of a strength that was not.
+/// Notes for the user on the law behind the values that were found, and on a strength that was not found.
 fn calibration_notes(found: &Calibration) -> Vec<String> {
     let input = found.input();
     let Ok(contact) = input.contact() else { return Vec::new() };

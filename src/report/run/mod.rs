@@ -31,7 +31,7 @@ pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     at_once(scenario, None)?.map_or_else(|| table::check(scenario), Ok)
 }
 
-/// The way out for a key that describes the motion of the sphere and not its contact.
+/// The remedy for a key that describes the motion of the sphere and not its contact.
 const OF_THE_SPHERE: &str = "leave this key out; the simulation has path and spin of every sphere";
 
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.

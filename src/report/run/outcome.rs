@@ -31,7 +31,7 @@ pub struct RunOptions<'a> {
 pub struct Outcome {
     /// Warnings about scene, model or run.
     pub warnings: Vec<String>,
-    /// What a user should know of the strength and of the exponent behind the results; the text has them too.
+    /// Notes for the user on the strength and on the exponent behind the results; the text has them too.
     pub notes: Vec<String>,
     pub text: String,
     /// The files for the output directory; empty for a check.

@@ -86,7 +86,7 @@ pub fn text(plan: &Plan, tally: &Tally, cautions: &Cautions) -> String {
     lines(plan, tally) + &report_notes(&cautions.notes)
 }
 
-/// What a user should know of a table before its rows are computed.
+/// Warnings and notes on a table, before its rows are computed.
 #[derive(Debug, Clone)]
 pub struct Cautions {
     pub warnings: Vec<String>,

@@ -206,8 +206,8 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
     aligned(&rows, |_| true) + &terminal::notes(notes)
 }
 
-/// What a user should know of the strength behind forces and indentations, where a body yields and the scenario says nothing more of
-/// its flow stress.
+/// Notes for the user on the strength behind forces and indentations, if a body yields and the scenario does not describe its flow
+/// stress further.
 pub fn notes(scenario: &Scenario, tested: &[Tested]) -> Vec<String> {
     let input = scenario.input();
     let is_vague = |body: Body| !input.has_flow(body) && input.strength_kind(body).is_none();

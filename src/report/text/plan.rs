@@ -3,7 +3,7 @@
 use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Variable};
 use crate::units::{aligned, percent};
 
-/// An axis with at most so many values is listed value by value.
+/// An axis with at most this number of values is listed value by value.
 const MOST_LISTED: u64 = 8;
 
 /// The lines about the cases. The scene of the first case is printed after them.

@@ -12,7 +12,7 @@ use crate::scenario::scene::results::fields;
 use crate::scenario::scene::results::trace::event_name;
 use crate::units::{Dimension, aligned, quantity};
 
-/// A summary lists the speeds of at most so many shots; a longer list stands in `impacts.csv` only.
+/// A summary lists the speeds of at most this number of shots; a longer list is in `impacts.csv` only.
 const LISTED: usize = 1000;
 
 /// The results by their names.

@@ -103,7 +103,7 @@ fn nearly_0(restitution: f64) -> String {
     format!("nearly 0 (below {above})")
 }
 
-/// What an impact leaves, as a word: a dent, a flat, or both. What a pair of springs keeps is neither.
+/// The name of the imprint of an impact: dent, flat, or both. A pair of springs keeps neither.
 pub(super) fn imprint(is_spring: bool, left_behind: &str) -> &str {
     if is_spring { SPRING } else { left_behind }
 }

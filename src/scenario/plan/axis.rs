@@ -1,11 +1,11 @@
-//! An axis of a sweep: a key of the scene and the values it takes.
+//! An axis of a sweep: a key of the scene and its values.
 
 use crate::contact::law::LawChoice;
 use crate::impact::Method;
 use crate::numerics::functions::{log10, pow};
 use crate::scenario::scene::{BodyMaterial, EVERY_KEY, Input, Key, Part, at};
 
-/// Axes of up to this many points are tabulated: some ten milliseconds before the first row.
+/// Axes with at most this number of points are tabulated, which takes some ten milliseconds.
 const TABULATED: u64 = 1 << 19;
 
 /// The numbers of an axis, in SI.
@@ -17,7 +17,7 @@ pub enum Values {
         from: f64,
         to: f64,
         points: u64,
-        /// Logarithms to base 10 of the first and the last value, where the values are evenly spaced in the logarithm.
+        /// Logarithms to base 10 of the first and the last value, if the values are evenly spaced in the logarithm.
         decades: Option<(f64, f64)>,
     },
 }
@@ -50,20 +50,20 @@ impl Values {
         }
     }
 
-    /// Makes a list of the values, where that is short.
+    /// Makes a list of the values, if the list is short.
     fn tabulated(self) -> Self {
         if self.len() <= TABULATED { Self::List((0..self.len()).map(|i| self.at(i)).collect()) } else { self }
     }
 }
 
-/// The key that an axis changes, and its values.
+/// The key of an axis, and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Setting {
     Number {
         key: &'static Key,
         values: Values,
     },
-    /// A key that takes words.
+    /// A key with words as values.
     Words {
         path: &'static str,
         /// At least one.
@@ -71,7 +71,7 @@ pub enum Setting {
     },
 }
 
-/// A word of an axis, with what it stands for.
+/// A word of an axis, with its meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Word {
     Method(Method),
@@ -94,7 +94,7 @@ impl Word {
 pub struct Axis {
     pub setting: Setting,
     part: Part,
-    /// True if pictures show it on a logarithmic scale: its values are evenly spaced in the logarithm.
+    /// True if pictures show the axis on a logarithmic scale: its values are evenly spaced in the logarithm.
     pub is_logarithmic: bool,
     /// True if its values are evenly spaced by their definition.
     pub is_even: bool,
@@ -115,7 +115,7 @@ impl Axis {
         Self { setting: Setting::Words { path, words }, part, is_logarithmic: false, is_even: false }
     }
 
-    /// The places of its smallest and its largest number. For words they are the first and the last.
+    /// The indices of its smallest and its largest number; of the first and the last word for words.
     pub fn extreme_places(&self) -> [u64; 2] {
         let Setting::Number { values: Values::List(values), .. } = &self.setting else { return [0, self.len() - 1] };
         // a list may be in any order
@@ -140,7 +140,7 @@ impl Axis {
         }
     }
 
-    /// Its words; none for an axis of numbers.
+    /// Its words; empty for an axis of numbers.
     pub fn words(&self) -> &[Word] {
         if let Setting::Words { words, .. } = &self.setting { words } else { &[] }
     }
@@ -158,23 +158,22 @@ impl Axis {
         }
     }
 
-    /// True if bodies and law stay the same along the axis.
+    /// True if bodies and law are constant along the axis.
     pub fn keeps_contact(&self) -> bool {
         !self.part.changes_contact()
     }
 
-    /// True if the law with its flow curve may change along it, as it does with a material that hardens.
+    /// True if the law or its flow curve may change along the axis, as for materials that harden.
     pub fn changes_law(&self) -> bool {
         self.part.changes_law() || !self.words().is_empty()
     }
 
-    /// True if its words bring numbers of their own, or take away those of another word: laws and materials.
+    /// True if its words set other keys, or remove the keys of another word: laws and materials.
     pub fn brings_values(&self) -> bool {
         matches!(self.words(), [Word::Law(_) | Word::Material(_), ..])
     }
 
-    /// Puts value `i` into an input. A law or a material brings numbers of its own: for several axes there is
-    /// [`super::put`].
+    /// Sets value `i` in an input. A law or a material sets other keys too; for several axes use [`super::put`].
     #[allow(clippy::cast_possible_truncation)] // lists of words are short
     pub fn put(&self, i: u64, input: &mut Input) {
         match &self.setting {
@@ -189,7 +188,7 @@ impl Axis {
         }
     }
 
-    /// Value `i`; for a word, its place in the list.
+    /// Value `i`; the index in the list for a word.
     pub fn number(&self, i: u64) -> f64 {
         match &self.setting {
             Setting::Number { values, .. } => values.at(i),

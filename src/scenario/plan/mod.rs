@@ -1,4 +1,4 @@
-//! Which cases a table has: what varies, over which values, and what is reported.
+//! The cases of a table: the varied keys, their values, and the results that the table shows.
 
 pub(crate) mod axis;
 pub mod free;
@@ -13,7 +13,7 @@ pub(crate) use axis::{Axis, Setting, Values, Word};
 pub use free::Free;
 pub(crate) use random::{Distribution, Draws, Variable};
 
-/// Where the cases come from.
+/// The source of the cases.
 #[derive(Debug, Clone)]
 pub enum Cases {
     /// All combinations of the axes; the first varies slowest.
@@ -25,17 +25,17 @@ pub enum Cases {
     },
 }
 
-/// A sweep: an input and what is changed in it.
+/// A sweep: an input and its varied keys.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// The input with the first value of every axis, or with the medians of random keys. All cases have its other keys.
+    /// The input with the first value of every axis, or with the medians of random keys. All cases share its other keys.
     pub input: Input,
     /// Warnings about keys without effect.
     pub warnings: Vec<Warning>,
     pub cases: Cases,
-    /// Names of the results that the table has; `None`: all.
+    /// Names of the results in the table; `None`: all.
     pub columns: Option<Vec<&'static str>>,
-    /// Names of the results that are drawn; `None`: those that suit the first axis.
+    /// Names of the results in pictures; `None`: the results that suit the first axis.
     pub pictures: Option<Vec<&'static str>>,
 }
 
@@ -46,18 +46,18 @@ pub const RESTITUTION: &str = "restitution";
 pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
 pub const HARDNESS: &str = "half_space.hardness";
 
-/// The largest number of cases. Any tool can hold so large a case number.
+/// Maximum number of cases. Every tool can represent a case number of this size.
 pub const MOST_CASES: u64 = 1 << 63;
 
 impl Plan {
-    /// These cases of an input, in which every key that varies has its first value or its median.
+    /// The cases of an input in which every varied key has its first value or its median.
     pub fn new(input: &Input, cases: Cases) -> Self {
         let mut plan = Self { input: input.clone(), warnings: Vec::new(), cases, columns: None, pictures: None };
         plan.input = plan.input_at(&vec![0; plan.axes().len()]);
         plan
     }
 
-    /// The axes; none for random cases.
+    /// The axes; empty for random cases.
     pub fn axes(&self) -> &[Axis] {
         if let Cases::Grid(axes) = &self.cases { axes } else { &[] }
     }
@@ -71,7 +71,7 @@ impl Plan {
         }
     }
 
-    /// The input of the case at these places of the axes.
+    /// The input of the case at these indices on the axes.
     pub fn input_at(&self, places: &[u64]) -> Input {
         let mut input = self.input.clone();
         put(self.axes(), places, &mut input);
@@ -90,8 +90,8 @@ impl Plan {
         Body::ALL.into_iter().filter(|body| self.derives_strength(*body))
     }
 
-    /// True if the yield strength of a body follows from values that vary: from a hardness, its own or that of its material, and
-    /// with it from its moduli and its exponent of hardening.
+    /// True if the yield strength of a body follows from varied values: from a hardness, given or from the material, and then also
+    /// from the moduli and the hardening exponent.
     pub fn derives_strength(&self, body: Body) -> bool {
         let paths = self.paths();
         let varies = |path: &str| paths.contains(&path);
@@ -105,8 +105,8 @@ impl Plan {
         all.filter(|column| self.missing(column.needs).is_none() && is_wanted(column.name)).collect()
     }
 
-    /// The columns whose distribution is reported, the restitution first: those that the scenario names among its columns or
-    /// pictures. None where nothing is random.
+    /// The columns whose distribution is reported, the restitution first: the columns that the scenario names among its columns or
+    /// pictures. Empty if nothing is random.
     pub fn statistics_columns(&self) -> Vec<Column> {
         if !self.is_monte_carlo() {
             return Vec::new();
@@ -119,7 +119,7 @@ impl Plan {
         all
     }
 
-    /// Why a table has no column that needs this; `None` if it has.
+    /// Why a table lacks a column with this requirement; `None` if the table has it.
     pub fn missing(&self, needs: Needs) -> Option<&'static str> {
         let input = &self.input;
         let is_on_plate = input.forces().plate.is_some();
@@ -163,7 +163,7 @@ impl Plan {
         std::iter::once("case".to_owned()).chain(self.columns()).chain(results).chain(["status".to_owned()]).collect()
     }
 
-    /// The keys that vary.
+    /// The varied keys.
     pub fn paths(&self) -> Vec<&'static str> {
         match &self.cases {
             Cases::Grid(axes) => axes.iter().map(Axis::path).collect(),
@@ -171,7 +171,7 @@ impl Plan {
         }
     }
 
-    /// A key that varies without any effect on the table, and why.
+    /// A varied key without effect on the table, and the reason.
     pub fn unused(&self) -> Option<(&'static str, String)> {
         let (paths, cases) = (self.paths(), self.with_words());
         let has_laws = paths.contains(&"law");
@@ -199,8 +199,8 @@ impl Plan {
         all
     }
 
-    /// Inputs in which one thing that varies has another value than in the input of the plan: values all along an axis, or all
-    /// over a distribution. A value that is not the same in all of them is not shared by the rows.
+    /// Inputs that differ from the input of the plan in one varied key: values along a whole axis, or over a whole distribution. Rows
+    /// share a value only if it is equal in all these inputs.
     pub fn with_other_values(&self) -> Vec<Input> {
         const MAX_VALUES: u64 = 16;
         match &self.cases {
@@ -209,7 +209,7 @@ impl Plan {
                     let (last, count) = (axis.len() - 1, axis.len().min(MAX_VALUES));
                     let at = move |i: u64| {
                         let mut places = vec![0; axes.len()];
-                        // an axis may have 2^63 values, and 15 times as many do not overflow this way
+                        // an axis may have 2^63 values; in this form the product does not overflow
                         places[number] = last / (count - 1) * i + last % (count - 1) * i / (count - 1);
                         self.input_at(&places)
                     };
@@ -244,7 +244,7 @@ impl Plan {
         self.methods().into_iter().map(chosen).any(|method| method.is_none())
     }
 
-    /// About how many microseconds a row takes on one core, under the slowest of its methods.
+    /// About the microseconds of a row on one core, for the slowest of its methods.
     pub fn microseconds(&self) -> f64 {
         let of_case = |input: &Input| {
             // with partial slip
@@ -266,7 +266,7 @@ impl Plan {
     }
 }
 
-/// Puts values of all axes into an input: words first, as a law and a material bring numbers that others replace.
+/// Sets the values of all axes in an input. Laws and materials are set first: they set keys that numeric axes then override.
 pub fn put(axes: &[Axis], places: &[u64], input: &mut Input) {
     for is_word in [true, false] {
         for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.words().is_empty() != is_word) {

@@ -1,8 +1,8 @@
 //! Random values that depend on seed, variable and case number alone: sample k is the same on every thread and machine.
 //!
-//! The 64-bit word k of stream a of ChaCha8 (keyed by the seed) is the uniform number of variable a in case k. The
-//! inverse of the distribution function makes a value of it. A distribution is truncated at the key's allowed range, by
-//! cutting the uniform number's interval: no draw is thrown away, so that the count of words stays the case number.
+//! The 64-bit word k of stream a of ChaCha8 (keyed by the seed) is the uniform number of variable a in case k. The inverse of the
+//! distribution function converts it to a value. A distribution is truncated at the allowed range of the key by restricting the
+//! interval of the uniform number. No draw is rejected, so the count of words equals the case number.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -13,7 +13,7 @@ use crate::scenario::scene::Key;
 /// A distribution of a key's values, in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
-    /// Even between two ends.
+    /// Uniform between two ends.
     Uniform { from: f64, to: f64 },
     Normal {
         /// Mean before truncation.
@@ -34,16 +34,16 @@ pub enum Distribution {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
     pub key: &'static Key,
-    /// It is truncated at the allowed range.
+    /// The distribution, truncated at the allowed range.
     pub distribution: Distribution,
-    /// The allowed range it is cut to.
+    /// The allowed range.
     range: (f64, f64),
     /// The probabilities of values below either end of the range.
     share: (f64, f64),
 }
 
 impl Variable {
-    /// The variable, cut to the allowed range of its key (the ends may be infinite).
+    /// The variable, truncated at the allowed range of its key (the ends may be infinite).
     pub fn new(key: &'static Key, distribution: Distribution) -> Self {
         let range = key.quantity.range();
         let share = (distribution.below(range.0), distribution.below(range.1));
@@ -104,7 +104,7 @@ impl Distribution {
         }
     }
 
-    /// The value below which a share p of the distribution lies.
+    /// The quantile of the probability p.
     fn quantile(&self, p: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => from + p * (to - from),
@@ -125,7 +125,7 @@ pub struct Draws<'a> {
 }
 
 impl<'a> Draws<'a> {
-    /// From case `first` on; `stream` is the place of the variable in the file.
+    /// From case `first` on; `stream` is the index of the variable in the file.
     pub fn new(variable: &'a Variable, seed: u64, stream: u64, first: u64) -> Self {
         let mut generator = ChaCha8Rng::seed_from_u64(seed);
         generator.set_stream(stream);

@@ -1,12 +1,12 @@
-//! Keys that the source names: the compiler looks their paths up, `at!("sphere.radius")`.
+//! Keys that are named in the source: the compiler finds their paths, `at!("sphere.radius")`.
 
 use super::{EVERY_KEY, Form};
 
-/// The place of a key in the list, with the kind of its value as a type, so that it is not asked for a value of another kind.
+/// The index of a key in the list. The kind of its value is part of the type, so the compiler refuses a value of another kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct At<const KIND: u8>(usize);
 
-/// The kinds of values: a number, a whole number, a word, and all else.
+/// The kinds of values: number, whole number, word, and other values.
 pub const NUMBER: u8 = 0;
 pub const COUNT: u8 = 1;
 pub const WORD: u8 = 2;
@@ -22,7 +22,7 @@ const fn kind(place: usize) -> u8 {
 }
 
 impl<const KIND: u8> At<KIND> {
-    /// The key at this place, if its value is of this kind.
+    /// The key with this index, if its value is of this kind.
     pub const fn new(place: usize) -> Option<Self> {
         if kind(place) == KIND { Some(Self(place)) } else { None }
     }
@@ -37,8 +37,7 @@ impl<const KIND: u8> At<KIND> {
     }
 }
 
-/// The place of a key that is written in the source. Only constants are made of it: a path that is no key is an error of
-/// the compiler.
+/// The index of a key that is named in the source. It is used in constants only, so a path that is no key is a compile error.
 pub const fn known<const KIND: u8>(path: &str) -> At<KIND> {
     let (mut at, path) = (0, path.as_bytes());
     while at < EVERY_KEY.len() {
@@ -58,7 +57,7 @@ pub const fn known<const KIND: u8>(path: &str) -> At<KIND> {
     panic!("there is no key of this path, or its value is of another kind")
 }
 
-/// The place of the key of this path, which the compiler looks up.
+/// The index of the key with this path, found by the compiler.
 macro_rules! at {
     ($path:literal) => {
         const { $crate::scenario::scene::at::known($path) }
@@ -66,7 +65,7 @@ macro_rules! at {
 }
 pub(crate) use at;
 
-/// The place of a key that sphere and half-space have, by the name behind that of the body: `key_of!(body, "hardness")`.
+/// The index of a key that sphere and half-space both have, by its name without the body: `key_of!(body, "hardness")`.
 macro_rules! key_of {
     ($body:expr, $name:literal) => {
         $body.pick([

@@ -1,4 +1,4 @@
-//! The values that the bodies of a scene take from named materials, where the scenario does not give them itself.
+//! The values that the bodies of a scene take from named materials, if the scenario does not give them itself.
 
 use super::{At, NUMBER, key_of};
 use crate::contact::materials::{Known, MaterialEntry, Property};
@@ -13,7 +13,7 @@ pub enum Body {
 impl Body {
     pub const ALL: [Self; 2] = [Self::Sphere, Self::HalfSpace];
 
-    /// Chooses what belongs to this body from a pair of sphere and half-space.
+    /// Selects the item of this body from a pair of sphere and half-space.
     #[inline]
     pub fn pick<T>(self, [sphere, half_space]: [T; 2]) -> T {
         match self {
@@ -36,7 +36,7 @@ impl Body {
         Self::ALL.into_iter().find(|body| body.material() == path)
     }
 
-    /// The keys that a material gives the body values for, each with the property that gives it.
+    /// The keys for which the material of the body has values, each with the property that gives the value.
     pub fn defaults(self) -> [(At<NUMBER>, Property); 6] {
         [
             (key_of!(self, "density"), Property::Density),
@@ -59,13 +59,13 @@ pub struct BodyMaterial {
 }
 
 impl BodyMaterial {
-    /// The keys that take a value, each with what is known of the property.
+    /// The keys that take a value, each with the property of the material.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
         let material = self.material;
         self.defaults.iter().filter_map(move |(key, property)| Some((key.path(), material.get(*property)?)))
     }
 
-    /// The taken values for a summary, each with its name: the value as it is written, its range, and the kind of number.
+    /// The values taken from the material, for a summary, each with its name: the value as written, its range, and the kind of number.
     pub fn notes(&self) -> impl Iterator<Item = (String, String)> {
         self.values().map(|(_, Known { property, used, range: [low, high], basis, .. })| {
             let name = format!("{}_{}", self.body.material(), property.name());

@@ -1,4 +1,4 @@
-//! Finds keys that are given, and have no effect on what is computed.
+//! Finds given keys that have no effect on the results.
 
 use super::{Body, Input, at};
 use crate::impact::Method;
@@ -10,8 +10,8 @@ pub enum Purpose {
     Indentation,
 }
 
-/// Why nothing that is computed of these inputs depends on a key, or on the table of a law; `None` if something does, as
-/// with every key that is not named here.
+/// Why no result of these inputs depends on a key, or on the table of a law; `None` if a result depends on it. Keys that are not
+/// named here always have an effect.
 pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<&'static str> {
     let all = |is_so: fn(&Input) -> bool| inputs.iter().all(is_so);
     let is_verlet = |input: &Input| input.solver().method == Method::Verlet;
@@ -64,8 +64,8 @@ pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<
             path.starts_with("law."),
             "no case is under that law; name it in \"law\" of [sweep] or as the only law, or leave the key out",
         ),
-        // these tables name what holds without them: an elastic contact is under the law of Hertz, and PLM is the law of a
-        // scenario that names none
+        // these tables may name the default law: an elastic contact uses Hertz, and a scenario without a law uses the PLM, so
+        // these tables always have an effect
         "law.hertz" | "law.plm" => (false, ""),
         _ => (
             all(|input| !input.can_yield()),
@@ -76,7 +76,7 @@ pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<
 }
 
 impl Input {
-    /// True if only the other body yields: this one is stronger by at least the factor `least`, and the other one does not harden.
+    /// True if only the other body yields: this one is stronger by at least the factor `least`, and the other body does not harden.
     fn is_harder(&self, body: Body, least: f64) -> bool {
         let flow = self.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow));
         let law = self.law();

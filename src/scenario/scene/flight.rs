@@ -1,25 +1,25 @@
-//! Warnings about the flight of a sphere: a height that is no laboratory's, and air that the scenario leaves out.
+//! Warnings about the flight of a sphere: a height beyond laboratory tests, and air that the scenario omits.
 
 use super::{Input, at};
 use crate::impact::air::{Flying, Medium};
 use crate::impact::{Warning, WarningKind};
 use crate::units::{Dimension, percent, quantity};
 
-/// Air that slows a ball by a smaller share is left out without a warning.
+/// Air that slows a ball by a smaller fraction may be omitted without a warning.
 const MAX_SLOWING: f64 = 0.005;
 
 impl Input {
-    /// The height of the fall \[m\], if it is given.
+    /// The height of the fall \[m\]; `None` without a drop height.
     pub fn drop_height(&self) -> Option<f64> {
         self.number(at!("impact.drop_height"))
     }
 
-    /// Warnings about the flight before the impact: a height that is no laboratory's, and what the air does.
+    /// Warnings about the flight before the impact: a height beyond laboratory tests, and the effect of the air.
     pub fn flight_warnings(&self) -> impl Iterator<Item = Warning> {
         [self.height_warning(), self.doubts_of_air()].into_iter().flatten()
     }
 
-    /// Asks for the unit of a drop height that is far above that of a test.
+    /// Warns of a drop height far above the range of a test, and asks for its unit.
     pub fn height_warning(&self) -> Option<Warning> {
         const MAX_USUAL: f64 = 100.0;
         let height = self.drop_height().filter(|height| *height > MAX_USUAL)?;
@@ -94,10 +94,10 @@ impl Input {
         Some(Warning::new(WarningKind::InAir, added, text))
     }
 
-    /// The share by which the air of a room makes a ball slower at the end of a fall from this height; `None` for a body with a tip,
-    /// which falls in a guide.
+    /// The fraction by which room air slows a ball at the end of a fall from this height; `None` for a body with a tip, which falls in a
+    /// guide.
     fn slowing_by_air(&self, height: f64) -> Option<f64> {
-        /// Air of a room, and the drag of a smooth sphere.
+        /// Room air, and the drag of a smooth sphere.
         const USUAL: Medium = Medium { density: 1.2, drag: Some(0.47), viscosity: f64::NAN };
         let (radius, mass) = (self.radius()?, self.mass()?);
         let is_ball = self.number(at!("sphere.mass")).is_none();

@@ -1,5 +1,5 @@
-//! The values of file and command line: every number as it is given, and nothing that follows from others. Every key has a value of
-//! its own here, so that the order in which values are set does not matter; `resolve.rs` works out what follows from them.
+//! The values of file and command line: numbers as they are given, without numbers that follow from others. Every key has its own
+//! value here, so the order in which values are set does not matter; `resolve.rs` computes the numbers that follow.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -9,13 +9,13 @@ use crate::contact::law::{LawChoice, PlmCoefficients};
 use crate::contact::strength::flow::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, describe, human, number};
 
-/// A value that is no number and no word.
+/// A value that is neither a number nor a word.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     Numbers(Vec<f64>),
     Words(Vec<String>),
     Text(String),
-    /// A flow curve through points, which stand in a list or in a file.
+    /// A flow curve through points, from a list or a file.
     Curve(FlowCurve),
     Coefficients(Arc<PlmCoefficients>),
 }
@@ -23,7 +23,7 @@ pub enum Value {
 /// The values that an input has besides its numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Others {
-    /// By the places of their keys.
+    /// By the indices of their keys.
     values: BTreeMap<usize, Value>,
     /// The items of lists of tables, by the paths of the lists.
     items: BTreeMap<&'static str, Vec<Input>>,
@@ -33,10 +33,10 @@ struct Others {
 /// All values of a scenario.
 #[derive(Debug, Clone)]
 pub struct Input {
-    /// By the place of the key: numbers in SI, whole numbers, and words by their place in the list of such words. Not a number
-    /// where nothing is given, infinite for the word in place of a number.
+    /// Values by the index of their key: numbers in SI, whole numbers, and words by their index in the list of words. A missing value is
+    /// NaN. A word in place of a number is infinity.
     numbers: [f64; EVERY_KEY.len()],
-    // rows of a table copy the input, and leave these alone but for an axis of materials
+    // the rows of a table share these values; only an axis of materials changes them
     others: Arc<Others>,
     /// The law that the scenario names, without the numbers that it gives to it: see [`Input::law`].
     pub named_law: LawChoice,
@@ -69,7 +69,7 @@ impl Input {
         if number.is_nan() { None } else { Some(number) }
     }
 
-    /// Puts a checked number there, SI, or takes it away.
+    /// Sets a checked number, SI; `None` removes it.
     #[inline]
     pub fn set(&mut self, at: At<NUMBER>, number: Option<f64>) {
         self.numbers[at.place()] = number.unwrap_or(f64::NAN);
@@ -81,14 +81,14 @@ impl Input {
         self.given(at.place()).map(|number| number as u64)
     }
 
-    /// The place of a word in the list of the words that the key takes.
+    /// The index of a word in the list of the words of the key.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a place in a list
     pub fn word(&self, at: At<WORD>) -> Option<usize> {
         self.given(at.place()).map(|place| place as usize)
     }
 
-    /// Puts a word there, by its place in the list of the words that the key takes, or takes it away.
+    /// Sets a word, by its index in the list of the words of the key; `None` removes it.
     pub fn choose(&mut self, at: At<WORD>, word: Option<usize>) {
         self.numbers[at.place()] = word.map_or(f64::NAN, |place| place as f64);
     }
@@ -98,7 +98,7 @@ impl Input {
         self.others.values.get(&at.place())
     }
 
-    /// Puts such a value there, or takes it away.
+    /// Sets such a value; `None` removes it.
     pub fn put_value(&mut self, at: At<OTHER>, value: Option<Value>) {
         let values = &mut Arc::make_mut(&mut self.others).values;
         match value {
@@ -107,7 +107,7 @@ impl Input {
         }
     }
 
-    /// Puts what was read at a place of the list.
+    /// Sets a parsed value at an index of the list.
     pub(super) fn put_number(&mut self, place: usize, number: f64) {
         self.numbers[place] = number;
     }
@@ -129,17 +129,17 @@ impl Input {
         if let Some(Value::Text(text)) = self.value(at) { Some(text) } else { None }
     }
 
-    /// The items of a list of tables; `None` where it is not given.
+    /// The items of a list of tables; `None` if it is not given.
     pub fn items(&self, path: &str) -> Option<&[Self]> {
         self.others.items.get(path).map(Vec::as_slice)
     }
 
-    /// Puts the items of a list of tables there.
+    /// Sets the items of a list of tables.
     pub fn set_items(&mut self, path: &'static str, items: Vec<Self>) {
         Arc::make_mut(&mut self.others).items.insert(path, items);
     }
 
-    /// The values that the bodies take from the materials that they name.
+    /// The values that the bodies take from their named materials.
     pub fn materials(&self) -> &[BodyMaterial] {
         &self.others.materials
     }
@@ -148,7 +148,7 @@ impl Input {
         Arc::make_mut(&mut self.others).materials = materials;
     }
 
-    /// Gives the keys that `is_used` names their default values, where they have some, and are not given.
+    /// Sets the defaults of the keys in `is_used` that are not given and have a default.
     pub(super) fn fill(&mut self, is_used: impl Fn(&AnyKey) -> bool) {
         for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| is_used(key)) {
             let default = key.default.trim_matches('"');
@@ -202,7 +202,7 @@ impl Input {
 }
 
 impl Value {
-    /// The text for reports; `None` for what they leave out.
+    /// The text for reports; `None` for values that reports omit.
     fn text(&self) -> Option<String> {
         match self {
             Self::Curve(FlowCurve::Points(points)) => {

@@ -1,4 +1,4 @@
-//! A key of a scenario: where it stands, what may be written there, and its meaning.
+//! A key of a scenario: its path, the form of its value, and its meaning.
 
 use super::Quantity;
 
@@ -8,7 +8,7 @@ pub struct AnyKey {
     pub path: &'static str,
     pub part: Part,
     pub form: Form,
-    /// Its value where the scenario does not give it, in words; empty where there is none.
+    /// Its value if the scenario does not give it, in words; empty for a key without a default.
     pub default: &'static str,
     /// The meaning, in one sentence.
     pub about: &'static str,
@@ -19,20 +19,20 @@ pub struct AnyKey {
 pub enum Part {
     Sphere,
     HalfSpace,
-    /// Numbers of the bodies that only count where something moves: masses, and the plate.
+    /// Numbers of the bodies that only matter for a motion: masses, and the plate.
     Motion,
     /// The flow stress of a body.
     Flow,
-    /// How strengths rise with the rate of strain.
+    /// The strain-rate hardening.
     Rate,
     Law,
     /// Gravity and damping.
     Forces,
-    /// How the sphere comes in: all that changes from impact to impact on one contact.
+    /// The arrival of the sphere: all keys that change from impact to impact on one contact.
     Approach,
     Solver,
     Output,
-    /// A kind of scene with a table of its own, such as `[repeat]`.
+    /// A kind of scenario with its own table, such as `[repeat]`.
     Kind,
 }
 
@@ -42,7 +42,7 @@ impl Part {
         !matches!(self, Self::Approach | Self::Solver | Self::Output)
     }
 
-    /// True if a slow indentation may depend on such a key.
+    /// True if a quasi-static indentation may depend on such a key.
     pub fn is_static(self) -> bool {
         matches!(self, Self::Sphere | Self::HalfSpace | Self::Flow | Self::Law)
     }
@@ -53,7 +53,7 @@ impl Part {
     }
 }
 
-/// How a value is written.
+/// The form of a value.
 #[derive(Debug, Clone, Copy)]
 pub enum Form {
     /// A number in SI, or a text with a unit.
@@ -69,15 +69,15 @@ pub enum Form {
     Words(&'static Words),
     /// A word, or a table with keys of its own.
     WordOrTable(&'static Words),
-    /// Any text, such as this one.
+    /// Any text; the field is an example.
     Text(&'static str),
-    /// The name of a file, such as this one.
+    /// The name of a file; the field is an example.
     File(&'static str),
-    /// The axes of a table, by the keys that vary.
+    /// The axes of a table, by the varied keys.
     Axes,
-    /// The random variables of a table, by the keys that vary.
+    /// The random variables of a table, by the varied keys.
     Variables,
-    /// Numeric keys that a calibration finds, with their ranges.
+    /// The free numeric keys of a calibration, with their ranges.
     Free,
 }
 
@@ -92,7 +92,7 @@ pub struct Words {
 }
 
 impl AnyKey {
-    /// The quantity of a number, and the word that may stand in its place.
+    /// The quantity of a number, and the word that may replace it.
     pub fn number(&self) -> Option<(&'static Quantity, Option<&'static str>)> {
         match self.form {
             Form::Number(quantity) => Some((quantity, None)),
@@ -106,7 +106,7 @@ impl AnyKey {
 #[derive(Debug)]
 pub struct List {
     pub path: &'static str,
-    /// Shows how the list is written.
+    /// An example of the list.
     pub example: &'static str,
     /// Describes an item in messages.
     pub item: &'static str,

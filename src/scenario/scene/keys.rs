@@ -1,11 +1,11 @@
-//! The numeric keys of one impact, which may vary: axes, random variables, keys to find, `check` and the inputs of
-//! `summary.json` come from here.
+//! The numeric keys of one impact, which may vary. Axes, random variables, free keys, `check` and the inputs of `summary.json` use
+//! this list.
 
 use std::sync::LazyLock;
 
 use super::{At, EVERY_KEY, Input, NUMBER, Part, Quantity};
 
-/// A numeric key of the scene of an impact, which may vary: an axis, a random variable, or found from measurements.
+/// A numeric key of an impact, which may vary: as an axis, as a random variable, or as a free key of a calibration.
 #[derive(Debug, PartialEq)]
 pub struct Key {
     /// With dots: `impact.speed`.
@@ -13,7 +13,7 @@ pub struct Key {
     pub part: Part,
     /// Dimension and allowed range.
     pub quantity: &'static Quantity,
-    /// A word that may stand in place of the number.
+    /// A word that may replace the number.
     pub word: Option<&'static str>,
     at: At<NUMBER>,
 }
@@ -25,7 +25,7 @@ pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
     numeric.map(|(key, (quantity, word), at)| Key { path: key.path, part: key.part, quantity, word, at }).collect()
 });
 
-/// Keys that stand in place of each other: a scene takes one of the two.
+/// Alternative keys: a scene has one of the two.
 pub const EITHER: [[&str; 2]; 6] = [
     ["sphere.radius", "sphere.diameter"],
     ["sphere.density", "sphere.mass"],
@@ -35,19 +35,19 @@ pub const EITHER: [[&str; 2]; 6] = [
     ["damping.hunt_crossley", "damping.viscous"],
 ];
 
-/// The key in place of which this one stands.
+/// The alternative of this key.
 pub fn partner(path: &str) -> Option<&'static str> {
     let pair = EITHER.iter().find(|pair| pair.contains(&path))?;
     Some(if pair[0] == path { pair[1] } else { pair[0] })
 }
 
 impl Key {
-    /// `None` where it is not given, infinite for the word.
+    /// `None` if it is not given, infinite for the word.
     pub fn get(&self, input: &Input) -> Option<f64> {
         input.number(self.at)
     }
 
-    /// Puts a checked number there, SI, or takes it away. It changes nothing else.
+    /// Sets a checked number, SI, or removes it. Nothing else changes.
     pub fn set(&self, input: &mut Input, value: Option<f64>) {
         input.set(self.at, value);
     }
@@ -61,7 +61,7 @@ impl Key {
         KEYS.iter().find(|key| key.path == path)
     }
 
-    /// Puts a checked number, SI, into an input. A key in place of which it stands is taken away.
+    /// Sets a checked number, SI, in an input, and removes the alternative of the key.
     pub fn put(&self, input: &mut Input, value: f64) {
         if let Some(other) = partner(self.path).and_then(Self::find) {
             other.set(input, None);
@@ -70,12 +70,12 @@ impl Key {
     }
 }
 
-/// The path of the key itself, from that of an axis, a random key or a key of a calibration. Any other path stays as it is.
+/// The path of the key itself, for the path of an axis, a random key or a key of a calibration. Any other path does not change.
 pub fn varied(path: &str) -> &str {
     ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
 }
 
-/// The keys that an impact needs. Another key may stand in place of one of them (see [`EITHER`]). The speed is the last.
+/// The keys that an impact needs, or their alternatives (see [`EITHER`]). The speed is the last.
 pub const NEEDED: [&str; 7] = [
     "sphere.radius",
     "sphere.youngs_modulus",
@@ -86,6 +86,6 @@ pub const NEEDED: [&str; 7] = [
     "impact.speed",
 ];
 
-/// How many of [`NEEDED`] are keys of the sphere, and how many are keys of both bodies; mass and speed follow.
+/// The number of [`NEEDED`] keys of the sphere, and of both bodies; mass and speed follow.
 pub const SPHERE: usize = 3;
 pub const BODIES: usize = 5;

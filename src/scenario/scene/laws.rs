@@ -1,4 +1,4 @@
-//! The contact law of an input: the law that the scenario names, with the numbers that it gives to it.
+//! The contact law of an input: the law that the scenario names, with its given numbers.
 
 use std::sync::Arc;
 
@@ -57,8 +57,8 @@ impl Input {
         law
     }
 
-    /// The flow curves of the bodies. Where both bodies yield, the law has no flow curve: an exponent that a material gives is then
-    /// left out, and the hardness alone gives the strength, at a plastic strain of 0.08.
+    /// The flow curves of the bodies. If both bodies yield, the law has no flow curve. The exponent of a material is then ignored, and the
+    /// hardness alone gives the strength, at a plastic strain of 0.08.
     fn flow_curves(&self) -> [Option<FlowCurve>; 2] {
         let curves = Body::ALL.map(|body| self.flow_curve(body));
         let is_of_material = |body: Body| {
@@ -88,7 +88,7 @@ impl Input {
             && Body::ALL.into_iter().any(|body| self.flow_curve(body).is_some())
     }
 
-    /// True if the key stands in the table of the law.
+    /// True if the key belongs to the table of the law.
     pub fn is_of_law(&self, path: &str) -> bool {
         path.split('.').take(2).eq(["law", self.named_law.about().name])
     }

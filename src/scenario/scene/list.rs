@@ -1,5 +1,5 @@
-//! All keys of a scenario, once each: path, part, form, default in words, meaning. Reading, "did you mean", axes, columns of
-//! tables, `check`, the page of keys and the schema go over this list.
+//! All keys of a scenario, once each: path, part, form, default in words, meaning. Parsing, "did you mean", axes, columns of tables,
+//! `check`, the page of keys and the schema use this list.
 
 use super::key::Form::{
     Axes, Count, File, Free, Number, NumberOr, Numbers, Points, Text, Variables, Word, WordOrTable, Words,
@@ -96,7 +96,7 @@ pub const EVERY_KEY: &[AnyKey] = &{
     all
 };
 
-/// The sphere but for its strength.
+/// The sphere, except for its strength.
 const SPHERE: [AnyKey; 9] = keys! {
     "";
     /// Radius of the sphere (not its diameter).
@@ -120,7 +120,7 @@ const SPHERE: [AnyKey; 9] = keys! {
     "sphere.material" of Sphere: Word(&MATERIALS);
 };
 
-/// The half-space but for its strength.
+/// The half-space, except for its strength.
 const HALF_SPACE: [AnyKey; 9] = keys! {
     "";
     /// Young's modulus of the half-space.

@@ -1,4 +1,4 @@
-//! The quantities that can be measured, and how each follows from a computed impact. Keys of `[calibrate]` are named by them.
+//! The quantities that can be measured, and how each follows from a computed impact. They name keys of `[calibrate]`.
 
 use super::quantity::{FORCE, LEEB, LENGTH, RESTITUTION, SPEED, TIME};
 use super::{Input, Quantity, at};
@@ -54,16 +54,16 @@ impl Measured {
             Self::ContactTime => Some(row.contact_time),
             Self::PeakForce => Some(row.peak_force),
             Self::BounceInterval => Some(row.contact_time + self.of_rebound(row.measured_restitution(), input)?),
-            // what is measured is less by the energy of elastic waves, if the half-space has a density
+            // elastic waves reduce the measured value, if the half-space has a density
             _ => self.of_rebound(row.measured_restitution(), input),
         }
     }
 
-    /// The value after a rebound with this restitution; `None` if the quantity does not follow from that.
+    /// The value after a rebound with this restitution; `None` if the quantity does not follow from the restitution.
     pub fn of_rebound(self, restitution: f64, input: &Input) -> Option<f64> {
         let mut speed = restitution * input.speed();
         if input.number(at!("half_space.mass")).is_some() {
-            // the sphere leaves part of its speed to the other body; of two bodies that move nothing is known of heights
+            // the sphere transfers part of its speed to a free target; heights of two moving bodies are not modelled
             let [own, other] = [input.mass()?, input.half_space().free_mass()?];
             speed = (restitution * other - own) / (own + other) * input.speed();
             if matches!(self, Self::ReboundHeight | Self::BounceInterval) {

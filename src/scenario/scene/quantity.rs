@@ -10,17 +10,17 @@ use crate::units::{self, Dimension, four_digits};
 /// The values that a key may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
-    /// With its article, for messages.
+    /// With its article, as messages need it.
     pub name: &'static str,
     pub dimension: Dimension,
     pub low: Bound<f64>,
     pub high: Bound<f64>,
     pub example: &'static str,
-    /// The way out for a value at or below the lower end; may be empty.
+    /// The remedy for a value at or below the lower end; may be empty.
     pub too_low: &'static str,
-    /// The way out for a value at or above the upper end; may be empty.
+    /// The remedy for a value at or above the upper end; may be empty.
     pub too_high: &'static str,
-    /// It may be written on a scale of hardness too.
+    /// True if it may be given on a scale of hardness too.
     pub is_hardness: bool,
 }
 
@@ -78,7 +78,7 @@ pub const HARDNESS: Quantity = Quantity {
     ..positive("a hardness", Dimension::Pressure, "\"300 HV\"")
 };
 pub const MASS: Quantity = positive("a mass", Dimension::Mass, "\"5.5 g\"");
-/// N of a power law of hardening: beyond 0.5 the law has not been compared with anything.
+/// N of a power law of hardening: above 0.5 the law is not validated.
 pub const HARDENING_EXPONENT: Quantity = number("a hardening exponent", Included(0.0), Included(0.5), "0.1");
 /// By how many yield strengths a flow stress rises.
 pub const SATURATION: Quantity = number("a saturation", Included(0.0), Included(100.0), "1.5");
@@ -94,7 +94,7 @@ pub const RATE_EXPONENT: Quantity = number("a rate exponent", Included(1.0), Inc
 pub const STRAIN: Quantity = number("a plastic strain", Included(0.0), Included(10.0), "0.002");
 pub const DENSITY: Quantity = positive("a density", Dimension::Density, "\"7850 kg/m^3\"");
 pub const SPEED: Quantity = positive("a speed", Dimension::Speed, "\"3 m/s\"");
-/// A load that an indentation goes to.
+/// A load of an indentation.
 pub const LOAD: Quantity = not_negative("a load", Dimension::Force, "\"200 N\"");
 pub const INDENTATION: Quantity = not_negative("an indentation", Dimension::Length, "\"12 um\"");
 /// Poisson's ratio of a stable isotropic material.
@@ -133,8 +133,8 @@ pub const DROP_HEIGHT: Quantity = not_negative("a drop height", Dimension::Lengt
 pub const HUNT_CROSSLEY: Quantity = not_negative("a Hunt-Crossley coefficient", Dimension::InverseSpeed, "\"0.1 s/m\"");
 /// Fraction of critical damping.
 ///
-/// A contact is damped by a few hundredths to a few tenths of critical. Beyond a thousand times critical it only
-/// creeps. The number of steps of a creep grows with the square of this fraction, to more than a run can take.
+/// A contact usually has a few hundredths to a few tenths of critical damping. Above a thousand times critical it only creeps, and the
+/// number of steps, which grows with the square of this fraction, exceeds the limit of a run.
 pub const VISCOUS: Quantity = Quantity {
     too_high: "beyond that a contact only creeps",
     ..number("a fraction of critical damping", Included(0.0), Included(1000.0), "0.05")
@@ -168,7 +168,7 @@ pub const DRAG: Quantity = Quantity {
 pub const VISCOSITY: Quantity = positive("a viscosity", Dimension::Viscosity, "\"1.8e-5 Pa s\"");
 pub const TIME: Quantity = positive("a time", Dimension::Time, "\"20 us\"");
 pub const DEVIATION: Quantity = positive("a standard deviation", Dimension::Ratio, "0.01");
-/// The error of the law as a share of what it predicts.
+/// The error of the law as a fraction of its prediction.
 pub const MODEL_ERROR: Quantity = number("a share", Included(0.0), Excluded(1.0), "0.02");
 
 /// Random cases of a table.
@@ -204,7 +204,7 @@ impl Quantity {
         Err(format!("{} is not allowed: {} must be {}{way_out}", written(), self.name, self.allowed()))
     }
 
-    /// Checks a number that stands without quotes, in SI. An angle needs a unit, as degrees and radians are mistaken for each
+    /// Checks a number without quotes, in SI. An angle needs a unit, because degrees and radians are easily confused.
     /// other.
     pub fn plain(&self, value: f64) -> Result<f64, String> {
         if self.dimension == Dimension::Angle {
@@ -213,7 +213,7 @@ impl Quantity {
         self.check(value)
     }
 
-    /// Reads a text such as "5 mm", and checks the value.
+    /// Parses a text such as "5 mm", and checks the value.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let value = match hardness::written(text).filter(|_| self.is_hardness) {
             Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string())?,
@@ -224,7 +224,7 @@ impl Quantity {
         self.check_written(value, || format!("\"{text}\" = {}", units::si(value, self.dimension)))
     }
 
-    /// A value as text: a hardness in HV, an angle in degrees, any other in a suitable unit.
+    /// A value as text: a hardness in HV, an angle in degrees, other values in a suitable unit.
     pub fn human(&self, value: f64) -> String {
         if self.is_hardness {
             format!("{} HV", four_digits(hardness::vickers(value)))

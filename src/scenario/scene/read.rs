@@ -1,4 +1,4 @@
-//! Reads values as they are written. What is refused is told with its value, the allowed range and the way out.
+//! Reads values as they are written. A refusal reports the value, the allowed range and the remedy.
 
 use std::ops::Range;
 
@@ -9,16 +9,16 @@ use super::written::{Name, Node, below, described, whole_number};
 use super::{AnyKey, EVERY_KEY, Quantity, Words};
 use crate::units::{did_you_mean, known_names};
 
-/// A value that is refused: where it stands, and why.
+/// A refused value: its span, and the reason.
 #[derive(Debug, Clone)]
 pub struct Fault {
     pub span: Range<usize>,
-    /// It tells value, allowed range and way out.
+    /// The value, the allowed range and the remedy.
     pub message: String,
 }
 
 impl Fault {
-    /// A refusal of what stands there.
+    /// A refusal of the value at this span.
     pub fn at(node: &Node, message: impl Into<String>) -> Self {
         Self { span: node.span(), message: message.into() }
     }
@@ -29,10 +29,10 @@ impl Fault {
     }
 }
 
-/// Reads the file of this name, relative to the scenario, which the key of this path names: its path and its text.
+/// Reads the file of this name, relative to the scenario, for the key of this path: returns its path and its text.
 pub type Files<'f> = &'f mut dyn FnMut(&str, &str) -> Result<[String; 2], String>;
 
-/// Goes through the tables of a scenario and collects what is refused.
+/// Reads the tables of a scenario and collects the refusals.
 pub struct Reader<'f> {
     /// The table or key that is read, with dots.
     pub path: String,
@@ -48,7 +48,7 @@ impl<'f> Reader<'f> {
         Self { path: String::new(), refused: Vec::new(), has_unknown: false, files }
     }
 
-    /// Reads what stands below this name; a refusal is kept.
+    /// Reads the value of this name; a refusal is collected.
     pub fn in_table(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), Fault>) {
         let inner = below(&self.path, name);
         let outer = std::mem::replace(&mut self.path, inner);
@@ -63,7 +63,7 @@ impl<'f> Reader<'f> {
         (self.files)(&self.path, text(node, example)?).map_err(|message| Fault::at(node, message))
     }
 
-    /// Refuses a key that the table has not; `known` are the names of those that it has.
+    /// Refuses keys that are not in `known`, the names of the keys of this table.
     pub fn unknown(&mut self, name: &Name, known: &[&str]) {
         let (thing, things) = match self.path.as_str() {
             "" => ("table", "tables"),
@@ -86,9 +86,9 @@ impl<'f> Reader<'f> {
     }
 }
 
-/// The hint at the keys that end in a name which stands where a table is expected.
+/// A hint at the keys that end in a name which is given as a table.
 fn keys_of_this_name(path: &str, name: &str) -> Option<String> {
-    // `plate` is a key of the half-space, but whoever writes a table of this name means the body
+    // `plate` is a key of the half-space, but a user who writes a table of this name means the body
     let ends = |key: &&AnyKey| {
         let (table, last) = key.path.rsplit_once('.').unwrap_or_default();
         last == name && !table.contains('.') && name != "plate"
@@ -101,7 +101,7 @@ fn keys_of_this_name(path: &str, name: &str) -> Option<String> {
     }
 }
 
-/// A number in SI, or a text with a unit; infinite where the word stands in its place.
+/// A number in SI, or a text with a unit; infinite for the word in place of the number.
 pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f64, Fault> {
     let or = |begin: &str| word.map_or_else(String::new, |word| format!("{begin} \"{word}\""));
     let value = match node.get_ref() {
@@ -126,7 +126,7 @@ pub fn count(quantity: &Quantity, node: &Node) -> Result<u64, Fault> {
         return Err(Fault::unexpected(node, &format!("a whole number such as {}", quantity.example)));
     }
     let value = number(quantity, None, node)?;
-    // beyond 2^53 only the digits tell it
+    // above 2^53 only the digits show the number
     let whole =
         node.get_ref().as_integer().and_then(|digits| u64::from_str_radix(digits.as_str(), digits.radix()).ok());
     match whole {
@@ -163,12 +163,12 @@ pub fn text<'n>(node: &'n Node, example: &str) -> Result<&'n str, Fault> {
     }
 }
 
-/// The place of a word in the list of those that are known.
+/// The index of a word in the list of known words.
 pub fn word(words: &Words, node: &Node) -> Result<usize, Fault> {
     named(words, node, |given| (words.known)().iter().position(|word| word == given))
 }
 
-/// Reads a word, and finds what it stands for.
+/// Reads a word, and finds its meaning.
 pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>) -> Result<T, Fault> {
     let known = (words.known)();
     let given = text(node, known.first().map_or("", String::as_str))?;

@@ -1,5 +1,5 @@
-//! From what is written to bodies, contact and motion: the only place where a mass becomes a density, a hardness a strength,
-//! and a height a speed. A number that is missing is not a number here; the scenario asks before whether all are given.
+//! From written values to bodies, contact and motion. Only here a mass becomes a density, a hardness a strength, and a height a
+//! speed. A missing number is NaN here; the scenario checks before that all numbers are given.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use crate::impact::{
 pub const DEFAULT_SAMPLES: usize = 400;
 
 impl Input {
-    /// The bodies. With a flow curve, which the law has, a hardness is another yield strength.
+    /// The bodies. With a flow curve in the law, a hardness gives another yield strength.
     pub fn bodies(&self, law: &LawChoice) -> (Sphere, HalfSpace) {
         let radius = self.radius().unwrap_or(f64::NAN);
         let of_mass = |mass: f64| mass / sphere_volume(radius);
@@ -51,7 +51,7 @@ impl Input {
         self.bodies(&self.law()).1
     }
 
-    /// True if the flow stress of a body is described by more than a yield strength, or if the law does not use it.
+    /// True if more than a yield strength describes the flow stress of a body, or if the law does not use it.
     pub fn has_flow(&self, body: Body) -> bool {
         let law = self.law();
         let is_hard = self.number(key_of!(body, "hardness")).is_some();
@@ -85,23 +85,23 @@ impl Input {
         falls.then(|| in_air().unwrap_or(in_vacuum))
     }
 
-    /// The air, if it is given.
+    /// The air of the scenario.
     pub fn air(&self) -> Option<Medium> {
         let density = self.number(at!("air.density"))?;
         let drag = self.number(at!("air.drag")).filter(|drag| drag.is_finite());
         Some(Medium { density, drag, viscosity: self.number(at!("air.viscosity")).unwrap_or(f64::NAN) })
     }
 
-    /// The mass of all that moves \[kg\], by itself or by the sphere's density.
+    /// The moving mass \[kg\], given directly or by the density of the sphere.
     pub fn mass(&self) -> Option<f64> {
         let of_density = || Some(self.number(at!("sphere.density"))? * sphere_volume(self.radius()?));
         self.number(at!("sphere.mass")).or_else(of_density)
     }
 
-    /// The bodies paired under the law.
+    /// The pair of the bodies for the law.
     ///
     /// # Errors
-    /// [`ImpactError`] where a constant of the pair over- or underflows, and for a law that lacks a half.
+    /// [`ImpactError`] if a constant of the pair over- or underflows, and for a law that lacks a loading or an unloading rule.
     pub fn contact(&self) -> Result<Contact, ImpactError> {
         let law = self.law();
         let (sphere, half_space) = self.bodies(&law);
@@ -127,15 +127,14 @@ impl Input {
         Ok(contact.of_materials(named).with_rates(self.rates(), law))
     }
 
-    /// The impact speed \[m/s\]: that of the fall where a height is given.
+    /// The impact speed \[m/s\]: the speed after the fall if a height is given.
     pub fn speed(&self) -> f64 {
         let fallen =
             self.number(at!("impact.drop_height")).and_then(|height| Some(self.flying()?.landing_speed(height)));
         fallen.or(self.number(at!("impact.speed"))).unwrap_or(f64::NAN)
     }
 
-    /// The gravity of falls and of rebounds to a height \[m/s²\]. Without `[gravity]` a height is only another way to say
-    /// a speed.
+    /// The gravity of falls and of rebounds to a height \[m/s²\]. Without `[gravity]` a height only determines a speed.
     pub fn falling_gravity(&self) -> f64 {
         self.number(at!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
     }
@@ -151,7 +150,7 @@ impl Input {
         })
     }
 
-    /// Speed, angle and spin at first touch.
+    /// Speed, angle and spin at first contact.
     #[inline]
     pub fn approach(&self) -> Approach {
         self.approach_at(self.speed())
@@ -174,14 +173,14 @@ impl Input {
         }
     }
 
-    /// Takes this method, unless one is named.
+    /// Sets this method, unless the scenario names one.
     pub fn choose_method(&mut self, method: Method) {
         if self.word(at!("solver.method")).is_none() {
             self.choose(at!("solver.method"), Method::ALL.iter().position(|known| *known == method));
         }
     }
 
-    /// True if a row of a table is integrated, or at least its times are.
+    /// True if a row of a table, or at least its times, are integrated.
     pub fn is_stepped(&self) -> bool {
         let forces = self.forces();
         let method = self.solver().method.chosen(&forces, false);
@@ -204,7 +203,7 @@ impl Input {
         self.word(key_of!(body, "material")).and_then(|place| all().get(place))
     }
 
-    /// Puts what a body takes from its material in the place of what it took from another.
+    /// Replaces the values that a body took from another material by the values of its material.
     pub fn take(&mut self, choice: &BodyMaterial) {
         self.choose(
             key_of!(choice.body, "material"),
@@ -219,7 +218,7 @@ impl Input {
         }
     }
 
-    /// The input with the values that follow from others, and with the defaults of the keys that are used, for reports.
+    /// The input with the values that follow from others, and with the defaults of the used keys, for reports.
     pub fn filled(&self) -> Self {
         let mut input = self.clone();
         input.set(at!("sphere.radius"), self.radius());

@@ -45,7 +45,7 @@ fn clicks_give_the_restitution_that_made_them() {
 
 /// The speed of a line follows from the interval of the line before, whatever else was measured there.
 #[test]
-fn an_interval_is_read_left_and_right_of_other_columns() {
+fn interval_is_read_on_both_sides_of_columns() {
     let text = scenario("noise = { bounce_interval = 1e-3, contact_time = 1e-6 }", "");
     let heads = ["drop_height_m,bounce_interval_s,contact_time_us", "drop_height_m,contact_time_us,bounce_interval_s"];
     let rows = [["0.5,0.5,30", ",0.4,30"], ["0.5,30,0.5", ",30,0.4"]];
@@ -67,7 +67,7 @@ fn an_interval_is_read_left_and_right_of_other_columns() {
 
 /// Measured heights without `[air]`: the loss in the air counts twice, on the way down and up. In `[calibrate.measured]` too.
 #[test]
-fn heights_without_air_are_warned_of_with_both_ways() {
+fn heights_without_air_warn_of_both_flights() {
     let bodies = "[sphere]\nradius = \"1 mm\"\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.22\ndensity = \"2500 kg/m^3\"\n\
                   [half_space]\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.33\n[impact]\ndrop_height = \"0.5 m\"\n";
     let data = "drop_height_m,rebound_height_m\n0.5,0.2\n0.3,0.13\n0.7,0.26\n";
@@ -108,7 +108,7 @@ fn heights_without_air_are_warned_of_with_both_ways() {
 /// The air that moves with a light ball cancels in the ratio of two heights or of two intervals; half of its share is left in the speed
 /// of a fall. A measured restitution may come from speeds, so that only the speed of the fall is in doubt.
 #[test]
-fn air_is_warned_of_by_what_it_does_to_the_measurement() {
+fn air_warning_depends_on_effect_on_measurement() {
     let said = |density: &str, air: &str, calibrate: &str| {
         let text = format!(
             "[sphere]\nradius = \"20 mm\"\nyoungs_modulus = \"2 GPa\"\npoissons_ratio = 0.4\ndensity = {density}\n\

@@ -40,7 +40,7 @@ fn measurements_stand_beside_the_law() {
 
 /// A law that is off by many standard deviations is said to be off, with exit code 3.
 #[test]
-fn measurements_that_contradict_the_law_are_told() {
+fn contradicting_measurements_are_reported() {
     let (_, summary) =
         calibrated(&leeb(), "speed_m_per_s,restitution,restitution_sd\n2,0.75,0.01\n1,0.8,0.01\n", &[], 3);
     assert!(summary["contradiction"].as_str().unwrap().contains("does not fit"), "{summary}");
@@ -82,7 +82,7 @@ fn an_indentation_curve_begins_at_zero() {
 /// The fitted law between two points of an unloading is the law, which bends there with its exponent, and not a chord. The key
 /// says that the standard deviation is estimated.
 #[test]
-fn the_law_of_a_curve_is_drawn_as_the_law() {
+fn fitted_law_is_drawn_as_curve() {
     let data = "indentation_um,force_N\n5,60\n20,370\n15,60\n";
     let text = super::scenario("data = \"d.csv\"\nfree = {}\n");
     let (desk, _) = calibrated(&text, data, &["--pictures", "svg"], 0);
@@ -97,7 +97,7 @@ fn the_law_of_a_curve_is_drawn_as_the_law() {
 /// No sentence says what it does not mean: a law that does not know the strength has no best strength, and an end that the data
 /// leave open is not a number.
 #[test]
-fn what_is_not_determined_is_not_given_as_a_number() {
+fn undetermined_results_are_omitted() {
     let text = super::scenario(&format!("data = \"d.csv\"\n{}", super::STRENGTH));
     let desk = Desk::with(text);
     desk.put("d.csv", super::restitutions());

@@ -101,7 +101,7 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn intervals_cover_the_truth_as_often_as_they_say() {
+fn intervals_cover_truth_at_stated_rate() {
     // with shares of the readings in place of shares of what the law gives, half of the sets with much noise were in their
     // 68 %, whether the noise is given or estimated
     let much = Made { readings: 16, sd: 0.12, ..PLAIN };
@@ -114,7 +114,7 @@ fn intervals_cover_the_truth_as_often_as_they_say() {
         Made { sets: 100, quantities: &["restitution", "peak_force"], keys: &[STRENGTH, MODULUS], ..PLAIN },
     ] {
         for key in covered(made) {
-            // within 3.5 standard deviations of the share of so many independent sets
+            // within 3.5 standard deviations of the share in `made.sets` independent sets
             for (share, level) in key.into_iter().zip([0.682_69, 0.95]) {
                 #[allow(clippy::cast_precision_loss)]
                 let deviation = f64::sqrt(level * (1.0 - level) / made.sets as f64);
@@ -126,7 +126,7 @@ fn intervals_cover_the_truth_as_often_as_they_say() {
 
 /// The likelihood with long tails is wider than normal noise needs: it covers at least as often.
 #[test]
-fn robust_intervals_cover_the_truth_at_least_as_often() {
+fn robust_intervals_cover_truth_at_least_as_often() {
     let [[narrow, wide]] = covered(Made { readings: 12, is_robust: true, ..PLAIN })[..] else { panic!() };
     assert!((0.6..0.9).contains(&narrow) && (0.92..=1.0).contains(&wide), "{narrow} {wide}");
 }

@@ -6,7 +6,7 @@ use super::{BOTH, STRENGTH, bodies, calibrated, near, pairs, restitutions, scena
 use crate::common::prelude::*;
 
 #[test]
-fn other_measurements_in_the_same_file_are_other_results() {
+fn changed_measurements_replace_results_with_notice() {
     let desk = Desk::with(scenario(&format!("data = \"d.csv\"\n{STRENGTH}")));
     let calibrated = |restitution: &str| {
         let data = format!("speed_m_per_s,restitution,restitution_sd\n1,{restitution},0.01\n3,0.49,0.01\n");
@@ -25,7 +25,7 @@ fn other_measurements_in_the_same_file_are_other_results() {
 }
 
 #[test]
-fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
+fn columns_have_any_unit_and_keys_per_line() {
     let columns = [
         "sphere_radius_m",
         "impact_speed_m_per_s",
@@ -58,7 +58,7 @@ fn columns_are_read_in_any_unit_with_keys_that_change_from_line_to_line() {
 
 /// A spreadsheet writes semicolons and decimal commas in many countries, and tabs into the clipboard.
 #[test]
-fn semicolons_tabs_and_decimal_commas_give_the_same_bits() {
+fn separators_and_decimal_commas_give_same_bits() {
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}"));
     let plain =
         "note,speed_m_per_s,restitution,restitution_sd\nwarm,0.2,0.7569,1e-2\n,0.3,0.7275,1.5e-2\n,0.5,0.6623,2e-2\n";
@@ -73,7 +73,7 @@ fn semicolons_tabs_and_decimal_commas_give_the_same_bits() {
 }
 
 #[test]
-fn a_whole_cycle_of_indentation_gives_strength_and_modulus() {
+fn indentation_cycle_gives_strength_and_modulus() {
     let steps = "[indentation]\nsteps = [{ load = \"500 N\" }, { load = \"0 N\" }]\n[output]\nsamples = 24\n";
     let trace = Desk::ran(bodies() + steps).read("out/trace.csv");
     let data = pairs(&trace, ["indentation_m", "force_N"], "indentation_m,force_N");
@@ -89,7 +89,7 @@ fn a_whole_cycle_of_indentation_gives_strength_and_modulus() {
 }
 
 #[test]
-fn a_value_that_is_left_out_shifts_the_estimate_as_the_residuals_say() {
+fn leave_one_out_shifts_match_refits() {
     let text = scenario(&format!("data = \"d.csv\"\n{STRENGTH}noise = {{ restitution = 0.01 }}"));
     let (desk, summary) = calibrated(&text, &restitutions(), &[], 0);
     let whole = summary["keys"][0]["estimate"].as_f64().unwrap();
@@ -109,7 +109,7 @@ fn a_value_that_is_left_out_shifts_the_estimate_as_the_residuals_say() {
 }
 
 #[test]
-fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
+fn calibrated_scenario_keeps_comments_and_runs() {
     let text = "# of a block\n".to_owned()
         + &scenario(&format!("data = \"d.csv\" # drops\n{STRENGTH}noise = {{ restitution = 0.01 }}\n"))
             .replace("yield_strength = \"345 MPa\"", "yield_strength = \"1 GPa\" # guess")
@@ -145,7 +145,7 @@ fn the_new_scenario_keeps_comments_and_options_and_runs_to_the_fitted_line() {
 
 /// The strength follows from the hardness that is found, so it is no input: one of the search would be that of 30 HV.
 #[test]
-fn a_check_of_a_calibration_shows_bodies_and_columns_and_no_strength_of_the_search() {
+fn check_of_a_calibration_shows_bodies_and_columns() {
     let hardness = "free.\"half_space.hardness\" = { from = \"30 HV\", to = \"300 HV\" }\n";
     let hard = scenario(&format!("data = \"d.csv\"\n{hardness}")).replace("yield_strength = \"345 MPa\"\n", "");
     let desk = Desk::with(&hard);
@@ -167,7 +167,7 @@ fn a_check_of_a_calibration_shows_bodies_and_columns_and_no_strength_of_the_sear
 
 /// Heights in metres in place of centimetres, and the lines of separators with which spreadsheets end a file.
 #[test]
-fn a_strength_far_from_that_of_the_material_is_doubted_and_empty_lines_are_none() {
+fn fit_far_from_material_strength_warns() {
     let text = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardened\"\n\
                 [half_space]\nmaterial = \"aluminium-6061-t6\"\n[calibrate]\ndata = \"d.csv\"\n";
     let data = |unit: &str| {
@@ -203,7 +203,7 @@ fn nothing_that_is_there_is_overwritten() {
 /// The rebounds of five drops of a steel ball on 6061, heights measured in cm, with the speeds and restitutions that follow
 /// from them with standard gravity.
 #[test]
-fn the_same_drops_as_heights_and_as_speeds_give_the_same_strength() {
+fn heights_and_speeds_give_the_same_strength() {
     let text = "[sphere]\nradius = \"5 mm\"\nmaterial = \"steel-52100-hardened\"\n\
                 [half_space]\nmaterial = \"aluminium-6061-t6\"\n[calibrate]\ndata = \"d.csv\"\nnoise = { model = 0.02 }\n";
     let drops: [[f64; 2]; 5] = [[20.0, 7.9], [40.0, 14.2], [60.0, 20.1], [80.0, 25.2], [100.0, 30.6]];

@@ -23,7 +23,7 @@ fn restitution(strength: f64, speed: &str) -> f64 {
 }
 
 #[test]
-fn readings_that_repeat_give_no_noise_and_no_interval() {
+fn repeated_readings_give_no_noise_or_interval() {
     let two = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n";
     // half of the readings of a tester that shows two digits are the same
     let most = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.48\n3,0.50\n3,0.47\n";
@@ -44,7 +44,7 @@ fn readings_that_repeat_give_no_noise_and_no_interval() {
 }
 
 #[test]
-fn the_strength_of_a_nearly_elastic_rebound_is_found() {
+fn strength_of_nearly_elastic_rebound_is_found() {
     for wanted in [0.998, 0.999, 0.9995, 0.9999, 0.99999] {
         let (strength, _) = of_one(wanted, "0.1 m/s");
         assert!((restitution(strength, "0.1 m/s") - wanted).abs() < 1e-8, "{wanted}: {strength}");
@@ -52,7 +52,7 @@ fn the_strength_of_a_nearly_elastic_rebound_is_found() {
 }
 
 #[test]
-fn an_elastic_rebound_says_from_which_strength_on_all_fit() {
+fn elastic_rebound_gives_lower_bound_of_strength() {
     for speed in ["0.1 m/s", "3 m/s"] {
         let (strength, summary) = of_one(1.0, speed);
         assert!(
@@ -67,7 +67,7 @@ fn an_elastic_rebound_says_from_which_strength_on_all_fit() {
 }
 
 #[test]
-fn few_values_do_not_tell_whether_the_law_fits() {
+fn few_values_do_not_test_the_law() {
     let low = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"150 MPa\" } }";
     let data = |n: u32| {
         (0..n).fold("speed_m_per_s,restitution\n".to_owned(), |mut data, i| {
@@ -123,7 +123,7 @@ fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
 }
 
 #[test]
-fn the_estimate_is_the_minimum_also_behind_a_kink() {
+fn estimate_is_minimum_behind_kink() {
     let robust = "robust = \"student-t\"";
     let ranges = [(50e6, 5e9), (60e6, 4e9), (500e6, 700e6)].map(|(from, to)| fitted(KINKED, from, to, robust));
     for (estimate, sd, above) in ranges {
@@ -138,7 +138,7 @@ fn the_estimate_is_the_minimum_also_behind_a_kink() {
 /// The region of 95 % against a plane of 201 by 201 places: its area is the share of places whose sum is at most 5.9915 above
 /// the least, the quantile of chi-square with 2 degrees of freedom (tables).
 #[test]
-fn the_region_of_two_keys_holds_the_places_that_the_sum_says() {
+fn region_of_two_keys_matches_plane_of_sums() {
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = {{ restitution = 0.01 }}", super::BOTH));
     let measured = Measurements::new(&read(&text, NONE).with_data(super::MADE.to_owned())).unwrap();
     let progress = Counter::default();
@@ -167,7 +167,7 @@ fn the_region_of_two_keys_holds_the_places_that_the_sum_says() {
 /// With two values more than keys, Student's distribution has 2 degrees of freedom: the region of 95 % ends where the sum has
 /// risen by 2 F = 38, or at an end of a range (F(2, 2) of 95 % is 19, from tables).
 #[test]
-fn the_region_of_two_keys_is_as_wide_as_few_values_leave_it() {
+fn region_of_two_keys_reflects_few_values() {
     let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n".to_owned();
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::BOTH));
     let measured = Measurements::new(&read(&text, NONE).with_data(data)).unwrap();

@@ -73,7 +73,7 @@ fn one_drop_on_a_plate_gives_its_strength() {
 /// The standard deviation is one over the root of the sum of (de/dσ)²/sd², with derivatives from the contact itself; the interval
 /// of 95 % has nearly 1.96 of it on both sides. Every law is ranked.
 #[test]
-fn the_interval_on_a_plate_is_that_of_the_derivatives() {
+fn interval_on_plate_follows_from_derivatives() {
     let (speeds, sd) = ([0.5, 1.0, 2.0, 4.0], 0.005);
     let e = |strength: f64, speed: f64| {
         let set = [format!("half_space.yield_strength={strength}"), format!("impact.speed={speed}")];
@@ -94,7 +94,7 @@ fn the_interval_on_a_plate_is_that_of_the_derivatives() {
     assert!(desk.path("o/fit_restitution.svg").exists() && desk.path("o/laws.svg").exists());
 }
 
-/// What `run` warns of on a plate is said of the impacts at the ends of the data, with their line.
+/// On a plate the warnings of `run` are given for the impacts at the ends of the data, with their line.
 #[test]
 fn a_plate_is_warned_of() {
     let places = [(1.0, 10.0), (3.0, 10.0), (3.0, 2.0)];

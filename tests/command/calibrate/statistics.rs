@@ -12,7 +12,7 @@ fn distributions_are_those_of_scipy() {
 }
 
 #[test]
-fn runs_are_counted_as_all_orders_say() {
+fn run_counts_match_all_orders() {
     // of the 20 orders of three + and three -, 2 have two runs, 4 have three runs and 8 have four runs
     let residuals_of = |signs: &str| signs.chars().map(|sign| if sign == '+' { 1.0 } else { -1.0 }).collect::<Vec<_>>();
     approx::assert_relative_eq!(runs_test(&residuals_of("+++---")).unwrap().p, 0.1, max_relative = 1e-11);

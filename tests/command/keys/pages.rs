@@ -77,7 +77,7 @@ fn of_results() -> String {
 }
 
 #[test]
-fn a_name_ends_in_the_unit_of_its_number_and_no_other_name_does() {
+fn names_end_in_unit_of_their_number() {
     let all: Vec<_> = files().into_iter().flat_map(|(_, names)| names).collect();
     assert!(all.len() > 200, "{}", all.len());
     let unit_of = |shown| if let Shown::In(dimension) = shown { Some(dimension) } else { None };

@@ -79,7 +79,7 @@ fn sum_of_squares(keys: [f64; 2]) -> f64 {
 pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| vec![calibration()]);
 
 #[test]
-fn pictures_of_calibrations_show_the_numbers_of_their_tables() {
+fn calibration_pictures_show_numbers_of_tables() {
     check(&ALL);
     regions_end_where_the_sum_of_squares_has_risen_enough(&ALL[0].desk);
 }

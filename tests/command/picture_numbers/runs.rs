@@ -177,13 +177,13 @@ pub static ALL: LazyLock<Vec<Drawing>> =
     LazyLock::new(|| [impacts(), sweeps(), repeats(), indentations()].into_iter().flatten().collect());
 
 #[test]
-fn pictures_of_runs_show_the_numbers_of_their_tables() {
+fn run_pictures_show_numbers_of_tables() {
     check(&ALL);
 }
 
 /// The colour of each cell is that of its value on the bar beside the map.
 #[test]
-fn the_colours_of_a_map_are_the_values_of_its_table() {
+fn map_colours_are_values_of_table() {
     let axes = "\"impact.speed\" = { linspace = [1, 5], points = 9 }\n\"half_space.yield_strength\" = { linspace = [2e8, 6e8], points = 9 }\n";
     let desk = Desk::with(format!("{STEEL}[sweep]\n{axes}"));
     desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);

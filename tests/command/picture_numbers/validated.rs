@@ -175,6 +175,6 @@ pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
 });
 
 #[test]
-fn pictures_of_the_validation_show_its_rows_and_the_references() {
+fn validation_pictures_show_rows_and_references() {
     check(&ALL);
 }

@@ -62,14 +62,14 @@ fn no_word_of_the_parser_reaches_a_user() {
 }
 
 #[test]
-fn a_run_out_of_steps_is_not_sent_to_the_method_that_ran_out() {
+fn too_many_steps_does_not_suggest_same_method() {
     let message = IntegrationError::TooManySteps { steps: 9 }.to_string();
     assert!(message.contains("loosen the tolerance") && message.contains("\"auto\""), "{message}");
     assert!(!message.contains("rk8"), "{message}");
 }
 
 #[test]
-fn an_override_takes_the_place_of_the_law_of_the_file() {
+fn override_replaces_law_of_file() {
     let law = |own: &str, changes: &[&str]| {
         let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
         let scenario = Scenario::from_text("steel.toml", &format!("{STEEL}{own}"), &changes);

@@ -42,7 +42,7 @@ fn doubtful() -> Vec<(&'static str, String)> {
 }
 
 #[test]
-fn terminal_summary_and_check_give_the_same_warnings_and_strict_makes_them_errors() {
+fn warnings_are_equal_everywhere_and_strict_fails() {
     for (words, scene) in doubtful() {
         let desk = Desk::with(scene);
         let strict = desk.ends(&RUN, 1);

@@ -4,7 +4,7 @@ use super::oracle;
 use crate::common::prelude::*;
 
 #[test]
-fn a_sphere_let_go_at_rest_falls_at_every_tolerance() {
+fn sphere_released_at_rest_falls_at_any_tolerance() {
     // the speed at first touch is much smaller than later: k d^(n+1)/(n+1) = w d, so d_m^n = (n + 1) w/k
     let reloaded = |exponent| {
         let law = Scene { exponent, ..Scene::steel() }.law();

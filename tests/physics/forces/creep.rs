@@ -54,7 +54,7 @@ fn is_right(peak: f64, dent: f64, fine: &Impact, tolerance: f64) -> bool {
 }
 
 #[test]
-fn a_heavily_damped_sphere_let_go_on_soft_ground_sinks_to_where_the_ground_carries_it() {
+fn overdamped_sphere_sinks_to_static_equilibrium() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);
     let damping = Some(Damping::HuntCrossley(5000.0));
     let forces = Forces { gravity: Some(GRAVITY), damping, ..Forces::default() };
@@ -106,7 +106,7 @@ fn a_creep_has_no_false_turning_point() {
 /// Just below ζ = 0.9 a sphere swings through its place of rest by 0.2 to 0.3 % of the way, which a tolerance of 1e-2 does not
 /// see: such a run crept on for a million steps.
 #[test]
-fn a_sphere_that_hardly_swings_comes_to_rest_at_any_tolerance() {
+fn hardly_oscillating_sphere_comes_to_rest() {
     let scene = soft(2.3e-3, 8.72e6, 0.368, 121e3);
     for zeta in [0.8, 0.85, 0.89, 0.895, 0.898_116, 0.899_9, 0.91] {
         let forces = Forces { gravity: Some(GRAVITY), damping: Some(Damping::Viscous(zeta)), ..Forces::default() };
@@ -122,8 +122,8 @@ fn a_sphere_that_hardly_swings_comes_to_rest_at_any_tolerance() {
     }
 }
 
-/// A sphere that turns just beyond the place where the way back carries its weight swings there by 1e-4 of the depth, which is
-/// below the error of a step: once a step took a whole swing, and the run never ended.
+/// A sphere that turns just beyond the point of the rebound that carries its weight oscillates there by 1e-4 of the depth, which
+/// is below the error of a step. A step must not take a whole oscillation, or the run would never end.
 #[test]
 fn a_swing_below_the_tolerance_has_its_turn() {
     let scene = soft(1.792_464_483_455_484e-3, 1_480_566.250_640_734, 0.080_442_706_793_612_1, 1_912.790_080_706_852_5);
@@ -140,7 +140,7 @@ fn a_swing_below_the_tolerance_has_its_turn() {
 /// The library accepts any damping, so it must not return a trace with rows of NaN: once 396 rows were NaN, and the
 /// energy ledger did not show it.
 #[test]
-fn an_impact_with_a_row_that_is_no_number_has_no_result() {
+fn trace_with_nan_row_is_error() {
     let contact = under(&Scene::steel(), Forces { damping: Some(Damping::Viscous(1e20)), ..Forces::default() });
     match contact.impact(3.0, &solver(Method::Rk8, 1e-10), Some(400)) {
         Err(ImpactError::Integration(IntegrationError::NotFinite { .. })) => {}
@@ -152,13 +152,13 @@ fn an_impact_with_a_row_that_is_no_number_has_no_result() {
 /// The limit of steps holds for a leg over all calls. Once each call had the whole limit, and an impact with absurd
 /// damping took 80 s.
 #[test]
-fn a_leg_takes_no_more_steps_than_the_limit_in_all_its_calls() {
+fn leg_keeps_step_limit_over_all_calls() {
     let scene = soft(20e-3, 20e6, 0.45, 100e3);
     for (chi, method) in [(1e6, Method::Rk8), (1e9, Method::Rk8), (1e6, Method::Dopri5), (1e9, Method::Dop853)] {
         let damping = Some(Damping::HuntCrossley(chi));
         let contact = under(&scene, Forces { gravity: Some(GRAVITY), damping, ..Forces::default() });
         match contact.impact(1.0, &solver(method, 1e-6), None) {
-            // a leg a piece of the law, and the way back
+            // one leg for each piece of the law, and one for the rebound
             Ok(impact) => assert!(impact.work.steps + impact.work.rejected < 1_000_000, "{}", method.name()),
             Err(ImpactError::Integration(error)) => {
                 let says_so = matches!(

@@ -13,7 +13,7 @@ const SLOWER: f64 = STIFFER * STIFFER;
 /// lift-off. Newton's method missed this lift-off, the search went on after it, and 1.2 % of the energy went to gravity
 /// in flight.
 #[test]
-fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
+fn step_just_before_separation_does_not_miss_it() {
     let body = Material { youngs_modulus: STIFFER * 1e6, poissons_ratio: 0.0 };
     let exponent = UnloadingExponent::PressureShape;
     let (sphere, half_space, yield_strength) = (body, body, Some(50e3));
@@ -34,7 +34,7 @@ fn a_step_that_ends_just_before_lift_off_does_not_miss_it() {
 /// Cases found by the property tests among 10⁵: in the second step from r = 0 a weak pull and a weak drag hid the force
 /// from the error estimate. The errors of their energy ledgers were 40 and 22 times the tolerance.
 #[test]
-fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
+fn error_estimate_sees_force_under_weak_gravity() {
     let body =
         |youngs_modulus: f64, poissons_ratio| Material { youngs_modulus: STIFFER * youngs_modulus, poissons_ratio };
     let exponent = UnloadingExponent::Paper;
@@ -78,7 +78,7 @@ fn a_weak_pull_does_not_hide_the_force_from_the_error_control() {
 /// At a loose tolerance a step towards first yield ended early, while the weight was still larger than the force. Then
 /// a turning point was found at once, as a peak at first touch.
 #[test]
-fn no_turning_point_is_near_while_the_pull_is_the_stronger() {
+fn weight_above_force_allows_no_turning_point() {
     let body = |youngs_modulus, poissons_ratio| Material { youngs_modulus, poissons_ratio };
     let scene = Scene {
         radius: 0.025_399_668_408_712,
@@ -98,9 +98,9 @@ fn no_turning_point_is_near_while_the_pull_is_the_stronger() {
     }
 }
 
-/// A tolerance far below rounding: the steps run out or move nothing any more, and who has no damping is not told to lower it.
+/// At a tolerance far below rounding the steps run out or do not move the sphere. Without damping no message advises to lower it.
 #[test]
-fn a_run_without_damping_that_runs_out_of_steps_is_not_told_to_lower_it() {
+fn undamped_step_limit_does_not_advise_less_damping() {
     let law = Scene::steel().law();
     let run = |weight: f64, drag| {
         let forces = ScaledForces { weight, drag };
@@ -116,7 +116,7 @@ fn a_run_without_damping_that_runs_out_of_steps_is_not_told_to_lower_it() {
 }
 
 #[test]
-fn stiff_damping_is_doubted() {
+fn stiff_damping_warns() {
     let says = |chi: f64| {
         let contact = under(&Scene::steel(), super::hunt_crossley(chi));
         let impact = contact.impact(3.0, &solver(Method::Rk8, 1e-6), None).unwrap();

@@ -25,13 +25,13 @@ struct Speeds {
 }
 
 impl Speeds {
-    /// G(u); u is negative on the way out.
+    /// G(u); u is negative during the rebound.
     fn energy(self, u: f64) -> f64 {
         let v = self.chi * u;
         if v == 0.0 { 0.5 * u * u } else { excess(v) / (self.chi * self.chi) }
     }
 
-    /// |u| where G(u) = `energy` ≥ 0, on the way in (`sign` 1) or out (−1).
+    /// |u| where G(u) = `energy` ≥ 0, during loading (`sign` 1) or rebound (−1).
     fn speed(self, energy: f64, sign: f64) -> f64 {
         let elastic = (2.0 * energy).max(0.0).sqrt();
         let wanted = energy * self.chi * self.chi;
@@ -43,7 +43,7 @@ impl Speeds {
             return (1.0 - (0..16).fold(0.0, |y: f64, _| (y - 1.0 - wanted).exp())) / self.chi;
         }
         let v = sign * elastic * self.chi;
-        // from v²/2 − v³/3 + … = η (`wanted`), and above v = −1 on the way out
+        // from v²/2 − v³/3 + … = η (`wanted`), and above v = −1 during the rebound
         let mut v = if sign > 0.0 { v + wanted * (2.0 / 3.0) } else { (v - wanted).exp_m1() };
         for _ in 0..50 {
             let next = v - (excess(v) - wanted) * (1.0 + v) / v;
@@ -164,8 +164,8 @@ fn loading_time(pieces: &[Piece], distance: f64, q: f64, weight: f64, speeds: Sp
     time
 }
 
-/// Time on a piece from a distance from its start over a length, where G(u) is `at_start` and `at_end`, on the way in (`sign`
-/// 1) or out (−1).
+/// Time on a piece from a distance from its start over a length, where G(u) is `at_start` and `at_end`, during loading (`sign`
+/// 1) or rebound (−1).
 fn time_between(
     piece: &Piece,
     [from, length]: [f64; 2],

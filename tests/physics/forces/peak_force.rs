@@ -12,7 +12,7 @@ fn largest_of_trace(contact: &Contact, speed: f64) -> (f64, f64) {
 /// The steel ball of `scenarios/damped-impact.toml`, dropped from half a metre with ζ = 1: its trace showed 1735.45 N at the
 /// knot x = 1.7 where the peak force was given as 379.7 N.
 #[test]
-fn the_peak_force_is_the_largest_of_the_way_not_that_of_the_deepest_point() {
+fn peak_force_is_maximum_over_motion() {
     let forces = Forces { gravity: Some(9.81), ..viscous(1.0) };
     let contact = Scene::steel().contact_by(&nine_pieces()).with_forces(forces);
     let speed = 9.81_f64.sqrt();

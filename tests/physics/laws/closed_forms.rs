@@ -58,7 +58,7 @@ fn johnson_gives_his_closed_form() {
 /// e by the formula that Jackson, Green and Marghitu (2010) fitted to their own impacts: 0.858, 0.726, 0.457, 0.426 at
 /// v/V_c = 7.6, 23.6, 188, 242. The formula is accurate to about 1 %.
 #[test]
-fn jackson_and_green_give_the_fitted_restitution_of_their_impacts() {
+fn jackson_green_matches_published_restitution_fit() {
     let law = law_of(&JacksonGreen { yield_factor: Some(factor()), ..Default::default() });
     for (speed, fitted) in [(7.6, 0.858), (23.6, 0.726), (188.0, 0.457), (242.0, 0.426)] {
         let e = closed_form::solve(&law, speed).restitution;
@@ -76,7 +76,7 @@ fn two_straight_lines_give_one_restitution() {
 
 /// Unloading from uniform pressure in the form of Mesarovic and Johnson: F and δ as functions of the contact radius t.
 #[test]
-fn unloading_from_uniform_pressure_is_the_stack_of_punches() {
+fn uniform_pressure_unloads_like_stack_of_punches() {
     use std::f64::consts::PI;
     let law = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().get());
     let peak = law.loaded_to(200.0);

@@ -38,7 +38,7 @@ fn fault(law: &Law) -> Option<String> {
 }
 
 #[test]
-fn hertz_and_the_fit_of_jackson_and_green_cross_where_they_do() {
+fn hertz_crosses_jackson_green_at_documented_points() {
     // exp(-x^(5/12)/4) + 4 H_G/(C σ_Y) (1 - exp(-x^(5/9)/25))/√x = 1, solved independently, in units of the yield point
     // of the law
     for (poissons_ratio, want) in [(0.34, 1.825), (0.40, 1.586), (0.45, 1.412), (0.49, 1.287)] {
@@ -53,7 +53,7 @@ fn hertz_and_the_fit_of_jackson_and_green_cross_where_they_do() {
 
 /// 7.9 % is the step of the printed force at x = 110, from 1.40 x^1.263 to 2π R H δ.
 #[test]
-fn kogut_and_etsion_differ_from_the_printed_force_by_7_9_percent_at_most() {
+fn kogut_etsion_differs_by_8_percent_at_most() {
     let bodies = half_space(0.3, 0.002);
     let law = KogutEtsion::default().law(&bodies).unwrap();
     let factor = 2.8 * (0.454 + 0.41 * 0.3);
@@ -72,7 +72,7 @@ fn kogut_and_etsion_differ_from_the_printed_force_by_7_9_percent_at_most() {
 }
 
 #[test]
-fn a_last_piece_that_crosses_early_skips_the_pieces_between() {
+fn early_crossing_skips_pieces_between() {
     // K H = 5 σ_Y: f = 1.68 x meets 1.03 x^1.425 at x = (1.68/1.03)^(1/0.425) = 3.16, before 1.40 x^1.263 does at 6.65
     let bodies = half_space(0.3, 0.002);
     let law = KogutEtsion { yield_factor: Some(5.0) }.law(&bodies).unwrap();

@@ -68,7 +68,7 @@ fn outside_its_range_a_law_has_no_answer() {
 }
 
 #[test]
-fn half_a_law_is_refused_and_not_taken_for_hertz() {
+fn half_a_law_is_refused() {
     let (sphere, half_space) = Scene::case_3().parts();
     let loading = Box::new(LawChoice::from_name("brake").unwrap());
     let unloading = Box::new(LawChoice::from_name("plm").unwrap());
@@ -86,7 +86,7 @@ fn half_a_law_is_refused_and_not_taken_for_hertz() {
 
 /// The message counts in yield indentations of the law itself, as the summary has it; Stronge's is not that of C_ν.
 #[test]
-fn a_refusal_counts_in_the_yield_indentation_of_the_law() {
+fn refusal_counts_yield_indentations_of_law() {
     let contact = Scene::steel().contact_by(&Stronge::default());
     let speed = 1.4 * contact.yield_speed().unwrap();
     let Err(ImpactError::Law(OutsideLaw::Range { ratio, .. })) = contact.closed_form(speed) else { panic!() };
@@ -97,7 +97,7 @@ fn a_refusal_counts_in_the_yield_indentation_of_the_law() {
 
 /// At this speed the impact is outside the range of the law; with damping it is shallow enough to be inside.
 #[test]
-fn a_damped_impact_is_judged_by_its_own_peak() {
+fn damped_impact_is_judged_by_own_peak() {
     let choice = LawChoice::from_name("thornton + jackson_green").unwrap();
     let damped = Forces { damping: Some(Damping::Viscous(0.8)), ..Forces::default() };
     let bare = Scene::steel().contact_by(choice.get());

@@ -12,7 +12,7 @@ fn pressed(law: &LawChoice) -> StaticContact {
 /// Between about 1.1 and 2.5 yield indentations the law of Stronge would give back more energy than it takes. A step
 /// that ends there is refused by its number; a step that passes through is allowed.
 #[test]
-fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
+fn step_beyond_range_of_law_is_named() {
     let slow = pressed(&LawChoice::from_name("stronge").unwrap());
     let length = slow.pair().yield_point.unwrap().indentation;
     let error = slow.indent(&[To(0.5 * length), To(1.5 * length)], None).unwrap_err();
@@ -28,7 +28,7 @@ fn a_step_that_ends_where_the_law_has_no_answer_is_named() {
 /// A memory that was lost (NaN), or that no contact can have, is not taken for another one; and no indentation spoils a memory
 /// for the steps after it.
 #[test]
-fn what_no_contact_can_have_gives_no_number_and_leaves_the_memory() {
+fn invalid_memory_yields_nan_and_is_unchanged() {
     let hostile = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 0.0, 5e-324, 1e-5, f64::MAX];
     for strength in [Some(345e6), None] {
         let contact = Scene { yield_strength: strength, ..Scene::steel() }.contact();

@@ -38,7 +38,7 @@ fn assert_near(row: &Row, [force, dent, e]: [f64; 3]) {
 }
 
 #[test]
-fn whole_laws_give_the_tabulated_forces_dents_and_restitutions() {
+fn whole_laws_match_tabulated_values() {
     let bodies = case_3();
     for row in table("whole") {
         // ω_c of Kogut and Etsion differs by 0.3 % from δ_Y; Stronge has the factor 1.5 ϑ = 1.65
@@ -56,7 +56,7 @@ fn whole_laws_give_the_tabulated_forces_dents_and_restitutions() {
 }
 
 #[test]
-fn loading_of_the_other_laws_and_contact_radii_are_the_tabulated_ones() {
+fn other_loadings_and_radii_match_the_table() {
     for row in table("loading") {
         let force = law_of(with_factor(row.text("law")).get()).loading.force(row.number("depth"));
         // Kogut and Komvopoulos are printed with three digits, the second with one unit too many in the last (34.25)
@@ -85,7 +85,7 @@ fn loaded(peak: &ContactState, radius: f64) -> PeakState {
 /// follow from a² = 4c² R δ, which is a mean pressure of 1.5 σ_Y under the same force, not the 3 σ_Y of the law. With
 /// a² = 2c² R δ the pressure is 3 σ_Y and the dents are shallower; the program uses this.
 #[test]
-fn the_tabulated_dents_of_the_fully_plastic_law_need_half_its_pressure() {
+fn tabulated_fully_plastic_dents_use_half_the_pressure() {
     let choice = LawChoice::from_name("mesarovic_johnson").unwrap();
     let (bodies, law) = (case_3(), law_of(choice.get()));
     let recovery = choice.get().rules(&bodies).recovery;
@@ -103,7 +103,7 @@ fn the_tabulated_dents_of_the_fully_plastic_law_need_half_its_pressure() {
 
 /// All unloading laws from the same state.
 #[test]
-fn unloading_laws_from_one_state_leave_the_tabulated_dents() {
+fn unloading_from_one_state_gives_tabulated_dents() {
     let (bodies, loading) = (case_3(), law_of(with_factor("jackson_green").get()));
     for row in table("from jackson_green") {
         let choice = match row.text("law") {

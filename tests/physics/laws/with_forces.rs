@@ -46,7 +46,7 @@ fn energy_that_leaves_no_dent_is_accounted_for() {
 }
 
 #[test]
-fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
+fn energy_gain_under_forces_warns_only_when_gained() {
     let gains = |impact: &Impact| impact.warnings.iter().any(|warning| warning.kind == WarningKind::EnergyGain);
     // just above first yield an exponent of 1.4 would give back more than is spent, and a damping of 0.1 % takes less than
     // that
@@ -58,7 +58,7 @@ fn energy_gained_is_said_under_forces_and_only_where_the_law_gains_it() {
         let impact = damped.impact(speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         assert!(impact.restitution < 1.0 && !gains(&impact), "{} {:?}", impact.restitution, impact.warnings);
     }
-    // a second hit beyond a knot gains 1e-5 of e (as in `energy_gained_at_a_knot_is_said`), and damping takes less than
+    // a second hit beyond a knot gains 1e-5 of e (as in `energy_gain_at_knot_warns`), and damping takes less than
     // that
     let soft = Scene {
         radius: 1.0,

@@ -10,7 +10,7 @@ fn under(settings: &[&str]) -> Contact {
     contact(STEEL, &settings.iter().map(|setting| (*setting).to_owned()).collect::<Vec<_>>())
 }
 
-/// On a plate friction goes on the normal motion of the plate, and a plate that hardly gives way is a half-space.
+/// On a plate friction follows the normal motion of the plate, and a plate that hardly gives way is a half-space.
 #[test]
 fn friction_goes_with_a_plate() {
     let on_plate = |thickness: f64| {
@@ -29,7 +29,7 @@ fn friction_goes_with_a_plate() {
 /// A ball that hops along: every hop is the impact by itself with the speeds and the spin that the last one left, the ball moves
 /// along the surface at its speed in the air, and m v R + I ω about the contact point stays through all of them.
 #[test]
-fn a_ball_that_hops_along_carries_its_spin_and_its_path() {
+fn hopping_ball_keeps_spin_and_path() {
     let contact = under(&["gravity.acceleration=9.81"]);
     let first = approach(2.0, 40.0, 0.2, 0.0);
     let drive = Drive::Bouncing { gravity: 9.81, drop_height: None, approach: first, most: 12, until: None };

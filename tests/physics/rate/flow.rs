@@ -18,7 +18,7 @@ fn ball_on_wall(strength: f64) -> Contact {
 /// The bodies share the flow by their strengths without a rate. A wall of 1.25 times the strength of the ball or more has no part in it,
 /// also where the rate raises the ball above the wall.
 #[test]
-fn a_rate_of_one_body_does_not_exchange_the_body_that_flows() {
+fn rate_of_one_body_keeps_yielding_body() {
     let want = ball_on_wall(1e9).closed_form(3.0).unwrap();
     for strength in [376e6, 380e6, 400e6, 440e6, 480e6, 500e6] {
         let impact = ball_on_wall(strength).closed_form(3.0).unwrap();
@@ -51,9 +51,9 @@ fn restitution_is_continuous_in_the_ratio_of_strengths() {
     assert!((equal.factor - 1.0) / (hard.factor - 1.0) > 0.49 && (equal.factor - 1.0) / (hard.factor - 1.0) < 0.51);
 }
 
-/// What was spent is the work of the loading: the branch gives back no more, and the exponent follows from that.
+/// The plastic energy is limited by the work of loading: the branch gives back no more than this work, which sets the exponent.
 #[test]
-fn a_metal_that_relaxes_gives_back_no_more_than_was_spent() {
+fn relaxed_metal_recovers_at_most_work_spent() {
     let text = r"
         [sphere]
         radius = 8.603503350791451e-06
@@ -101,7 +101,7 @@ fn the_force_never_rises_where_the_metal_relaxes() {
 /// On a plate the momentum of the ball stays where the metal relaxes: its speed does not jump, the impulse of the force is the
 /// change of its momentum, and the energies add up.
 #[test]
-fn a_plate_keeps_the_momentum_where_the_metal_relaxes() {
+fn plate_keeps_momentum_at_relaxation() {
     let keys = [
         "half_space.yield_strength=300 MPa",
         "half_space.density=7850",

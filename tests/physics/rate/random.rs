@@ -57,7 +57,7 @@ fn series() -> impl Strategy<Value = Drawn> {
 /// No impact gains energy, no dent becomes shallower, the ledgers close, the force never rises where the metal relaxes, and a sphere keeps
 /// its momentum there.
 #[test]
-fn no_energy_comes_from_a_rate_and_no_dent_goes() {
+fn rate_creates_no_energy_and_keeps_dents() {
     let (relaxed, reloaded) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
     let judged = checked(400, &series(), |(keys, shots)| {
         let contact = contact(STEEL, &keys);

@@ -25,7 +25,7 @@ fn turn_in_the_old_dent(impacts: &[Impact], first: usize) {
 }
 
 #[test]
-fn a_slower_impact_leaves_the_dent_as_it_is() {
+fn slower_impact_keeps_dent() {
     let free = r#"
         [sphere]
         radius = 0.00031167528426585155
@@ -80,7 +80,7 @@ fn a_slower_impact_leaves_the_dent_as_it_is() {
 
 /// On a plate the dent stays too, and e is that of the branch.
 #[test]
-fn a_slower_impact_on_a_plate_leaves_the_dent_as_it_is() {
+fn slower_impact_on_plate_keeps_dent() {
     let plate = r#"
         [sphere]
         radius = 0.0056072985118644034
@@ -113,7 +113,7 @@ fn a_slower_impact_on_a_plate_leaves_the_dent_as_it_is() {
 
 /// An impact that yields but leaves no residual indentation leaves the surface fresh.
 #[test]
-fn a_peak_without_a_residual_indentation_is_no_dent() {
+fn peak_without_residual_indentation_is_no_dent() {
     let nylon_on_copper = r#"
         [sphere]
         radius = "10 mm"

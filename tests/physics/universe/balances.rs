@@ -1,4 +1,4 @@
-//! What holds for one impact by itself: energies, momentum, friction, sizes.
+//! Invariants of one impact: energies, momentum, friction, sizes.
 
 use super::scene::Run;
 use crate::common::prelude::*;

@@ -1,4 +1,4 @@
-//! What holds between an impact and the same one by another method, without a trace, as a row of a table.
+//! Invariants between an impact and its repetition by another method, without a trace, or as a row of a table.
 
 use super::balances::{Judged, near};
 use super::scene::{Given, Run};
@@ -73,7 +73,7 @@ pub fn spot_and_friction_leave_the_normal_motion(run: &Run) -> Judged {
     Ok(true)
 }
 
-/// The impact by the closed form, or where there is none by rk8 at the finest tolerance.
+/// The impact by the closed form, or by rk8 at the finest tolerance if it has no closed form.
 pub fn exact(run: &Run, samples: Option<usize>) -> Impact {
     let method = if run.has_drag() { Method::Rk8 } else { Method::ClosedForm };
     run.contact.impact_on(&mut run.before.clone(), run.approach, &solver(method, 1e-13), samples).unwrap()
@@ -165,8 +165,8 @@ pub fn fixed_steps_come_near(run: &Run) -> Judged {
     Ok(true)
 }
 
-/// What has no effect changes nothing: a harder sphere and a rate of nothing to the last bit, flow curves that do not rise and a body that
-/// is flat and heavy beyond measure to rounding.
+/// Keys without effect change nothing: a harder sphere and a rate of zero to the last bit; flow curves that do not rise, and a body
+/// that is flat and very heavy, to rounding.
 pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
     let (scene, contact) = (&run.scene, &run.contact);
     if !run.is_fresh() || run.approach.incidence.is_some() || run.turns_at_a_joint() {

@@ -23,7 +23,7 @@ enum Unit {
 }
 use Unit::{PerSpeed, Radius, Range, Si, SpeedOverRadius, SphereMass, Strength, YieldGravity, YieldSpeed};
 
-/// What is drawn for a key.
+/// The kind of value that is drawn for a key.
 #[derive(Debug, Clone, Copy)]
 enum Form {
     Number(f64),

@@ -1,4 +1,4 @@
-//! What holds for the law behind an impact: rows of its trace, its exponent of unloading, and the same contact without motion.
+//! Invariants of the law behind an impact: rows of its trace, its unloading exponent, and the same contact without motion.
 
 use plm_impact::impact::indentation::Target::{Indentation as To, Load};
 
@@ -179,7 +179,7 @@ pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judged {
     Ok(true)
 }
 
-/// The share that elastic waves take is the integral along the way in and back.
+/// The energy fraction of elastic waves is the integral over loading and unloading.
 pub fn waves_take_the_integral(run: &Run) -> Judged {
     let is_alone = run.contact.forces().is_none() && run.is_fresh() && run.is_plm() && !run.contact.has_rate();
     let Some(share) = run.impact.wave_loss_fraction.filter(|_| is_alone && run.is_adaptive()) else { return Ok(false) };
@@ -188,7 +188,7 @@ pub fn waves_take_the_integral(run: &Run) -> Judged {
     Ok(true)
 }
 
-/// An impact is warned of its depth beyond the depth from which a code without impacts is told to warn, and above it not.
+/// An impact has the warning of its depth just if its depth exceeds the depth limit that a code without impacts gets.
 pub fn an_impact_deeper_than_the_data_is_warned_of(run: &Run) -> Judged {
     let is_of_depth = |warning: &Warning| match warning.kind {
         WarningKind::DeepDent | WarningKind::BeyondFlowCurve => true,

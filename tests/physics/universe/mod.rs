@@ -56,7 +56,7 @@ const COMPARED: [Invariant; 18] = [
     ("waves", law::waves_take_the_integral, 1),
 ];
 
-/// What has to be among the scenes that have a result, each in a hundredth of them at least.
+/// These must occur among the scenes that have a result, each in a hundredth of them at least.
 const KINDS: [&str; 20] = [
     "sphere.youngs_modulus=\"rigid\"",
     "sphere.yield_strength",
@@ -80,7 +80,7 @@ const KINDS: [&str; 20] = [
     "earlier Some",
 ];
 
-/// Whether all of this holds in so many random scenes. A scene is computed, or refused for a reason that it has.
+/// Checks that all invariants hold in `count` random scenes. A scene is computed, or refused for a reason that it has.
 fn hold(count: u32, invariants: &[Invariant]) {
     let counts = RefCell::new(BTreeMap::<&str, usize>::new());
     let add = |name| *counts.borrow_mut().entry(name).or_default() += 1;
@@ -111,11 +111,11 @@ fn hold(count: u32, invariants: &[Invariant]) {
 }
 
 #[test]
-fn what_holds_for_every_impact() {
+fn single_impact_invariants_hold() {
     hold(1500, &ALONE);
 }
 
 #[test]
-fn what_holds_between_an_impact_and_others() {
+fn comparison_invariants_hold() {
     hold(1000, &COMPARED);
 }

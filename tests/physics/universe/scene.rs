@@ -6,7 +6,7 @@ use plm_impact::error::ErrorKind;
 
 use crate::common::prelude::*;
 
-/// What stands behind a key.
+/// The value of a key.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Given {
     Number(f64),
@@ -126,7 +126,7 @@ impl From<ImpactError> for Refused {
     }
 }
 
-/// What the program makes of a scene.
+/// The results of the program for a scene.
 #[derive(Debug)]
 pub struct Run {
     pub scene: AnyScene,

@@ -1,11 +1,11 @@
-//! What holds for the surface: its memory, its strength, and the law of the pair.
+//! Invariants of the surface: its memory, its strength, and the law of the pair.
 
 use super::balances::{Judged, near};
 use super::scene::Run;
 use crate::common::prelude::*;
 
-/// A second hit goes as deep as one impact with its energy and that which the first one kept. An elastic one leaves the memory to the
-/// last bit, and takes twice the time of its way in; and the rebound comes back to the same peak.
+/// A second impact is as deep as one impact with its energy and the energy that the first one kept. An elastic one does not change
+/// the memory in any bit, and takes twice the time of its loading; and the rebound comes back to the same peak.
 pub fn a_spot_remembers(run: &Run) -> Judged {
     let (Some(earlier), contact) = (&run.earlier, &run.contact) else { return Ok(false) };
     if !contact.forces().is_none() || contact.has_rate() || contact.target_mass().is_some() {

@@ -1,11 +1,11 @@
-//! What holds for the trace of an impact.
+//! Invariants of the trace of an impact.
 
 use super::balances::{Judged, near};
 use super::compared::exact;
 use super::scene::Run;
 use crate::common::prelude::*;
 
-/// On the way in, at the end of it, or on the way back.
+/// The order of a row: loading, its end, or unloading.
 pub fn rank(row: &TraceRow) -> u8 {
     match row.branch {
         Branch::Elastic | Branch::Reloading => 0,
@@ -80,7 +80,7 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judged {
         near("rebound", back, want, error * run.speed().max(want))?;
         near("last force", last.force, 0.0, damping.map_or(0.0, |_| 1e-6 * impact.peak_force))?;
         if run.scene.has("damping.viscous") {
-            // on the way out the sphere lifts off above the dent
+            // during the rebound the sphere separates above the dent
             prop_assert!(last.indentation > impact.residual_indentation && last.speed < 0.0, "{:?}", last);
         } else if damping.is_none() {
             prop_assert_eq!(trace.iter().filter(|row| row.force == 0.0).count(), 2);
@@ -93,7 +93,7 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judged {
     if let Some(at) = trace.iter().position(|row| row.event == Some(Event::Relaxation)) {
         let [before, after] = [trace[at - 1], trace[at]];
         prop_assert!(before.event == Some(Event::Peak) && before.time == after.time && before.force > after.force);
-        // a fifth of the way back is the force of the impact
+        // the reported peak force is the relaxed force and a fifth of its drop
         let reported = after.force + 0.2 * (before.force - after.force);
         near("relaxed", reported, impact.peak_force, damping.map_or(1e-11, |_| f64::INFINITY) * reported)?;
     }
@@ -123,7 +123,7 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
     let (knots, yields) = (of(Event::Knot), of(Event::Yield));
     prop_assert!(of(Event::Touch).len() == 1 && of(Event::Peak).len() <= 1 && yields.len() <= 1);
     prop_assert!(knots.is_sorted_by(|one, next| one < next), "{:?}", knots);
-    // a formula that takes several pieces goes on where they meet
+    // a formula that takes several pieces continues where they meet
     let starts = law.loading.pieces()[1..].iter().filter(|piece| !piece.is_joint).map(|piece| piece.start);
     let starts: Vec<f64> = starts.collect();
     let is_known = |knot: &f64| starts.iter().any(|start| off(*knot, *start) <= 2e-15);

@@ -1,4 +1,4 @@
-//! What holds between an impact and the same one in other units.
+//! Invariants between an impact and the same impact in other units.
 
 use plm_impact::scenario::scene::results::Shown;
 use plm_impact::scenario::scene::results::impact::{Single, results};
@@ -29,7 +29,7 @@ fn exponents(dimension: Dimension) -> [i32; 3] {
     }
 }
 
-/// This scene in units that are so many times as large, in every key.
+/// This scene in units that are larger by `factor`, in every key.
 fn in_other_units(scene: &AnyScene, factor: impl Fn(Dimension) -> f64) -> AnyScene {
     let mut other = scene.clone();
     for (path, given) in &mut other.keys {

@@ -6,7 +6,7 @@ use super::*;
 use crate::signalled;
 
 #[test]
-fn of_two_writers_none_is_refused_and_nothing_is_lost() {
+fn concurrent_writers_succeed() {
     let desk = Desk::with(random());
     let kinds: Vec<(Option<u32>, Vec<&str>)> =
         FORMATS.iter().flat_map(|format| [None, Some(600)].map(|rows| (rows, vec!["--format", *format]))).collect();
@@ -30,7 +30,7 @@ fn of_two_writers_none_is_refused_and_nothing_is_lost() {
 /// A limit on the size of files acts as a full disk for a table of one file. Its signal is ignored, so that writing fails
 /// with an error.
 #[test]
-fn a_file_that_cannot_grow_ends_with_1_and_leaves_nothing() {
+fn failed_write_ends_with_1_without_leftovers() {
     let desk = Desk::with(random());
     let script = "trap '' XFSZ; ulimit -f 400; exec \"$0\" run s.toml --out out --quiet";
     let mut command = Command::new("bash");
@@ -41,7 +41,7 @@ fn a_file_that_cannot_grow_ends_with_1_and_leaves_nothing() {
 }
 
 #[test]
-fn a_full_disk_ends_with_1_and_with_more_space_the_same_command_goes_on() {
+fn full_disk_fails_and_the_command_resumes() {
     for format in FORMATS {
         // with all columns, or the disk is not filled
         let desk = Desk::with(random().replace("12000", "90000").replace("columns =", "#columns ="));
@@ -93,7 +93,7 @@ fn nothing_is_locked_and_the_summary_comes_last() {
 /// Rows that take a millisecond and more: velocity Verlet with very many steps. All of them would take a minute in one file, and days
 /// in parts.
 #[test]
-fn signals_are_heard_between_slow_rows_and_what_is_said_is_so() {
+fn signals_between_slow_rows_are_reported_correctly() {
     let signals = [("-INT", 130), ("-TERM", 143)];
     for (format, (signal, want)) in FORMATS.into_iter().flat_map(|format| signals.map(|signal| (format, signal))) {
         for (points, rows, folder, says) in [

@@ -36,7 +36,7 @@ fn random_values_follow_their_distribution() {
 }
 
 #[test]
-fn what_truncation_keeps_is_said_to_all_digits() {
+fn truncated_probability_has_all_digits() {
     // Abramowitz and Stegun 1964, Table 26.1: P(1) and P(2)
     for (sd, want) in [("5 mm", 0.841_344_746_068_543), ("2.5 mm", 0.977_249_868_051_821)] {
         let tables = format!(
@@ -48,7 +48,7 @@ fn what_truncation_keeps_is_said_to_all_digits() {
 }
 
 #[test]
-fn a_sample_depends_on_seed_key_and_number_alone() {
+fn sample_depends_only_on_seed_key_number() {
     let text = format!(
         "{STEEL}[monte_carlo]\nsamples = 10000\nseed = 7\n\"sphere.density\" = {{ uniform = [1, 2] }}\n\"impact.speed\" = {{ uniform = [1, 2] }}\n"
     );

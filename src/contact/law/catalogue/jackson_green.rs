@@ -27,7 +27,7 @@ use crate::units::names::named;
 /// | x_m | | 1 | δ_m/δ_y |
 ///
 /// The printed pieces do not meet at x = 1.9: there the fit is 0.5 % above Hertz for ν = 0.3, and 3.1 % below for ν = 0.49.
-/// Here Hertz goes on to where the fit falls below it: x = 2.0 for ν = 0.3, 1.825 for 0.34, 1.586 for 0.40, 1.412 for 0.45,
+/// Here Hertz continues to where the fit falls below Hertz: x = 2.0 for ν = 0.3, 1.825 for 0.34, 1.586 for 0.40, 1.412 for 0.45,
 /// 1.287 for 0.49 (σ_Y/E* = 0.002). From the printed force this differs by those 0.5 to 3.1 % at most. For a given C above
 /// about 2 the pieces would meet before first yield, and for one below about 0.3 perhaps beyond the range of the fit: then the
 /// law has no answer beyond first yield.

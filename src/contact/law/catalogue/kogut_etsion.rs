@@ -26,7 +26,7 @@ use crate::numerics::functions::pow;
 /// | x, x_m | | 1 | δ/ω_c, δ_m/ω_c |
 ///
 /// The printed pieces do not meet: the next one is 3.0 % higher at x = 1, 1.7 % at 6, and 7.9 % at 110, from where on users
-/// go on fully plastic (an extension, not the authors'). Here every piece goes on until the next one falls below it:
+/// continue fully plastic (an extension, not the authors'). Here every piece continues until the next one falls below it:
 /// x = 1.48, 6.65 and 147 (ν = 0.3). From the printed force this differs by those 7.9 % at most. A large K H makes the last
 /// piece cross an earlier one. From K H = 8.4 σ_Y on it would cross Hertz before first yield: there the law has no answer.
 ///

@@ -23,7 +23,7 @@ use crate::numerics::functions::{ln, pow};
 /// | p_m, A | | Pa, m² | mean pressure, contact area |
 ///
 /// The printed pieces do not meet: the fit begins where Hertz reaches s = 1.78 (x = 0.987 for ν = 0.3) with a force 1.3 % above
-/// Hertz's, and at s = 21 the next piece is 3.2 % higher (pressure +3.9 %, area −0.7 %). Here each piece goes on until the next
+/// Hertz's, and at s = 21 the next piece is 3.2 % higher (pressure +3.9 %, area −0.7 %). Here each piece continues until the next
 /// one falls below it: x = 1.16, and s = 22. From the printed force this differs by those 3.2 % at most. Where yield is so deep
 /// (σ_Y/E* above about 0.07) that the fit begins below Hertz, nothing crosses and the law has no answer beyond yield.
 /// Beyond δ = R/2 the cut of the sphere no longer grows like a contact: there the law has no answer.

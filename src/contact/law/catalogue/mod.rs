@@ -1,10 +1,9 @@
-//! The list of laws, combinations of two of them, and the laws that are not public. Each law has a file of its own; where it
-//! was published stands in `facts.csv`.
+//! The list of laws, combinations of two laws, and the laws that are not public. Each law has its own file, and `facts.csv` has
+//! its source.
 //!
-//! F/F_Y, δ_r/δ_m and e of every law at six depths of case 3 of Xie et al. (2024) agree with an independent program to
-//! all its digits (3 to 4), with one exception: that program took a² = 4c²Rδ for the dents of `mesarovic_johnson`, which
-//! is half the law's own pressure under the same force. Here it is a² = 2c²Rδ. Thornton's closed form of e(v) is met to
-//! 1e-12, and so are its limits, e = 1.185 (V_y/V)^¼ and the slope −1/4; Johnson's closed form is met to 1e-13.
+//! F/F_Y, δ_r/δ_m and e of every law at six depths of case 3 of Xie et al. (2024) agree with an independent program to all its
+//! digits (3 to 4). The dents of `mesarovic_johnson` agree with the contact radius a² = 2c²Rδ. Thornton's closed form of e(v)
+//! agrees to 1e-12, with its limits e = 1.185 (V_y/V)^¼ and the slope −1/4; Johnson's closed form agrees to 1e-13.
 
 pub mod brake;
 pub mod hertz;

@@ -1,4 +1,4 @@
-//! A ball that flows: a flat is softer than a dent of the same depth, and springs back less.
+//! A ball that yields: a flat is softer than a dent of the same depth, and recovers less.
 //!
 //! ```text
 //! φ = 1 + 5 Σ β_i (δ R/R_i²) max(0, 1 − A_fp/A_P)
@@ -6,13 +6,13 @@
 //! ε = min(x, ε_line(f) (1 − 0.8 Σ β_i (E*/E_i*) s_i)),      s_i = (√(δ R) − √(δ_Y R))/R_i
 //! ```
 //!
-//! The sums are over the sphere and a half-space with a positive radius, and β_i is the share of the flow that goes into each
-//! ([`Flow`](crate::contact::material::Flow)). Two equal balls are one of them on a rigid wall at half the approach. f_P, ε_P and A_P = f_P/ε_P are those
-//! of the law without φ, and A_fp is where its approach is fully plastic. The contact radius and the exponent "pressure-shape"
-//! follow from A_P. A sphere that hardens has A' in place of A_P, and the yield point of σ_rep in s
-//! ([`hardening`](super::hardening)). From the point on where a/R reaches 0.6 φ keeps its value. Where no ball flows the law is as it is.
+//! The sums are over the sphere and a half-space with a positive radius, and β_i is the fraction of the yielding in each ball
+//! ([`Flow`](crate::contact::material::Flow)). Two equal balls are one ball on a rigid wall at half the approach. f_P, ε_P and
+//! A_P = f_P/ε_P belong to the law without φ, and from A_fp on its approach is fully plastic. The contact radius and the exponent
+//! "pressure-shape" follow from A_P. A sphere that hardens has A' in place of A_P, and the yield point of σ_rep in s
+//! ([`hardening`](super::hardening)). φ stays constant after a/R has reached 0.6. If no ball yields, φ = 1.
 //!
-//! Finite elements of 11 pairs of bodies and 31 unloadings with a/R up to 0.3, of which two constants are fitted here: force
+//! Two constants are fitted to finite elements of 11 pairs of bodies and 31 unloadings with a/R up to 0.3: force
 //! 0.94 % rms and 2.5 % largest, residual indentation 0.5 and 1.5 % of the depth, e with "pressure-shape" 0.93 and 1.9 %.
 
 use std::sync::Arc;
@@ -21,11 +21,11 @@ use super::hardening::{RATIO, between};
 use crate::contact::material::{Ball, Pair};
 use crate::numerics::curve::Curve;
 
-/// The constants 5 and 0.8 of the formulas above, which make the flat softer and let it recover less.
+/// The constants 5 and 0.8 of the formulas above: the flat is softer, and recovers less.
 const SOFTENING: f64 = 5.0;
 const RECOVERY: f64 = 0.8;
 
-/// a/R from which on φ keeps its value.
+/// From this a/R on φ is constant.
 const WIDEST: f64 = 0.6;
 
 /// How the flat of a ball changes the PLM, in units of first yield.
@@ -40,9 +40,9 @@ pub struct Flattening {
 }
 
 impl Flattening {
-    /// Makes the curve f, and the flattening, which keeps f_P. `equivalents` gives A_P at (x, f_P), and A_P in units of the strength
-    /// there; `radius` gives a/a_Y at (x, A_P), and `plastic_from` is A_fp. As long as φ stays the same, the straight pieces of
-    /// f_P are not divided.
+    /// Makes the loading curve f, and the flattening, which keeps f_P. `equivalents` computes two values at (x, f_P): A_P, and A_P in
+    /// units of the strength reached there. `radius` computes a/a_Y at (x, A_P), and `plastic_from` is A_fp. While φ is constant, the
+    /// straight pieces of f_P are not divided.
     pub(super) fn of(
         pair: &Pair,
         yield_radius_ratio: f64,
@@ -57,9 +57,9 @@ impl Flattening {
             recovery += RECOVERY * share * compliance * curvature;
         }
         let softening = softening * yield_radius_ratio * yield_radius_ratio;
-        // where the indentation is R no law holds any more
+        // from the indentation R on, no law holds
         let end = 1.0 / (yield_radius_ratio * yield_radius_ratio);
-        // φ, and whether it keeps this value: A is never less than a/a_Y
+        // φ, and whether it stays constant from here on: A is never less than a/a_Y
         let mut flat = |x: f64, force: f64| {
             let [equivalent, in_strength] = equivalents(x, force);
             let is_wide = || radius(x, equivalent) * yield_radius_ratio >= WIDEST;
@@ -101,7 +101,7 @@ impl Flattening {
         (curve.with_crossings(), Self { plain, recovery: recovery * yield_radius_ratio, widest })
     }
 
-    /// The share of ε_line that comes back at x > 1, where the strength is σ_rep = r σ_Y. Beyond δ = R, where no law holds, it
+    /// The fraction of ε_line that is recovered at x > 1, where the strength is σ_rep = r σ_Y. Beyond δ = R, where no law holds, it
     /// stays positive.
     pub(super) fn recovered(&self, x: f64, r: f64) -> f64 {
         1.0 - (self.recovery * (x.sqrt() - r)).min(RECOVERY)

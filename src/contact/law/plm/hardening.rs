@@ -12,8 +12,9 @@
 //! ```
 //!
 //! Against finite elements of ten metals that harden, at contact radii up to 0.32 R: e rms 1.1 %, largest 2.9 %; peak force
-//! 1.4 % and 3.8 %; contact radius 1.5 % and 3.5 %. Not covered: softening, yield plateaus, strain rate, kinematic hardening.
-//! A sphere that hardens takes the same formulas without finite elements of its own. That a hardened dent reloads like any other is assumed.
+//! 1.4 % and 3.8 %; contact radius 1.5 % and 3.5 %. Not covered: softening, yield plateaus, kinematic hardening. The
+//! strain rate is a separate factor of the strength. A sphere that hardens uses the same
+//! formulas, without its own finite elements. A hardened dent is assumed to reload like any other dent.
 
 use std::iter::successors;
 
@@ -44,7 +45,7 @@ pub struct Hardening {
 }
 
 impl Hardening {
-    /// For a body whose flow stress rises so, which yields first at this a_Y/R.
+    /// For a body with this flow curve, which yields first at this a_Y/R.
     pub(super) fn new(rise: Rise, yield_radius_ratio: f64, line: LineSlopes) -> Self {
         Self { rise, yield_radius_ratio, line }
     }
@@ -58,15 +59,15 @@ impl Hardening {
         0.5 * (self.rise.at(STRAINS[0] * s) + self.rise.at(STRAINS[1] * s))
     }
 
-    /// The largest plastic strain at which loading to x needs the flow curve, and the largest one for which the curve is
-    /// known. `None` where the curve reaches far enough.
+    /// The largest plastic strain for which loading to x needs the flow curve, and the largest strain of the curve. `None` if the
+    /// curve covers this strain.
     pub(crate) fn beyond_flow_curve(&self, x: f64) -> Option<(f64, f64)> {
         let strain = STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0);
         let last = self.rise.curve.last_strain()?;
         (strain > last).then_some((strain, last))
     }
 
-    /// ε at a point (x, f) with x > 1, where this share of ε_line comes back.
+    /// ε at a point (x, f) with x > 1, where this fraction of ε_line is recovered.
     #[inline(never)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64, share: f64) -> f64 {
         let r = self.strength(x);
@@ -118,20 +119,20 @@ pub(crate) struct Shape<'a> {
 }
 
 impl Shape<'_> {
-    /// ν, over the last tenth of the way.
+    /// ν, from the last tenth of the loading.
     fn growth(&self) -> f64 {
         2.0 * ln(self.strength / self.hardening.strength(self.x / RATIO)) / LN_RATIO
     }
 
-    /// How much hardening lowers the exponent "pressure-shape".
+    /// The reduction of the exponent "pressure-shape" by hardening.
     pub(crate) fn exponent_loss(&self) -> f64 {
         0.14 * self.growth()
     }
 
-    /// By which factor the contact is narrower, because less material piles up around it.
+    /// The factor by which the contact is narrower, because less material piles up around it.
     pub(crate) fn narrowing(&self) -> f64 {
         let share = ((self.equivalent - 4.0) / 16.0).clamp(0.0, 1.0);
-        // the growth costs as much as all the rest, and below A' = 4 it does not count
+        // the hardening exponent costs as much time as all the rest, and is not needed below A' = 4
         if share == 0.0 { 1.0 } else { 1.0 + 0.25 * self.growth() * share }
     }
 }

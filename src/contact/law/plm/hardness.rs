@@ -28,7 +28,7 @@ const WIDTH: f64 = 0.337;
 
 /// The yield strength \[Pa\] of a body of this material whose hardness is given as mean pressure \[Pa\]. With a power law of
 /// hardening, the curve has the flow stress of the hardness at the strain [`STRAIN`]; otherwise the yield strength is that
-/// flow stress. It is no number where the indenter would leave no dent.
+/// flow stress. NaN if the indenter would leave no dent.
 pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, material: &Material) -> f64 {
     let stress = flow_stress(mean_pressure, material);
     match flow {
@@ -39,7 +39,7 @@ pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, materi
     }
 }
 
-/// The flow stress \[Pa\] of a body of this material with this hardness; no number where the indenter would leave no dent.
+/// The flow stress \[Pa\] of a body of this material with this hardness; NaN if the indenter would leave no dent.
 pub fn flow_stress(mean_pressure: f64, material: &Material) -> f64 {
     let short_of = |stress: f64| mean_pressure - pressure(stress, material);
     let [low, high] = [mean_pressure / 8.0, 2.0 * mean_pressure];
@@ -50,8 +50,8 @@ pub fn flow_stress(mean_pressure: f64, material: &Material) -> f64 {
     falls_through((low, high), short_of)
 }
 
-/// The hardness, as mean pressure \[Pa\], of a body of this material with a constant flow stress \[Pa\]; NaN where they make
-/// no pair of bodies.
+/// The hardness, as mean pressure \[Pa\], of a body of this material with a constant flow stress \[Pa\]; NaN if they are not
+/// possible for a body.
 pub fn pressure(flow_stress: f64, material: &Material) -> f64 {
     let indenter = Sphere::elastic(1.0, DIAMOND, 1.0);
     let body = HalfSpace::flat(*material, Some(flow_stress));
@@ -77,7 +77,7 @@ mod tests {
 
     /// The pressures of the text above, which were computed with another program.
     #[test]
-    fn the_pressure_over_the_strength_falls_with_the_strength() {
+    fn pressure_to_strength_ratio_falls_with_strength() {
         for (strength, constraint) in [(0.5e9, 2.8897), (3.9e9, 2.3499)] {
             assert_relative_eq!(pressure(strength, &STEEL) / strength, constraint, epsilon = 1e-4);
         }

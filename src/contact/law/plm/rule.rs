@@ -71,8 +71,8 @@ impl PlmRule {
         }
     }
 
-    /// A at points (x, f) beyond first yield of a law without a flat, and A in units of the strength that the body that flows has
-    /// reached there.
+    /// At points (x, f) beyond first yield of a law without a flat: A, and A in units of the strength that the yielding body has
+    /// reached at this point.
     pub(super) fn equivalents(&self) -> impl FnMut(f64, f64) -> [f64; 2] + '_ {
         let mut on_line = self.line.nearby();
         move |x, force| match &self.hardening {
@@ -84,13 +84,13 @@ impl PlmRule {
         }
     }
 
-    /// The branch of the exponent that is asked for, if it gives back no more than the work `spent` of loading to the peak.
+    /// The branch with the requested exponent, if it recovers no more than the work `spent` of loading to the peak.
     #[inline(always)]
     pub(crate) fn unloading(&self, peak: ContactState, spent: f64) -> Unloading {
         Unloading::power(peak, allowed_exponent(spent, &peak, self.asked(&peak)))
     }
 
-    /// The exponent that is asked for; that of Hertz where there is no dent.
+    /// The requested exponent; the exponent of Hertz without a dent.
     #[inline(always)]
     pub(crate) fn asked(&self, peak: &ContactState) -> f64 {
         self.exponent_at(peak, || self.equivalent(peak))

@@ -11,7 +11,7 @@ use crate::numerics::power::power_turn;
 pub struct Power<const HERTZ: bool, const PULLED: bool> {
     pub c: f64,
     m: f64,
-    /// γ; not used if there is none.
+    /// γ; not used without gravity.
     pull: f64,
 }
 

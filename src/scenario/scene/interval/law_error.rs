@@ -1,5 +1,5 @@
-//! The error of e by the law plm against the finite elements of this project: the part of the interval of e that belongs to the
-//! law. `law_errors.csv` has the quantiles, which a test computes from the load cycles that `validate` compares.
+//! The error of e by the law plm against the finite elements of this project: the part of the law in the interval of e.
+//! `law_errors.csv` has the quantiles, which a test computes from the load cycles of `validate`.
 
 use std::sync::LazyLock;
 
@@ -12,7 +12,7 @@ use crate::scenario::scene::{Body, Input, key_of};
 use crate::units::names::named;
 
 named! {
-    /// The bodies of an impact, as far as the error of the law depends on them.
+    /// The bodies of an impact in classes on which the error of the law depends.
     #[derive(Deserialize)]
     #[serde(rename_all = "snake_case")]
     pub enum BodyClass {
@@ -22,16 +22,16 @@ named! {
         Hardening = "hardening",
         /// The sphere yields, alone or with the half-space.
         YieldingSphere = "yielding_sphere",
-        /// All load cycles, for bodies that none of them is like.
+        /// All load cycles, for bodies of no other class.
         All = "all",
     }
 }
 
-/// The exponents of unloading whose error is known, with their names in the table.
+/// The unloading exponents with known errors, with their names in the table.
 pub const EXPONENTS: [(UnloadingExponent, &str); 2] =
     [(UnloadingExponent::PressureShape, "pressure_shape"), (UnloadingExponent::Paper, "paper")];
 
-/// Poisson's ratios of the body that yields that the load cycles stand for; all of theirs are 0.3.
+/// The range of Poisson's ratios of the yielding body that the load cycles represent; their own ratio is 0.3.
 const POISSONS_RATIOS: [f64; 2] = [0.25, 0.35];
 
 /// How far e of finite elements is above e of the law at other Poisson's ratios: the ratio, and r = (p_FE/p)^(5/8), as e goes with the
@@ -46,7 +46,7 @@ const PRESSURE_RATIOS: [(f64, f64); 4] = [(0.03, 1.105), (0.10, 1.073), (0.30, 1
 /// A strength by a hardness has the pressure of the hardness test at every Poisson's ratio: then e is within this share.
 const BY_HARDNESS: f64 = 0.03;
 
-/// The errors of e over the load cycles of one class of bodies. An error is e of the law over e of the finite elements, less 1.
+/// The errors of e over the load cycles of one class of bodies. An error is e of the law over e of the finite elements, minus 1.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LawError {
@@ -80,7 +80,7 @@ fn exponent_name(law: &LawChoice) -> Option<&'static str> {
     EXPONENTS.iter().find(|(exponent, _)| *exponent == law.exponent).map(|(_, name)| *name)
 }
 
-/// True if the error of e by this law is known: that of the built-in coefficients is.
+/// True if the error of e by this law is known: the law has the built-in coefficients.
 pub fn has_law_error(law: &LawChoice) -> bool {
     let is_built_in = matches!(law, LawChoice::Plm(law) if *law.coefficients == *PlmCoefficients::built_in());
     is_built_in && exponent_name(law).is_some()
@@ -92,7 +92,7 @@ pub fn law_error(law: &LawChoice, contact: &Contact, radius_ratio: f64) -> Optio
     let flow = contact.pair().yield_point?.flow;
     let yields = flow.sphere_share > 0.0;
     let class = match (contact.has_hardening(), yields) {
-        // no load cycle is of a ball that hardens
+        // no load cycle has a ball that hardens
         (true, true) => BodyClass::All,
         (true, false) => BodyClass::Hardening,
         (false, true) => BodyClass::YieldingSphere,

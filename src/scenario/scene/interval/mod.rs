@@ -1,12 +1,12 @@
-//! The interval of e: the range in which the measured e of an impact lies with 95 %, as far as the program knows the sources of
-//! error.
+//! The uncertainty interval of e: the range that holds the measured e of an impact with 95 % probability. It covers the sources of
+//! error that the program knows.
 //!
 //! ```text
 //! e_true/e ∈ Π [1 + low_i, 1 + high_i] × (1 ± √Σ width_j²)
 //! ```
 //!
-//! A shift i is a known bias: both ends move. A width j is scatter. e is the restitution with waves where the half-space has a
-//! density, as this is what is measured.
+//! A shift i is a known bias: both ends move. A width j is scatter. e is the restitution with waves if the density of the half-space
+//! is known, because this is the measured restitution.
 
 pub mod law_error;
 mod parts;
@@ -25,15 +25,15 @@ use crate::numerics::functions::powi;
 /// A smaller relative change of e is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The sources of error of e at a contact, as far as they do not depend on the speed.
+/// The sources of error of e at a contact that do not depend on the speed.
 #[derive(Debug)]
 pub struct Uncertainty {
     law: LawChoice,
-    /// What is known of the strengths and of Poisson's ratio: parts that depend on the bodies alone.
+    /// The parts that depend only on the bodies: from the strengths and from Poisson's ratio.
     of_bodies: Vec<IntervalPart>,
     /// The ranges of hardness of named materials, each with the contacts at its lowest and its highest value.
     hardness: Vec<(HardnessRange, [Contact; 2])>,
-    /// On a plate: the contact with the other theory, and the share of its distance that may be missing.
+    /// On a plate: the contact by the other plate theory, and the fraction of the difference that may be missing.
     other_plate: Option<(Contact, f64)>,
 }
 
@@ -60,8 +60,8 @@ impl Uncertainty {
         Some(Self { law: law.clone(), of_bodies, hardness, other_plate: contact_of_other_theory(contact) })
     }
 
-    /// Visits the parts of the interval of an impact with this result: name, kind, and both ends as shares of e, less 1. `None`
-    /// without a dent, without a rebound, and where a warning reports an error of e of unknown size.
+    /// Visits the parts of the interval of an impact with this result: name, kind, and both ends relative to e, minus 1. `None` without
+    /// a dent, without a rebound, and if a warning reports an error of e of unknown size.
     fn visit(
         &self,
         contact: &Contact,
@@ -82,7 +82,7 @@ impl Uncertainty {
         for (range, contacts) in &self.hardness {
             let [low, high] = contacts.each_ref().map(change);
             let (low, high) = (low?, high?);
-            // a body that does not yield leaves e as it is
+            // a body that does not yield does not change e
             if low.abs().max(high.abs()) > ROUNDING {
                 visit(&range.name, PartKind::Width, [low.min(0.0), high.max(0.0)]);
             }
@@ -116,7 +116,7 @@ impl Uncertainty {
         Some([(e * low).max(0.0), (e * high).min(1.0)])
     }
 
-    /// The interval of an impact with this result. The two parts of the law are one for the reader.
+    /// The interval of an impact with this result, in which the two parts of the law are combined.
     fn interval(&self, contact: &Contact, approach: Approach, row: &Essentials) -> Option<RestitutionInterval> {
         let [low, high] = self.ends(contact, approach, row)?;
         let mut parts = Vec::new();
@@ -127,8 +127,8 @@ impl Uncertainty {
     }
 }
 
-/// The contact with the other theory of its plate, if it has one. The theory of a thin plate leaves out what that of a thick one
-/// adds, and a thick plate takes at most a quarter of this more again.
+/// The contact by the other theory of its plate, if there is one. The theory of a thin plate omits the additional term of a thick
+/// plate, and the loss of a thick plate exceeds that theory by at most a quarter of this term.
 fn contact_of_other_theory(contact: &Contact) -> Option<(Contact, f64)> {
     let forces = contact.forces();
     let plate = forces.plate?;

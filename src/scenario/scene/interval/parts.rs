@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::numerics::functions::log10;
 
-/// Below this e next to nothing comes back, and its digits say nothing.
+/// Below this e hardly any energy is recovered, and the digits of e are not significant.
 pub const SMALL: f64 = 0.02;
 
 /// The name of a part for a range of hardness begins with this.
@@ -13,7 +13,7 @@ pub(super) const HARDNESS: &str = "hardness";
 pub(super) const LAW_BIAS: &str = "law, mean error";
 pub(super) const LAW_SCATTER: &str = "law, scatter";
 
-/// What a part of the interval does.
+/// The effect of a part on the interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PartKind {
@@ -21,7 +21,7 @@ pub enum PartKind {
     Shift,
     /// Scatter, added as squares.
     Width,
-    /// An error whose size is not known: the interval does not hold it.
+    /// An error of unknown size, which the interval does not include.
     NotIncluded,
 }
 
@@ -30,13 +30,13 @@ pub enum PartKind {
 pub struct IntervalPart {
     pub name: String,
     pub kind: PartKind,
-    /// The lowest e by this part, as a share of e, less 1.
+    /// The lowest e by this part, relative to e, minus 1.
     pub low: f64,
-    /// The highest e by this part, as a share of e, less 1.
+    /// The highest e by this part, relative to e, minus 1.
     pub high: f64,
 }
 
-/// The interval of e, and its parts.
+/// The uncertainty interval of e, and its parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestitutionInterval {
     pub low: f64,
@@ -45,7 +45,7 @@ pub struct RestitutionInterval {
 }
 
 impl RestitutionInterval {
-    /// Both ends, with so many digits that they differ, and the sources of error.
+    /// Both ends, with enough digits to differ, and the sources of error.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 2 and 17
     pub fn text(&self) -> String {
         let Self { low, high, parts } = self;
@@ -57,7 +57,7 @@ impl RestitutionInterval {
                     law = [law[0] * (1.0 + low), law[1] * (1.0 + high)];
                 }
                 PartKind::NotIncluded => sources.push(format!("without {name}")),
-                // the name has the range of the hardness
+                // the name holds the range of the hardness
                 PartKind::Width if name.starts_with(HARDNESS) => sources.push(name.clone()),
                 _ => sources.push(format!("{name} {}", percent_range([*low, *high]))),
             }
@@ -68,7 +68,7 @@ impl RestitutionInterval {
     }
 }
 
-/// Two shares in per cent with their signs, to a tenth of a per cent below 10 %.
+/// Two relative errors in per cent with their signs, to a tenth of a per cent below 10 %.
 fn percent_range(shares: [f64; 2]) -> String {
     let [low, high] = shares.map(|share| match 100.0 * share {
         percent if percent.abs() < 0.05 => "0".to_owned(),

@@ -1,4 +1,4 @@
-//! What is known of the strengths of the bodies, as parts of the interval of e: the range of a hardness, hardening, proof stress,
+//! The parts of the interval of e that follow from the strengths of the bodies: the range of a hardness, hardening, proof stress,
 //! strain rate. The sizes are those of the table in `scenarios/README.md#which-strength` and of `scenarios/trust.md#strain-rate`.
 
 use super::law_error::paper_exponent_error;
@@ -10,9 +10,9 @@ use crate::impact::{Contact, TOO_HIGH_BY};
 use crate::scenario::scene::{Body, Input, at, key_of};
 use crate::units::{Dimension, human};
 
-/// e of a cold-worked or quenched metal by its hardness is too low by at most this share.
+/// e of a cold-worked or quenched metal from its hardness is too low by at most this fraction.
 const HARDENED_TOO_LOW_BY: f64 = 0.045;
-/// e by the 0.2 % proof stress of a metal that hardens is too low by at most this share.
+/// e from the 0.2 % proof stress of a metal that hardens is too low by at most this fraction.
 const PROOF_TOO_LOW_BY: f64 = 0.37;
 /// No metal that keeps its strength at room temperature has a lower Young's modulus \[Pa\]: magnesium has 41 to 45 GPa, concrete 30, wood
 /// along its fibres up to 15. Tin has 45 GPa, and lead, which creeps, 16.
@@ -26,7 +26,7 @@ pub struct HardnessRange {
     pub strengths: [[Option<f64>; 2]; 2],
 }
 
-/// The ranges of hardness of an input. They serve all inputs with the same strengths.
+/// The ranges of hardness of an input, valid for all inputs with the same strengths.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HardnessRanges {
     bodies: [BodyRange; 2],
@@ -40,7 +40,7 @@ struct BodyRange {
     strengths: [Option<f64>; 2],
 }
 
-/// What the range of a body follows from: its numbers, its material, and whether it has a range and a flow curve.
+    /// The numbers, the material, and the presence of a range and of a flow curve, from which the range of a body follows.
 type RangeOrigin = ([Option<f64>; 4], Option<usize>, [bool; 2]);
 
 impl HardnessRanges {
@@ -97,7 +97,7 @@ fn origin(input: &Input, law: &LawChoice, body: Body) -> RangeOrigin {
     (numbers, input.word(key_of!(body, "material")), has)
 }
 
-/// What is known of the hardness that a body takes from its material; `None` where the hardness is not that of a material.
+/// The property of the material behind the hardness of a body; `None` if the hardness is not taken from a material.
 fn known_range(input: &Input, body: Body) -> Option<&'static Known> {
     let at = key_of!(body, "hardness");
     let choice = input.materials().iter().find(|choice| choice.body == body)?;
@@ -115,8 +115,8 @@ pub fn has_strength_parts(input: &Input) -> bool {
     })
 }
 
-/// The parts of the bodies that yield in a contact, as far as they do not depend on the speed; `None` for a body for which the
-/// law was not made.
+/// The parts of the yielding bodies of a contact that do not depend on the speed; `None` for a body for which the law was not
+/// made.
 pub(super) fn strength_parts(input: &Input, contact: &Contact, law: &LawChoice) -> Option<Vec<IntervalPart>> {
     let flow = contact.pair().yield_point?.flow;
     let shares = [flow.sphere_share, 1.0 - flow.sphere_share];
@@ -143,14 +143,14 @@ pub(super) fn strength_parts(input: &Input, contact: &Contact, law: &LawChoice) 
     Some(parts)
 }
 
-/// True for a body of numbers whose modulus no metal has: wood, a polymer, ice.
+/// True for a body given by numbers with a modulus that no metal has: wood, a polymer, ice.
 fn is_no_metal(input: &Input, body: Body) -> bool {
     input.named_material(body).is_none()
         && !input.is_calibrated(body)
         && input.material(body).youngs_modulus < SOFTEST_METAL
 }
 
-/// The parts of one body that yields: names, and both ends as shares of e, less 1; `None` for an error of unknown size.
+/// The parts of one yielding body: names, and both ends relative to e, minus 1; `None` for an error of unknown size.
 fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option<[f64; 2]>)> {
     let entry = input.named_material(body);
     let may_harden = entry.map(|entry| entry.lacks_exponent || entry.hardens());
@@ -165,7 +165,7 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
     let hardening = match (is_by_hardness, may_harden) {
         _ if has_curve => None,
         (true, Some(true)) => Some([most, least]),
-        // e of a metal that hardens no more is too low for its strain rate, which has a part of its own where it is known
+        // e of a metal that hardens no further is too low by its strain rate, which has its own part if it is known
         (true, Some(false)) if input.rate(body).is_some() || entry.is_some_and(|entry| entry.rate_rise().is_some()) => {
             None
         }
@@ -179,7 +179,7 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
     if !is_by_hardness && !has_curve && is_proof {
         parts.push(("proof stress".to_owned(), Some([0.0, PROOF_TOO_LOW_BY])));
     }
-    // a strength of numbers is that of the impact, as a note says
+    // a strength given by a number is the strength in the impact, as a note states
     let is_slow = is_by_hardness || has_curve || kind.is_some() || entry.is_some();
     if input.rate(body).is_none() && is_slow {
         parts.push(("strain rate".to_owned(), entry.and_then(MaterialEntry::rate_rise)));
@@ -190,8 +190,8 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
 /// The note on a strength begins with this.
 pub const WHICH_STRENGTH: &str = "Which strength?";
 
-/// What a user should know of the strength and of the exponent of the law behind e, where the scenario does not say it: at most one
-/// paragraph for each. `varied` are the keys that vary in a table.
+/// Notes for the user on the strength and on the exponent of the law behind e, if the scenario leaves them open: at most one
+/// paragraph for each. `varied` holds the varied keys of a table.
 pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied: &[&str]) -> Vec<String> {
     let mut notes = Vec::new();
     let Some(point) = contact.pair().yield_point else { return notes };

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use crate::impact::{Contact, Essentials};
 use crate::units::Dimension;
 
-/// A result that is found from a `T`.
+/// A result that is computed from a `T`.
 #[derive(Debug, Clone, Copy)]
 pub struct Reported<T> {
     /// With the unit.
@@ -13,12 +13,12 @@ pub struct Reported<T> {
     /// The meaning, in one sentence.
     pub about: &'static str,
     pub shown: Shown,
-    /// The condition under which it is there; empty if it is always there.
+    /// The condition of the result; empty if the result always exists.
     pub condition: &'static str,
-    /// Its name on the terminal, or a remark on the line above. In a remark `{}` stands for the value, and `{%}` for
-    /// its share of the value of that line. Empty: the terminal does not show the result.
+    /// The name on the terminal, or a remark that the terminal appends to the line above. In a remark `{}` is replaced by the value,
+    /// and `{%}` by the value in percent of the value of that line. Empty: the terminal does not show the result.
     pub label: &'static str,
-    /// `None` where it is left out.
+    /// `None` if the result is omitted.
     pub value: fn(&T) -> Option<Value>,
     /// The column of a table with this result.
     pub column: Option<Column>,
@@ -30,7 +30,7 @@ pub enum Shown {
     Plain,
     /// In this unit, with a prefix. The name of the result ends in the unit.
     In(Dimension),
-    /// As a share in percent.
+    /// As a fraction in percent.
     Percent,
     /// As a deviation in percent, with its sign.
     Deviation,
@@ -38,29 +38,29 @@ pub enum Shown {
     Error,
 }
 
-/// The part of a scene that a column needs: a table has the column only if its scene has this part.
+/// The requirement of a column: a table has the column only if its scene has this part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
-    /// Nothing: the column is in every table.
+    /// No requirement: the column is in every table.
     Nothing,
     /// A yield strength: without one nothing is plastic.
     Strength,
-    /// A strength of which more is known than its number, under a law whose error is known.
+    /// A strength with a known uncertainty, under a law with a known error.
     Interval,
     /// A strength that rises with the rate of strain.
     Rate,
     /// The yield strength of the sphere: without it there is no flat.
     Flat,
-    /// The density of a half-space that is no plate: without it nothing is known of elastic waves.
+    /// The density of a half-space that is no plate: without it elastic waves are not computed.
     Density,
     Thickness,
     /// An angle or a spin: without them nothing slides.
     Incidence,
-    /// The mass of a body that is free to move: without it that is fixed.
+    /// The mass of a free target: without it the target is fixed.
     Target,
-    /// Such a mass, and an angle or a spin.
+    /// The mass of a free target, and an angle or a spin.
     Struck,
-    /// Gravity or a drop height: without them nothing says how the sphere flies.
+    /// Gravity or a drop height: without them the flight is not determined.
     Flight,
 }
 
@@ -103,7 +103,7 @@ impl Needs {
     }
 }
 
-/// The values of all results that are there, by name. A name with a dot stands in a group: `energy.drift` is `drift` in `energy`.
+/// The values of all existing results, by name. A name with a dot belongs to a group: `energy.drift` is `drift` in `energy`.
 pub fn fields<T>(results: &[Reported<T>], subject: &T) -> Map<String, Value> {
     let mut all = Map::new();
     for Reported { name, value, .. } in results {

@@ -18,9 +18,9 @@ pub struct Single<'a> {
     pub impact: &'a Impact,
     /// The interval of e, if it is known.
     pub interval: Option<&'a RestitutionInterval>,
-    /// What a user should know of the strength and of the exponent behind e.
+    /// Notes for the user on the strength and on the exponent behind e.
     pub notes: &'a [String],
-    /// The height of the fall \[m\], if it is given.
+    /// The height of the fall \[m\]; `None` without a drop height.
     pub drop_height: Option<f64>,
 }
 
@@ -304,7 +304,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "work.rejected" as "{} rejected": single.impact.work.rejected;
         /// How often the contact force was computed.
         "work.force_evaluations" as "{} force evaluations": single.impact.work.force_evaluations;
-        /// What a user should know of the strength and of the exponent behind e, where the scenario leaves them open.
+        /// Notes for the user on the strength and on the exponent behind e, if the scenario leaves them open.
         "notes" if NOTES: (!single.notes.is_empty()).then(|| single.notes.to_vec());
         /// Where the scene, the model or the run is doubtful.
         "warnings": single.impact.warnings.iter().map(ToString::to_string).collect::<Vec<_>>();

@@ -14,7 +14,7 @@ pub fn results() -> Vec<Reported<TraceRow>> {
         "sphere_indentation_m" in Length: row.sphere_indentation;
         /// The half-space's share of the indentation.
         "half_space_indentation_m" in Length: row.half_space_indentation;
-        /// Speed into the half-space; negative on the way out.
+        /// Speed into the half-space; negative during the rebound.
         "speed_m_per_s" in Speed: row.speed;
         /// Speed of the sphere's centre, which is the sum of the speed into the plate and of the plate's own.
         "sphere_speed_m_per_s" in Speed if PLATE: row.sphere_speed;
