@@ -54,7 +54,9 @@ mod tests {
 
     fn pace(samples: &[(f64, u64)]) -> Pace {
         let mut pace = Pace::default();
-        samples.iter().for_each(|(time, done)| pace.add(Duration::from_secs_f64(*time), *done));
+        for (time, done) in samples {
+            pace.add(Duration::from_secs_f64(*time), *done);
+        }
         pace
     }
 
