@@ -163,7 +163,9 @@ mod tests {
     fn many_samples_have_the_quantiles_of_few() {
         let value = |i: usize| 1e-4 * (1.0 + (i * 7919 % 1_000_003) as f64 / 1_000_003.0);
         let mut all = Statistics::default();
-        (0..1_000_003).for_each(|i| all.push(value(i)));
+        for i in 0..1_000_003 {
+            all.push(value(i));
+        }
         assert!(all.values.is_empty() && !all.bins.is_empty());
         let found = all.distribution().expect("there are samples");
         for (quantile, share) in [(found.quantile_05, 0.05), (found.quantile_50, 0.5), (found.quantile_95, 0.95)] {
@@ -179,7 +181,9 @@ mod tests {
     fn equal_samples_differ_from_scattered_samples() {
         let of = |values: &[f64]| {
             let mut all = Statistics::default();
-            values.iter().for_each(|value| all.push(*value));
+            for value in values {
+                all.push(*value);
+            }
             all
         };
         let equal = of(&[0.7, 0.7 + 1e-16, 0.7 - 1e-16]);

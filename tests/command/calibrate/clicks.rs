@@ -72,7 +72,7 @@ fn heights_without_air_warn_of_both_flights() {
                   [half_space]\nyoungs_modulus = \"70 GPa\"\npoissons_ratio = 0.33\n[impact]\ndrop_height = \"0.5 m\"\n";
     let data = "drop_height_m,rebound_height_m\n0.5,0.2\n0.3,0.13\n0.7,0.26\n";
     let warnings = |air: &str, calibrate: &str, data: &str| {
-        let desk = crate::common::prelude::Desk::with(&format!("{bodies}{air}[calibrate]\n{calibrate}\n"));
+        let desk = crate::common::prelude::Desk::with(format!("{bodies}{air}[calibrate]\n{calibrate}\n"));
         std::fs::write(desk.path("d.csv"), data).unwrap();
         let output = desk.call(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"]);
         let said = crate::common::prelude::text(&output.stderr);
