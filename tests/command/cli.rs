@@ -18,16 +18,19 @@ fn assert_refused(desk: &Desk, arguments: &[&str], wants: &[&str]) {
 #[test]
 fn run_writes_outputs_and_prints_only_table() {
     let desk = Desk::with(STEEL);
-    let (table, said) = desk.ends(&["run", "s.toml"], 0);
-    assert_eq!(desk.files("plots/s"), FILES);
+    let (table, said) = desk.ends(&["run", "s.toml", "--set", "law.plm.unloading_exponent=1.5", "--out", "o"], 0);
+    assert_eq!(desk.files("o"), FILES);
     // tests/reference/built_in.csv: e = 0.49058
     assert!(table.starts_with("impact speed") && table.contains("0.4906"), "{table}");
     assert!(said.contains("wrote summary.json"));
-    let summary = desk.json("plots/s/summary.json");
+    let summary = desk.json("o/summary.json");
     let restitution = summary["restitution"].as_f64().unwrap();
     // tests/reference/built_in.csv, "steel on steel, 3 m/s"
     assert!((restitution / 0.490_578_548_979_793_5 - 1.0).abs() < 1e-8, "{restitution}");
-    assert_eq!(summary["provenance"]["command"], "plm-impact run s.toml");
+    assert_eq!(
+        summary["provenance"]["command"],
+        "plm-impact run s.toml --set law.plm.unloading_exponent=1.5 --out o"
+    );
     assert_eq!(summary["provenance"]["scenario_sha256"].as_str().unwrap().len(), 64);
 }
 
@@ -100,7 +103,7 @@ fn huge_values_are_read_or_refused_briefly() {
     refused(&"sped = 3\n".repeat(SIZE / 9), &["s.toml:2:1", "`sped` is there twice, first in line 1"]);
     // of such a long value or key only both ends are shown
     let digits = STEEL.replace("\"3 m/s\"", &format!("\"{} m/s\"", "3".repeat(SIZE)));
-    refused(&digits, &["s.toml:18:9: impact.speed: \"333", "> 0 m/s and finite"]);
+    refused(&digits, &["s.toml:19:9: impact.speed: \"333", "> 0 m/s and finite"]);
     refused(&format!("{long_line} = 1\n{STEEL}"), &["s.toml:1:1: xxx", "unknown table", "tables are sphere"]);
     Desk::with(format!("{STEEL}\n# {long_line}")).ends(&["check", "s.toml"], 0);
     // a mebibyte, and one byte more

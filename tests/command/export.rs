@@ -290,7 +290,8 @@ fn motion_of_scenario_is_omitted_and_named() {
     let law = |speed: f64| steel().closed_form(speed).unwrap().restitution;
     let of = |more: &str, arguments: &[&str]| {
         let bodies = crate::common::STEEL.split("[impact]").next().unwrap();
-        let desk = Desk::with(format!("{bodies}{more}"));
+        let law = "[law.plm]\nunloading_exponent = \"pressure-shape\"\n";
+        let desk = Desk::with(format!("{bodies}{law}{more}"));
         let (text, _) = desk.ends(&[&["export", "s.toml", "--to", "liggghts"], arguments].concat(), 0);
         let e = text.lines().find_map(|line| line.split_once("peratomtypepair 1 ")).unwrap().1;
         (e.parse::<f64>().unwrap(), text)

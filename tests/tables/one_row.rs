@@ -67,6 +67,17 @@ pub fn assert_same(row: &Result<Essentials, Failure>, single: &Result<Essentials
     assert_eq!(format!("{row:?}"), format!("{single:?}"), "{what}");
 }
 
+/// The results of the single run that a row is compared with. If the row has the interval of e, the single run has its own.
+pub fn single_of(input: &Input, row: &Result<Essentials, Failure>) -> Result<Essentials, Failure> {
+    let contact = input.contact().map_err(Failure::from)?;
+    let mut single = contact.impact(input.approach(), &input.solver(), None).map_err(Failure::from)?.essentials;
+    if let Ok(Essentials { restitution_interval: Some(_), .. }) = row {
+        let interval = restitution_interval(input, &contact, input.speed(), &single);
+        single.restitution_interval = interval.map(|interval| [interval.low, interval.high]);
+    }
+    Ok(single)
+}
+
 /// Compares every row with its single case, and returns how many have numbers.
 fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
     let text = bodies(axes);
@@ -83,16 +94,7 @@ fn compare(settings: &[&str], axes: &[(&str, &[&str])]) -> usize {
             set.push(format!("{key}={}", values[rest % values.len()]));
             rest /= values.len();
         }
-        let scene = scene(&text, &set);
-        let single = scene.contact().and_then(|contact| contact.impact(scene.approach(), &scene.solver(), None));
-        let mut single = single.map(|impact| impact.essentials).map_err(Failure::from);
-        // where the table has the interval of e, it is that of the single impact
-        if let (Ok(Essentials { restitution_interval: Some(_), .. }), Ok(of_single)) = (row, &mut single) {
-            let contact = scene.contact().unwrap();
-            let interval = restitution_interval(&scene, &contact, scene.speed(), of_single);
-            of_single.restitution_interval = interval.map(|interval| [interval.low, interval.high]);
-        }
-        assert_same(row, &single, &format!("{set:?}"));
+        assert_same(row, &single_of(&scene(&text, &set), row), &format!("{set:?}"));
     }
     rows.iter().filter(|row| row.is_ok()).count()
 }
