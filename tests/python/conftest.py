@@ -7,6 +7,11 @@ from pathlib import Path
 import plm_impact as plm
 import pytest
 
+try:
+    import tomllib
+except ModuleNotFoundError:
+    import tomli as tomllib
+
 ROOT = Path(__file__).parents[2]
 STEEL = dict(youngs_modulus="210 GPa", poissons_ratio=0.3)
 
@@ -22,10 +27,14 @@ def command(request: pytest.FixtureRequest) -> Path:
     return target / "debug" / "plm-impact"
 
 
-def steel(**tables: dict[str, object]) -> plm.Contact:
-    """The ball and the half-space of scenarios/steel-on-steel.toml."""
-    sphere, half_space = dict(radius="5 mm", density=7850, **STEEL), dict(yield_strength="345 MPa", **STEEL)
-    return plm.Contact(**{"sphere": sphere, "half_space": half_space, **tables})
+def tables_of_steel(**tables: object) -> dict[str, object]:
+    """The ball, the half-space and the law of scenarios/steel-on-steel.toml, and other tables in place of them or beside them."""
+    scenario = tomllib.loads((ROOT / "scenarios" / "steel-on-steel.toml").read_text())
+    return {name: scenario[name] for name in ("sphere", "half_space", "law")} | tables
+
+
+def steel(**tables: object) -> plm.Contact:
+    return plm.Contact(**tables_of_steel(**tables))
 
 
 @pytest.fixture

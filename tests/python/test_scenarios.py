@@ -12,7 +12,7 @@ import plm_impact as plm
 import polars
 import pyarrow
 import pytest
-from conftest import ROOT
+from conftest import ROOT, tables_of_steel
 
 
 def of_every_kind() -> list[Path]:
@@ -94,8 +94,9 @@ def test_dict_is_read_like_file() -> None:
     path = ROOT / "scenarios" / "steel-on-steel.toml"
     tables = dict(
         sphere=dict(radius="5 mm", youngs_modulus="210 GPa", poissons_ratio=0.3, density="7850 kg/m^3"),
-        half_space=dict(youngs_modulus="210 GPa", poissons_ratio=np.float64(0.3), yield_strength="345 MPa"),
+        half_space=dict(youngs_modulus="210 GPa", poissons_ratio=np.float64(0.3), yield_strength="345 MPa", strength_kind="flow"),
         impact=dict(speed=np.int64(3)),
+        law=dict(plm=dict(unloading_exponent="pressure-shape")),
     )
     made, read = plm.run(tables), plm.run(path)
     assert made.files["trace.csv"] == read.files["trace.csv"]
@@ -130,7 +131,7 @@ def test_measurements_may_be_arrays(contact: plm.Contact) -> None:
     # the data are computed with the strength that has to be found
     speeds = np.linspace(0.5, 3, 12)
     steel = dict(youngs_modulus=210e9, poissons_ratio=0.3)
-    tables = dict(sphere=dict(radius=5e-3, density=7850, **steel), half_space=steel, calibrate=dict(noise=dict(restitution=1e-3)))
+    tables = tables_of_steel(half_space=steel, calibrate=dict(noise=dict(restitution=1e-3)))
     data = dict(speed_m_per_s=speeds, restitution=contact.restitution(speeds))
     found = plm.calibrate(tables, data)
     assert abs(strength_of(found) / 345 - 1) < 1e-4

@@ -16,7 +16,7 @@ import plm_impact as plm
 import polars
 import pyarrow
 import pytest
-from conftest import ROOT, steel
+from conftest import ROOT, steel, tables_of_steel
 
 
 def test_broadcast_keys_give_rows_of_sweep(contact: plm.Contact) -> None:
@@ -24,9 +24,7 @@ def test_broadcast_keys_give_rows_of_sweep(contact: plm.Contact) -> None:
     table = plm.impacts(contact, speed=speeds, yield_strength=strengths[:, None])
     assert table.shape == table["restitution"].shape == (3, 7) and len(table) == 21
     sweep = {"half_space.yield_strength": strengths.tolist(), "impact.speed": speeds.tolist()}
-    bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
-    scenario = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=bodies, sweep=sweep)
-    expected = plm.run(scenario).tables["table"]
+    expected = plm.run(tables_of_steel(sweep=sweep)).tables["table"]
     assert list(table) == list(expected)
     for name in table:
         assert table[name].ravel().tolist() == expected[name].tolist(), name
@@ -46,9 +44,8 @@ def test_broadcast_keys_give_rows_of_sweep(contact: plm.Contact) -> None:
 def test_damped_tables_match_sweep() -> None:
     speeds, fractions = np.linspace(0.5, 5, 9), np.array([0.0, 0.02, 0.3])
     table = plm.impacts(steel(damping=dict(viscous=0.1)), speed=speeds, viscous=fractions[:, None])
-    bodies = dict(youngs_modulus=210e9, poissons_ratio=0.3)
-    scenario = dict(sphere=dict(radius=5e-3, density=7850, **bodies), half_space=dict(yield_strength=345e6, **bodies))
-    expected = plm.run({**scenario, "sweep": {"damping.viscous": fractions.tolist(), "impact.speed": speeds.tolist()}})
+    sweep = {"damping.viscous": fractions.tolist(), "impact.speed": speeds.tolist()}
+    expected = plm.run(tables_of_steel(sweep=sweep))
     assert table["restitution"].ravel().tolist() == expected.tables["table"]["restitution"].tolist()
 
 

@@ -30,8 +30,8 @@ export function runByCommand(name, ...words) {
   return { ...said, files };
 }
 
-/** The scenario that the page begins with, as an example with one change. */
-export const FIRST = ["steel-on-steel.toml", "--set", 'law.plm.unloading_exponent="pressure-shape"'];
+/** The scenario that the page begins with: an example, without the kind of its strength. */
+export const FIRST = ["steel-on-steel.toml", "--set", "half_space.strength_kind=none"];
 
 /** A scenario as text. */
 export const read = (name) => readFileSync(join(SCENARIOS, name), "utf8");
