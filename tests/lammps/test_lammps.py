@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+import unicodedata
 from importlib import metadata
 from pathlib import Path
 
@@ -74,12 +75,33 @@ def closed_form(**changes: dict) -> "plm.Contact":
     return plm.Contact(**tables)
 
 
+def number_of(shown: str) -> float:
+    """A number whose digits stand in groups of three."""
+    return float(shown.replace(" ", ""))
+
+
+def half_a_digit(shown: str) -> float:
+    return 0.51 * 10.0 ** -len(shown.replace(" ", "").split(".")[1])
+
+
 # the errors of velocity Verlet at these steps: second order, down to the accuracy of the closed form
-@pytest.mark.parametrize(("dt", "steps", "within"), [("1e-6", 100, 1e-3), ("1e-7", 1000, 1e-5), ("1e-9", 60_000, 1e-8)])
-def test_restitution_is_that_of_the_closed_form(plugin: Path, dt: str, steps: int, within: float) -> None:
+@pytest.mark.parametrize(
+    ("dt", "name", "steps", "within"),
+    [("1e-6", "1 µs", 100, 1e-3), ("1e-7", "0.1 µs", 1000, 1e-5), ("1e-9", "1 ns", 60_000, 1e-8)],
+)
+def test_restitution_is_that_of_the_closed_form(plugin: Path, dt: str, name: str, steps: int, within: float) -> None:
     output = lammps(plugin, "one.in", dt=dt, n=steps, scenario=STEEL)
     restitution = float(re.findall(r"^restitution (\S+)", output, re.M)[-1])
-    assert restitution == pytest.approx(float(closed_form().restitution(3.0)), abs=within)
+    exact = float(closed_form().restitution(3.0))
+    assert restitution == pytest.approx(exact, abs=within)
+    # the page shows these digits
+    page = (ROOT / "plots" / "lammps" / "README.md").read_text()
+    ((shown, mantissa, power),) = re.findall(rf"^\| {name} \| (0[.][\d ]+) \| ([\d.]+)·10⁻(\S) \|$", page, re.M)
+    assert restitution == pytest.approx(number_of(shown), abs=half_a_digit(shown))
+    error = float(f"{mantissa}e-{unicodedata.digit(power)}")
+    assert abs(restitution / exact - 1) == pytest.approx(error, rel=0.2)
+    (shown,) = re.findall(r"^e of the first example, ([\d. ]+) by the closed form", page, re.M)
+    assert exact == pytest.approx(number_of(shown), abs=half_a_digit(shown))
 
 
 RADII = (1e-3, 2e-3, 5e-3)
