@@ -45,7 +45,8 @@ static void refused(const char *text, size_t room) {
 #define BODIES \
     "sphere = { radius = \"5 mm\", youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, density = 7850 }\n" \
     "half_space = { youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, yield_strength = \"345 MPa\", " \
-    "rate = { johnson_cook = { c = 0.03 } } }\n"
+    "rate = { johnson_cook = { c = 0.03 } } }\n" \
+    "law = { plm = { unloading_exponent = \"pressure-shape\" } }\n"
 
 /* A strength that rises with the strain rate is that of one speed. */
 static void rated(void) {
