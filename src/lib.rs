@@ -34,7 +34,7 @@
 //! | θ, μ, ω | [`Incidence`](impact::Incidence) | rad, 1, rad/s | angle from the normal, coefficient of friction, spin |
 //! | g, χ, ζ | [`Forces`](impact::Forces) | m/s², s/m, 1 | gravity; damping after Hunt and Crossley; fraction of critical damping |
 //! | h, Y, λ | [`Plate`](impact::Plate), [`OnPlate`](impact::OnPlate) | m, s/kg, 1 | thickness of a plate that is hit, how it gives way (w' = Y F), Zener's number |
-//! | C(ν) | [`Waves`](impact::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
+//! | C(ν) | [`Waves`](crate::impact::problem::waves::Waves) | 1 | power radiated as elastic waves is C F'²/(ρ c_s³), ρ and c_s of the half-space |
 //! | x, f, ε, u, τ | | 1 | δ/δ_Y, F/F_Y, δ_e/δ_Y, δ'/v_Y, t v_Y/δ_Y: x'' = −(5/4) f, ' = d/dτ |
 //!
 //! # How to use the library
@@ -122,34 +122,44 @@
 //! # Ok::<(), plm_impact::error::Error>(())
 //! ```
 //!
-//! [`impact::repeat`] has series of impacts, and [`impact::indentation`] has quasi-static indentations. All other modules serve the
+//! [`crate::impact::series`] has series of impacts, and [`impact::indentation`] has quasi-static indentations. All other modules serve the
 //! command and the tests. They are public, not described here, and may change at any time; `src/README.md` shows them.
 
 // see clippy.toml
 #![warn(clippy::disallowed_methods)]
 
 #[doc(hidden)]
+pub mod bench;
+#[doc(hidden)]
 pub mod calibrate;
 pub mod contact;
 #[doc(hidden)]
-pub mod doors;
-#[doc(hidden)]
 pub mod error;
-#[doc(hidden)]
-pub mod evidence;
 #[doc(hidden)]
 pub mod files;
 pub mod impact;
 #[doc(hidden)]
+pub mod interfaces;
+#[doc(hidden)]
+pub mod materials;
+#[doc(hidden)]
 pub mod numerics;
 #[doc(hidden)]
+pub mod reference;
+#[doc(hidden)]
 pub mod report;
+#[doc(hidden)]
+pub mod results;
 pub mod scenario;
+#[doc(hidden)]
+pub mod strings;
 pub mod table;
 pub mod units;
+#[doc(hidden)]
+pub mod validate;
 
+pub use crate::contact::pair::{HalfSpace, Material, Sphere};
 pub use contact::law::{self as laws, LawChoice, Plm};
-pub use contact::material::{HalfSpace, Material, Sphere};
 pub use error::Error;
 pub use impact::{Approach, Contact, Impact, ImpactError, Solver};
 pub use scenario::Scenario;

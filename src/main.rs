@@ -1,6 +1,6 @@
 //! The command: it reads the command line, runs the command, prints an error, and chooses the exit code.
 
-#[path = "doors/cli/mod.rs"]
+#[path = "interfaces/cli/mod.rs"]
 mod cli;
 
 use std::process::ExitCode;

@@ -9,10 +9,11 @@ use std::hint::black_box;
 use allocation_counter::measure;
 use common::Scene;
 use plm_impact::contact::law::{Law, UnloadingExponent};
-use plm_impact::impact::{Damping, Recorder, ScaledForces, closed_form, course};
-use plm_impact::numerics::integrate::Drag;
-use plm_impact::numerics::integrate::Integrator;
-use plm_impact::numerics::integrate::rk8::Rk8;
+use plm_impact::impact::solve::{closed_form, motion};
+use plm_impact::impact::{Damping, Recorder, ScaledForces};
+use plm_impact::numerics::ode::Drag;
+use plm_impact::numerics::ode::Integrator;
+use plm_impact::numerics::ode::rk8::Rk8;
 
 /// Three cases: elastic; deep, beyond every knot of the law; an unloading exponent without a simple formula.
 fn cases() -> [(&'static str, Law, f64); 3] {
@@ -46,7 +47,7 @@ fn impacts_allocate_nothing() {
                 let mut stepper = Rk8::new(tolerance);
                 let counted = measure(|| {
                     black_box(closed_form::solve_with(black_box(&law), speed, &forces, 1e-10)).unwrap();
-                    course::integrate(&law, speed, &forces, &mut stepper, &mut Recorder::default()).unwrap();
+                    motion::integrate(&law, speed, &forces, &mut stepper, &mut Recorder::default()).unwrap();
                 });
                 assert_eq!(counted.count_total, 0, "{name} {forces:?} at {tolerance:e}");
                 assert!(stepper.work().steps > 0, "{name} {forces:?} at {tolerance:e}");

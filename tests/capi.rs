@@ -24,7 +24,7 @@ fn root() -> &'static Path {
 
 #[test]
 fn the_header_is_that_of_the_source() {
-    let source = root().join("src/doors/c/mod.rs");
+    let source = root().join("src/interfaces/c/mod.rs");
     let [version, major, minor, patch] = [
         ("", env!("CARGO_PKG_VERSION")),
         ("_MAJOR", env!("CARGO_PKG_VERSION_MAJOR")),
@@ -39,7 +39,7 @@ fn the_header_is_that_of_the_source() {
         language: cbindgen::Language::C,
         cpp_compat: true,
         include_guard: Some("PLM_IMPACT_H".to_owned()),
-        header: Some("/* The contact law of plm-impact for C. Made by cbindgen from src/doors/c/mod.rs; SPDX-License-Identifier: MIT */".to_owned()),
+        header: Some("/* The contact law of plm-impact for C. Made by cbindgen from src/interfaces/c/mod.rs; SPDX-License-Identifier: MIT */".to_owned()),
         no_includes: true,
         sys_includes: vec!["stddef.h".to_owned(), "stdint.h".to_owned()],
         after_includes: Some(format!("\n/* Version of this header. */\n{version}{major}{minor}{patch}")),
@@ -56,7 +56,7 @@ fn the_header_is_that_of_the_source() {
         line.replace("  // __cplusplus", "").replace(" // __cplusplus", "").replace("}  // extern \"C\"", "}")
     });
     let text = text.fold(String::new(), |text, line| text + &line + "\n");
-    let path = root().join("src/doors/c/plm_impact.h");
+    let path = root().join("src/interfaces/c/plm_impact.h");
     assert_golden(&path, text);
 }
 
@@ -158,7 +158,7 @@ fn printed(source: &str, link: Link, options: &[&str], scenarios: &[&Path]) -> S
     let program = folder.path().join("program");
     let cc = Command::new("cc")
         .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-I"])
-        .arg(root().join("src/doors/c"))
+        .arg(root().join("src/interfaces/c"))
         .args(options)
         .arg(root().join(source))
         .arg(library)
@@ -178,10 +178,10 @@ fn printed(source: &str, link: Link, options: &[&str], scenarios: &[&Path]) -> S
 #[test]
 fn example_prints_e_as_page_shows() {
     let page = fs::read_to_string(root().join("plots/lammps/README.md")).unwrap();
-    let line = format!("src/doors/c/drop.c target/release/libplm_impact.a {} -o drop", LINKED_WITH.join(" "));
+    let line = format!("src/interfaces/c/drop.c target/release/libplm_impact.a {} -o drop", LINKED_WITH.join(" "));
     assert!(page.contains(&line), "{line}");
     let scenario = root().join("scenarios/steel-on-steel.toml");
-    let shown = printed("src/doors/c/drop.c", Link::Static, &[], &[&scenario]);
+    let shown = printed("src/interfaces/c/drop.c", Link::Static, &[], &[&scenario]);
     assert!(page.contains(&format!("```text\n{shown}```")), "{shown}");
     // velocity Verlet is of second order: 10 ns are a 2900th of the contact, and leave an error of some 1e-7
     let contact = Scenario::load(&scenario, &[]).unwrap().resolve().unwrap().contact().unwrap();
@@ -196,7 +196,7 @@ fn c_program_has_no_leak_or_undefined_behaviour() {
     let scenarios = ["steel-on-steel", "alumina-on-aluminium-with-waves"];
     let [steel, waves] = scenarios.map(|name| root().join(format!("scenarios/{name}.toml")));
     let sanitized = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-    printed("src/doors/c/drop.c", Link::Static, &sanitized, &[&steel]);
+    printed("src/interfaces/c/drop.c", Link::Static, &sanitized, &[&steel]);
     printed("tests/capi/program.c", Link::Static, &sanitized, &[&steel, &waves]);
 }
 

@@ -16,10 +16,12 @@
 //! Lines that begin with `#` are comments.
 
 use crate::error::Error;
-use crate::scenario::scene::quantity::{INDENTATION, LOAD};
-use crate::scenario::scene::{KEYS, Key, Measured, Quantity};
-use crate::units::csv_text::{CsvText, refused};
-use crate::units::{Dimension, did_you_mean, parse};
+use crate::scenario::input::{KEYS, Key, Measured};
+use crate::scenario::keys::Quantity;
+use crate::scenario::keys::quantity::{INDENTATION, LOAD};
+use crate::strings::csv::{CsvText, refused};
+use crate::strings::did_you_mean;
+use crate::units::{Dimension, parse};
 
 /// A measured value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -185,7 +187,7 @@ impl Data {
             return Err(format!("{message}: write {example}, or another unit"));
         }
         let quantity = match role {
-            _ if is_deviation => crate::scenario::scene::quantity::positive_of(dimension),
+            _ if is_deviation => crate::scenario::keys::quantity::positive_of(dimension),
             // the force of a curve may be 0
             Role::Measured(Measured::Force) => LOAD,
             _ => *quantity,

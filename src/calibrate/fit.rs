@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::minimum::{ParameterPoint, Profile, Range, is_same};
+use super::minimise::{ParameterPoint, Profile, Range, is_same};
 use super::problem::{NoAnswer, Problem, TAILS};
 use crate::numerics::functions::hypot;
 

@@ -16,13 +16,13 @@
 //! law. For example, e(v) alone determines only σ_Y⁵/(E*⁴ ρ v²), so it does not give σ_Y and E together. Nor is there an
 //! interval if nothing is known of the noise: readings that repeat to the last digit are rounded, and hide it.
 
-mod caution;
 pub mod data;
 pub mod fit;
-pub mod identify;
-pub mod minimum;
+pub mod identifiability;
+pub mod minimise;
 pub mod problem;
 pub mod profile;
+mod range_warnings;
 mod result;
 pub mod statistics;
 
@@ -30,15 +30,15 @@ use crate::contact::law::LawChoice;
 use crate::error::{Error, ErrorKind};
 use crate::files::Counter;
 use crate::numerics::functions::hypot;
-use crate::scenario::calibrate::{Source, Wanted};
-use crate::scenario::scene::Measured;
+use crate::scenario::input::Measured;
+use crate::scenario::kinds::calibration::{Source, Wanted};
 use crate::scenario::{Scenario, Source as Text};
-use crate::units::csv_text::refused;
+use crate::strings::csv::refused;
 use crate::units::{four_digits, human};
 use data::Data;
 pub use fit::{Fit, Noise};
 use fit::{NoiseModel, in_order, shifts};
-use identify::{Identifiability, identify};
+use identifiability::{Identifiability, identify};
 pub use problem::NoAnswer;
 use problem::Problem;
 use result::OUTLIER;

@@ -6,14 +6,14 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::data::{Data, Row, Value};
-use crate::contact::material::Sphere;
+use crate::contact::pair::Sphere;
 use crate::files::Counter;
 use crate::impact::ImpactError;
-use crate::impact::air::Flying;
+use crate::impact::flight::free_flight::Flying;
 use crate::impact::indentation::{IndentationError, StaticContact, Target};
 use crate::numerics::functions::{ln, ln_1p};
+use crate::scenario::input::Input;
 use crate::scenario::plan::Free;
-use crate::scenario::scene::Input;
 
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoAnswer {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{Cholesky, DMatrix};
 
 use super::fit::Fit;
-use super::minimum::{ParameterPoint, Profile, Range};
+use super::minimise::{ParameterPoint, Profile, Range};
 use super::statistics::{LEVELS, half_width};
 use crate::numerics::functions::{exp_m1, ln_1p, sin_cos};
 use crate::numerics::root::bracketed;

@@ -3,12 +3,12 @@
 use nalgebra::DMatrix;
 
 use super::fit::{Fit, Noise};
-use super::identify::{Identifiability, LAW};
+use super::identifiability::{Identifiability, LAW};
 use super::problem::NoAnswer;
 use super::profile::Ends;
 use super::statistics::{Runs, p_of_chi_square};
+use crate::scenario::input::Input;
 use crate::scenario::plan::Free;
-use crate::scenario::scene::Input;
 use crate::units::{four_digits, percent};
 
 /// With `robust`, residuals of more than this many standard deviations are outliers.

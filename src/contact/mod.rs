@@ -1,6 +1,5 @@
 //! A contact without time: two bodies, their strengths, and the laws of force and dent.
 
 pub mod law;
-pub mod material;
-pub mod materials;
+pub mod pair;
 pub mod strength;

@@ -11,7 +11,7 @@
 //! Whenever the process is killed, each place holds either its old file or its new one, complete. Nothing is locked: of two
 //! processes that write the same file the last to rename it wins.
 
-mod new_file;
+mod atomic_file;
 pub mod progress;
 pub mod provenance;
 mod signature;
@@ -25,7 +25,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde_json::Value;
 
 use crate::error::{Error, ErrorKind};
-pub use new_file::{
+pub use atomic_file::{
     NewFile, after_changes, create, folder, refuse_special, remove, remove_folder, remove_stale, replace, sync_folder,
 };
 pub use progress::Counter;

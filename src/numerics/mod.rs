@@ -3,7 +3,7 @@
 
 pub mod curve;
 pub mod functions;
-pub mod integrate;
+pub mod ode;
 pub mod power;
 pub mod quadrature;
 pub mod root;

@@ -2,7 +2,7 @@
 
 use super::Scenario;
 use crate::error::Error;
-use crate::units::named;
+use crate::strings::named;
 
 named! {
     /// The kinds of scenarios. Every kind except the first has a table of its name.

@@ -1,27 +1,20 @@
 //! Scenarios: a TOML file with units, checked during parsing.
 
-mod axes;
-pub mod calibrate;
-mod combinations;
-mod document;
-pub mod edit;
-mod flow;
-pub mod indentation;
+mod body_materials;
+pub mod document;
+pub mod input;
+pub mod key_docs;
+#[doc(hidden)]
+pub mod keys;
 mod kind;
-mod mark;
-mod material;
+pub mod kinds;
 #[doc(hidden)]
 pub mod plan;
-mod rate;
-pub mod reference;
-mod repeat;
-#[doc(hidden)]
-pub mod scene;
+pub(crate) mod rules;
 pub mod schema;
 mod source;
-mod sweep;
 mod syntax;
-mod varied;
+pub(crate) mod toml_node;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -29,15 +22,15 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::impact::Warning;
 use crate::scenario::plan::Setting;
-use crate::scenario::scene::read::{Reader, items};
-use crate::scenario::scene::{
-    BODIES, Body, BodyMaterial, EITHER, EVERY_KEY, Input, NEEDED, Purpose, SPHERE, at, partner, varied as varied_key,
-    without_effect,
-};
 pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
+use input::reader::{Reader, items};
+use input::{
+    BODIES, Body, BodyMaterial, EITHER, Input, NEEDED, Purpose, SPHERE, partner, varied as varied_key, without_effect,
+};
+use keys::{EVERY_KEY, at};
 pub use kind::{Kind, TEMPLATES};
+use plan::varied::Varied;
 pub use source::Source;
-use varied::Varied;
 
 /// A parsed and checked scenario.
 #[derive(Debug, Clone)]

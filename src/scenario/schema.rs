@@ -5,10 +5,11 @@ use std::ops::Bound;
 use serde_json::{Value, json};
 
 use super::Kind;
+use super::input::read_input::POINT;
+use super::input::{Body, EITHER, KEYS};
+use super::keys::words::{DRAWN, MATERIALS, METHODS, SCALES};
+use super::keys::{EVERY_KEY, Form, Quantity, Words};
 use crate::contact::law::LawChoice;
-use crate::scenario::scene::tables::POINT;
-use crate::scenario::scene::words::{DRAWN, MATERIALS, METHODS, SCALES};
-use crate::scenario::scene::{Body, EITHER, EVERY_KEY, Form, KEYS, Quantity, Words};
 
 /// The schema (draft 2020-12). It describes the forms, the words, the ranges of numbers, which keys exclude each other, and
 /// that an impact needs a speed. Of texts with a unit it refuses those of another dimension; the program itself checks more.

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::keys::at;
 use super::{DATA, Scenario};
 use crate::error::Error;
 use crate::files::{FORMAT, NUMBERS, Provenance, VERSION, hex};
-use crate::scenario::scene::at;
 
 /// All that a result depends on, as text: it is hashed, and kept beside tables so that another machine reads the same plan again.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]

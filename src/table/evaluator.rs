@@ -5,11 +5,12 @@ use std::sync::OnceLock;
 
 use crate::contact::law::LawChoice;
 use crate::impact::{Contact, Essentials, ImpactError};
-use crate::numerics::integrate::IntegrationError;
+use crate::numerics::ode::IntegrationError;
+use crate::results::Needs;
+use crate::scenario::input::{Body, Input, Key};
+use crate::scenario::keys::{HardnessRanges, Uncertainty};
 use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
-use crate::scenario::scene::results::Needs;
-use crate::scenario::scene::{Body, HardnessRanges, Input, Key, Uncertainty};
-use crate::units::named;
+use crate::strings::named;
 
 named! {
     /// The reason why a row has no numbers, with its name in the column `status`.

@@ -8,11 +8,11 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::count::Count;
-use super::csv::Csv;
-use super::form::{Form, Format};
+use super::format::csv::Csv;
+use super::format::{Form, Format};
 use super::parts::{Identity, JOINED, ONE_FILE, PARTS, remove_parts};
 use super::shard::Shard;
+use super::tally::Count;
 use super::{Evaluator, Layout, Rows, Tally, count, file, unwritable};
 use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, NewFile, OutputDirectory, remove, remove_stale};
@@ -74,7 +74,7 @@ impl Job<'_> {
             #[cfg(feature = "parquet")]
             Format::Parquet => {
                 let failed = |error| Error::failed(format!("Parquet: {error}"));
-                self.run_as(&super::parquet::Parquet::new(self.plan).map_err(failed)?, &identity)
+                self.run_as(&super::format::parquet::Parquet::new(self.plan).map_err(failed)?, &identity)
             }
             #[cfg(not(feature = "parquet"))]
             Format::Parquet => Err(Error::input(

@@ -5,27 +5,21 @@
 //! threads, shards and interruptions do not change the table: a part is there as a whole or not at all, and a run computes
 //! the parts that are missing ([`job`]). Memory does not grow with the number of rows.
 
-#[cfg(any(feature = "parquet", feature = "python"))]
-pub(crate) mod arrow;
-pub mod caution;
-pub(crate) mod column;
-pub mod count;
-pub mod csv;
+pub mod corner_warnings;
 pub mod evaluator;
-pub mod form;
+pub mod format;
 pub mod job;
-#[cfg(feature = "parquet")]
-mod parquet;
 pub mod parts;
 pub mod shard;
 pub mod statistics;
+pub mod tally;
 
-pub use count::{Tally, count};
 pub use evaluator::{Evaluator, Failure, Rows};
-pub use form::Format;
+pub use format::Format;
 pub use job::{Job, Written};
 pub use parts::Layout;
 pub use shard::Shard;
+pub use tally::{Tally, count};
 
 use std::io;
 use std::path::Path;

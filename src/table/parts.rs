@@ -8,7 +8,7 @@ use std::{fs, io};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::form::Format;
+use super::format::Format;
 use super::shard::Shard;
 use super::{file, refused};
 use crate::error::Error;

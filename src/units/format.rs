@@ -105,9 +105,3 @@ pub fn describe(value: f64, dimension: Dimension) -> String {
     let is_long = format!("{value:.5e}").parse() != Ok(value);
     if exact == short || is_long { short } else { format!("{exact} ({short})") }
 }
-
-/// The text with a capital letter at its beginning.
-pub fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}

@@ -6,19 +6,13 @@
 //! unit, its exponent is added to that of the decimal text, which is then rounded to binary once: "5 mm" is the same number
 //! as 0.005.
 
-mod aligned;
-pub(crate) mod csv_text;
 mod dimension;
 mod format;
-#[doc(hidden)]
-pub mod names;
 mod parse;
-pub(crate) mod rounded;
+pub(crate) mod prefix;
 mod table;
 
-pub use aligned::{aligned, markdown};
 pub use dimension::Dimension;
-pub use format::{capital, describe, exact, four_digits, human, number, percent, quantities, quantity, si};
-pub(crate) use names::named;
-pub use names::{did_you_mean, known_names};
+pub use format::{describe, exact, four_digits, human, number, percent, quantities, quantity, si};
+
 pub use parse::{parse, parse_as};

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::Dimension;
-use super::format::capital;
-use super::names::did_you_mean;
 use super::table::{Scale, UNITS, Unit};
 use crate::error::Error;
+use crate::strings::capital;
+use crate::strings::names::did_you_mean;
 
 /// Other spellings of units, each with the unit that is meant. Letter by letter some are nearer to another unit.
 const LIKELY: [(&str, &str); 14] = [

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use plm_impact::files::progress::Counter;
-use plm_impact::report::plot::Pictures;
+use plm_impact::report::chart::Pictures;
 use plm_impact::report::run::{Outcome, RunOptions, at_once};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;

@@ -11,12 +11,13 @@ use std::cell::Cell;
 use std::ops::Range;
 
 use plm_impact::contact::law::{ContactLaw, Ground, Law, Plm, PlmCoefficients, UnloadingExponent};
-use plm_impact::contact::material::{HalfSpace, Material, Sphere};
-use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot, closed_form};
-use plm_impact::numerics::integrate::{Effort, IntegrationError};
+use plm_impact::contact::pair::{HalfSpace, Material, Sphere};
+use plm_impact::impact::solve::closed_form;
+use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot};
+use plm_impact::numerics::ode::{Effort, IntegrationError};
 use plm_impact::numerics::power::max_or_nan;
 use plm_impact::scenario::Scenario;
-use plm_impact::scenario::scene::Input;
+use plm_impact::scenario::input::Input;
 use plm_impact::table::evaluator::{Evaluator, Rows};
 use proptest::prop_oneof;
 use proptest::strategy::{Just, Strategy};

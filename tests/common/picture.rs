@@ -8,7 +8,7 @@ pub fn pixels(bytes: &[u8]) -> (usize, Vec<[u8; 3]>) {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
-    assert_eq!((info.width, info.height), plm_impact::report::plot::SIZE);
+    assert_eq!((info.width, info.height), plm_impact::report::chart::SIZE);
     assert_eq!(info.color_type, png::ColorType::Rgb);
     (info.width as usize, pixels.chunks_exact(3).map(|rgb| [rgb[0], rgb[1], rgb[2]]).collect())
 }

@@ -1,11 +1,12 @@
 //! Most tests use these names.
 
 pub use plm_impact::contact::law::*;
-pub use plm_impact::contact::material::*;
+pub use plm_impact::contact::pair::*;
 pub use plm_impact::impact::*;
 pub use proptest::prelude::*;
 
 pub use approx::assert_relative_eq;
+pub use plm_impact::bench::problems::problems;
 pub use plm_impact::calibrate::Fit;
 pub use plm_impact::contact::law::catalogue::jackson_green::{Hardness, JacksonGreen};
 pub use plm_impact::contact::law::catalogue::kogut_etsion::KogutEtsion;
@@ -14,23 +15,23 @@ pub use plm_impact::contact::law::catalogue::stronge::Stronge;
 pub use plm_impact::contact::law::catalogue::thornton::Thornton;
 pub use plm_impact::contact::law::catalogue::walton_braun::WaltonBraun;
 pub use plm_impact::contact::law::published::Recovered;
-pub use plm_impact::contact::materials::{Property, all, find};
-pub use plm_impact::contact::strength::flow::FlowCurve;
+pub use plm_impact::contact::strength::flow_curve::FlowCurve;
 pub use plm_impact::error::Error;
-pub use plm_impact::evidence::bench::problems::problems;
-pub use plm_impact::evidence::validate::comparison::largest;
 pub use plm_impact::files::progress::Counter;
 pub use plm_impact::impact::indentation::{Indentation, IndentationError, StaticContact};
-pub use plm_impact::impact::repeat::{Drive, Place, Repeat};
-pub use plm_impact::numerics::integrate::damped::DragStepper;
-pub use plm_impact::numerics::integrate::rk8::Rk8;
-pub use plm_impact::numerics::integrate::{IntegrationError, Integrator};
+pub use plm_impact::impact::series::{Drive, Place, Repeat};
+pub use plm_impact::materials::{Property, all, find};
+pub use plm_impact::numerics::ode::damped_stepper::DragStepper;
+pub use plm_impact::numerics::ode::rk8::Rk8;
+pub use plm_impact::numerics::ode::{IntegrationError, Integrator};
 pub use plm_impact::numerics::power::max_or_nan;
 pub use plm_impact::report::run;
+pub use plm_impact::scenario::input::{Input, Key};
+pub use plm_impact::scenario::keys::EVERY_KEY;
 pub use plm_impact::scenario::plan::Cases;
-pub use plm_impact::scenario::scene::{EVERY_KEY, Input, Key};
 pub use plm_impact::scenario::{Kind, Scenario};
 pub use plm_impact::table::evaluator::{Evaluator, Failure, Rows};
+pub use plm_impact::validate::comparison::largest;
 pub use roxmltree::Document;
 pub use serde_json::{Value, json};
 pub use std::fs;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use plm_impact::impact::Contact;
-use plm_impact::scenario::scene::Input;
+use plm_impact::scenario::input::Input;
 use serde::de::DeserializeOwned;
 
 /// The cells of a row that are not empty, by the names of their columns.

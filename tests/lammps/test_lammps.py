@@ -33,7 +33,7 @@ BIN = Path(sys.executable).parent
 
 
 def build(*arguments: str | Path) -> None:
-    command = [sys.executable, ROOT / "src/doors/lammps/build.py", *arguments]
+    command = [sys.executable, ROOT / "src/interfaces/lammps/build.py", *arguments]
     if library := os.environ.get("PLM_IMPACT_LIBRARY"):
         command += ["--library", library]
     subprocess.run(command, check=True)
@@ -299,7 +299,7 @@ def test_another_lammps_is_refused(tmp_path: Path) -> None:
     build("--into", tmp_path, "--lammps-version", "20200101")
     # the plug-in of the Python module may be loaded too
     output = lammps(tmp_path, "one.in", fails=None, dt="1e-7", n=1, scenario=STEEL)
-    assert "this plug-in is for LAMMPS 20200101" in output and "src/doors/lammps/build.py" in output
+    assert "this plug-in is for LAMMPS 20200101" in output and "src/interfaces/lammps/build.py" in output
 
 
 def test_lmp_finds_the_plugin_of_the_module() -> None:
@@ -441,7 +441,7 @@ def test_friction_is_the_spring_of_lammps(plugin: Path, tmp_path: Path) -> None:
     assert ours[0, 0] == pytest.approx(1 - (1 - 0.5678199098) / 3.5, abs=1e-3)
 
 
-# with UPDATE=1 alone, so that a usual run has no skipped test; tests/command/other_pictures.rs says when the picture is stale
+# with UPDATE=1 alone, so that a usual run has no skipped test; tests/program/scenario/other_pictures.rs says when the picture is stale
 if os.environ.get("UPDATE") == "1":
 
     def test_the_picture_is_drawn_anew(plugin: Path) -> None:

@@ -36,7 +36,7 @@ def test_python_of_pages_runs_without_warnings(page: str) -> None:
 
 
 def test_wheel_has_licences_of_linked_crates() -> None:
-    licences = metadata.distribution("plm-impact").read_text("licenses/src/doors/licenses.txt")
+    licences = metadata.distribution("plm-impact").read_text("licenses/src/interfaces/licenses.txt")
     assert licences == (ROOT / "src" / "doors" / "licenses.txt").read_text()
     expression = metadata.metadata("plm-impact")["License-Expression"]
     assert "Bitstream-Vera" in expression and f": {expression}\n" in licences

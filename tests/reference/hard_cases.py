@@ -1,4 +1,4 @@
-"""Restitution and contact time (units of L/V) of the hard cases in `tests/physics/cases.rs`, with 50 digits (mpmath):
+"""Restitution and contact time (units of L/V) of the hard cases in `tests/core/impact/stability_cases.rs`, with 50 digits (mpmath):
 energy balance for the peak and e, quadrature for the time. The law is written down anew here, from its definition
 (`src/contact/law/plm/mod.rs`), so that nothing but the coefficients is shared with what it checks. Prints: name, e, T."""
 import tomllib

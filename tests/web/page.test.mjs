@@ -22,12 +22,12 @@ test("the first page shows the first scenario of `init`", async () => {
   for (const name of ["force-indentation", "history", "restitution"]) assert.match(await picture(name), /<polyline/);
 });
 
-// tests/command/other_pictures.rs compares the noted numbers with those of the program
-test("UPDATE=1 draws src/doors/web/page.png and notes its numbers", { skip: process.env.UPDATE !== "1" }, async () => {
+// tests/program/scenario/other_pictures.rs compares the noted numbers with those of the program
+test("UPDATE=1 draws src/interfaces/web/page.png and notes its numbers", { skip: process.env.UPDATE !== "1" }, async () => {
   await page.look(1300, 880, false);
   await open();
   await agrees(runByCommand(...FIRST).stdout);
-  writeFileSync(join(ROOT, "src/doors/web/page.png"), await page.picture());
+  writeFileSync(join(ROOT, "src/interfaces/web/page.png"), await page.picture());
   const summary = JSON.parse(runByCommand(...FIRST).files["summary.json"]);
   const names = ["restitution", "contact_time_s", "peak_force_N", "residual_indentation_m"];
   const lines = ["result,value", ...names.map((name) => `${name},${summary[name]}`), ""];

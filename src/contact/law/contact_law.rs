@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::Law;
 use super::published::{LawParts, OutsideLaw};
-use crate::contact::material::{Pair, YieldPoint};
+use crate::contact::pair::{Pair, YieldPoint};
 
 /// The source of a law and its use, in words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -14,23 +14,23 @@
 
 pub mod catalogue;
 mod contact_law;
-mod ground;
+mod peak_law;
 pub mod plm;
 pub mod published;
-mod relaxed;
+mod surface;
 pub mod unloading;
 
 use std::sync::Arc;
 
 use crate::numerics::curve::Curve;
-use crate::units::names::named;
+use crate::strings::names::named;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
-pub use ground::{Dent, Ground};
-pub use plm::rule::PlmRule;
+pub use plm::unloading_rule::PlmRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
 use published::{LARGEST_CUT, Limits, Published, WIDEST_PARABOLOID};
 pub use published::{Loading, OutsideLaw};
+pub use surface::{Dent, Ground};
 pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// How a contact unloads after loading beyond the elastic regime.

@@ -14,7 +14,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use super::{ContactState, Unloading, UnloadingShape};
-use crate::contact::strength::flow::FlowError;
+use crate::contact::strength::flow_curve::FlowError;
 use crate::numerics::curve::Curve;
 use crate::numerics::root::halved;
 use crate::units::{four_digits, percent};

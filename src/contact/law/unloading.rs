@@ -3,8 +3,8 @@
 
 use std::f64::consts::PI;
 
-use crate::numerics::curve::branch::{Branch, Form};
 use crate::numerics::curve::piece::{Piece, Shape};
+use crate::numerics::curve::unloading_curve::{Branch, Form};
 use crate::numerics::power::{power, turning_time, work_share};
 
 /// A state of the contact. The state of the largest indentation so far is the whole memory of the law.

@@ -18,7 +18,7 @@
 
 use thiserror::Error;
 
-use crate::units::names::named;
+use crate::strings::names::named;
 use crate::units::number;
 
 named! {

@@ -1,6 +1,6 @@
 //! Which stress of a metal a number is.
 
-use crate::units::names::named;
+use crate::strings::names::named;
 
 named! {
     /// The kind of a strength.

@@ -7,15 +7,15 @@
 //!
 //! Xie et al. (2024), section 4.3; Oliver and Pharr (1992), J. Mater. Res. 7, 1564-1583, for the unloading stiffness.
 
-mod stroke;
+mod load_step;
 
 use thiserror::Error;
 
+use super::problem::scales::Units;
 use crate::contact::law::{Branch, ContactLaw, ContactState, Dent, Ground, Law, OutsideLaw};
-use crate::contact::material::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere, normal};
-use crate::impact::scales::Units;
+use crate::contact::pair::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere, normal};
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
-use stroke::Stroke;
+use load_step::Stroke;
 
 /// A step that moves by a smaller fraction of the indentation is rounding, and counts as no motion.
 const STILL: f64 = 1e-12;

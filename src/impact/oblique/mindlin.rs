@@ -17,13 +17,13 @@
 //! The displacement of the springs is exact in space (`profile.rs`). In time, with the shift M' = (3/2) σ of a spring that sticks,
 //! M'' = (15/4) χ T is integrated by Nyström's method of order 4 in two stages, whose second stage is the first stage of the next
 //! step. Two half steps are compared with a whole step, and the difference improves them. A step ends where T has a kink
-//! (`kink.rs`).
+//! (`kinks.rs`).
 
-use super::kink::{kink, sliding, slopes};
-use super::motion::TangentialMotion;
+use super::kinks::{kink, sliding, slopes};
+use super::normal_motion::TangentialMotion;
 use super::profile::{Profile, Rim};
-use crate::impact::scales::ACCELERATION;
-use crate::numerics::integrate::IntegrationError;
+use crate::impact::problem::scales::ACCELERATION;
+use crate::numerics::ode::IntegrationError;
 
 /// The change of the slip speed.
 #[derive(Debug)]

@@ -26,22 +26,22 @@
 //! does not act along the surface. A sphere that stays in its dent has no rebound.
 
 mod approach;
-mod kink;
+mod kinks;
 pub mod mindlin;
-pub mod motion;
+pub mod normal_motion;
 mod profile;
 
-use super::case::Case;
-use super::contact::Contact;
-use super::error::ImpactError;
-use super::outcome::{Fate, Outcome};
-use super::scales::ACCELERATION;
+use super::problem::contact::Contact;
+use super::problem::error::ImpactError;
+use super::problem::scales::ACCELERATION;
+use super::scaled_impact::Case;
+use super::solve::outcome::{Fate, Outcome};
 use crate::contact::law::LoadingRule;
-use crate::contact::material::{Hold, InvalidInput, Material, OutOfFloatRange};
+use crate::contact::pair::{Hold, InvalidInput, Material, OutOfFloatRange};
 use crate::numerics::functions::atan2;
 pub use approach::{Approach, Incidence};
 use mindlin::SlipChange;
-use motion::TangentialMotion;
+use normal_motion::TangentialMotion;
 
 /// The results of an oblique impact that are columns of a table. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]

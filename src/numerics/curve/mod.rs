@@ -4,18 +4,18 @@
 //! Everything here is dimensionless. For a contact law x = δ/L is the indentation, f = F/Φ the force and w = W/(Φ L) the work,
 //! where L and Φ are the yield indentation and force (or, for an elastic impact, the Hertz peak).
 
-pub mod branch;
-pub(crate) mod crossing;
 pub mod piece;
-pub mod poly;
+pub mod polynomial;
+pub(crate) mod transit;
+pub mod unloading_curve;
 
 use std::sync::{Arc, OnceLock};
 
 use crate::numerics::functions::{ln, pow};
 use crate::numerics::power::power;
-use crossing::{Crossings, Reached};
 use piece::{Piece, Shape, along};
-use poly::Poly;
+use polynomial::Poly;
+use transit::{Crossings, Reached};
 
 /// An increasing and continuous loading curve from (0, 0) on; its last piece has no end.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,7 +115,7 @@ impl Curve {
         self
     }
 
-    /// Gives the curve series for the time to its knots (see [`crossing`]).
+    /// Gives the curve series for the time to its knots (see [`transit`]).
     pub(crate) fn with_crossings(mut self) -> Self {
         self.crossings = Some(Once::default());
         self

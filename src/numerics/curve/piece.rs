@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
-use super::branch::Branch;
-use super::poly::Poly;
+use super::polynomial::Poly;
+use super::unloading_curve::Branch;
 use crate::numerics::functions::{exp_m1, ln_1p, pow};
 use crate::numerics::power::{power, power_turn, work_share};
 use crate::numerics::root::fallen_from;

@@ -7,18 +7,19 @@ use toml_edit::{DocumentMut, Value};
 use super::outcome::{Outcome, RunOptions, file, provenance, put_notes, with_summary};
 use crate::calibrate::fit::NO_SCATTER;
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
-use crate::contact::materials::Property;
 use crate::contact::strength::kind::StrengthKind;
 use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, OutputFile, PROGRAM};
-use crate::report::plot::calibrate::pictures;
+use crate::materials::Property;
+use crate::report::pictures::calibrate::pictures;
 use crate::report::text::calibrate as report;
 use crate::report::text::notes;
 use crate::report::text::overview::of_calibration;
 use crate::scenario::Scenario;
-use crate::scenario::edit::set;
-use crate::scenario::scene::interval::WHICH_STRENGTH;
-use crate::scenario::scene::{Body, Input, strength_notes};
+use crate::scenario::document::edit::set;
+use crate::scenario::input::{Body, Input};
+use crate::scenario::keys::interval::WHICH_STRENGTH;
+use crate::scenario::keys::strength_notes;
 use crate::units::{Dimension, exact, four_digits};
 
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {

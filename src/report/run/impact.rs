@@ -4,16 +4,17 @@ use super::outcome::{self, Outcome, RunOptions, file, no_result, texts, with_sum
 use crate::error::Error;
 use crate::files::{MethodOf, Provenance};
 use crate::impact::{Contact, Impact, ImpactError, Method};
-use crate::report::plot;
-use crate::report::plot::{caption, captioned};
-use crate::report::text::checked::of_contact;
+use crate::report::pictures;
+use crate::report::pictures::{caption, captioned};
+use crate::report::text::check::of_contact;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
 use crate::report::text::{table, trace};
+use crate::results::fields;
+use crate::results::impact::{Single, results};
 use crate::scenario::Scenario;
-use crate::scenario::scene::results::fields;
-use crate::scenario::scene::results::impact::{Single, results};
-use crate::scenario::scene::{Input, Purpose, restitution_interval, strength_notes};
+use crate::scenario::input::{Input, Purpose};
+use crate::scenario::keys::{restitution_interval, strength_notes};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
 /// to be one.
@@ -59,9 +60,11 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let provenance = provenance(scenario, &input, impact.method, options.command);
     let mut files = vec![file("trace.csv", trace(&impact)?)];
     files.extend(options.pictures.files(|| {
-        let mut drawn =
-            vec![("force_indentation", plot::force_indentation(&impact)?), ("history", plot::history(&impact)?)];
-        drawn.extend(plot::friction(&impact).map(|friction| ("friction", friction)));
+        let mut drawn = vec![
+            ("force_indentation", pictures::force_indentation(&impact)?),
+            ("history", pictures::history(&impact)?),
+        ];
+        drawn.extend(pictures::friction(&impact).map(|friction| ("friction", friction)));
         Ok(captioned(drawn, &caption(&input, &[])))
     })?);
     let interval = restitution_interval(&input, &contact, impact.speed, &impact.essentials);

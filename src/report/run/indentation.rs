@@ -3,17 +3,17 @@
 use std::fmt::Display;
 
 use super::outcome::{self, Outcome, RunOptions, file, put_notes, texts, with_summary};
-use crate::contact::material::Sphere;
+use crate::contact::pair::Sphere;
 use crate::error::{Error, ErrorKind};
 use crate::impact::indentation::{IndentationError, StaticContact, Tested};
 use crate::impact::{of_elastic, of_half_space, of_sphere};
-use crate::report::plot;
-use crate::report::plot::caption::of_indentation;
+use crate::report::pictures;
+use crate::report::pictures::caption::of_indentation;
 use crate::report::text::indentation as report;
 use crate::report::text::notes as report_notes;
 use crate::scenario::Scenario;
-use crate::scenario::indentation::IndentationScene;
-use crate::scenario::scene::Body;
+use crate::scenario::input::Body;
+use crate::scenario::kinds::indentation::IndentationScene;
 
 /// The scene of a scenario, the results of every half-space, and all warnings; `samples` are the rows of the trace in each
 /// step, if there is to be one.
@@ -57,7 +57,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, options.command);
     let mut files = vec![file("trace.csv", report::trace(&tested)?)];
     files.extend(options.pictures.files(|| {
-        let drawn = plot::indentation(&tested).with_caption(of_indentation(&scene));
+        let drawn = pictures::indentation(&tested).with_caption(of_indentation(&scene));
         Ok(vec![("force_indentation", drawn)])
     })?);
     let mut results = report::found(&tested, &warnings);

@@ -4,12 +4,13 @@ mod calibrate;
 pub mod impact;
 pub mod indentation;
 mod outcome;
-pub mod repeat;
+pub mod series;
 pub mod table;
 
 use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Forces};
-use crate::scenario::scene::{Input, at};
+use crate::scenario::input::Input;
+use crate::scenario::keys::at;
 use crate::scenario::{Kind, Scenario};
 pub use outcome::{Outcome, RunOptions, no_result, texts};
 
@@ -19,7 +20,7 @@ pub fn at_once(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Opti
     let outcome = match scenario.kind()? {
         Kind::Sweep | Kind::MonteCarlo => return Ok(None),
         Kind::Impact => impact::outcome,
-        Kind::Repeat => repeat::outcome,
+        Kind::Repeat => series::outcome,
         Kind::Calibrate => calibrate::outcome,
         Kind::Indentation => indentation::outcome,
     };

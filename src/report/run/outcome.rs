@@ -6,13 +6,14 @@ use crate::contact::law::{LawChoice, OutsideLaw};
 use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, LawOf, OutputFile, Provenance, SUMMARY};
 use crate::impact::{ImpactError, Warning};
-use crate::numerics::integrate::IntegrationError;
-use crate::report::plot::Pictures;
+use crate::numerics::ode::IntegrationError;
+use crate::report::chart::Pictures;
 use crate::report::text::Detail;
 use crate::report::text::files::summary;
 use crate::report::text::inputs::Inputs;
 use crate::scenario::Scenario;
-use crate::scenario::scene::{Body, KEYS, Key, Part};
+use crate::scenario::input::{Body, KEYS, Key};
+use crate::scenario::keys::Part;
 
 /// The options of a run, besides its scenario.
 #[derive(Debug, Clone, Copy)]

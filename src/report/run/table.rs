@@ -4,18 +4,18 @@ use super::outcome::{Outcome, RunOptions, no_result, put_notes, texts, with_summ
 use crate::error::{Error, ErrorKind};
 use crate::files::{Counter, OutputFile, Provenance};
 use crate::impact::Contact;
-use crate::report::plot::Pictures;
-use crate::report::plot::sweep::pictures;
-use crate::report::text::checked::of_plan;
+use crate::report::chart::Pictures;
+use crate::report::pictures::sweep::pictures;
+use crate::report::text::check::of_plan;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::notes as report_notes;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
 use crate::report::text::sweep::{found, lines};
 use crate::scenario::Scenario;
+use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
-use crate::scenario::scene::strength_notes;
-use crate::table::caution::at_corners;
+use crate::table::corner_warnings::at_corners;
 use crate::table::job::in_order;
 use crate::table::{Evaluator, Rows, Tally, count};
 

@@ -6,13 +6,15 @@ use serde_json::{Map, Value, json};
 
 use super::files::written;
 use super::inputs::{Inputs, constraint};
-use crate::calibrate::minimum::ParameterPoint;
+use crate::calibrate::minimise::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
-use crate::scenario::scene::results::{Reported, fields, results};
-use crate::scenario::scene::{Body, Measured, key_of};
-use crate::units::{aligned, four_digits, percent};
+use crate::results::{Reported, fields, results};
+use crate::scenario::input::{Body, Measured};
+use crate::scenario::keys::key_of;
+use crate::strings::aligned;
+use crate::units::{four_digits, percent};
 
 /// The note on an interval with an end outside of the range of the key.
 const UNBOUNDED: &str = "not bounded by these data";

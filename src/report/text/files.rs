@@ -7,7 +7,7 @@ use super::inputs::Inputs;
 use crate::error::Error;
 use crate::files::Provenance;
 use crate::impact::Impact;
-use crate::scenario::scene::results::{Reported, trace};
+use crate::results::{Reported, trace};
 
 /// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
 pub fn summary(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {

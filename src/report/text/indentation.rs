@@ -5,15 +5,17 @@ use serde_json::{Map, Value};
 use super::files::csv;
 use super::inputs::Inputs;
 use super::{overview, terminal};
-use crate::contact::material::left_behind;
+use crate::contact::pair::left_behind;
 use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
+use crate::results::{Reported, fields, lists, results};
 use crate::scenario::Scenario;
-use crate::scenario::indentation::IndentationScene;
-use crate::scenario::scene::interval::WHICH_STRENGTH;
-use crate::scenario::scene::results::{Reported, fields, lists, results};
-use crate::scenario::scene::{Body, EVERY_KEY, Part, at};
-use crate::units::{Dimension, aligned, describe};
+use crate::scenario::input::Body;
+use crate::scenario::keys::interval::WHICH_STRENGTH;
+use crate::scenario::keys::{EVERY_KEY, Part, at};
+use crate::scenario::kinds::indentation::IndentationScene;
+use crate::strings::aligned;
+use crate::units::{Dimension, describe};
 
 /// The results of one half-space, in the order of `summary.json`.
 pub fn half_space() -> Vec<Reported<Tested>> {

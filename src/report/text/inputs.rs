@@ -3,11 +3,12 @@
 
 use serde_json::{Map, Value};
 
-use crate::contact::law::plm::hardness::flow_stress;
+use crate::contact::law::plm::hardness_test::flow_stress;
 use crate::impact::Method;
+use crate::scenario::input::{Body, Input, KeyValue, partner};
+use crate::scenario::keys::quantity::FACTOR;
+use crate::scenario::keys::{Part, key_of};
 use crate::scenario::plan::{Axis, Plan, Word};
-use crate::scenario::scene::quantity::FACTOR;
-use crate::scenario::scene::{Body, Input, KeyValue, Part, key_of, partner};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]

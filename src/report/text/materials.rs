@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use crate::contact::materials::{Known, MaterialEntry, Property, all};
-use crate::units::{Dimension, aligned, four_digits, quantity};
+use crate::materials::{Known, MaterialEntry, Property, all};
+use crate::strings::aligned;
+use crate::units::{Dimension, four_digits, quantity};
 
 /// True if the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
 pub fn has(entry: &MaterialEntry, text: &str) -> bool {

@@ -1,7 +1,7 @@
 //! Texts about a run: files, and tables for the terminal. Nothing here opens a file or prints.
 
 pub mod calibrate;
-pub mod checked;
+pub mod check;
 pub(crate) mod files;
 pub mod indentation;
 pub mod inputs;
@@ -9,8 +9,7 @@ pub mod laws;
 pub mod materials;
 pub(crate) mod overview;
 pub(crate) mod plan;
-pub(crate) mod repeat;
-pub mod series;
+pub(crate) mod series;
 pub mod sweep;
 mod terminal;
 pub mod units;

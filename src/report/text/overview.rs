@@ -2,14 +2,16 @@
 
 use super::inputs::Inputs;
 use super::terminal::{described, notes};
-use super::{calibrate, checked};
+use super::{calibrate, check};
 use crate::calibrate::{Calibration, Measurements};
 use crate::contact::law::LawChoice;
-use crate::contact::material::Pair;
-use crate::contact::materials::Property;
+use crate::contact::pair::Pair;
 use crate::impact::Contact;
-use crate::scenario::scene::{Body, Input, key_of};
-use crate::units::{Dimension, aligned, describe, four_digits, human, percent};
+use crate::materials::Property;
+use crate::scenario::input::{Body, Input};
+use crate::scenario::keys::key_of;
+use crate::strings::aligned;
+use crate::units::{Dimension, describe, four_digits, human, percent};
 
 /// A name and a value.
 type Row = [String; 2];
@@ -18,7 +20,7 @@ type Row = [String; 2];
 pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     let mut rows = Vec::new();
     let [speed, _] = input.approach().components();
-    let contact = &checked::at_its_speed(input, contact);
+    let contact = &check::at_its_speed(input, contact);
     let law = input.law();
     for [key, text] in self::rows(&Inputs::new(input)) {
         match key.as_str() {
@@ -34,7 +36,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
         }
     }
     rows.push([String::new(), String::new()]);
-    rows.extend(described(&checked::contact(), contact));
+    rows.extend(described(&check::contact(), contact));
     rows.push(who(contact.pair(), contact.reaches_first_yield()));
     if let Some(rated) = contact.rated() {
         rows.push(["strain rate".to_owned(), describe(rated.strain_rate, Dimension::StrainRate)]);

@@ -1,7 +1,8 @@
 //! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
 
 use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Variable};
-use crate::units::{aligned, percent};
+use crate::strings::aligned;
+use crate::units::percent;
 
 /// An axis with at most this number of values is listed value by value.
 const MOST_LISTED: u64 = 8;

@@ -1,248 +1,126 @@
-//! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
+//! Texts about repeated impacts: `summary.json`, `impacts.csv`, `trace.csv` and the table on the terminal.
 
-use crate::impact::Contact;
-use crate::impact::repeat::{Drive, End, Hit, Repeat, Sequence};
-use crate::numerics::power::max_or_nan;
-use crate::scenario::scene::results::{Reported, results};
+use serde_json::{Map, Value};
+
+use super::files::csv;
+use super::terminal::{self, Detail};
+use crate::error::Error;
+use crate::impact::flight::trajectory::Flight;
+use crate::impact::series::{Drive, Hit, Repeat, Sequence};
+use crate::results::fields;
+use crate::results::series as results;
+use crate::results::series::{Series, TraceRow};
+use crate::results::trace::event_name;
+use crate::strings::aligned;
 use crate::units::{Dimension, quantity};
 
-/// A series of impacts.
-#[derive(Debug, Clone, Copy)]
-pub struct Series<'a> {
-    pub contact: &'a Contact,
-    pub repeat: &'a Repeat,
-    pub sequence: &'a Sequence,
-    /// Warnings about the scene and the impacts.
-    pub warnings: &'a [String],
+/// A summary lists the speeds of at most this number of shots; a longer list is in `impacts.csv` only.
+const LISTED: usize = 1000;
+
+/// The results by their names.
+pub fn found(series: &Series) -> Map<String, Value> {
+    let mut results = fields(&results::results(), series);
+    if let Drive::Shots(speeds) = &series.repeat.drive
+        && speeds.len() <= LISTED
+    {
+        results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
+    }
+    results
 }
 
-impl Series<'_> {
-    fn plastic<V>(&self, value: V) -> Option<V> {
-        self.contact.pair().yield_point.map(|_| value)
-    }
+/// `impacts.csv`: one row per impact.
+pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, Error> {
+    csv(&results::impacts(), (1..).zip(sequence.hits.iter().copied()))
+}
 
-    /// Height of the first fall, most impacts, and the speed at which bouncing ends, if the sphere bounces.
-    fn bouncing(&self) -> Option<(Option<f64>, u64, Option<f64>)> {
-        match self.repeat.drive {
-            Drive::Bouncing { drop_height, most, until, .. } => Some((drop_height, most, until)),
-            Drive::Shots(_) => None,
+/// `trace.csv`: the impacts that were traced, and the flights between them.
+pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
+    let mut rows = Vec::new();
+    let hops = sequence.hits.iter().any(|hit| hit.speed_along().is_some());
+    if let Some(fall) = &sequence.fall {
+        fly(0, fall, hops, samples, &mut rows);
+    }
+    for (i, (hit, impact)) in sequence.hits.iter().zip(&sequence.traced).enumerate() {
+        let mut at: Option<(f64, f64, f64)> = None;
+        rows.extend(impact.trace.iter().map(|row| TraceRow {
+            impact: i + 1,
+            time: hit.time.unwrap_or(0.0) + row.time,
+            position: row.friction.map(|friction| {
+                // by the trapezoidal rule along the contact
+                let (time, speed) = (row.time, friction.tangential_speed);
+                let moved =
+                    at.map_or(hit.position, |(before, place, was)| place + 0.5 * (was + speed) * (time - before));
+                at = Some((time, moved, speed));
+                moved
+            }),
+            height: -row.indentation,
+            speed: row.speed,
+            force: row.force,
+            branch: row.branch.name(),
+            event: event_name(row.event),
+        }));
+        if let Some(flight) = &hit.flight {
+            fly(i + 1, flight, hops, samples, &mut rows);
         }
     }
-
-    /// A value of the first impact; 0 for none.
-    fn first(&self, value: fn(&Hit) -> f64) -> f64 {
-        self.sequence.hits.first().map_or(0.0, value)
-    }
-
-    /// A value of the last impact; 0 for none.
-    fn last(&self, value: fn(&Hit) -> f64) -> f64 {
-        self.sequence.hits.last().map_or(0.0, value)
-    }
-
-    /// The energy in the plate after all impacts, if there is a plate.
-    fn plate_energy(&self) -> Option<f64> {
-        self.contact.forces().plate.map(|_| self.sequence.hits.iter().filter_map(Hit::plate_energy).sum())
-    }
-
-    fn largest(&self, value: fn(&Hit) -> f64) -> f64 {
-        self.sequence.hits.iter().map(value).fold(0.0, max_or_nan)
-    }
+    csv(&results::trace(), rows.into_iter())
 }
 
-/// How the time of bouncing after the end of the series is estimated.
-const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
-                         for all bounces to come and contact times left out, or with [air] the sum of these flights (a lower bound where e rises as the speed \
-                         falls); null if e is 1 or more, or the sphere stays in its dent";
-
-/// The results of a series, in the order of `summary.json`.
-pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
-    results! { |series: Series<'a>|
-        /// Number of impacts.
-        "impacts" as "impacts": series.sequence.hits.len();
-        /// Where they hit: `same` or `fresh`.
-        "spot" as "{} spot": series.repeat.place.name();
-        /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
-        "ended_by": series.sequence.end.name();
-        /// Why the series ended, as a sentence.
-        "end" as "ended": end_text(series.repeat, series.sequence);
-        /// Restitution of the last impact; with waves, if the half-space has a density.
-        "final_restitution" as "last restitution": series.last(|hit| hit.measured_restitution());
-        /// Rebound speed of the last impact.
-        "final_rebound_speed_m_per_s" in Speed as "rebound speed {}": series.last(|hit| hit.rebound_speed);
-        /// Largest contact force of all impacts.
-        "largest_peak_force_N" in Force: series.largest(|hit| hit.peak_force);
-        /// Largest indentation of all impacts, from the original surface.
-        "largest_peak_indentation_m" in Length: series.largest(|hit| hit.peak_indentation);
-        /// Depth of the deepest dent, with the flat on the sphere.
-        "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.plastic(series.sequence.deepest_dent());
-        /// Gravity.
-        "gravity_m_per_s2" in Acceleration if BOUNCES: series.contact.forces().gravity;
-        /// Height of the first fall; `null` where the first speed is given.
-        "drop_height_m" in Length if BOUNCES: series.bouncing().map(|(drop_height, ..)| drop_height);
-        /// Largest number of impacts.
-        "most_impacts" if BOUNCES: series.bouncing().map(|(_, most, _)| most);
-        /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
-        "until_speed_m_per_s" in Speed if BOUNCES: series.bouncing().map(|(.., until)| until);
-        /// Time of the last separation; `null` where the first impact captures the sphere.
-        "last_separation_time_s" in Time as "last separation" if BOUNCES:
-            series.bouncing().map(|_| series.sequence.hits.iter().rev().find_map(Hit::separation_time));
-        /// Estimate of the time at which the sphere would be at rest, counted as all times of the series: the last separation
-        /// and the remaining time; `null` as that is.
-        "rest_time_s" in Time as "time to rest" if BOUNCES: series.bouncing().map(|_| series.sequence.rest_time());
-        /// The part of it after the last separation: an estimate of how long bouncing would still last; `null` if it would
-        /// never end, or if the sphere stays in its dent.
-        "remaining_time_s" in Time as "{} of it after the last separation" if BOUNCES:
-            series.bouncing().map(|_| series.sequence.remaining_time);
-        /// How the remaining time is estimated.
-        "remaining_time" if BOUNCES: series.bouncing().map(|_| REMAINING);
-        /// Highest rebound over the original surface.
-        "highest_rebound_m" in Length if BOUNCES: series.bouncing().map(|_| {
-            let flights = series.sequence.hits.iter().filter_map(|hit| hit.flight);
-            flights.map(|flight| flight.top()).reduce(max_or_nan)
-        });
-        /// How far along the surface the last impact is from the first.
-        "path_m" in Length as "path" if OBLIQUE:
-            series.sequence.hits.last().filter(|hit| hit.speed_along().is_some()).map(|hit| hit.position);
-        /// Indentation at which a captured sphere comes to rest.
-        "static_indentation_m" in Length as "rests at" if CAPTURED:
-            series.bouncing().and_then(|_| series.sequence.hits.last()?.forced(|forces| forces.static_indentation));
-        /// Kinetic energy at the first touch.
-        "energy.first_kinetic_in_J" in Energy: series.first(|hit| hit.kinetic_in);
-        /// Kinetic energy after the last impact.
-        "energy.last_recovered_J" in Energy: series.last(|hit| hit.energy.recovered);
-        /// Energy radiated as elastic waves.
-        "energy.waves_J" in Energy if WAVES:
-            series.sequence.hits.iter().filter_map(Hit::radiated).reduce(|all, one| all + one);
-        /// Energy spent on dents.
-        "energy.plastic_J" in Energy if YIELDS: series.plastic(series.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
-        /// Energy that the plate has taken in all impacts.
-        "energy.plate_J" in Energy if PLATE: series.plate_energy();
-        /// Energy that friction has taken in all impacts.
-        "energy.friction_J" in Energy if OBLIQUE:
-            series.sequence.hits.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
-        /// Largest error of the energy balance of any impact.
-        "energy.drift" in Error as "energy balance off by": series.sequence.drift();
-        /// Impacts that the trace has: the first ones of a long series.
-        "traced_impacts": series.sequence.traced.len();
-        /// Where the scene, the model or the run is doubtful.
-        "warnings": series.warnings.to_vec();
-        /// Effective modulus E* of the pair of bodies.
-        "effective_modulus_Pa" in Pressure: series.contact.pair().effective_modulus;
-        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
-        "sphere_compliance": series.contact.pair().sphere_compliance;
-        /// Mass of the sphere.
-        "sphere_mass_kg" in Mass: series.contact.mass();
-        /// Impact speed above which the half-space yields.
-        "yield_speed_m_per_s" in Speed if REACHES: series.contact.yield_speed();
-    }
+/// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
+/// sphere, where the first fall begins, is a row of the flight.
+fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<TraceRow>) {
+    rows.extend((usize::from(impact > 0)..=samples).map(|i| {
+        let time = flight.duration * i as f64 / (samples + 1) as f64;
+        TraceRow {
+            impact,
+            time: flight.begin + time,
+            position: hops.then(|| flight.position_at(time)),
+            height: flight.height_at(time),
+            speed: flight.speed_at(time),
+            force: 0.0,
+            branch: "flight",
+            event: if i == 0 { "release" } else { "" },
+        }
+    }));
 }
 
-/// Why the series ended, for a person.
-fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
-    let until = match repeat.drive {
-        Drive::Bouncing { until: Some(until), .. } => quantity(until, Dimension::Speed),
-        _ => String::new(),
-    };
-    match sequence.end {
-        End::Shots => "all shots are fired".to_owned(),
-        End::Impacts => "as many impacts as were asked for".to_owned(),
-        End::Until => format!("the next impact would be slower than {until}"),
-        End::Captured => "captured: the sphere does not leave the half-space".to_owned(),
-        End::InDent => "the rebound does not lift the sphere out of its dent onto fresh surface".to_owned(),
+/// How many impacts at the beginning and at the end of a long series the terminal shows.
+const SHOWN: (usize, usize) = (12, 5);
+
+/// The table for the terminal: lines about the series, and a line for each impact.
+pub fn table(series: &Series, detail: Detail) -> String {
+    let hits = &series.sequence.hits;
+    let is_shown = |(number, _): &(usize, &Hit)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
+    let shown: Vec<(usize, Hit)> = (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
+    let mut rows = terminal::columns(&results::impacts(), &shown);
+    if shown.len() < hits.len() {
+        rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
     }
+    let mut about = results::results();
+    about.retain(|result| detail == Detail::Whole || result.name != "energy.drift");
+    let mut lines = terminal::lines(&about, series);
+    let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
+    terminal::rename_dent(texts, terminal::imprint(series.contact.is_spring(), series.sequence.left_behind()));
+    aligned(&lines, |_| true) + "\n" + &aligned(&rows, |_| false)
 }
 
-/// The columns of `impacts.csv`, behind the number of the impact.
-pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
-    results! { |row: (usize, Hit)|
-        /// Number of the impact, from 1.
-        "impact" as "impact": row.0;
-        /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
-        "time_s" in Time as "time" if BOUNCES: row.1.time;
-        /// Place of the impact along the surface, from the first.
-        "position_m" in Length as "place" if OBLIQUE: row.1.speed_along().map(|_| row.1.position);
-        /// Speed at first touch, normal to the half-space.
-        "impact_speed_m_per_s" in Speed as "speed": row.1.speed;
-        /// Speed of the sphere along the half-space at first touch.
-        "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.speed_along();
-        /// Spin of the sphere at first touch; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.incidence.map(|incidence| incidence.spin);
-        /// Rebound speed over impact speed by the law; 0 if captured.
-        "restitution" as "e": row.1.restitution;
-        /// Restitution after the waves have taken their energy.
-        "restitution_with_waves" as "with waves" if WAVES: row.1.restitution_with_waves();
-        /// Speed with which the flight begins: with waves, if the half-space has a density.
-        "rebound_speed_m_per_s" in Speed as "rebound": row.1.rebound_speed;
-        /// Speed of the sphere along the half-space with which the flight begins.
-        "rebound_tangential_speed_m_per_s" in Speed if OBLIQUE: row.1.rebound.map(|after| after.tangential_speed);
-        /// Spin of the sphere in the flight.
-        "rebound_spin_rad_per_s" in AngularSpeed if OBLIQUE: row.1.rebound.map(|after| after.spin);
-        /// Largest contact force.
-        "peak_force_N" in Force as "peak force": row.1.peak_force;
-        /// Largest indentation, from the original surface.
-        "peak_indentation_m" in Length as "peak depth": row.1.peak_indentation;
-        /// Depth of the dent afterwards, with the flat on the sphere.
-        "residual_indentation_m" in Length as "dent" if YIELDS: row.1.energy.plastic.map(|_| row.1.residual_indentation);
-        /// How much deeper this impact made the dent.
-        "dent_growth_m" in Length as "growth" if YIELDS: row.1.energy.plastic.map(|_| row.1.dent_growth);
-        /// Time from first touch to separation; empty if captured.
-        "contact_time_s" in Time as "contact": row.1.contact_time;
-        /// Kinetic energy at first touch.
-        "kinetic_in_J" in Energy: row.1.kinetic_in;
-        /// Kinetic energy with which the flight begins.
-        "recovered_J" in Energy: row.1.energy.recovered;
-        /// Energy radiated as elastic waves.
-        "waves_J" in Energy if WAVES: row.1.radiated();
-        /// Energy spent on the dent.
-        "plastic_J" in Energy if YIELDS: row.1.energy.plastic;
-        /// Energy in the plate at separation, or where the computation of a captured sphere ends.
-        "plate_J" in Energy if PLATE: row.1.plate_energy();
-        /// Energy taken by damping.
-        "damping_J" in Energy if DAMPING: row.1.forced(|forces| forces.damping_loss);
-        /// Energy taken by friction.
-        "friction_J" in Energy if OBLIQUE: row.1.oblique.map(|friction| friction.loss);
-        /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
-        "stored_at_separation_J" in Energy if VISCOUS: row.1.forced(|forces| forces.stored_at_separation);
-        /// Kinetic and elastic energy where the computation of a captured sphere ends.
-        "left_J" in Energy if CAPTURED: row.1.forced(|forces| forces.left);
-        /// Work of gravity since first touch.
-        "gravity_work_J" in Energy if GRAVITY: row.1.forced(|forces| forces.gravity_work);
-        /// Error of the energy balance.
-        "energy_drift" in Error: row.1.energy.drift;
+/// The text of `check` about a series: its keys. The scene of the first impact is printed after it.
+pub fn repeat_lines(repeat: &Repeat) -> String {
+    let speed = |speed: &f64| quantity(*speed, Dimension::Speed);
+    let mut rows = vec![["repeat.spot", repeat.place.name()].map(str::to_owned)];
+    let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
+    match &repeat.drive {
+        Drive::Bouncing { most, until, .. } => {
+            row("repeat.impacts", most.to_string());
+            if let Some(until) = until {
+                row("repeat.until.speed", speed(until));
+            }
+        }
+        Drive::Shots(speeds) => {
+            row("shots", speeds.len().to_string());
+            let [low, high] = [f64::min, f64::max].map(|end| speeds.iter().copied().fold(f64::NAN, end));
+            row("speed", if low == high { speed(&low) } else { format!("{} to {}", speed(&low), speed(&high)) });
+        }
     }
-}
-
-/// A row of the trace of a series, in SI; see [`trace`].
-#[derive(Debug, Clone, Copy)]
-pub struct TraceRow {
-    pub impact: usize,
-    pub time: f64,
-    pub position: Option<f64>,
-    pub height: f64,
-    pub speed: f64,
-    pub force: f64,
-    pub branch: &'static str,
-    pub event: &'static str,
-}
-
-/// The columns of the `trace.csv` of a series.
-pub fn trace() -> Vec<Reported<TraceRow>> {
-    results! { |row: TraceRow|
-        /// Number of the impact that the row belongs to or follows; 0 during the fall before the first.
-        "impact": row.impact;
-        /// Time of the series for a bouncing sphere; for shots, time since each first touch.
-        "time_s" in Time: row.time;
-        /// Place along the surface, from the first impact.
-        "position_m" in Length if OBLIQUE: row.position;
-        /// Height of the lowest point of the sphere over the original surface; negative in contact.
-        "height_m" in Length: row.height;
-        /// Speed towards the half-space.
-        "speed_m_per_s" in Speed: row.speed;
-        /// Force on the sphere.
-        "force_N" in Force: row.force;
-        /// Branch of the law, or `flight`.
-        "branch": row.branch;
-        /// The event in this row, if there is one, as in the trace of one impact; `release` where a fall begins.
-        "event": row.event;
-    }
+    aligned(&rows, |_| true) + "\nthe scene of the first impact:\n"
 }

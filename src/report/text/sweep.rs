@@ -4,12 +4,13 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
+use crate::results::Column;
+use crate::results::{Reported, dimension_of, fields, lists, results};
 use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
-use crate::scenario::scene::results::Column;
-use crate::scenario::scene::results::{Reported, dimension_of, fields, lists, results};
+use crate::strings::aligned;
 use crate::table::Tally;
 use crate::table::statistics::Distribution;
-use crate::units::{aligned, quantities, quantity};
+use crate::units::{quantities, quantity};
 
 /// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns.
 type Totals<'a> = (&'a Tally, Option<Distribution>, Option<Value>);

@@ -3,10 +3,11 @@
 use serde_json::Value;
 
 use crate::impact::{Impact, WarningKind};
-use crate::scenario::scene::SMALL;
-use crate::scenario::scene::results::impact::{Single, results};
-use crate::scenario::scene::results::{Reported, Shown};
-use crate::units::{Dimension, aligned, describe, four_digits, percent, quantity};
+use crate::results::impact::{Single, results};
+use crate::results::{Reported, Shown};
+use crate::scenario::keys::SMALL;
+use crate::strings::aligned;
+use crate::units::{Dimension, describe, four_digits, percent, quantity};
 
 /// How much the terminal shows of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,8 @@
 //! All units that a scenario, a column of measurements and the command line may have, by quantity.
 
 use crate::contact::strength::hardness::Scale;
-use crate::units::{Dimension, aligned, number, parse};
+use crate::strings::aligned;
+use crate::units::{Dimension, number, parse};
 
 /// Rows of quantity, SI unit and units; the first row has the names of the columns.
 pub fn rows() -> Vec<[String; 3]> {

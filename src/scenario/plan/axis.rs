@@ -3,7 +3,8 @@
 use crate::contact::law::LawChoice;
 use crate::impact::Method;
 use crate::numerics::functions::{log10, pow};
-use crate::scenario::scene::{BodyMaterial, EVERY_KEY, Input, Key, Part, at};
+use crate::scenario::input::{BodyMaterial, Input, Key};
+use crate::scenario::keys::{EVERY_KEY, Part, at};
 
 /// Axes with at most this number of points are tabulated, which takes some ten milliseconds.
 const TABULATED: u64 = 1 << 19;

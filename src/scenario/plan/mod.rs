@@ -1,16 +1,19 @@
 //! The cases of a table: the varied keys, their values, and the results that the table shows.
 
 pub(crate) mod axis;
-pub mod free;
+pub mod free_key;
 pub(crate) mod random;
+pub(in crate::scenario) mod read_axes;
+pub(in crate::scenario) mod varied;
 
+use super::input::{Body, Input, Key, Purpose, without_effect};
+use super::keys::interval::has_strength_parts;
+use super::keys::interval::law_error::has_law_error;
+use super::keys::{at, key_of};
 use crate::impact::{Method, Warning};
-use crate::scenario::scene::interval::has_strength_parts;
-use crate::scenario::scene::interval::law_error::has_law_error;
-use crate::scenario::scene::results::{Column, Needs, columns};
-use crate::scenario::scene::{Body, Input, Key, Purpose, at, key_of, without_effect};
+use crate::results::{Column, Needs, columns};
 pub(crate) use axis::{Axis, Setting, Values, Word};
-pub use free::Free;
+pub use free_key::Free;
 pub(crate) use random::{Distribution, Draws, Variable};
 
 /// The source of the cases.

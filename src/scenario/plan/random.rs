@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use crate::numerics::functions::{exp, ln, ln_1p, normal_below, normal_quantile, powi};
-use crate::scenario::scene::Key;
+use crate::scenario::input::Key;
 
 /// A distribution of a key's values, in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,7 @@ use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, crossing, hertzian};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{cos, exp, pow};
-use crate::units::names::named;
+use crate::strings::names::named;
 
 /// The law of Jackson and Green.
 ///

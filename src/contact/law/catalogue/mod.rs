@@ -22,7 +22,7 @@ use super::Law;
 use super::contact_law::{About, Bodies, ContactLaw};
 pub use super::plm;
 use super::published::{LawParts, OutsideLaw};
-use crate::contact::strength::flow::FlowCurve;
+use crate::contact::strength::flow_curve::FlowCurve;
 
 macro_rules! laws {
     ($($file:ident::$law:ident),* $(,)?) => {

@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::approach::{ElasticLine, LineSlopes};
 use super::contact_radius::RadiusTable;
-use super::lines::{ElasticLine, LineSlopes};
-use super::rule::PlmRule;
+use super::unloading_rule::PlmRule;
 use crate::contact::law::{Law, OutsideLaw, UnloadingExponent};
-use crate::contact::material::Pair;
+use crate::contact::pair::Pair;
 use crate::numerics::curve::Curve;
 
 /// Where a set of coefficients comes from.

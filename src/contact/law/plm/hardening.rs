@@ -18,8 +18,8 @@
 
 use std::iter::successors;
 
-use super::lines::LineSlopes;
-use crate::contact::strength::flow::Rise;
+use super::approach::LineSlopes;
+use crate::contact::strength::flow_curve::Rise;
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{exp, ln};
 

@@ -13,27 +13,27 @@
 //! With the unloading of Xie et al. (2024) it is one of the laws of the [`catalogue`](super::catalogue), and either half can
 //! be combined with the other half of another law.
 
+pub mod approach;
 pub mod coefficients;
 pub mod contact_radius;
 pub mod flattening;
 pub mod hardening;
-pub mod hardness;
-pub mod lines;
-pub mod rule;
+pub mod hardness_test;
+pub mod unloading_rule;
 
 use std::sync::{Arc, LazyLock};
 
 use super::contact_law::{Bodies, ContactLaw};
 use super::published::{LawParts, Loading, PeakState};
 use super::{Law, OutsideLaw, UnloadingExponent};
-use crate::contact::material::Pair;
-use crate::contact::strength::flow::FlowCurve;
+use crate::contact::pair::Pair;
+use crate::contact::strength::flow_curve::FlowCurve;
 use crate::numerics::curve::{Curve, Once};
+pub use approach::ElasticLine;
 pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients};
 pub use flattening::Flattening;
 pub use hardening::Hardening;
-pub use lines::ElasticLine;
-pub use rule::PlmRule;
+pub use unloading_rule::PlmRule;
 
 /// The piecewise-linear model with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
 ///
@@ -83,7 +83,7 @@ impl Plm {
     }
 
     /// The loading of this PLM with the unloading of another one, or of itself.
-    pub(in crate::contact::law) fn unloading_by(&self, other: &Self, bodies: &Bodies) -> Law {
+    pub(super) fn unloading_by(&self, other: &Self, bodies: &Bodies) -> Law {
         let (loading, mut rule) = self.flattened(bodies);
         if !std::ptr::eq(self, other) {
             (_, rule) = other.flattened(bodies);
@@ -95,7 +95,7 @@ impl Plm {
     ///
     /// # Errors
     /// [`OutsideLaw::Coefficients`], [`OutsideLaw::BothFlow`] and [`OutsideLaw::Flow`].
-    pub(in crate::contact::law) fn check(&self, bodies: &Bodies) -> Result<(), OutsideLaw> {
+    pub(super) fn check(&self, bodies: &Bodies) -> Result<(), OutsideLaw> {
         // the coefficients that a file or the program brings are checked where they are read
         if !std::ptr::eq(&raw const *self.coefficients, &raw const **Self::built_in()) {
             self.coefficients.check_rules()?;
@@ -180,7 +180,7 @@ impl ContactLaw for Plm {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::material::{HalfSpace, Material, Sphere};
+    use crate::contact::pair::{HalfSpace, Material, Sphere};
 
     /// The curve that pairs share is that of their coefficients and of their κ², whichever pair came first.
     #[test]

@@ -1,0 +1,164 @@
+//! A check before the fit: do the measurements determine the wanted keys? If not, it names another measurement that would.
+//!
+//! A law has an error of one or two per cent. If the keys can be changed together while all predictions stay the same
+//! within this error, the measurements do not determine them, even if there are many of them with little noise.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::data::{Data, Value};
+use super::minimise::ParameterPoint;
+use super::problem::Problem;
+use crate::numerics::functions::{exp, ln};
+use crate::scenario::input::Measured;
+use crate::units::{four_digits, percent};
+
+/// Usual error of a law, as a share of a prediction.
+pub const LAW: f64 = 0.02;
+/// This number of impacts is enough to find which other measurement would help.
+const ENOUGH: usize = 100;
+
+/// How well the measurements determine the keys together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Identifiability {
+    /// Singular values of the derivatives of ln prediction by ln key, root mean square over the values; the largest
+    /// first.
+    pub singular_values: Vec<f64>,
+    /// Relative change of the predictions along the direction in which they change least, for a step that doubles the
+    /// key that changes most.
+    pub change: f64,
+    /// Exponents of the combination of the keys that the measurements determine best; the first is 1.
+    pub exponents: Vec<f64>,
+    /// Relative standard deviation of that combination.
+    pub deviation: f64,
+    /// Why the keys get no interval, and what would help; `None` if they get one.
+    pub refusal: Option<String>,
+}
+
+/// Derivatives of the predictions by the logarithms of the keys, over the standard deviations: one column for every
+/// key.
+fn by_logarithms(problem: &Problem, place: &ParameterPoint) -> Option<DMatrix<f64>> {
+    let mut matrix = problem.jacobian(&place.shares).ok()?;
+    for ((mut column, free), share) in matrix.column_iter_mut().zip(problem.free).zip(&place.shares) {
+        let value = free.at(*share);
+        // a key at 0 has no logarithm: a step over its whole range counts as a doubling
+        column *= if value == 0.0 { (free.to - free.from) / ln(2.0) } else { value } / free.slope(*share);
+    }
+    Some(matrix)
+}
+
+/// Singular values and right singular vectors, the largest value first.
+fn decomposed(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
+    // from the eigenvalues of the product, which is small even if there are many rows
+    let eigen = matrix.tr_mul(matrix).symmetric_eigen();
+    let vectors = eigen.eigenvectors.column_iter().map(nalgebra::Matrix::into_owned);
+    let mut all: Vec<_> = eigen.eigenvalues.iter().map(|square| square.max(0.0).sqrt()).zip(vectors).collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.iter().all(|(value, _)| value.is_finite()).then_some(all)
+}
+
+/// Length of the step along a unit direction that doubles the key that changes most.
+fn doubling(direction: &DVector<f64>) -> f64 {
+    ln(2.0) / direction.amax()
+}
+
+/// How well the measurements determine the keys, at the best place; `None` without a key.
+pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiability> {
+    if problem.free.is_empty() {
+        return None;
+    }
+    let matrix = by_logarithms(problem, place)?;
+    let root = (problem.counted.len() as f64).sqrt();
+    let sizes = Measured::ALL.map(|quantity| size(problem, quantity));
+    let mut relative = matrix.clone();
+    for (mut row, at) in relative.row_iter_mut().zip(&problem.counted) {
+        row *= problem.deviations[*at] / sizes[problem.data.values[*at].quantity as usize] / root;
+    }
+    let relative = decomposed(&relative)?;
+    let (least, direction) = relative.last()?;
+    let change = least * doubling(direction);
+    let (strongest, combination) = decomposed(&matrix)?.swap_remove(0);
+    let refusal = (change < LAW).then(|| refusal(problem, place, direction, change));
+    Some(Identifiability {
+        singular_values: relative.iter().map(|(value, _)| *value).collect(),
+        change,
+        exponents: combination.iter().map(|part| part / combination[0]).collect(),
+        deviation: 1.0 / (strongest * combination[0].abs()),
+        refusal,
+    })
+}
+
+/// Root mean square of the values of a quantity.
+fn size(problem: &Problem, quantity: Measured) -> f64 {
+    let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.quantity == quantity);
+    let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
+    f64::sqrt(sum / count)
+}
+
+fn refusal(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, change: f64) -> String {
+    let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
+    let off = percent(LAW);
+    let statement = if let [name] = names[..] {
+        format!(
+            "twice the {name} changes what was measured by {} only, and the law itself is off by {off}",
+            percent(change)
+        )
+    } else {
+        let step = doubling(direction);
+        let factors: Vec<String> = names
+            .iter()
+            .zip(direction.iter())
+            .map(|(name, part)| (name, four_digits(exp(step * part))))
+            // a key that does not change has no part in it
+            .filter(|(_, factor)| factor != "1")
+            .map(|(name, factor)| format!("{name} times {factor}"))
+            .collect();
+        format!(
+            "these measurements do not tell the keys apart: {} changes what was measured by {} only, and the law itself is off by {off}",
+            factors.join(" with "),
+            percent(change)
+        )
+    };
+    let mut helpful = helpful(problem, place, direction);
+    helpful.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let helpful: Vec<String> = helpful.iter().map(|(name, change)| format!("{name} ({})", percent(*change))).collect();
+    let way_out = if problem.data.is_curve() {
+        "; measure the unloading too, or give one of the keys its known value".to_owned()
+    } else if helpful.is_empty() {
+        "; give one of the keys its known value".to_owned()
+    } else {
+        format!(
+            "; what would change, and is worth measuring: {}; or give one of the keys its known value",
+            helpful.join(", ")
+        )
+    };
+    let is_of_rate = names.len() > 1 && names.iter().any(|name| name.contains(".rate."));
+    let of_rate = if is_of_rate {
+        "; a rate and a strength change e(v) alike, by 0.7 % a decade of speed apart: give the hardness or the static strength of the metal"
+    } else {
+        ""
+    };
+    statement + &way_out + of_rate
+}
+
+/// Quantities that were not measured but change along a direction, each with its relative change.
+fn helpful(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>) -> Vec<(&'static str, f64)> {
+    if problem.data.is_curve() {
+        return Vec::new();
+    }
+    let measured = problem.data.measured();
+    let has_restitution = measured.iter().any(|quantity| quantity.is_of_restitution());
+    let is_new =
+        |quantity: &Measured| !(measured.contains(quantity) || has_restitution && quantity.is_of_restitution());
+    let change = |quantity: Measured| {
+        let rows = 0..problem.data.rows.len();
+        let values = rows.map(|row| Value { row, quantity, value: 1.0, deviation: None }).collect();
+        let data = Data { values, ..problem.data.clone() };
+        let problem = problem.predicting(&data).thinned(ENOUGH);
+        let predicted = problem.predict(&place.shares).ok()?;
+        let moved = (by_logarithms(&problem, place)? * direction).norm();
+        let size = problem.counted.iter().map(|at| predicted[*at] * predicted[*at]).sum::<f64>().sqrt();
+        Some((quantity.name(), doubling(direction) * moved / size)).filter(|(_, change)| *change > 2.0 * LAW)
+    };
+    let of_impacts = Measured::ALL.into_iter().filter(|quantity| *quantity != Measured::Force);
+    of_impacts.filter(is_new).filter_map(change).collect()
+}

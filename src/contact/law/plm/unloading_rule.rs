@@ -1,0 +1,154 @@
+//! How the PLM unloads: elastic approach, exponent and contact radius at a point of its loading curve.
+
+use super::approach::ElasticLine;
+use super::contact_radius::RadiusTable;
+use super::flattening::Flattening;
+use super::hardening::Hardening;
+use crate::contact::law::published::{Limits, PeakState, Recovered};
+use crate::contact::law::unloading::{
+    ContactState, Unloading, UnloadingExponent, UnloadingShape, allowed_exponent, pressure_shape_exponent,
+};
+
+/// How the PLM unloads beyond first yield.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlmRule {
+    /// The elastic approach over the force.
+    pub line: ElasticLine,
+    /// How a body that hardens changes it.
+    pub hardening: Option<Hardening>,
+    /// How a sphere that flows changes it.
+    pub flattening: Option<Flattening>,
+    /// The contact radius, in units of a_Y.
+    pub radius: RadiusTable,
+    pub exponent: UnloadingExponent,
+}
+
+impl PlmRule {
+    /// Where loading holds.
+    pub(crate) fn limits(&self) -> Limits {
+        let widest = if self.hardening.is_some() { 0.32 } else { 0.45 };
+        Limits::of(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.widest))
+    }
+
+    /// The state at a point (x, f) of the loading curve.
+    #[inline(always)]
+    pub(crate) fn state(&self, x: f64, force: f64) -> ContactState {
+        ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
+    }
+
+    /// ε at a point (x, f) of the loading curve.
+    #[inline(always)]
+    pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
+        match (&self.flattening, &self.hardening) {
+            _ if x <= 1.0 => x,
+            (None, _) => self.plain_approach(x, force),
+            (Some(flattening), None) => (self.line.at(force) * flattening.recovered(x, 1.0)).min(x),
+            (Some(flattening), Some(hardening)) => {
+                let share = flattening.recovered(x, hardening.strength(x));
+                hardening.elastic_approach(x, force, share)
+            }
+        }
+    }
+
+    /// ε without the flat of a sphere, for x > 1.
+    #[inline(always)]
+    pub(super) fn plain_approach(&self, x: f64, force: f64) -> f64 {
+        match &self.hardening {
+            None => self.line.at(force).min(x),
+            Some(hardening) => hardening.elastic_approach(x, force, 1.0),
+        }
+    }
+
+    /// A = f/ε at a peak, without the flat of a sphere.
+    #[inline(always)]
+    fn equivalent(&self, peak: &ContactState) -> f64 {
+        match &self.flattening {
+            Some(flattening) if peak.indentation > 1.0 => {
+                let force = flattening.plain.force(peak.indentation);
+                force / self.plain_approach(peak.indentation, force)
+            }
+            _ => peak.force / peak.elastic_approach,
+        }
+    }
+
+    /// At points (x, f) beyond first yield of a law without a flat: A, and A in units of the strength that the yielding body has
+    /// reached at this point.
+    pub(super) fn equivalents(&self) -> impl FnMut(f64, f64) -> [f64; 2] + '_ {
+        let mut on_line = self.line.nearby();
+        move |x, force| match &self.hardening {
+            None => [force / on_line(force).min(x); 2],
+            Some(hardening) => {
+                let equivalent = force / hardening.elastic_approach(x, force, 1.0);
+                [equivalent, hardening.shape(x, equivalent).equivalent]
+            }
+        }
+    }
+
+    /// The branch with the requested exponent, if it recovers no more than the work `spent` of loading to the peak.
+    #[inline(always)]
+    pub(crate) fn unloading(&self, peak: ContactState, spent: f64) -> Unloading {
+        Unloading::power(peak, allowed_exponent(spent, &peak, self.asked(&peak)))
+    }
+
+    /// The requested exponent; the exponent of Hertz without a dent.
+    #[inline(always)]
+    pub(crate) fn asked(&self, peak: &ContactState) -> f64 {
+        self.exponent_at(peak, || self.equivalent(peak))
+    }
+
+    /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
+    /// rule, so A is this force over the elastic approach that belongs to it.
+    pub(super) fn recovered(&self, at: &PeakState) -> Recovered {
+        let of_plm = self.state(at.indentation, at.force);
+        let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
+        let equivalent = || match at.elastic_approach {
+            None if at.indentation > 1.0 => at.force / self.plain_approach(at.indentation, at.force),
+            _ => at.force / elastic_approach,
+        };
+        let exponent = self.exponent_at(&ContactState { elastic_approach, ..of_plm }, equivalent);
+        Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
+    }
+
+    /// The exponent that is asked for at a peak with this A.
+    #[inline(always)]
+    fn exponent_at(&self, peak: &ContactState, equivalent: impl FnOnce() -> f64) -> f64 {
+        match self.exponent {
+            UnloadingExponent::Fixed(n) if peak.residual() > 0.0 => n,
+            UnloadingExponent::PressureShape if peak.indentation > 1.0 => {
+                self.pressure_shape(peak.indentation, equivalent())
+            }
+            _ => 1.5,
+        }
+    }
+
+    /// The exponent that follows from the shape of the contact pressure at x beyond first yield, where A is this. It is at least
+    /// 1: a force with a smaller exponent would leave the contact with an infinite stiffness.
+    #[inline(always)]
+    fn pressure_shape(&self, x: f64, equivalent: f64) -> f64 {
+        let exponent = match &self.hardening {
+            None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
+            Some(hardening) => {
+                let shape = hardening.shape(x, equivalent);
+                pressure_shape_exponent(self.radius.ratio_at(shape.equivalent)) - shape.exponent_loss()
+            }
+        };
+        exponent.max(1.0)
+    }
+
+    /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.
+    pub(crate) fn contact_radius(&self, peak: &ContactState) -> f64 {
+        self.radius_at(peak.indentation, self.equivalent(peak))
+    }
+
+    /// a/a_Y at x, where A is this.
+    pub(super) fn radius_at(&self, x: f64, equivalent: f64) -> f64 {
+        match &self.hardening {
+            None => self.radius.true_radius(equivalent),
+            Some(hardening) => {
+                let shape = hardening.shape(x, equivalent);
+                let geometry = self.radius.geometry_at(equivalent);
+                equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
+            }
+        }
+    }
+}

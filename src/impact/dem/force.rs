@@ -1,0 +1,122 @@
+//! The law as a force for codes that move the sphere themselves (DEM): they pass in the indentation and the memory.
+
+use crate::contact::law::{ContactState, Ground};
+use crate::impact::problem::contact::Contact;
+
+/// The largest indentation of a contact so far, with its force: the whole memory of the contact. All numbers are zero for a fresh
+/// contact, and for a contact without a yield strength.
+///
+/// A code that moves spheres resets it to zero when the sphere has left the original surface (δ ≤ 0). It must not reset it earlier,
+/// where the force ends at the depth of the dent. A sphere that returns to the same spot keeps its memory.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Memory {
+    /// δ_m \[m\].
+    pub indentation: f64,
+    /// F_m \[N\].
+    pub force: f64,
+    /// The part of δ_m that is recovered on unloading \[m\].
+    pub elastic_approach: f64,
+}
+
+impl Memory {
+    /// Depth of the dent δ_r = δ_m − δ_e \[m\].
+    pub fn dent(&self) -> f64 {
+        self.indentation - self.elastic_approach
+    }
+
+    /// True if a contact can have this memory and this indentation. By rounding, the recovered part may be larger than δ_m.
+    pub(in crate::impact) fn is_possible_at(&self, indentation: f64) -> bool {
+        let Self { indentation: largest, force, elastic_approach } = *self;
+        [indentation, largest, force, elastic_approach].into_iter().all(f64::is_finite)
+            && force >= 0.0
+            && 0.0 <= elastic_approach
+            && elastic_approach <= largest * (1.0 + 1e-9)
+    }
+
+    pub(in crate::impact) fn peak(&self, length: f64, force: f64) -> Option<ContactState> {
+        (self.indentation > 0.0).then(|| ContactState {
+            indentation: self.indentation / length,
+            force: self.force / force,
+            elastic_approach: self.elastic_approach / length,
+        })
+    }
+}
+
+/// How the work done on a contact is divided.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactEnergy {
+    /// The energy that unloading from here recovers \[J\].
+    pub stored: f64,
+    /// The plastic work \[J\].
+    pub plastic: f64,
+}
+
+impl Contact {
+    /// Force \[N\] at an indentation δ \[m\], by the law alone. A new largest state is stored in `memory`.
+    ///
+    /// Below the largest indentation so far the force follows the unloading branch, above it the loading curve. The force is 0 for
+    /// δ ≤ 0. The force is NaN, and the memory does not change, if δ or the force would be NaN or infinite, or if the memory is not
+    /// possible for a contact (a number is negative, NaN or infinite, or more is recovered than δ_m).
+    pub fn force(&self, indentation: f64, memory: &mut Memory) -> f64 {
+        if !memory.is_possible_at(indentation) {
+            return f64::NAN;
+        }
+        let Self { scales, law, .. } = self;
+        // a force that is requested twice is the same to the last bit, so that a restarted run continues unchanged
+        if indentation == memory.indentation && indentation > 0.0 {
+            return memory.force;
+        }
+        let before = memory.peak(scales.length, scales.force);
+        let (force, after) = law.respond(indentation / scales.length, before);
+        if let Some(peak) = after.filter(|_| after != before) {
+            let reached = Memory {
+                indentation,
+                force: peak.force * scales.force,
+                elastic_approach: peak.elastic_approach * scales.length,
+            };
+            if !reached.is_possible_at(indentation) {
+                return f64::NAN;
+            }
+            // an elastic contact unloads along its loading curve
+            if self.pair().yield_point.is_some() {
+                *memory = reached;
+            }
+        }
+        force * scales.force
+    }
+
+    /// The division of the work, for the result `force` of [`Contact::force`] at this indentation and memory.
+    pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
+        if !memory.is_possible_at(indentation) {
+            return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
+        }
+        let Self { scales, law, .. } = self;
+        let Some(peak) = memory.peak(scales.length, scales.force) else {
+            // an elastic contact follows Hertz
+            return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
+        };
+        let unloading = law.unloading(peak);
+        let stored = unloading.stored_of(indentation / scales.length - peak.residual());
+        ContactEnergy {
+            stored: stored * scales.energy(),
+            plastic: Ground::from(law).plastic(&unloading) * scales.energy(),
+        }
+    }
+
+    /// dF/dδ \[N/m\] at this indentation, the tangent stiffness: of the unloading branch up to the largest indentation so far, of the
+    /// loading curve beyond it.
+    pub fn stiffness(&self, indentation: f64, memory: &Memory) -> f64 {
+        if !memory.is_possible_at(indentation) {
+            return f64::NAN;
+        }
+        let Self { scales, law, .. } = self;
+        let x = indentation / scales.length;
+        let slope = match memory.peak(scales.length, scales.force) {
+            Some(peak) if x <= peak.residual() => 0.0,
+            Some(peak) if x <= peak.indentation => law.unloading(peak).slope_of(x - peak.residual()),
+            None if x <= 0.0 => 0.0,
+            _ => law.loading.pieces()[law.loading.index_at(x)].slope_at(x),
+        };
+        slope * (scales.force / scales.length)
+    }
+}

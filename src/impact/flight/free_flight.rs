@@ -1,0 +1,287 @@
+//! Free flight of a sphere in still air: falls, rises, and their times.
+//!
+//! With the drag k v² of a constant coefficient C_d and the buoyancy of the sphere's volume V:
+//!
+//! ```text
+//! k = ρ C_d π R²/(2 m),   g' = g (1 − ρ V/m)
+//! fall   v = √(g'/k) √(1 − e^(−2 k h)),   t = acosh(e^(k h))/√(k g')
+//! rise   h = ln(1 + k v²/g')/(2 k),       t = atan(v √(k/g'))/√(k g')
+//! ```
+//!
+//! The drag of a sphere depends on the Reynolds number (Schiller and Naumann 1933), and heights and times are integrals over
+//! the speed:
+//!
+//! ```text
+//! C_d = 24/Re (1 + 0.15 Re^0.687)  up to Re = 2 R ρ v/μ = 1000,   0.44 beyond
+//! h = ∫ u du/(g' ∓ d(u)),   t = ∫ du/(g' ∓ d(u)),   d = ρ C_d π R² u²/(2 m)
+//! ```
+//!
+//! Added mass, spin and wind are not modelled.
+
+use std::f64::consts::PI;
+
+use crate::contact::pair::sphere_volume;
+use crate::numerics::functions::{atan, exp, exp_m1, ln_1p, pow, sin_cos, tanh};
+use crate::numerics::quadrature::integrate;
+use crate::numerics::root::bracketed;
+
+/// The air around a sphere, as it is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Medium {
+    /// ρ \[kg/m³\].
+    pub density: f64,
+    /// C_d; `None` for the drag of a sphere by its Reynolds number.
+    pub drag: Option<f64>,
+    /// μ \[Pa s\], which is used only with the drag by Reynolds number.
+    pub viscosity: f64,
+}
+
+/// The drag of a sphere in flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Drag {
+    None,
+    /// k \[1/m\].
+    Constant(f64),
+    /// The deceleration a v + b v^1.687 up to the speed `turn`, and c v² above it. Falls end at the speed `terminal`.
+    Sphere {
+        a: f64,
+        b: f64,
+        c: f64,
+        turn: f64,
+        terminal: f64,
+    },
+}
+
+/// The free flight of a sphere under gravity. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flying {
+    /// g \[m/s²\].
+    pub gravity: f64,
+    /// g' \[m/s²\].
+    pull: f64,
+    drag: Drag,
+}
+
+/// e^−40 is below the last bit of 1.
+const DEEPEST: f64 = 40.0;
+
+/// True if two values differ by no more than rounding.
+fn is_near(x: f64, next: f64) -> bool {
+    (x - next).abs() <= 4.0 * f64::EPSILON * next.abs()
+}
+
+impl Flying {
+    /// Without air.
+    pub fn in_vacuum(gravity: f64) -> Self {
+        Self { gravity, pull: gravity, drag: Drag::None }
+    }
+
+    /// A sphere of this radius and mass in air. Its buoyancy must be less than its weight.
+    pub fn in_air(gravity: f64, medium: &Medium, radius: f64, mass: f64) -> Self {
+        let Medium { density, drag, viscosity } = *medium;
+        let pull = gravity * (1.0 - Self::buoyancy(density, radius, mass));
+        let per_drag = density * PI * radius * radius / (2.0 * mass);
+        let drag = drag.map_or_else(
+            || {
+                // Re over v
+                let rate = 2.0 * radius * density / viscosity;
+                let (a, c) = (24.0 * per_drag / rate, 0.44 * per_drag);
+                let (b, turn) = (3.6 * per_drag * pow(rate, -0.313), 1000.0 / rate);
+                let of_low = |v: f64| a * v + b * pow(v, 1.687);
+                let low = || {
+                    let slope = |v: f64| -(a + 1.687 * b * pow(v, 0.687));
+                    bracketed((0.0, turn), (pull / a).min(turn), is_near, |v| (pull - of_low(v), slope(v)))
+                };
+                let terminal = if of_low(turn) >= pull { low() } else { (pull / c).sqrt().max(turn) };
+                Drag::Sphere { a, b, c, turn, terminal }
+            },
+            |coefficient| Drag::Constant(coefficient * per_drag),
+        );
+        Self { gravity, pull, drag: if drag == Drag::Constant(0.0) { Drag::None } else { drag } }
+    }
+
+    /// ρ V/m: the buoyancy over the weight.
+    pub fn buoyancy(density: f64, radius: f64, mass: f64) -> f64 {
+        density * sphere_volume(radius) / mass
+    }
+
+    /// True if the flight is in air.
+    pub fn is_in_air(&self) -> bool {
+        self.drag != Drag::None || self.pull != self.gravity
+    }
+
+    /// g minus the buoyancy \[m/s²\].
+    pub fn pull(&self) -> f64 {
+        self.pull
+    }
+
+    /// Fraction of the energy m g h of a fall from this height \[m\] that the air absorbs, with the buoyancy.
+    pub fn loss_fraction(&self, height: f64) -> f64 {
+        let speed = self.landing_speed(height);
+        1.0 - speed * speed / (2.0 * self.gravity * height)
+    }
+
+    /// The speed at which the drag balances the weight \[m/s\]; infinite without air.
+    pub fn terminal_speed(&self) -> f64 {
+        match self.drag {
+            Drag::None => f64::INFINITY,
+            Drag::Constant(k) => (self.pull / k).sqrt(),
+            Drag::Sphere { terminal, .. } => terminal,
+        }
+    }
+
+    /// Speed \[m/s\] after a fall from rest through `height` \[m\].
+    pub fn landing_speed(&self, height: f64) -> f64 {
+        match self.drag {
+            Drag::None => (2.0 * self.pull * height).sqrt(),
+            Drag::Constant(k) => (self.pull * -exp_m1(-2.0 * k * height) / k).sqrt(),
+            Drag::Sphere { terminal, .. } => terminal * -exp_m1(-self.depth(height)),
+        }
+    }
+
+    /// The time \[s\] of a fall from rest through `height` \[m\].
+    pub fn fall_time(&self, height: f64) -> f64 {
+        match self.drag {
+            Drag::None => self.landing_speed(height) / self.pull,
+            // acosh(e^x) = x + ln(1 + √(1 − e^(−2x)))
+            Drag::Constant(k) => {
+                let x = k * height;
+                (x + ln_1p((-exp_m1(-2.0 * x)).sqrt())) / (k * self.pull).sqrt()
+            }
+            Drag::Sphere { .. } => self.fallen(self.depth(height), |_| 1.0),
+        }
+    }
+
+    /// The height \[m\] from which a fall reaches a speed \[m/s\]; infinite from the terminal speed on.
+    pub fn drop_height(&self, speed: f64) -> f64 {
+        match self.drag {
+            _ if speed >= self.terminal_speed() => f64::INFINITY,
+            Drag::None => 0.5 * speed * speed / self.pull,
+            Drag::Constant(k) => -ln_1p(-k * speed * speed / self.pull) / (2.0 * k),
+            Drag::Sphere { terminal, .. } => self.fallen(-ln_1p(-speed / terminal), |v| v),
+        }
+    }
+
+    /// The height \[m\] to which a sphere rises that starts with this speed \[m/s\].
+    pub fn rise(&self, speed: f64) -> f64 {
+        match self.drag {
+            Drag::None => 0.5 * speed * speed / self.pull,
+            Drag::Constant(k) => ln_1p(k * speed * speed / self.pull) / (2.0 * k),
+            Drag::Sphere { .. } => self.risen(speed, |v| v),
+        }
+    }
+
+    /// The time \[s\] of a rise that starts with this speed \[m/s\].
+    pub fn rise_time(&self, speed: f64) -> f64 {
+        match self.drag {
+            Drag::None => speed / self.pull,
+            Drag::Constant(k) => atan(speed * (k / self.pull).sqrt()) / (k * self.pull).sqrt(),
+            Drag::Sphere { .. } => self.risen(speed, |_| 1.0),
+        }
+    }
+
+    /// The take-off speed \[m/s\] of a sphere that returns to the same height after this time \[s\].
+    pub fn take_off_speed(&self, time: f64) -> f64 {
+        let whole = |v: f64| self.rise_time(v) + self.fall_time(self.rise(v));
+        let (first, mut high) = (0.5 * self.pull * time, self.pull * time);
+        while whole(high) < time && high.is_finite() {
+            high *= 2.0;
+        }
+        let rate = |v: f64| (1.0 + v / self.landing_speed(self.rise(v))) / (self.pull + self.deceleration(v));
+        bracketed((0.0, high), first, is_near, |v| (time - whole(v), -rate(v)))
+    }
+
+    /// The upward speed \[m/s\] at a time \[s\] after a take-off with `speed`; negative during the fall.
+    pub fn speed_after(&self, speed: f64, time: f64) -> f64 {
+        let to_top = self.rise_time(speed) - time;
+        match self.drag {
+            Drag::None => speed - self.pull * time,
+            Drag::Constant(k) => {
+                let (angle, terminal) = ((k * self.pull).sqrt() * to_top, self.terminal_speed());
+                let (sin, cos) = sin_cos(angle.max(0.0));
+                terminal * if angle > 0.0 { sin / cos } else { tanh(angle) }
+            }
+            Drag::Sphere { .. } if to_top >= 0.0 => {
+                let slope = |v: f64| 1.0 / -(self.pull + self.deceleration(v));
+                bracketed((0.0, speed), self.pull * to_top, is_near, |v| (to_top - self.risen(v, |_| 1.0), slope(v)))
+            }
+            Drag::Sphere { terminal, .. } => {
+                let rate = |depth: f64| -self.falling(depth.min(DEEPEST)).1;
+                let first = (-to_top * self.pull / terminal).min(DEEPEST);
+                let depth = bracketed((0.0, 50.0), first, is_near, |depth| {
+                    (-to_top - self.fallen(depth, |_| 1.0), rate(depth))
+                });
+                terminal * exp_m1(-depth)
+            }
+        }
+    }
+
+    /// The height \[m\] above the take-off, for the upward speed of [`Self::speed_after`].
+    pub fn height_at(&self, take_off: f64, speed: f64) -> f64 {
+        let top = self.rise(take_off);
+        if speed >= 0.0 { top - self.rise(speed) } else { top - self.drop_height(-speed) }
+    }
+
+    /// d \[m/s²\] at a speed.
+    fn deceleration(&self, v: f64) -> f64 {
+        match self.drag {
+            Drag::None => 0.0,
+            Drag::Constant(k) => k * v * v,
+            Drag::Sphere { a, b, turn, .. } if v <= turn => a * v + b * pow(v, 1.687),
+            Drag::Sphere { c, .. } => c * v * v,
+        }
+    }
+
+    /// ∫ part du/(g' + d) from rest to a speed.
+    fn risen(&self, speed: f64, part: fn(f64) -> f64) -> f64 {
+        let Drag::Sphere { turn, .. } = self.drag else { return f64::NAN };
+        let between = |from: f64, to: f64| {
+            integrate(to - from, |below, _| part(from + below) / (self.pull + self.deceleration(from + below)))
+        };
+        let middle = turn.min(speed);
+        between(0.0, middle) + between(middle, speed)
+    }
+
+    /// During the fall, at the speed v_t (1 − e^(−depth)): this speed, and dt/d(depth) = v_t e^(−depth)/(g' − d).
+    fn falling(&self, depth: f64) -> (f64, f64) {
+        let Drag::Sphere { a, b, c, turn, terminal } = self.drag else { return (f64::NAN, f64::NAN) };
+        let (v, short) = (terminal * -exp_m1(-depth), exp(-depth));
+        // g' − d(v) without the difference of two nearly equal numbers
+        let net = if terminal <= turn {
+            a * terminal * short - b * pow(terminal, 1.687) * exp_m1(1.687 * ln_1p(-short))
+        } else if v > turn {
+            c * terminal * terminal * short * (2.0 - short)
+        } else {
+            self.pull - self.deceleration(v)
+        };
+        (v, terminal * short / net)
+    }
+
+    /// ∫ part du/(g' − d) from rest to the speed v_t (1 − e^(−depth)).
+    fn fallen(&self, depth: f64, part: fn(f64) -> f64) -> f64 {
+        let Drag::Sphere { turn, terminal, .. } = self.drag else { return f64::NAN };
+        let between = |from: f64, to: f64| {
+            integrate(to - from, |below, _| {
+                let (v, rate) = self.falling(from + below);
+                part(v) * rate
+            })
+        };
+        // at a larger depth the speed is the terminal speed to the last bit
+        let last = depth.min(DEEPEST);
+        let middle = if turn < terminal { (-ln_1p(-turn / terminal)).clamp(0.0, last) } else { 0.0 };
+        let (v, rate) = self.falling(last);
+        between(0.0, middle) + between(middle, last) + part(v) * rate * (depth - last)
+    }
+
+    /// −ln(1 − v/v_t) after a fall from rest through `height` \[m\].
+    fn depth(&self, height: f64) -> f64 {
+        let terminal = self.terminal_speed();
+        // without drag the speed is √(2 g' h); at the terminal speed the height grows by v_t²/2g' to v_t²/g' a unit
+        let first = -ln_1p(-((2.0 * self.pull * height).sqrt() / terminal).min(0.999));
+        let most = DEEPEST + 2.0 * height * self.pull / (terminal * terminal);
+        bracketed((0.0, most), first, is_near, |depth| {
+            let (v, rate) = self.falling(depth.min(DEEPEST));
+            (height - self.fallen(depth, |v| v), -v * rate)
+        })
+    }
+}

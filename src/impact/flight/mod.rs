@@ -1,0 +1,4 @@
+//! Free flight in air or vacuum.
+
+pub mod free_flight;
+pub mod trajectory;

@@ -1,0 +1,105 @@
+//! Free flight under gravity, in closed form or in air ([`Flying`]). Heights are those of the sphere's lowest point over the
+//! original surface, −δ while in contact.
+
+use super::free_flight::Flying;
+
+/// From leaving a place until touching another one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flight {
+    /// When it begins \[s\].
+    pub begin: f64,
+    /// How long it lasts \[s\].
+    pub duration: f64,
+    /// Where it begins \[m\].
+    pub height: f64,
+    /// Speed upwards as it begins \[m/s\].
+    pub speed: f64,
+    /// Speed downwards at the next touch \[m/s\].
+    pub landing_speed: f64,
+    /// Gravity and air.
+    pub flying: Flying,
+    /// The place along the surface at which it begins \[m\].
+    pub position: f64,
+    /// Speed along the surface \[m/s\], which stays.
+    pub speed_along: f64,
+}
+
+impl Flight {
+    /// The fall from rest at `height` to the surface.
+    pub fn fall(flying: Flying, height: f64) -> Self {
+        let landing_speed = flying.landing_speed(height);
+        let duration = flying.fall_time(height);
+        Self { begin: 0.0, duration, height, speed: 0.0, landing_speed, flying, position: 0.0, speed_along: 0.0 }
+    }
+
+    /// Upwards at `speed` from the depth `from` until the next touch at the depth `to`, both below the original surface;
+    /// `None` if it does not rise that far. Without air:
+    ///
+    /// ```text
+    /// u² = v² − 2 g (from − to),   duration = (v + u)/g
+    /// ```
+    pub fn between(flying: Flying, begin: f64, from: f64, speed: f64, to: f64) -> Option<Self> {
+        let gravity = flying.gravity;
+        let flight = |[duration, landing_speed]: [f64; 2]| Self {
+            begin,
+            duration,
+            height: -from,
+            speed,
+            landing_speed,
+            flying,
+            position: 0.0,
+            speed_along: 0.0,
+        };
+        if flying.is_in_air() {
+            let fall = flying.rise(speed) - (from - to);
+            return (fall > 0.0)
+                .then(|| flight([flying.rise_time(speed) + flying.fall_time(fall), flying.landing_speed(fall)]));
+        }
+        let square = speed * speed - 2.0 * gravity * (from - to);
+        let reaches = square > 0.0 || (from == to && speed > 0.0);
+        reaches.then(|| {
+            // there and back to the same height: the same speed, to the last bit
+            let landing_speed = if from == to { speed } else { square.sqrt() };
+            flight([(speed + landing_speed) / gravity, landing_speed])
+        })
+    }
+
+    /// Returns the flight with the same take-off, without air.
+    pub fn without_air(&self) -> Self {
+        let flying = Flying::in_vacuum(self.flying.gravity);
+        let begun = if self.speed > 0.0 {
+            Self::between(flying, self.begin, -self.height, self.speed, -self.height)
+        } else {
+            Some(Self { begin: self.begin, ..Self::fall(flying, self.height) })
+        };
+        begun.unwrap_or(*self)
+    }
+
+    /// Returns the flight of a ball that starts at this place along the surface, and moves along the surface at this speed.
+    pub fn along(self, position: f64, speed_along: f64) -> Self {
+        Self { position, speed_along, ..self }
+    }
+
+    /// The place along the surface \[m\] at a time since the beginning \[s\].
+    pub fn position_at(&self, time: f64) -> f64 {
+        self.position + self.speed_along * time
+    }
+
+    /// Height over the original surface \[m\] at a time since the beginning \[s\].
+    pub fn height_at(&self, time: f64) -> f64 {
+        if self.flying.is_in_air() {
+            return self.height + self.flying.height_at(self.speed, -self.speed_at(time));
+        }
+        self.height + time * (self.speed - 0.5 * self.flying.gravity * time)
+    }
+
+    /// Speed downwards \[m/s\], as δ' is.
+    pub fn speed_at(&self, time: f64) -> f64 {
+        -self.flying.speed_after(self.speed, time)
+    }
+
+    /// The highest point \[m\].
+    pub fn top(&self) -> f64 {
+        self.height + self.flying.rise(self.speed)
+    }
+}

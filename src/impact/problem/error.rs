@@ -1,0 +1,99 @@
+//! Why an impact has no result.
+
+use thiserror::Error;
+
+use super::plate::PlateError;
+use crate::contact::law::OutsideLaw;
+use crate::contact::pair::{Hollow, InvalidInput, OutOfFloatRange, PairError};
+use crate::error::{Error as Failure, ErrorKind};
+use crate::numerics::ode::IntegrationError;
+use crate::units::{Dimension, human};
+
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ImpactError {
+    #[error(transparent)]
+    Range(#[from] OutOfFloatRange),
+    #[error(transparent)]
+    Hollow(#[from] Hollow),
+    /// A number that is not possible for a body, gravity or damping.
+    #[error(transparent)]
+    Invalid(#[from] InvalidInput),
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// The law has no answer for this impact.
+    #[error(transparent)]
+    Law(#[from] OutsideLaw),
+    /// An indentation deeper or wider than the sphere.
+    #[error(
+        "the sphere would go in by {} with a contact radius of {}, and its own radius is {}: no contact law holds there; check the units{}, or lower the speed",
+        human(*.indentation, Dimension::Length), human(*.contact_radius, Dimension::Length), human(*.radius, Dimension::Length),
+        match (.wrong_modulus, .yield_strength) {
+            (Some((table, modulus)), _) => {
+                let modulus = human(*modulus, Dimension::Pressure);
+                format!(", such as that of {table}.youngs_modulus = {modulus}")
+            }
+            (None, Some(strength)) => {
+                format!(", such as that of half_space.yield_strength = {}", human(*strength, Dimension::Pressure))
+            }
+            (None, None) => String::new(),
+        }
+    )]
+    TooDeep {
+        /// δ_m \[m\].
+        indentation: f64,
+        /// a_m \[m\].
+        contact_radius: f64,
+        /// R \[m\].
+        radius: f64,
+        /// σ_Y \[Pa\].
+        yield_strength: Option<f64>,
+        /// Table and Young's modulus \[Pa\] of a body whose modulus cannot be right.
+        wrong_modulus: Option<(&'static str, f64)>,
+    },
+    /// A moment of inertia that is too small for the steps of friction.
+    #[error(
+        "with so small a moment of inertia the contact point swings too fast for the steps of friction: {}",
+        match least {
+            Some(least) => format!("from {least:.3e} kg m^2 on it is computed here, and a solid sphere has {solid:.3e} kg m^2"),
+            None => "here none is large enough, as the contact lasts so long: leave out angle and spin, or take a thicker plate".to_owned(),
+        }
+    )]
+    SmallInertia {
+        /// The smallest possible moment of inertia \[kg m²\]; `None` if every value is too small.
+        least: Option<f64>,
+        /// The moment of inertia of a solid sphere \[kg m²\].
+        solid: f64,
+    },
+    /// The fall of two bodies is not modelled.
+    #[error(
+        "gravity and a body that is free to move are not computed together: leave out [gravity], or half_space.mass"
+    )]
+    FreeUnderGravity,
+    /// A body whose moment of inertia is not known.
+    #[error(
+        "at an angle a body that is free to move has to be a ball: half_space.mass = \"ball\", or leave out impact.angle and sphere.spin"
+    )]
+    NoBall,
+    /// An impact on this plate is not possible.
+    #[error(transparent)]
+    Plate(#[from] PlateError),
+    /// No closed form for this scene.
+    #[error("method \"closed_form\" has no answer under damping and on a plate: use \"auto\" or \"rk8\"")]
+    NoClosedForm,
+}
+
+impl From<PairError> for ImpactError {
+    fn from(error: PairError) -> Self {
+        match error {
+            PairError::Range(error) => error.into(),
+            PairError::Hollow(error) => error.into(),
+            PairError::Invalid(error) => error.into(),
+        }
+    }
+}
+
+impl From<ImpactError> for Failure {
+    fn from(error: ImpactError) -> Self {
+        Self::caused_by(ErrorKind::Failed, &error)
+    }
+}

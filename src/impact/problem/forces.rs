@@ -1,0 +1,186 @@
+//! The forces in addition to the contact law: gravity, damping and a plate that bends. A scene has only the forces that it names.
+//!
+//! The sphere moves by m δ'' = −F_c + m g. The contact force F_c is the F of the law without damping, and otherwise follows
+//! [`Damping`]. The contact never pulls. So under viscous damping the sphere separates where F_c vanishes, above the bottom of its
+//! dent, also at ζ ≥ 1. The elastic energy that the contact still holds there is reported. k_t jumps at the knots of a law, and
+//! so does the viscous force. With damping the peak force comes before maximum compression; the integration locates it as an
+//! event.
+//!
+//! A sphere that the recovered work cannot lift out of its dent is captured: e = 0, and there is no contact time. Without
+//! damping this is so where F_m ≤ (n + 1) m g. A sphere let go at first touch is always captured, because it has no kinetic
+//! energy; it has no restitution.
+//!
+//! Under gravity alone peak and rebound follow from the energy ([`crate::impact::solve::closed_form`]). In other cases the energy balance
+//! checks the run: kinetic + stored + plastic + damping − m g δ = ½ m v². Its error is at most about 10 tolerances. If the
+//! tolerance is above 1e-4 and the weight exceeds the force at first yield, it is up to 60 tolerances: such a weight accelerates
+//! a slow sphere to hundreds of times its speed, and the error of the first step grows with the speed.
+
+use super::plate::Plate;
+use super::scales::ACCELERATION;
+use crate::contact::law::unloading::GRAZING;
+use crate::contact::law::{Ground, Unloading};
+use crate::contact::pair::InvalidInput;
+use crate::impact::flight::free_flight::Flying;
+use crate::numerics::ode::{Drag, Rest};
+
+/// Damping on top of the contact law; the total contact force never pulls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Damping {
+    /// F (1 + χ δ'), with the elastic-plastic force F of the law and χ \[s/m\], ≥ 0 (Hunt and Crossley 1975).
+    HuntCrossley(f64),
+    /// F + 2 ζ √(m k_t) δ', with the tangent stiffness k_t = dF/dδ of the current branch and ζ \[1\], ≥ 0, the fraction of
+    /// critical damping (on a Hertz contact this is the δ^¼ of Tsuji, Tanaka and Ishida 1992).
+    Viscous(f64),
+}
+
+impl Damping {
+    /// The resistance in the units of an impact whose unit of speed is `speed` \[m/s\].
+    pub fn drag(self, speed: f64) -> Drag {
+        match self {
+            Self::HuntCrossley(chi) => Drag { chi: chi * speed, ..Drag::NONE },
+            Self::Viscous(zeta) => Drag { eta: 2.0 * zeta, ..Drag::NONE },
+        }
+    }
+}
+
+/// The forces on the sphere in addition to the contact law. Damping acts in the contact; gravity and a plate act on the motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Forces {
+    /// Gravity along the approach g \[m/s²\], > 0.
+    pub gravity: Option<f64>,
+    pub damping: Option<Damping>,
+    /// The plate in place of the half-space.
+    pub plate: Option<Plate>,
+    /// The flight before and after the impact, if there is gravity or a drop height. It does not act in the contact.
+    pub flying: Option<Flying>,
+}
+
+impl Forces {
+    /// Checks gravity and damping, as a scenario does.
+    #[inline]
+    pub(in crate::impact) fn check(&self) -> Result<(), InvalidInput> {
+        let rule = "it must be 0 or a positive number";
+        let check =
+            |quantity, value: f64| InvalidInput::check(quantity, value, value >= 0.0 && value.is_finite(), rule);
+        if let Some(gravity) = self.gravity {
+            check("gravity (m/s^2)", gravity)?;
+        }
+        match self.damping {
+            None => Ok(()),
+            Some(Damping::HuntCrossley(chi)) => check("damping of Hunt and Crossley (s/m)", chi),
+            Some(Damping::Viscous(zeta)) => check("viscous damping", zeta),
+        }
+    }
+
+    /// True if only the law acts.
+    pub fn is_none(&self) -> bool {
+        self.gravity.is_none() && self.damping.is_none() && self.plate.is_none()
+    }
+
+    /// True if damping or a plate absorbs energy.
+    pub(crate) fn have_drag(&self) -> bool {
+        self.plate.is_some() || self.damping.is_some_and(|damping| damping.drag(1.0) != Drag::NONE)
+    }
+}
+
+/// Gravity of a fall \[m/s²\] if the scenario gives none.
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// The forces in the units of an impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScaledForces {
+    /// w = m g/Φ; 0 without gravity.
+    pub weight: f64,
+    /// Damping in the contact, and the plate, which gives way by y f' u: θ = y/(5/4) with y = Y Φ/V.
+    pub drag: Drag,
+}
+
+impl ScaledForces {
+    /// No force but the law.
+    pub const NONE: Self = Self { weight: 0.0, drag: Drag::NONE };
+
+    /// True if only the law acts.
+    #[inline]
+    pub fn is_none(&self) -> bool {
+        self.weight == 0.0 && self.is_conservative()
+    }
+
+    /// True if there is no damping and no plate, so that only the dent absorbs energy.
+    #[inline]
+    pub(in crate::impact) fn is_conservative(&self) -> bool {
+        self.drag == Drag::NONE
+    }
+
+    /// True if a sphere that came at q = v/V stays in its dent. It is for impacts without damping.
+    pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
+        let largest = (unloading.exponent + 1.0) * self.weight;
+        // an elastic contact recovers the energy that it absorbed, except for rounding
+        let largest = if unloading.peak.residual() > 0.0 { largest } else { largest * (1.0 - GRAZING) };
+        self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= largest)
+    }
+
+    /// The distance from first contact to the point where an impact of energy `kinetic` (in units of Φ L) turns without damping.
+    pub(in crate::impact) fn way_to_turn(&self, ground: Ground, kinetic: f64) -> f64 {
+        let (last, distance) = ground.turn(kinetic, self.weight);
+        ground.piece(last).start - ground.touch() + distance
+    }
+
+    /// True if the rebound speed equals the impact speed: nothing absorbs energy, and the sphere separates where it touched. If it
+    /// separates deeper, in a dent that cost no energy, its weight does work over this distance.
+    pub(in crate::impact) fn is_even(&self, ground: Ground, unloading: &Unloading) -> bool {
+        let sinks = self.weight > 0.0 && ground.dent(&unloading.peak).residual() > ground.touch();
+        self.is_conservative() && ground.plastic(unloading) == 0.0 && !sinks
+    }
+
+    /// The point at which the contact carries the weight: on the unloading branch, or on the loading curve if the sphere has not yet
+    /// reached this depth.
+    pub(in crate::impact) fn static_point(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
+        if unloading.peak.force < self.weight {
+            self.static_on_loading(ground)
+        } else {
+            self.static_on_unloading(ground, unloading)
+        }
+    }
+
+    /// The point at which the unloading branch carries the weight; at most its peak.
+    pub(in crate::impact) fn static_on_unloading(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
+        let distance = unloading.recovered_at(self.weight);
+        let indentation = ground.dent(&unloading.peak).residual() + distance;
+        StaticPoint { indentation, distance, slope: unloading.slope_of(distance) }
+    }
+
+    pub(in crate::impact) fn static_on_loading(&self, ground: Ground) -> StaticPoint {
+        let indentation = ground.indentation_at_force(self.weight);
+        let slope = ground.piece(ground.way_in.index_at(indentation)).slope_at(indentation);
+        StaticPoint { indentation, distance: indentation - ground.touch(), slope }
+    }
+
+    /// The criterion of rest for an overdamped sphere, at this distance of the leg: the sphere creeps up to the static point, and never
+    /// passes it. `None` for a sphere that oscillates about this point. A run ends as soon as the sphere is near enough and slow
+    /// enough: its speed is at most the faster of the two decay rates times the remaining distance.
+    pub(in crate::impact) fn rest(&self, point: &StaticPoint, distance: f64) -> Option<Rest> {
+        let omega = (ACCELERATION * point.slope).sqrt();
+        let Drag { chi, eta, theta } = self.drag;
+        // the fraction of critical damping of small oscillations
+        let zeta = 0.5 * (ACCELERATION * self.weight * chi / omega + eta + theta * omega);
+        let tolerance = NEAR * point.distance;
+        // from ζ = 0.9 on every half oscillation is below e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
+        let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
+        let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
+        is_overdamped.then_some(Rest { distance, tolerance, largest_speed: fast * omega * tolerance })
+    }
+}
+
+/// The point at which a contact carries the weight of its sphere.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::impact) struct StaticPoint {
+    /// x.
+    pub(in crate::impact) indentation: f64,
+    /// Distance from the start of its branch: first contact, or the residual indentation.
+    pub(in crate::impact) distance: f64,
+    /// Tangent stiffness df/dx.
+    slope: f64,
+}
+
+/// An overdamped sphere counts as captured if its distance to the static indentation is a smaller fraction of the static depth.
+const NEAR: f64 = 1e-3;

@@ -1,0 +1,9 @@
+//! What defines an impact: contact, scales, forces, plate, waves, strain rate, errors.
+
+pub mod contact;
+pub(in crate::impact) mod error;
+pub mod forces;
+pub mod plate;
+pub mod scales;
+pub(in crate::impact) mod strain_rate;
+pub mod waves;

@@ -1,0 +1,95 @@
+//! Dimensionless variables, and the factors from them to SI units.
+//!
+//! x = δ/L, f = F/Φ, u = δ'/V, τ = t V/L with ½ m V² = (2/5) Φ L, so that the equation of motion is x'' = −(5/4) f for
+//! every sphere. L, Φ, V are the yield indentation, force and speed. An impact that stays elastic uses its Hertz peak and its speed
+//! instead, so that the slowest impact is no closer to underflow than the fastest.
+
+use std::ops::Deref;
+
+use crate::contact::pair::{OutOfFloatRange, Pair, normal};
+use crate::numerics::functions::pow;
+use crate::numerics::power::power_turn;
+
+/// c of x'' = −c f.
+pub const ACCELERATION: f64 = 1.25;
+
+/// The units of a contact, with or without a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Units {
+    /// L \[m\].
+    pub length: f64,
+    /// Φ \[N\].
+    pub force: f64,
+    /// Hertz contact radius at L \[m\].
+    pub contact_radius: f64,
+}
+
+impl Units {
+    /// The units of first yield; for bodies without a yield strength, the units of a Hertz contact that is as deep as R.
+    pub(crate) fn of(pair: &Pair) -> Self {
+        let Some(point) = pair.yield_point else {
+            let length = pair.radius;
+            return Self { length, force: pair.hertz_stiffness() * length * length.sqrt(), contact_radius: length };
+        };
+        Self { length: point.indentation, force: point.force, contact_radius: point.contact_radius }
+    }
+
+    /// Φ L \[J\].
+    pub fn energy(&self) -> f64 {
+        self.force * self.length
+    }
+}
+
+/// The units of length, force and speed of one impact. It derefs to the units of the contact, as in `scales.length`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scales {
+    pub units: Units,
+    /// V \[m/s\].
+    pub speed: f64,
+}
+
+impl Deref for Scales {
+    type Target = Units;
+
+    #[inline]
+    fn deref(&self) -> &Units {
+        &self.units
+    }
+}
+
+impl Scales {
+    /// The units of a pair, with the speed at which this mass \[kg\] has the energy (2/5) Φ L: v_Y for bodies that yield.
+    pub(crate) fn of_pair(pair: &Pair, mass: f64) -> Result<Self, OutOfFloatRange> {
+        let units = Units::of(pair);
+        let speed = (0.8 * (units.force / mass) * units.length).sqrt();
+        let speed = if pair.yield_point.is_some() { normal("yield speed (m/s)", speed)? } else { speed };
+        Ok(Self { units, speed })
+    }
+
+    /// Hertz scales of an elastic impact of `mass` at `speed` under `gravity`: L where (2/5) K L^2.5 = ½ m v² + m g L,
+    /// Φ = K L^1.5, and V with ½ m V² = (2/5) Φ L, which is v without gravity.
+    ///
+    /// # Errors
+    /// [`OutOfFloatRange`] if indentation, force or kinetic energy underflow or overflow.
+    pub(crate) fn of_hertz(pair: &Pair, mass: f64, speed: f64, gravity: f64) -> Result<Self, OutOfFloatRange> {
+        let stiffness = pair.hertz_stiffness();
+        let (square, per_stiffness) = (speed * speed, 1.25 * mass / stiffness);
+        let power = per_stiffness * square;
+        let length = match gravity {
+            // the root leaves the range of doubles only if the kinetic energy does
+            0.0 if power.is_normal() => pow(power, 0.4),
+            0.0 => pow(per_stiffness.sqrt() * speed, 0.8),
+            _ => power_turn(stiffness / mass, 1.5, 0.5 * square, gravity),
+        };
+        let length = normal("peak indentation (m)", length)?;
+        let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
+        let fastest = if gravity == 0.0 { speed } else { (square + 2.0 * gravity * length).sqrt() };
+        let units = Units { length, force, contact_radius: (pair.radius * length).sqrt() };
+        Ok(Self { units, speed: fastest })
+    }
+
+    /// L/V \[s\].
+    pub fn time(&self) -> f64 {
+        self.length / self.speed
+    }
+}

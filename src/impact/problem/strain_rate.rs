@@ -1,0 +1,167 @@
+//! The strain rate of an impact, and the contact with the strength at this rate.
+//!
+//! ```text
+//! w    = v/√(R δ_m)
+//! g    = g(0.2 w)      factor of the strength while the sphere goes in: δ_m, times, work, waves
+//! g_t  = g(0.015 w)    factor where it turns, as the metal relaxes there: F_m, δ_e, n
+//! ```
+//!
+//! δ_m belongs to the strength g σ, so g is a fixed point, which is found by iteration. With two factors for a whole impact every
+//! closed form remains valid. Against explicit finite elements of this project with the rate in every Gauss point (eleven impacts,
+//! 0.3 to 10 m/s, Johnson-Cook 0.014 to 0.03, Cowper-Symonds): e rms 1.0 %, contact time 0.8 %, depth 1.7 %, peak force −2.2 to
+//! +0.6 %. With one factor, at any rate, e has an error of up to 9.5 %: the flow stress relaxes within a microsecond at maximum
+//! compression.
+//!
+//! The factor belongs to the impact of the same normal speed on fresh surface, without gravity, damping and plate.
+//!
+//! The bodies share the yielding by their strengths without a rate, so the same bodies yield during loading and at maximum
+//! compression. g is the factor of the body that yields alone. Where both bodies yield, g = β g_s + (1 − β) g_h, with the fraction
+//! β of the sphere in the yielding ([`Flow`]).
+
+use std::sync::Arc;
+
+use super::contact::{Contact, Rated, Rates};
+use super::error::ImpactError;
+use super::scales::Scales;
+use crate::contact::law::{Bodies, Ground, LawChoice};
+use crate::contact::pair::{Flow, OutOfFloatRange};
+use crate::contact::strength::strain_rate_hardening::Rate;
+use crate::numerics::ode::IntegrationError;
+
+/// The strain rates of loading and of maximum compression, over w.
+const SHARES: [f64; 2] = [0.2, 0.015];
+
+/// The limit of iterations. Each one gains at least one digit, and with usual constants two.
+const MOST_ROUNDS: u64 = 60;
+
+impl Rates {
+    /// The factor of the strength of bodies with this partition of the yielding, at a strain rate \[1/s\].
+    fn factor(&self, flow: &Flow, strain_rate: f64) -> f64 {
+        let [sphere, half_space] = self.of_bodies.map(|of_body| of_body.map_or(1.0, |rise| rise.factor(strain_rate)));
+        // exact if one body yields alone, and if both factors are equal
+        if flow.sphere_share == 1.0 { sphere } else { half_space + flow.sphere_share * (sphere - half_space) }
+    }
+
+    /// The strain-rate hardening behind the factor: the one of the softer body, or the one of the other body if it yields too.
+    fn of_flow(&self, flow: &Flow) -> Option<Rate> {
+        let [sphere, half_space] = self.of_bodies;
+        let harder = flow.of_softer([half_space, sphere]);
+        flow.of_softer(self.of_bodies).or(harder.filter(|_| flow.is_of_both()))
+    }
+}
+
+impl Contact {
+    /// Returns this contact of bodies whose strengths rise with the strain rate; the order is sphere, half-space.
+    pub fn with_rates(mut self, of_bodies: [Option<Rate>; 2], law: &LawChoice) -> Self {
+        let has_rate = of_bodies.iter().any(Option::is_some) && self.pair().yield_point.is_some();
+        self.rates = has_rate.then(|| Arc::new(Rates { of_bodies, law: law.clone() }));
+        self
+    }
+
+    /// True if the strength depends on the speed.
+    pub fn has_rate(&self) -> bool {
+        self.rates.is_some()
+    }
+
+    /// The strain rate of the strength of this contact, with its factors; `None` without a strain-rate dependence, and
+    /// before a speed is known.
+    pub fn rated(&self) -> Option<&Rated> {
+        self.rated.as_ref()
+    }
+
+    /// The contact with the strength of an impact at this speed \[m/s\]; the contact itself if its strength does not depend on the speed.
+    ///
+    /// # Errors
+    /// [`ImpactError`] if a constant of the pair over- or underflows, or a factor is NaN.
+    pub fn at_speed(&self, speed: f64) -> Result<Self, ImpactError> {
+        Ok(self.rated_at(speed)?.unwrap_or_else(|| self.clone()))
+    }
+
+    /// Like [`Contact::at_speed`]; `None` if the strength does not depend on the speed.
+    #[inline]
+    pub(in crate::impact) fn rated_at(&self, speed: f64) -> Result<Option<Self>, ImpactError> {
+        match &self.rates {
+            None => Ok(None),
+            Some(rates) => self.of_rate(rates, speed).map(Some),
+        }
+    }
+
+    #[cold]
+    fn of_rate(&self, rates: &Rates, speed: f64) -> Result<Self, ImpactError> {
+        let Some(point) = self.pair().yield_point else { return self.raised(rates, 1.0) };
+        let (w, factor) = self.loading_factor(rates, &point.flow, speed)?;
+        let factor_at_turn = rates.factor(&point.flow, SHARES[1] * w);
+        let raised = self.raised(rates, factor)?;
+        let mut contact = if factor_at_turn == factor {
+            raised
+        } else {
+            raised.relaxing_to(self.raised(rates, factor_at_turn)?, factor_at_turn / factor)
+        };
+        let rate = rates.of_flow(&point.flow);
+        contact.rated = Some(Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn, rate });
+        Ok(contact)
+    }
+
+    /// w, and the factor of the strength during loading.
+    fn loading_factor(&self, rates: &Rates, flow: &Flow, speed: f64) -> Result<(f64, f64), ImpactError> {
+        let mut factor = 1.0;
+        for _ in 0..MOST_ROUNDS {
+            let depth = self.depth(rates, factor, speed)?;
+            let w = if speed == 0.0 { 0.0 } else { speed / (self.pair().radius * depth).sqrt() };
+            let next = rates.factor(flow, SHARES[0] * w);
+            let is_found = (next - factor).abs() < 1e-14 * next;
+            factor = next;
+            if is_found {
+                return Ok((w, factor));
+            }
+            if !factor.is_finite() {
+                let quantity = "factor of the strength at this rate of strain";
+                return Err(OutOfFloatRange { quantity, value: factor }.into());
+            }
+        }
+        Err(IntegrationError::UnsettledRate { rounds: MOST_ROUNDS }.into())
+    }
+
+    /// δ_m \[m\] of the impact on fresh surface with this factor, without gravity, damping and plate.
+    fn depth(&self, rates: &Rates, factor: f64, speed: f64) -> Result<f64, ImpactError> {
+        let deepest = |contact: &Self, scales: &Scales| {
+            let q = speed / scales.speed;
+            let ground = Ground::from(&contact.law);
+            let (last, distance) = ground.turn(0.4 * q * q, 0.0);
+            (ground.piece(last).start + distance) * scales.length
+        };
+        if factor == 1.0 {
+            return Ok(deepest(self, &self.scales));
+        }
+        if self.law.has_one_curve() {
+            let pair = self.pair().with_raised_strength(factor)?;
+            return Ok(deepest(self, &Scales::of_pair(&pair, self.reduced_mass())?));
+        }
+        let raised = self.raised(rates, factor)?;
+        Ok(deepest(&raised, &raised.scales))
+    }
+
+    /// This contact with its strength raised by this factor, without a strain-rate dependence.
+    fn raised(&self, rates: &Rates, factor: f64) -> Result<Self, ImpactError> {
+        if factor == 1.0 {
+            let mut contact = self.clone();
+            contact.rates = None;
+            return Ok(contact);
+        }
+        let pair = self.pair().with_raised_strength(factor)?;
+        if let (LawChoice::Plm(plm), true, Some(bodies)) = (&rates.law, self.law.has_one_curve(), Bodies::new(&pair)) {
+            let scales = Scales::of_pair(&pair, self.reduced_mass())?;
+            return Ok(self.of_law(pair, plm.of_same_curve(&self.law, &bodies), scales, scales.speed));
+        }
+        let mut law = rates.law.clone();
+        law.set_rate_factor(factor);
+        self.of_pair(pair, law.get())
+    }
+
+    /// This contact, which relaxes to the strength of another contact at maximum compression.
+    fn relaxing_to(mut self, turn: Self, ratio: f64) -> Self {
+        self.law = self.law.relaxing_to(turn.law, ratio);
+        self.elastic_speed = turn.yield_speed.min(self.yield_speed);
+        self
+    }
+}

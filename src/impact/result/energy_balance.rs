@@ -1,0 +1,123 @@
+//! The energy balance of one impact, and the rows of a trace, which contain its error.
+
+use crate::contact::law::{Branch, ContactState};
+use crate::impact::oblique::FrictionState;
+use crate::impact::problem::contact::Contact;
+use crate::impact::problem::scales::ACCELERATION;
+use crate::impact::scaled_impact::Case;
+use crate::impact::solve::outcome::{Fate, Outcome};
+use crate::impact::solve::recorder::{Event, Point};
+use crate::numerics::ode::State;
+
+/// A row of the trace of an impact. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceRow {
+    /// Time since first contact \[s\].
+    pub time: f64,
+    /// δ \[m\].
+    pub indentation: f64,
+    /// δ_s \[m\], the part of the sphere; 0 for a rigid sphere.
+    pub sphere_indentation: f64,
+    /// δ_h = δ − δ_s \[m\], the part of the half-space.
+    pub half_space_indentation: f64,
+    /// δ' \[m/s\]: positive into the half-space, negative during the rebound.
+    pub speed: f64,
+    /// Speed of the centre of the sphere \[m/s\], the sum of δ' and the speed of the plate; `None` without a plate.
+    pub sphere_speed: Option<f64>,
+    /// The contact force \[N\]: F of the law and damping.
+    pub force: f64,
+    /// F of the law alone \[N\], if there is damping.
+    pub elastic_force: Option<f64>,
+    pub branch: Branch,
+    /// Friction, in an oblique impact.
+    pub friction: Option<FrictionState>,
+    pub event: Option<Event>,
+    /// (kinetic + stored + lost)/(½ m v²) − 1.
+    pub energy_drift: f64,
+}
+
+/// The energy balance of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v². On a plate its
+/// "kinetic" and "lost" differ from the energies of sphere and plate, which [`crate::impact::problem::plate`] defines; their sum is equal.
+pub(in crate::impact) struct Ledger<'a> {
+    contact: &'a Contact,
+    case: &'a Case<'a>,
+    outcome: &'a Outcome,
+    /// ½ m v²; 0 for a sphere released at rest.
+    kinetic: f64,
+    /// The work spent on the dent.
+    spent: f64,
+}
+
+impl<'a> Ledger<'a> {
+    pub(in crate::impact) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome) -> Self {
+        let spent = case.ground.spent(&outcome.unloading);
+        Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, spent }
+    }
+
+    /// The error of the sum, over ½ m v² + m g δ_m. During loading W(x) is the stored and the plastic energy together.
+    fn drift(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
+        let sunk = |x: f64| self.case.forces.weight * (x - self.case.ground.touch());
+        let put_in = self.kinetic + sunk(self.outcome.unloading.peak.indentation);
+        (0.4 * speed * speed + potential + loss - sunk(indentation) - self.kinetic) / put_in
+    }
+
+    /// The error at the end of the contact.
+    pub(in crate::impact) fn at_end(&self) -> f64 {
+        let Outcome { unloading, end_indentation: x, end_speed, loss, fate, .. } = *self.outcome;
+        // at the bottom of the dent no energy is stored, but x has too few digits to show this
+        let is_at_dent = fate == Fate::Separated && !self.case.forces.drag.lifts_off();
+        let stored = if is_at_dent { 0.0 } else { unloading.stored(x) };
+        self.drift(end_speed, self.spent + stored, loss, x)
+    }
+
+    /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with the plate.
+    pub(in crate::impact) fn left(&self) -> f64 {
+        let Outcome { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
+        let force = unloading.force_of(x - self.case.ground.dent(&unloading.peak).residual());
+        let speed = end_speed + self.case.plate.map_or(0.0, |plate| plate.mobility * force);
+        0.4 * speed * speed + unloading.stored(x)
+    }
+
+    /// The error at the peak. With damping the loss up to the peak is not known, and the error is set to 0.
+    pub(in crate::impact) fn at_peak(&self) -> f64 {
+        if !self.case.forces.is_conservative() {
+            return 0.0;
+        }
+        let peak = &self.outcome.unloading.peak;
+        self.drift(0.0, self.case.ground.work_to(peak), 0.0, peak.indentation)
+    }
+
+    /// The row of the trace at a point of the motion.
+    pub(in crate::impact) fn row(&self, point: &Point) -> TraceRow {
+        let Point { at: State { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
+        let ContactState { indentation: x, force, elastic_approach } = state;
+        let Case { ground, scales, .. } = self.case;
+        let potential = if is_unloading {
+            self.outcome.unloading.stored_of(elastic_approach) + self.spent
+        } else {
+            ground.work_to(&state)
+        };
+        let branch = match () {
+            () if is_unloading => Branch::Unloading,
+            () if ground.branch_at(x).is_some() => Branch::Reloading,
+            () if elastic_approach < x => Branch::Plastic,
+            () => Branch::Elastic,
+        };
+        let indentation = x * scales.length;
+        let sphere_indentation = self.contact.pair().sphere_part(x, elastic_approach) * scales.length;
+        TraceRow {
+            time: time * scales.time(),
+            indentation,
+            sphere_indentation,
+            half_space_indentation: indentation - sphere_indentation,
+            speed: speed * scales.speed,
+            sphere_speed: self.case.plate.map(|plate| (speed + plate.mobility * force) * scales.speed),
+            force: total_force * scales.force,
+            elastic_force: self.contact.forces().damping.map(|_| force * scales.force),
+            branch,
+            friction: None,
+            event,
+            energy_drift: self.drift(speed, potential, loss / ACCELERATION, x),
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! The result of an impact in SI units, for reports and pictures.
+
+use std::ops::Deref;
+
+use super::energy_balance::{Ledger, TraceRow};
+use super::row::Essentials;
+use super::warning::Warning;
+use crate::impact::oblique::{Approach, Oblique, ObliqueImpact};
+use crate::impact::problem::contact::Contact;
+use crate::impact::problem::error::ImpactError;
+use crate::impact::scaled_impact::Case;
+use crate::impact::solve::Method;
+use crate::impact::solve::outcome::{Computed, Fate, FixedSteps, Outcome};
+use crate::numerics::ode::{Effort, IntegrationError};
+use crate::numerics::power::max_or_nan;
+
+/// The energies of an impact \[J\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Energy {
+    /// ½ m* v².
+    pub kinetic_in: f64,
+    /// Kinetic energy of the common motion of the sphere and a free target. It does not change.
+    pub of_centre: Option<f64>,
+    /// ½ m* (e v)².
+    pub recovered: f64,
+    /// Plastic work, W(δ_m) − F_m δ_e/(n + 1); `None` if no body has a yield strength.
+    pub plastic: Option<f64>,
+    /// Largest |kinetic + stored + lost − ½ m v²| / ½ m v² at the peak, at separation and on every row of the trace: the error that
+    /// the run itself can detect.
+    pub drift: f64,
+    /// The error of the energy balance at the end of the contact, relative as `drift`; positive for a gain.
+    pub drift_at_end: f64,
+}
+
+/// The error of the integration against the closed form (both relative).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accuracy {
+    pub closed_form_restitution: f64,
+    /// |e − e_exact| / e_exact.
+    pub restitution_error: f64,
+    /// |T − T_exact| / T_exact.
+    pub contact_time_error: f64,
+}
+
+impl Accuracy {
+    /// The errors of an outcome; NaN without a closed form.
+    fn of(outcome: &Outcome, exact: Option<&Outcome>) -> Self {
+        let relative = |got: f64, want: f64| if got == want { 0.0 } else { (got / want - 1.0).abs() };
+        let error = |part: fn(&Outcome) -> f64| exact.map_or(f64::NAN, |exact| relative(part(outcome), part(exact)));
+        Self {
+            closed_form_restitution: exact.map_or(f64::NAN, |exact| exact.restitution),
+            restitution_error: error(|outcome| outcome.restitution),
+            contact_time_error: error(|outcome| outcome.contact_time),
+        }
+    }
+}
+
+/// Additional results under gravity, under damping, or on a plate. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForcesResult {
+    pub fate: Fate,
+    /// Time of separation, or of the end of the run of a captured sphere \[s\].
+    pub end_time: f64,
+    /// δ at that time \[m\].
+    pub end_indentation: f64,
+    /// δ at which the unloading branch carries the weight \[m\]: the position of rest of a captured sphere.
+    pub static_indentation: Option<f64>,
+    /// Energy absorbed by damping \[J\] until separation, or until the end of the run of a captured sphere.
+    pub damping_loss: Option<f64>,
+    /// Elastic energy left \[J\] if the sphere separates before the contact has recovered, as under viscous damping. No force is
+    /// left then, so the damping of the contact absorbs this energy afterwards. `None` if the contact has recovered by rule.
+    pub stored_at_separation: Option<f64>,
+    /// Kinetic and elastic energy \[J\] where the run of a captured sphere ends.
+    pub left: Option<f64>,
+    /// m g times the displacement of the centre of the sphere since first contact \[J\]: its indentation, and the plate.
+    pub gravity_work: Option<f64>,
+}
+
+/// One impact, for reports and pictures. It derefs to its [`Essentials`], the results in a row of a table, as in
+/// `impact.peak_force`. SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impact {
+    /// Impact speed v \[m/s\]; for an oblique impact the magnitude of the velocity.
+    pub speed: f64,
+    /// The method that computed the impact. For `Auto` it is the method that `Auto` chose.
+    pub method: Method,
+    pub essentials: Essentials,
+    /// Speed of the sphere \[m/s\], normal to the half-space: e v if the target is fixed.
+    pub rebound_speed: f64,
+    /// First contact to maximum compression \[s\], by [`Method::Verlet`] within a step.
+    pub loading_time: f64,
+    /// δ_sm \[m\].
+    pub peak_sphere_indentation: f64,
+    /// δ_e = δ_m − δ_r \[m\].
+    pub elastic_approach: f64,
+    pub unloading_exponent: f64,
+    /// R_e \[m\] of the peak that shaped the dent, (3 F_m/4E*)²/δ_e³ (Eq. 24), also if the branch is no power law with n = 3/2;
+    /// R without a dent.
+    pub unloading_radius: f64,
+    /// R_res \[m\] (Eq. 25): radius of curvature of the dent; `None` without one.
+    pub residual_radius: Option<f64>,
+    /// F_m \[N\]: the force at δ_m, where the sphere stands still. Under damping the peak force comes before it.
+    pub force_at_peak_indentation: f64,
+    /// F_m/(π a_m²) \[Pa\].
+    pub peak_mean_pressure: f64,
+    /// Radius of the rim of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
+    pub dent_radius: Option<f64>,
+    pub energy: Energy,
+    pub work: Effort,
+    /// Error against the closed form; NaN if there is no closed form.
+    pub accuracy: Accuracy,
+    /// End, losses and work under gravity or damping or on a plate, if the scene names them.
+    pub under_forces: Option<ForcesResult>,
+    /// The times in fixed steps, by [`Method::Verlet`].
+    pub in_fixed_steps: Option<FixedSteps>,
+    /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
+    pub oblique: Option<Oblique>,
+    /// The warnings about the model and the run.
+    pub warnings: Vec<Warning>,
+    /// The trace, in order of time; empty if no trace is requested.
+    pub trace: Vec<TraceRow>,
+}
+
+impl Deref for Impact {
+    type Target = Essentials;
+
+    fn deref(&self) -> &Essentials {
+        &self.essentials
+    }
+}
+
+impl Impact {
+    /// The result of a computed impact, without warnings. `exact` is the closed form, if it exists.
+    pub(in crate::impact) fn new(
+        contact: &Contact,
+        speed: f64,
+        case: &Case,
+        method: Method,
+        computed: &Computed,
+        exact: Option<&Outcome>,
+    ) -> Result<Self, ImpactError> {
+        let Case { scales, ground, forces, .. } = case;
+        let Computed { outcome, work, fixed_steps, points } = computed;
+        let essentials = Essentials::new(contact, speed, case, outcome)?;
+        let Essentials { restitution, kinetic_in, peak_contact_radius, .. } = essentials;
+        let pair = contact.pair();
+        let peak = &outcome.unloading.peak;
+        let ledger = Ledger::new(contact, case, outcome);
+        let mut trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point)).collect();
+        let rows = trace.iter().map(|row| row.energy_drift);
+        let drift =
+            rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
+        if !drift.is_finite() {
+            // from the first row of the trace on, or from the end
+            let row = trace.iter().find(|row| !row.energy_drift.is_finite());
+            let time = row.map_or(outcome.contact_time, |row| row.time / scales.time());
+            return Err(IntegrationError::NotFinite { time }.into());
+        }
+        drop_twin_of_end(&mut trace);
+        let has_dent = essentials.has_dent();
+        let is_in_half_space = essentials.dent_depth() > 0.0;
+        let dent = ground.dent(peak);
+        let radius_ratio = dent.unloading_radius_ratio();
+        let is_captured = outcome.fate == Fate::Captured;
+        let energy = scales.energy();
+        let under_forces = (!contact.forces().is_none()).then(|| {
+            let lifts_off = !is_captured && forces.drag.lifts_off();
+            let moved = essentials.on_plate.map_or(0.0, |plate| plate.displacement / scales.length);
+            let sunk = outcome.end_indentation - ground.touch() + moved;
+            ForcesResult {
+                fate: outcome.fate,
+                end_time: outcome.contact_time * scales.time(),
+                end_indentation: outcome.end_indentation * scales.length,
+                static_indentation: is_captured
+                    .then(|| forces.static_point(*ground, &outcome.unloading).indentation * scales.length),
+                damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
+                stored_at_separation: lifts_off.then(|| outcome.unloading.stored(outcome.end_indentation) * energy),
+                left: is_captured.then(|| ledger.left() * energy),
+                gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
+            }
+        });
+        Ok(Self {
+            speed,
+            method,
+            essentials,
+            rebound_speed: contact.speeds_after(speed, restitution).0,
+            loading_time: outcome.loading_time * scales.time(),
+            peak_sphere_indentation: pair.sphere_part(peak.indentation, peak.elastic_approach) * scales.length,
+            elastic_approach: peak.elastic_approach * scales.length,
+            unloading_exponent: outcome.unloading.exponent,
+            unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
+            residual_radius: (is_in_half_space && radius_ratio > 1.0)
+                .then(|| pair.radius * (radius_ratio / (radius_ratio - 1.0))),
+            force_at_peak_indentation: peak.force * scales.force,
+            peak_mean_pressure: peak.force * scales.force
+                / (std::f64::consts::PI * peak_contact_radius)
+                / peak_contact_radius,
+            dent_radius: is_in_half_space.then(|| scales.contact_radius * ground.contact_radius(&dent)),
+            energy: Energy {
+                kinetic_in,
+                of_centre: contact.target_mass().map(|target| kinetic_in * (contact.mass() / target)),
+                recovered: kinetic_in * essentials.recovered_fraction(),
+                plastic: pair.yield_point.map(|_| ground.plastic(&outcome.unloading) * energy),
+                drift,
+                drift_at_end: ledger.at_end(),
+            },
+            work: *work,
+            accuracy: Accuracy::of(outcome, exact),
+            under_forces,
+            in_fixed_steps: fixed_steps.map(|seen| seen.in_seconds(scales.time())),
+            oblique: None,
+            warnings: Vec::new(),
+            trace,
+        })
+    }
+
+    /// Adds the results of friction to an oblique impact, whose other results describe the normal motion.
+    pub(in crate::impact) fn add_friction(
+        &mut self,
+        inclined: &ObliqueImpact,
+        approach: Approach,
+    ) -> Result<(), ImpactError> {
+        let slip = inclined.slip(true)?;
+        self.speed = approach.speed;
+        self.essentials.rebound = Some(inclined.rebound(&slip)?);
+        self.oblique = Some(inclined.oblique(&slip));
+        for row in &mut self.trace {
+            row.friction =
+                Some(inclined.friction_at(&slip, row.time, row.sphere_speed.unwrap_or(row.speed), row.force));
+        }
+        Ok(())
+    }
+
+    /// The results of a captured sphere; `None` for a sphere that separates.
+    pub fn captured(&self) -> Option<&ForcesResult> {
+        self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
+    }
+
+    /// The simulated time \[s\]: the contact time, or the time to the end of the run of a captured sphere.
+    pub fn duration(&self) -> f64 {
+        self.captured().map_or(self.contact_time, |under| under.end_time)
+    }
+}
+
+/// Removes rows at the time of the last row, a sample or a peak, because the last row holds the same values.
+fn drop_twin_of_end(trace: &mut Vec<TraceRow>) {
+    while let [.., before, end] = trace.as_slice()
+        && before.time == end.time
+    {
+        trace.remove(trace.len() - 2);
+    }
+}

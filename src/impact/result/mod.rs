@@ -1,0 +1,6 @@
+//! Results in SI: row, impact, energy balance, warning type.
+
+pub(in crate::impact) mod energy_balance;
+pub mod impact;
+pub mod row;
+pub(in crate::impact) mod warning;

@@ -1,0 +1,216 @@
+//! The results of an impact in a row of a table, a part of an [`Impact`](crate::impact::Impact).
+
+use crate::contact::pair::{OutOfFloatRange, left_behind, normal};
+use crate::impact::oblique::Rebound;
+use crate::impact::problem::contact::{Contact, Rated};
+use crate::impact::problem::error::ImpactError;
+use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::plate::ScaledPlate;
+use crate::impact::problem::waves;
+use crate::impact::scaled_impact::Case;
+use crate::impact::solve::closed_form;
+use crate::impact::solve::outcome::{Fate, Outcome};
+use crate::numerics::ode::IntegrationError;
+
+/// The results of an impact in a row of a table. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Essentials {
+    /// e \[1\].
+    pub restitution: f64,
+    /// Both ends of the interval of e \[1\], which a table sets.
+    pub restitution_interval: Option<[f64; 2]>,
+    /// First contact to separation \[s\], by [`Method::Verlet`](crate::impact::Method::Verlet) within its last step; infinite for a
+    /// captured sphere.
+    pub contact_time: f64,
+    /// The peak contact force \[N\], damping included.
+    pub peak_force: f64,
+    /// δ_m \[m\].
+    pub peak_indentation: f64,
+    /// δ_r \[m\]: the residual indentation, by a dent in the half-space and a flat on the sphere; 0 without both.
+    pub residual_indentation: f64,
+    /// The part of the residual indentation that is a flat on the sphere \[m\].
+    pub flat_depth: f64,
+    /// a_m \[m\]; its accuracy is given at [`Law::contact_radius`](crate::contact::law::Law::contact_radius). If there is a dent, this
+    /// is the radius of its rim.
+    pub peak_contact_radius: f64,
+    /// a_m/R \[1\], with the radius of the smaller ball.
+    pub radius_ratio: f64,
+    /// True if a_m/R or δ_m is outside of the range of validity of the law, or outside of its stated range.
+    pub is_outside_law: bool,
+    /// ½ m* v² \[J\]: without the motion of the centre of mass, which does not change.
+    pub kinetic_in: f64,
+    /// (W(δ_m) − F_m δ_e/(n + 1))/(½ m v²) \[1\]: plastic work over kinetic energy; 0 for an elastic impact.
+    pub plastic_fraction: f64,
+    /// Fraction of the energy that is radiated as elastic waves \[1\], to first order and without gravity. `None` if the density of the
+    /// half-space is not known, under damping or on a plate, and for a sphere that does not separate.
+    pub wave_loss_fraction: Option<f64>,
+    pub on_plate: Option<OnPlate>,
+    /// Strain rate and factors of strength; `None` without a strain-rate dependence, and for an impact that turned in a dent.
+    pub rated: Option<Rated>,
+    /// Speed \[m/s\] of a free target after the impact, normal to the surface.
+    pub target_speed: Option<f64>,
+    /// Rebound height \[m\], with waves and air if they are known; `None` without gravity and height, and for a sphere that does not
+    /// separate.
+    pub rebound_height: Option<f64>,
+    /// The rebound of an oblique impact with friction. All other results then describe the motion normal to the half-space.
+    pub rebound: Option<Rebound>,
+}
+
+/// The additional results of an impact on a plate; [`crate::impact::problem::plate`] has the equations. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OnPlate {
+    /// λ \[1\].
+    pub inelasticity: f64,
+    /// X \[1\]: number of plate thicknesses that a wave travels in the contact time on a half-space.
+    pub thinness: f64,
+    /// Energy in the plate \[J\] at separation, or at the end of the run of a captured sphere.
+    pub energy: f64,
+    /// Displacement of the plate at that time \[m\].
+    pub displacement: f64,
+    /// 2 √(c t_c) \[m\]: bending waves return in time from an edge that is nearer; infinite for a captured sphere.
+    pub reach: f64,
+}
+
+impl OnPlate {
+    /// The results from an outcome; `contact_time` \[s\] may be infinite.
+    fn of(case: &Case, outcome: &Outcome, contact_time: f64) -> Option<Self> {
+        let ScaledPlate { under, mobility: y, inelasticity, thinness } = case.plate?;
+        let Case { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;
+        let Outcome { unloading, end_indentation, end_speed: u, .. } = outcome;
+        // the run of a captured sphere ends where the contact still has a force
+        let f = match outcome.fate {
+            Fate::Separated => 0.0,
+            Fate::Captured => unloading.force_of(end_indentation - ground.dent(&unloading.peak).residual()),
+        };
+        let moved = y * (weight * outcome.contact_time + 0.8 * (q - u - y * f));
+        let energy = outcome.loss - 0.8 * y * f * u - 0.4 * y * y * f * f + weight * moved;
+        Some(Self {
+            inelasticity,
+            thinness,
+            energy: energy * scales.energy(),
+            displacement: moved * scales.length,
+            reach: under.reach(contact_time),
+        })
+    }
+}
+
+impl Essentials {
+    /// In SI units.
+    #[inline]
+    pub(in crate::impact) fn new(
+        contact: &Contact,
+        speed: f64,
+        case: &Case,
+        outcome: &Outcome,
+    ) -> Result<Self, ImpactError> {
+        let Case { scales, ground, q, forces, .. } = case;
+        // a sphere released at rest has the kinetic energy 0, which is no underflow
+        let kinetic_in = 0.5 * contact.reduced_mass() * speed * speed;
+        let is_at_rest = speed == 0.0 && !contact.forces().is_none();
+        let kinetic_in = if is_at_rest { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
+        let radiating = contact.waves().filter(|_| outcome.fate == Fate::Separated && !is_at_rest);
+        let waves = match radiating {
+            // the first-order estimate belongs to the impact without gravity
+            Some(waves) if forces.weight > 0.0 => Some(waves.loss_fraction(
+                speed,
+                scales,
+                *ground,
+                &closed_form::energy_balance(*ground, *q).unloading,
+            )?),
+            Some(waves) => Some(waves.loss_fraction(speed, scales, *ground, &outcome.unloading)?),
+            None => None,
+        };
+        let peak = outcome.unloading.peak;
+        let Outcome { restitution, loading_time, .. } = *outcome;
+        if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
+            return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
+        }
+        let peak_contact_radius = contact.contact_radius(scales, *ground, &peak)?;
+        let radius_ratio = peak_contact_radius / contact.pair().smaller_radius;
+        let (law, residual) = (ground.law_at(peak.indentation), ground.dent(&peak).residual());
+        let lost = ground.plastic(&outcome.unloading);
+        // under gravity the share may exceed 1; without kinetic energy it does not exist
+        let has_share = lost != 0.0 && kinetic_in > 0.0;
+        let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
+        if share.is_infinite() {
+            return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
+        }
+        // the flight of two bodies is not modelled
+        let flying = contact.forces().flying.filter(|_| contact.target_mass().is_none());
+        let contact_time = normal("contact time (s)", outcome.contact_time * scales.time())?;
+        let contact_time = if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time };
+        Ok(Self {
+            restitution: outcome.restitution,
+            restitution_interval: None,
+            contact_time,
+            peak_force: normal("peak force (N)", outcome.largest_force * scales.force)?,
+            peak_indentation: peak.indentation * scales.length,
+            residual_indentation: residual * scales.length,
+            flat_depth: contact.pair().yield_point.map_or(0.0, |point| point.flow.flat_share)
+                * residual
+                * scales.length,
+            peak_contact_radius,
+            radius_ratio,
+            is_outside_law: radius_ratio > ground.law.limits.widest
+                || law.is_some_and(|law| law.outside_stated(&peak).is_some()),
+            kinetic_in,
+            plastic_fraction: share,
+            wave_loss_fraction: waves,
+            on_plate: OnPlate::of(case, outcome, contact_time),
+            target_speed: contact.speeds_after(speed, outcome.restitution).1,
+            rebound_height: flying.filter(|_| outcome.fate == Fate::Separated).map(|flying| {
+                let restitution =
+                    waves.map_or(outcome.restitution, |loss| waves::restitution_with_waves(outcome.restitution, loss));
+                flying.rise(restitution * speed)
+            }),
+            rated: contact.rated.filter(|_| law.is_some()),
+            rebound: None,
+        })
+    }
+
+    /// Depth of the dent in the half-space \[m\].
+    pub fn dent_depth(&self) -> f64 {
+        self.residual_indentation - self.flat_depth
+    }
+
+    /// True if the impact left a flat on the sphere.
+    pub fn has_flat(&self) -> bool {
+        self.flat_depth > 0.0
+    }
+
+    /// The imprint of the impact: `dent`, `flat`, or `dent and flat`.
+    pub fn left_behind(&self) -> &'static str {
+        left_behind(self.flat_depth / self.residual_indentation)
+    }
+
+    /// True if the impact left a dent or a flat.
+    pub fn has_dent(&self) -> bool {
+        self.residual_indentation > 0.0
+    }
+
+    /// True if the sphere arrived with a speed. A sphere released at first contact has no restitution and no kinetic energy to refer
+    /// fractions to.
+    pub fn has_speed(&self) -> bool {
+        self.kinetic_in > 0.0
+    }
+
+    /// Fraction of the kinetic energy that the plate absorbs \[1\].
+    pub fn plate_loss_fraction(&self) -> Option<f64> {
+        self.on_plate.filter(|_| self.has_speed()).map(|plate| plate.energy / self.kinetic_in)
+    }
+
+    /// (e v)²/v² \[1\]: recovered fraction of the kinetic energy.
+    pub fn recovered_fraction(&self) -> f64 {
+        self.restitution * self.restitution
+    }
+
+    /// e with the loss by waves \[1\]; 0 if the waves would absorb more than the recovered energy.
+    pub fn restitution_with_waves(&self) -> Option<f64> {
+        self.wave_loss_fraction.map(|loss| waves::restitution_with_waves(self.restitution, loss))
+    }
+
+    /// The restitution that a measurement finds: with waves if they are known.
+    pub fn measured_restitution(&self) -> f64 {
+        self.restitution_with_waves().unwrap_or(self.restitution)
+    }
+}

@@ -1,0 +1,85 @@
+//! The input of one impact: its units, law, dimensionless speed and forces.
+
+use std::sync::LazyLock;
+
+use super::problem::contact::Contact;
+use super::problem::error::ImpactError;
+use super::problem::forces::ScaledForces;
+use super::problem::plate::ScaledPlate;
+use super::problem::scales::{ACCELERATION, Scales};
+use super::solve::free_time;
+use crate::contact::law::{Dent, Ground, Law};
+use crate::contact::pair::normal;
+use crate::numerics::ode::Drag;
+
+/// The input of one impact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Case<'a> {
+    pub(super) scales: Scales,
+    pub(super) ground: Ground<'a>,
+    /// v/V.
+    pub(super) q: f64,
+    pub(super) forces: ScaledForces,
+    pub(super) plate: Option<ScaledPlate>,
+}
+
+impl Contact {
+    /// Units, law and dimensionless speed of an impact. In these units all elastic impacts are equal.
+    ///
+    /// # Errors
+    /// [`ImpactError::Range`] if peak force, indentation or energy leave double precision.
+    pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), ImpactError> {
+        let Case { scales, ground, q, .. } = self.case(None, speed)?;
+        Ok((scales, ground.law, q))
+    }
+
+    /// The impact at a speed. On a spot with a dent, the units are the units of the yield point. Under gravity the speed may be 0: the
+    /// sphere is released at rest.
+    #[inline]
+    pub(super) fn case<'a>(&'a self, dent: Option<&'a Dent>, speed: f64) -> Result<Case<'a>, ImpactError> {
+        self.forces().check()?;
+        let gravity = self.forces().gravity.unwrap_or(0.0);
+        if gravity > 0.0 && self.target_mass().is_some() {
+            return Err(ImpactError::FreeUnderGravity);
+        }
+        let weight = self.mass() * gravity;
+        // damping and plate remove energy: an impact that is elastic without them is elastic with them
+        let with_weight = || {
+            let (q, least) = (speed / self.scales.speed, self.elastic_speed / self.scales.speed);
+            let until = self.law.recovers_until();
+            // a law without an elastic regime yields at once
+            until == 0.0 || 0.4 * q * q + weight / self.scales.force * until > 0.4 * least * least
+        };
+        let (scales, ground, q) = if dent.is_some() || speed > self.elastic_speed || weight > 0.0 && with_weight() {
+            let q = speed / self.scales.speed;
+            let quantity = match gravity {
+                0.0 => "kinetic energy in units of that at first yield",
+                _ => "kinetic energy and weight in units of those at first yield",
+            };
+            normal(quantity, q * q + weight / self.scales.force)?;
+            (self.scales, Ground::new(&self.law, dent), q)
+        } else {
+            let scales = Scales::of_hertz(self.pair(), self.reduced_mass(), speed, gravity)?;
+            (scales, hertz().into(), speed / scales.speed)
+        };
+        if self.forces().is_none() {
+            return Ok(Case { scales, ground, q, forces: ScaledForces::NONE, plate: None });
+        }
+        let drag = self.forces().damping.map_or(Drag::NONE, |damping| damping.drag(scales.speed));
+        let mut forces = ScaledForces { weight: weight / scales.force, drag };
+        let mut plate = None;
+        if let Some(under) = self.on_plate()? {
+            let free_time = free_time(ground, q, &forces)? * scales.time();
+            let scaled = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
+            forces.drag.theta = scaled.mobility / ACCELERATION;
+            plate = Some(scaled);
+        }
+        Ok(Case { scales, ground, q, forces, plate })
+    }
+}
+
+/// Hertz without limit: the law of every impact that stays elastic, in its own units.
+pub(super) fn hertz() -> &'static Law {
+    static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
+    &HERTZ
+}

@@ -1,0 +1,184 @@
+//! Series of impacts, on one spot or on fresh spots: a sphere bouncing under gravity, or shots of given speeds.
+//!
+//! A spot remembers its dent ([`Spot`]). On the same spot the next contact begins at the depth of the dent, so an impact with no
+//! more energy than the last one recovered is elastic. On fresh spots every impact meets original surface, and a bouncing
+//! sphere must rise out of its dent before it can fall on new surface.
+//!
+//! Bouncing ends by rule ([`End`]). The motion after the end is estimated, not computed.
+//!
+//! [`law::Ground`](crate::contact::law::Ground) states when an impact on a used spot is elastic. A second equal shot is not
+//! elastic: it is as deep as one impact at √(2 − e²) times the speed. Equal shots deepen the dent less and less, until its branch
+//! can store their whole energy.
+//!
+//! Time counts from the release if there is a drop height, otherwise from first contact. Impacts are computed by the closed form if
+//! possible, so that a long series accumulates no error of steps. Under damping, and with `method = "rk8"`, impacts are
+//! integrated with the tolerance of the solver.
+
+pub mod result;
+pub mod spot;
+
+use super::flight::free_flight::Flying;
+use super::flight::trajectory::Flight;
+use crate::files::progress::Counter;
+use crate::impact::{Approach, Contact, Impact, ImpactError, Method, Solver, Spot};
+use crate::strings::names::named;
+pub use result::{End, Hit, Sequence};
+
+/// The largest number of impacts that a scenario may ask for.
+pub const MOST_IMPACTS: u64 = 1_000_000;
+
+/// Maximum number of recorded rows of all traces; later impacts have no trace.
+pub const MOST_ROWS: usize = 200_000;
+
+named! {
+    /// The spots of the impacts.
+    pub enum Place {
+        Same = "same",
+        Fresh = "fresh",
+    }
+}
+
+/// The kind of series: the sphere bounces, or it is shot repeatedly.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Drive {
+    Bouncing {
+        /// g \[m/s²\].
+        gravity: f64,
+        /// Height of the first fall \[m\]. Time counts from the release; without a height, from first contact.
+        drop_height: Option<f64>,
+        /// The first impact. A ball with an angle or a spin hops along the surface.
+        approach: Approach,
+        most: u64,
+        /// The series ends before an impact slower than this \[m/s\]; the first impact is always computed.
+        until: Option<f64>,
+    },
+    /// Shots at these speeds \[m/s\]; the motion between them is not computed.
+    Shots(Vec<f64>),
+}
+
+/// The input of a series of impacts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Repeat {
+    pub place: Place,
+    pub drive: Drive,
+}
+
+impl Repeat {
+    /// True if the sphere bounces.
+    pub fn is_bouncing(&self) -> bool {
+        matches!(self.drive, Drive::Bouncing { .. })
+    }
+
+    /// Computes the impacts one after the other. The counter counts them, and may stop them. Each contact is traced with `samples` rows;
+    /// in a long series only the first impacts are traced.
+    ///
+    /// # Errors
+    /// [`ImpactError`] of the first impact that has no result.
+    pub fn run(
+        &self,
+        contact: &Contact,
+        solver: &Solver,
+        samples: usize,
+        progress: Option<&Counter>,
+    ) -> Result<Sequence, ImpactError> {
+        let unwatched = Counter::default();
+        let progress = progress.unwrap_or(&unwatched);
+        progress.expect(match &self.drive {
+            Drive::Bouncing { most, .. } => *most,
+            Drive::Shots(speeds) => speeds.len() as u64,
+        });
+        let traced = (MOST_ROWS / (2 * samples).max(1)).max(1);
+        let mut sequence = Sequence {
+            hits: Vec::new(),
+            traced: Vec::new(),
+            fall: None,
+            end: End::Shots,
+            remaining_time: None,
+            method: solver.method,
+            warnings: Vec::new(),
+        };
+        let mut spot = Spot::fresh();
+        let mut hit = |sequence: &mut Sequence, approach: Approach, time: Option<f64>| -> Result<Hit, ImpactError> {
+            if self.place == Place::Fresh {
+                spot = Spot::fresh();
+            }
+            let before = contact.dent_depth(&spot);
+            let number = sequence.hits.len() + 1;
+            let samples = (number <= traced).then_some(samples);
+            let impact = strike(contact, &mut spot, approach, solver, samples)?;
+            let hit = Hit::of(&impact, approach, time, before);
+            sequence.method = impact.method;
+            sequence.warn(number, &impact.warnings);
+            sequence.hits.push(hit);
+            progress.step();
+            if samples.is_some() {
+                sequence.traced.push(impact);
+            }
+            Ok(hit)
+        };
+        match self.drive {
+            Drive::Shots(ref speeds) => {
+                for speed in speeds.iter().take_while(|_| !progress.is_stopped()) {
+                    hit(&mut sequence, (*speed).into(), None)?;
+                }
+            }
+            Drive::Bouncing { gravity, drop_height, approach, most, until } => {
+                let flying = contact.forces().flying.unwrap_or(Flying::in_vacuum(gravity));
+                sequence.fall = drop_height.map(|height| Flight::fall(flying, height));
+                let mut time = sequence.fall.map_or(0.0, |fall| fall.duration);
+                let (mut approach, mut position) = (approach, 0.0);
+                sequence.end = loop {
+                    let hit = hit(&mut sequence, approach, Some(time))?;
+                    sequence.hits.last_mut().into_iter().for_each(|last| last.position = position);
+                    if hit.is_captured() {
+                        break End::Captured;
+                    }
+                    let touch = if self.place == Place::Same { hit.residual_indentation } else { 0.0 };
+                    let (begin, from) = (time + hit.contact_time, hit.end_indentation());
+                    let Some(flight) = Flight::between(flying, begin, from, hit.rebound_speed, touch) else {
+                        // without a dent, or on the same spot, the sphere falls back into its contact
+                        let in_dent = self.place == Place::Fresh && hit.residual_indentation > 0.0;
+                        break if in_dent { End::InDent } else { End::Captured };
+                    };
+                    if until.is_some_and(|until| flight.landing_speed < until) {
+                        break End::Until;
+                    }
+                    if sequence.hits.len() as u64 >= most || progress.is_stopped() {
+                        break End::Impacts;
+                    }
+                    let flight = flight.along(position + hit.way_in_contact(), hit.rebound_along());
+                    if let Some(last) = sequence.hits.last_mut() {
+                        last.flight = Some(flight);
+                    }
+                    time = flight.begin + flight.duration;
+                    position = flight.position_at(flight.duration);
+                    approach = hit.next_approach(flight.landing_speed);
+                };
+                sequence.remaining_time = sequence.estimated_rest(&flying);
+            }
+        }
+        sequence.warnings.sort_by_key(|(_, warning)| !warning.is_grave());
+        Ok(sequence)
+    }
+}
+
+/// One impact on a spot, with a trace if samples are requested. For the method `auto`, the next impact depends only on the closed
+/// form, if it exists, so that a long series accumulates no error of steps. The trace is then a separate run.
+fn strike(
+    contact: &Contact,
+    spot: &mut Spot,
+    approach: Approach,
+    solver: &Solver,
+    samples: Option<usize>,
+) -> Result<Impact, ImpactError> {
+    if !matches!(solver.method, Method::Auto | Method::ClosedForm) {
+        return contact.impact_on(spot, approach, solver, samples);
+    }
+    let mut before = spot.clone();
+    let mut impact = contact.impact_on(spot, approach, solver, None)?;
+    if samples.is_some() {
+        let method = Method::ClosedForm.chosen(contact.forces(), true).unwrap_or(Method::Rk8);
+        impact.trace = contact.impact_on(&mut before, approach, &Solver { method, ..*solver }, samples)?.trace;
+    }
+    Ok(impact)
+}

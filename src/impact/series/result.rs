@@ -1,0 +1,221 @@
+//! The results of a series: its impacts, why it ended, and an estimate of what would follow.
+
+use std::ops::Deref;
+
+use crate::impact::flight::free_flight::Flying;
+use crate::impact::flight::trajectory::Flight;
+use crate::impact::{Approach, Energy, Essentials, Fate, ForcesResult, Impact, Method, Oblique, Warning};
+use crate::numerics::power::max_or_nan;
+use crate::strings::names::named;
+
+named! {
+    /// Why a series ended.
+    pub enum End {
+        /// The list of shots is finished.
+        Shots = "shots",
+        /// The requested number of impacts is reached.
+        Impacts = "impacts",
+        /// The next impact would be slower than `until`.
+        Until = "until",
+        /// The sphere does not separate. Without damping this happens if the recovered work cannot lift the sphere, F_m ≤ (n + 1) m g.
+        /// Under viscous damping, or after losses by waves, the sphere may separate, but not rise high enough to leave the spot.
+        Captured = "captured",
+        /// The rebound does not lift the sphere out of its dent onto the requested fresh surface.
+        InDent = "in_dent",
+    }
+}
+
+/// One impact of a series. It derefs to the results in a row of a table, as in `hit.peak_force`. SI units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// Time of first contact \[s\]; `None` for shots.
+    pub time: Option<f64>,
+    /// Position of this impact along the surface \[m\]; 0 for the first impact.
+    pub position: f64,
+    /// Impact speed \[m/s\], normal to the half-space.
+    pub speed: f64,
+    /// How the sphere comes in, if it comes at an angle or spins.
+    pub approach: Approach,
+    /// Energy and momentum of friction, if the sphere comes at an angle or spins.
+    pub oblique: Option<Oblique>,
+    /// Take-off speed of the flight \[m/s\]: e v, where e includes the loss by waves if the half-space has a density.
+    pub rebound_speed: f64,
+    pub essentials: Essentials,
+    /// The energies; the recovered energy belongs to the rebound speed.
+    pub energy: Energy,
+    /// Fate, losses and work under gravity or damping.
+    pub under_forces: Option<ForcesResult>,
+    /// Growth of the dent depth in this impact \[m\].
+    pub dent_growth: f64,
+    pub flight: Option<Flight>,
+}
+
+impl Deref for Hit {
+    type Target = Essentials;
+
+    fn deref(&self) -> &Essentials {
+        &self.essentials
+    }
+}
+
+/// The results of a series.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sequence {
+    pub hits: Vec<Hit>,
+    /// The first impacts with their traces.
+    pub traced: Vec<Impact>,
+    /// The fall before the first impact.
+    pub fall: Option<Flight>,
+    pub end: End,
+    /// Time from the last separation until rest, if the last e held for all later bounces \[s\]:
+    /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v; in air the sum of the flights in air. Contact times are
+    /// not included, and if e rises as the speed falls, this is a lower bound. `None` if the time is infinite (e of 1 or more), if
+    /// more than 10 000 flights in air would follow, or if nothing bounces.
+    pub remaining_time: Option<f64>,
+    pub method: Method,
+    /// The first warning of each kind, with the number of its impact.
+    pub warnings: Vec<(usize, Warning)>,
+}
+
+impl Hit {
+    pub(super) fn of(impact: &Impact, approach: Approach, time: Option<f64>, dent_before: f64) -> Self {
+        let &Impact { essentials, energy, under_forces, oblique, .. } = impact;
+        let [speed, _] = approach.components();
+        let restitution = essentials.measured_restitution();
+        let rebound_speed = restitution * speed;
+        let energy = Energy { recovered: energy.kinetic_in * (restitution * restitution), ..energy };
+        let dent_growth = essentials.residual_indentation - dent_before;
+        Self {
+            time,
+            position: 0.0,
+            speed,
+            approach,
+            oblique,
+            rebound_speed,
+            essentials,
+            energy,
+            under_forces,
+            dent_growth,
+            flight: None,
+        }
+    }
+
+    /// Speed along the surface before the impact \[m/s\], if the sphere comes at an angle or spins.
+    pub fn speed_along(&self) -> Option<f64> {
+        self.approach.incidence.map(|_| self.approach.components()[1])
+    }
+
+    /// Speed along the surface after the impact \[m/s\].
+    pub(super) fn rebound_along(&self) -> f64 {
+        self.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
+    }
+
+    /// Displacement of the sphere along the surface in contact \[m\], at the mean of the speeds before and after.
+    pub(super) fn way_in_contact(&self) -> f64 {
+        0.5 * (self.speed_along().unwrap_or(0.0) + self.rebound_along()) * self.contact_time
+    }
+
+    /// The speed and the incidence of the next impact, for this landing speed.
+    pub(super) fn next_approach(&self, landing_speed: f64) -> Approach {
+        self.rebound.zip(self.approach.incidence).map_or(landing_speed.into(), |(rebound, incidence)| {
+            Approach::from_components([landing_speed, rebound.tangential_speed], rebound.spin, incidence.friction)
+        })
+    }
+
+    /// The energy that elastic waves carry away \[J\], if the half-space has a density.
+    pub fn radiated(&self) -> Option<f64> {
+        self.wave_loss_fraction.map(|_| (self.recovered_fraction() * self.kinetic_in - self.energy.recovered).max(0.0))
+    }
+
+    /// A result that only an impact under gravity or damping has.
+    pub fn forced(&self, value: fn(&ForcesResult) -> Option<f64>) -> Option<f64> {
+        self.under_forces.as_ref().and_then(value)
+    }
+
+    /// Energy in the plate at the end of the impact \[J\], if there is a plate.
+    pub fn plate_energy(&self) -> Option<f64> {
+        self.on_plate.map(|plate| plate.energy)
+    }
+
+    /// True if the sphere does not separate: without damping F_m ≤ (n + 1) m g.
+    pub fn is_captured(&self) -> bool {
+        self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)
+    }
+
+    /// δ at separation \[m\]: the depth of the dent, or more under viscous damping.
+    pub fn end_indentation(&self) -> f64 {
+        self.under_forces.map_or(self.residual_indentation, |forces| forces.end_indentation)
+    }
+
+    /// Time of separation \[s\]; `None` for shots and for a captured sphere.
+    pub fn separation_time(&self) -> Option<f64> {
+        self.time.filter(|_| !self.is_captured()).map(|time| time + self.contact_time)
+    }
+}
+
+impl Sequence {
+    /// The deepest dent \[m\].
+    pub fn deepest_dent(&self) -> f64 {
+        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
+    }
+
+    /// The imprint of the first impact: `dent`, `flat`, or `dent and flat`.
+    pub fn left_behind(&self) -> &'static str {
+        self.hits.first().map_or("dent", |hit| hit.left_behind())
+    }
+
+    /// Estimated time of rest \[s\]: the last separation and the remaining time.
+    pub fn rest_time(&self) -> Option<f64> {
+        Some(self.hits.iter().rev().find_map(Hit::separation_time)? + self.remaining_time?)
+    }
+
+    /// Largest error of the energy balances of the impacts.
+    pub fn drift(&self) -> f64 {
+        self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, max_or_nan)
+    }
+
+    pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {
+        for warning in warnings {
+            if !self.warnings.iter().any(|(_, known)| known.is_like(warning)) {
+                self.warnings.push((number, warning.clone()));
+            }
+        }
+    }
+
+    /// [`Sequence::remaining_time`] for flights under these forces.
+    pub(super) fn estimated_rest(&self, flying: &Flying) -> Option<f64> {
+        let last = self.hits.last().filter(|_| matches!(self.end, End::Impacts | End::Until))?;
+        let (speed, restitution) = (last.rebound_speed, last.measured_restitution());
+        let missing = 1.0 - restitution;
+        match flying.is_in_air() {
+            _ if missing <= 0.0 => None,
+            true => rest_in_air(flying, speed, restitution),
+            false => Some(2.0 * speed / flying.gravity / missing),
+        }
+    }
+}
+
+/// The time until rest of bounces in air with this restitution < 1, from this take-off speed on.
+///
+/// After a take-off at v the series has two bounds: every flight loses the fraction of the next flight (lower bound), or there is no
+/// drag (upper bound). The two bounds meet as the speed falls.
+fn rest_in_air(flying: &Flying, take_off: f64, restitution: f64) -> Option<f64> {
+    const MAX_FLIGHTS: u32 = 10_000;
+    const REST_TIME_TOLERANCE: f64 = 1e-6;
+    let (mut time, mut speed) = (0.0, take_off);
+    for _ in 0..MAX_FLIGHTS {
+        if speed <= 0.0 {
+            return Some(time);
+        }
+        let height = flying.rise(speed);
+        let flight = flying.rise_time(speed) + flying.fall_time(height);
+        let next = restitution * flying.landing_speed(height);
+        let least = flight / (1.0 - next / speed);
+        let most = 2.0 * speed / (flying.pull() * (1.0 - restitution));
+        if most - least <= REST_TIME_TOLERANCE * (time + least) {
+            return Some(time + 0.5 * (least + most));
+        }
+        (time, speed) = (time + flight, next);
+    }
+    None
+}

@@ -1,0 +1,44 @@
+//! An impact under gravity alone. With w = m g/Φ, x the indentation and u the speed the motion is conservative on each branch,
+//!
+//! ```text
+//! (2/5) u² = (2/5) q² + w x − W(x)
+//! ```
+//!
+//! so peak, rebound and capture follow from the energy, exact to rounding. The times are those of a run by rk8.
+
+use crate::contact::law::Ground;
+use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::scales::ACCELERATION;
+use crate::impact::solve::motion;
+use crate::impact::solve::outcome::{Fate, Outcome};
+use crate::impact::solve::recorder::Recorder;
+use crate::numerics::ode::IntegrationError;
+use crate::numerics::ode::rk8::Rk8;
+
+/// The outcome, with times of this relative tolerance.
+pub(super) fn solve(
+    ground: Ground,
+    q: f64,
+    forces: &ScaledForces,
+    tolerance: f64,
+) -> Result<Outcome, IntegrationError> {
+    let (last, distance) = ground.turn(0.4 * q * q, forces.weight);
+    let unloading = ground.turned(last, distance, None);
+    let is_captured = forces.captures(&unloading, q);
+    // the sphere leaves at the end of the branch, or its run ends at the static indentation
+    let at_end = if is_captured { unloading.recovered_at(forces.weight) } else { 0.0 };
+    let springback = (unloading.peak.elastic_approach - at_end).max(0.0);
+    let energy = unloading.capacity() - unloading.stored_of(at_end) - forces.weight * springback;
+    let is_even = !is_captured && forces.is_even(ground, &unloading);
+    let speed = if is_even { q } else { (2.0 * ACCELERATION * energy).max(0.0).sqrt() };
+    let run = motion::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
+    Ok(Outcome {
+        unloading,
+        restitution: if is_captured { 0.0 } else { speed / q },
+        largest_force: ground.reported_force(&unloading, None),
+        fate: if is_captured { Fate::Captured } else { Fate::Separated },
+        end_indentation: ground.dent(&unloading.peak).residual() + at_end,
+        end_speed: -speed,
+        ..run
+    })
+}

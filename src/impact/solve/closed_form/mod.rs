@@ -1,0 +1,124 @@
+//! An impact without stepping: energy balance for the peak and the restitution, exact times on every piece.
+//!
+//! Without gravity (for that see `gravity`) and damping the motion is conservative on each branch,
+//! u² = q² − (5/2) w(x). So the peak is where the work is the kinetic energy, w(x_m) = (2/5) q², and
+//! e² = f_m ε_m/(n + 1) / w(x_m). The time on a straight piece is an arctangent, on a power piece an incomplete beta
+//! function, on any other a rule of twenty nodes.
+
+mod gravity;
+
+use super::outcome::{Fate, Outcome};
+use crate::contact::law::{Ground, Unloading};
+use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::scales::ACCELERATION;
+use crate::numerics::curve::piece::{Piece, Shape};
+use crate::numerics::curve::transit::Reached;
+use crate::numerics::functions::atan;
+use crate::numerics::ode::IntegrationError;
+use crate::numerics::power::{arctangent, power_time};
+
+/// The outcome of an impact at q = v/V by the balance of energy; `None` with damping or on a plate. Under gravity the times
+/// have this relative tolerance, else all is exact to rounding.
+///
+/// # Errors
+/// [`IntegrationError`] where the run for the times under gravity gives up.
+pub fn solve_with<'a>(
+    ground: impl Into<Ground<'a>>,
+    q: f64,
+    forces: &ScaledForces,
+    tolerance: f64,
+) -> Result<Option<Outcome>, IntegrationError> {
+    let ground = ground.into();
+    match () {
+        () if forces.is_none() => Ok(Some(solve(ground, q))),
+        () if forces.is_conservative() => gravity::solve(ground, q, forces, tolerance).map(Some),
+        () => Ok(None),
+    }
+}
+
+/// The results that follow from the balance of energy.
+#[derive(Debug, Clone, Copy)]
+pub struct Balance {
+    pub unloading: Unloading,
+    pub restitution: f64,
+    /// (2/5) q².
+    kinetic: f64,
+    /// Index of the piece that the sphere turns on.
+    last: usize,
+    /// Distance of the turning point from the start of that piece.
+    distance: f64,
+}
+
+/// Peak, exponent and restitution of an impact at the dimensionless speed q = v/V, without any times.
+#[inline(always)]
+pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Balance {
+    let ground = ground.into();
+    let kinetic = 0.4 * speed * speed;
+    let (last, distance) = ground.turn(kinetic, 0.0);
+    let unloading = ground.turned(last, distance, Some(kinetic));
+    // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
+    let share = unloading.capacity() / kinetic;
+    let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
+    let is_all = is_one || ground.is_elastic_to(unloading.peak.indentation) || share > 1.0 && ground.branch().is_none();
+    let restitution = if is_all { 1.0 } else { share.sqrt() };
+    Balance { unloading, restitution, kinetic, last, distance }
+}
+
+/// The whole outcome of an impact at the dimensionless speed q = v/V by the law alone, exact to rounding.
+pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
+    let ground = ground.into();
+    let Balance { unloading, restitution, kinetic, last, distance } = energy_balance(ground, speed);
+    let Reached { piece: first, work, time: mut loading_time } = ground.way_in.crossed(kinetic, speed);
+    let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
+    let pieces = ground.way_in.pieces();
+    for pair in pieces[first..=last].windows(2) {
+        let exit = (2.0 * ACCELERATION * (kinetic - pair[1].work)).sqrt();
+        loading_time += time_on(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
+        entry = exit;
+    }
+    loading_time += time_on(&pieces[last], distance, [entry, 0.0]);
+    let peak = &unloading.peak;
+    let unloading_time = unloading.turning_time() * peak.elastic_approach / (restitution * speed);
+    Outcome {
+        unloading,
+        restitution,
+        largest_force: ground.reported_force(&unloading, None),
+        loading_time,
+        contact_time: loading_time + unloading_time,
+        fate: Fate::Separated,
+        end_indentation: ground.dent(peak).residual(),
+        end_speed: -restitution * speed,
+        loss: 0.0,
+    }
+}
+
+/// √c, so that ω = √c √s on a straight piece of slope s.
+const ROOT_ACCELERATION: f64 = 1.118_033_988_749_895;
+
+/// Time on a piece to a distance from its start, with the speeds at both; 0 is the turning point.
+///
+/// To the turning point of a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance is not used there:
+/// just behind a knot it is a difference of nearly equal numbers and has few digits.
+#[inline(always)]
+fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
+    match &piece.shape {
+        Shape::Straight { slope, inverse_root } => {
+            let omega = ROOT_ACCELERATION * slope * inverse_root;
+            let by_root = inverse_root * (1.0 / ROOT_ACCELERATION);
+            if exit == 0.0 {
+                return atan(omega * entry / (ACCELERATION * piece.force)) * by_root;
+            }
+            // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
+            2.0 * arctangent(omega * distance / (entry + exit)) * by_root
+        }
+        Shape::Power { exponent, offset: 0.0, .. } => power_time(*exponent, distance, entry, exit),
+        Shape::Power { exponent, offset, .. } => {
+            let begun = 2.0 * ACCELERATION * piece.force * offset / (exponent + 1.0);
+            // the time from the zero of the force, where the speed is `whole`, less the time from there to the start
+            let whole = (entry * entry + begun).sqrt();
+            power_time(*exponent, offset + distance, whole, exit) - power_time(*exponent, *offset, whole, entry)
+        }
+        Shape::Polynomial(poly) => poly.time(distance, distance, exit, ACCELERATION),
+        Shape::Branch(branch) => branch.time(distance, distance, exit, ACCELERATION),
+    }
+}

@@ -1,0 +1,138 @@
+//! The methods that compute an impact, their error control, and one dimensionless impact by any of them.
+
+pub mod closed_form;
+pub mod motion;
+pub mod outcome;
+pub mod recorder;
+pub mod verlet;
+
+use super::problem::forces::{Forces, ScaledForces};
+use outcome::{Computed, Outcome};
+use recorder::{Recorder, even_times};
+
+use crate::contact::law::Ground;
+use crate::numerics::ode::ode_solvers::{Library, Scheme};
+use crate::numerics::ode::rk8::Rk8;
+use crate::numerics::ode::{Drag, Effort, IntegrationError, Integrator};
+use crate::strings::names::named;
+
+named! {
+    #[derive(Hash)]
+    pub enum Method {
+        /// The cheapest exact method for the scene, see [`Method::chosen`].
+        Auto = "auto",
+        /// Our adaptive Runge-Kutta-Nyström of order 8.
+        Rk8 = "rk8",
+        /// `ode_solvers` Dormand-Prince 5(4), at a hundredth of the tolerance.
+        Dopri5 = "dopri5",
+        /// `ode_solvers` Dormand-Prince 8(5,3), at a 25th of the tolerance.
+        Dop853 = "dop853",
+        /// Velocity Verlet with a fixed step, as DEM codes do.
+        Verlet = "verlet",
+        /// Energy balance and exact times, no integration. Its trace is computed by rk8 at a tolerance of 1e-13, and under gravity its
+        /// times by rk8 at the tolerance of the solver.
+        ClosedForm = "closed_form",
+    }
+}
+
+impl Method {
+    /// The method that computes an impact under these forces. [`Method::Auto`] stands for the closed form if nothing damps the motion
+    /// and no trace is requested, and otherwise for rk8. Every other method stands for itself. `None` for [`Method::ClosedForm`] if
+    /// there is no closed form.
+    pub fn chosen(self, forces: &Forces, has_trace: bool) -> Option<Self> {
+        match self {
+            Self::Auto if has_trace || forces.have_drag() => Some(Self::Rk8),
+            Self::Auto => Some(Self::ClosedForm),
+            Self::ClosedForm if forces.have_drag() => None,
+            method => Some(method),
+        }
+    }
+}
+
+/// Method and error control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solver {
+    pub method: Method,
+    /// Relative, on the dimensionless state at the end; the fixed-step method does not use it.
+    pub tolerance: f64,
+    /// Steps of the fixed-step method over the contact time without damping, ≥ 1; other methods do not use it.
+    pub steps_per_contact: u32,
+}
+
+impl Solver {
+    /// The method that [`Method::Auto`] chooses, at the usual tolerance.
+    pub const AUTO: Self = Self { method: Method::Auto, tolerance: 1e-10, steps_per_contact: 50 };
+}
+
+impl Default for Solver {
+    fn default() -> Self {
+        Self { method: Method::Rk8, ..Self::AUTO }
+    }
+}
+
+/// Tolerance of the run that computes the trace of a closed form, or its times under gravity.
+pub(super) const FINEST: f64 = 1e-13;
+
+/// The contact time of an impact at q = v/V without damping and plate.
+pub(super) fn free_time(ground: Ground, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
+    let exact =
+        closed_form::solve_with(ground, q, &ScaledForces { drag: Drag::NONE, ..*forces }, Solver::AUTO.tolerance)?;
+    Ok(exact.map_or(f64::NAN, |exact| exact.contact_time))
+}
+
+/// The tolerance that a stepper gets if its error is to be below `tolerance`. The error of a stepper is up to `delivers` times its
+/// own tolerance: 100 (dopri5) and 24 (dop853) in impacts with all forces, at tolerances from 1e-2 to 1e-11. rk8 needs no such
+/// factor. Below 1e-14 rounding decides.
+fn given(tolerance: f64, delivers: f64) -> f64 {
+    (tolerance / delivers).max(1e-14)
+}
+
+/// An impact leg by leg. `trace` holds the number of samples over the contact time, and this time if it is known.
+fn along<I: Integrator>(
+    case: (Ground, f64, &ScaledForces),
+    trace: Option<(usize, Option<f64>)>,
+    mut integrator: I,
+) -> Result<Computed, IntegrationError> {
+    let (ground, q, forces) = case;
+    let mut recorder = if trace.is_some() { Recorder::on() } else { Recorder::default() };
+    let outcome = motion::integrate(ground, q, forces, &mut integrator, &mut recorder)?;
+    let points = trace.map_or_else(Vec::new, |(samples, duration)| {
+        let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
+        recorder.points(ground, &outcome.unloading, forces.drag, times)
+    });
+    Ok(Computed { points, ..Computed::new(outcome, integrator.work()) })
+}
+
+/// One impact at q = v/V by any method, with its cost; `exact` is its closed form, if it exists. [`Method::Auto`] means rk8 here, and
+/// [`Method::ClosedForm`] means rk8 if there is no closed form. With `samples` the result has a trace of this number of points evenly
+/// spaced over the contact, including first contact and separation, and a point for every other event.
+pub fn run<'a>(
+    ground: impl Into<Ground<'a>>,
+    q: f64,
+    forces: &ScaledForces,
+    exact: Option<&Outcome>,
+    solver: &Solver,
+    samples: Option<usize>,
+) -> Result<Computed, IntegrationError> {
+    let ground = ground.into();
+    // equal times for every method, if the contact time is known
+    let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
+    let (case, trace) = ((ground, q, forces), samples.map(|samples| (samples, duration)));
+    let tolerance = solver.tolerance;
+    match (solver.method, exact) {
+        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Effort::default())),
+        (Method::ClosedForm, Some(_)) => {
+            Ok(Computed { work: Effort::default(), ..along(case, trace, Rk8::new(FINEST))? })
+        }
+        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(case, trace, Rk8::new(tolerance)),
+        (Method::Dopri5, _) => along(case, trace, Library::new(Scheme::Dopri5, given(tolerance, 100.0))),
+        (Method::Dop853, _) => along(case, trace, Library::new(Scheme::Dop853, given(tolerance, 25.0))),
+        (Method::Verlet, _) => {
+            let steps = solver.steps_per_contact.max(1);
+            let step = free_time(ground, q, forces)? / f64::from(steps);
+            // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
+            let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
+            verlet::march(ground, q, forces, step, most, trace)
+        }
+    }
+}

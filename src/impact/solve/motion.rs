@@ -1,0 +1,173 @@
+//! The motion of one impact, leg by leg: the pieces of the loading curve one after the other, the turning point, and the unloading
+//! branch.
+//!
+//! ```text
+//! x'' = −(5/4) (f − w) − drag,    drag = (5/4) f χ u  or  2 ζ √((5/4) df/dx) u  or  y df/dx u
+//! w = m g/Φ,  χ in units of 1/V
+//! ```
+//!
+//! The contact ends where its total force vanishes during the rebound: at the residual indentation, or before it under viscous
+//! damping. The run of a captured sphere ends when the rebound reaches the static indentation. With damping, the run also ends if
+//! the sphere moves towards the half-space again before the contact force has vanished. Trajectories in the phase plane do not
+//! cross, so all later oscillations stay inside this one and the sphere remains captured. An overdamped sphere (ζ from 0.9 on)
+//! creeps up to its static indentation, and its run ends within one part in a thousand of it.
+//!
+//! On a plate the momentum of the sphere stays constant when the force drops from f_1 to f_2, as in the relaxation of the metal:
+//!
+//! ```text
+//! p = u + y f   =>   u rises by y (f_1 − f_2)
+//! ```
+//!
+//! So the bodies approach a little further after the relaxation, along the unloading branch. They turn before the branch meets the
+//! loading curve, because u + y f can only fall. The peak in the results is the peak before the relaxation.
+
+use super::outcome::{Fate, Outcome};
+use super::recorder::{Event, Recorder};
+use crate::contact::law::Ground;
+use crate::impact::problem::forces::{ScaledForces, StaticPoint};
+use crate::impact::problem::scales::ACCELERATION;
+use crate::numerics::ode::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Sizes, State};
+use crate::numerics::power::max_or_nan;
+
+/// Integrates an impact at q = v/V from first contact to its end.
+pub fn integrate<'a, I: Integrator>(
+    ground: impl Into<Ground<'a>>,
+    q: f64,
+    forces: &ScaledForces,
+    integrator: &mut I,
+    recorder: &mut Recorder,
+) -> Result<Outcome, IntegrationError> {
+    let ground = ground.into();
+    let distance = forces.way_to_turn(ground, 0.4 * q * q);
+    let (pull, drag) = (ACCELERATION * forces.weight, forces.drag);
+    let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
+    let mut path =
+        Path { piece: ground.piece(0), factor: ACCELERATION, leg: way_out(ground, 0), sizes, pull, drag, rest: None };
+    // a sphere may come to rest without turning only under gravity and damping
+    let may_creep = pull > 0.0 && drag != Drag::NONE;
+    let static_point = may_creep.then(|| forces.static_on_loading(ground));
+    let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+    let mut at = start(ground, touch, forces);
+    let mut largest = 0.0;
+    let mut go = |path: &Path, at: &mut State, piece: Option<usize>, recorder: &mut Recorder| {
+        let track = recorder.begin(piece, &touch);
+        let Arrival { landing, largest_force } = integrator.traverse(path, at, track)?;
+        largest = max_or_nan(largest, largest_force / ACCELERATION);
+        Ok(landing)
+    };
+
+    let mut piece = 0;
+    let is_at_rest = loop {
+        (path.piece, path.leg) = (ground.piece(piece), way_out(ground, piece));
+        if piece == 0 && ground.stays_on_branch(0.4 * q * q, forces.weight) {
+            path.leg = Leg::Outward(f64::INFINITY);
+        }
+        let rest_of = |point: StaticPoint| {
+            let is_here = ground.way_in.index_at(point.indentation) == piece;
+            let place = point.indentation - path.piece.start + entry_of(ground, piece);
+            forces.rest(&point, place).filter(|_| is_here)
+        };
+        path.rest = static_point.and_then(rest_of);
+        let landing = go(&path, &mut at, Some(piece), recorder)?;
+        if landing != Landing::End {
+            break landing == Landing::Rest;
+        }
+        piece += 1;
+        give_way(&mut at, ground.fall_at_start(piece), drag);
+        if recorder.is_on() && !ground.piece(piece).is_joint {
+            let is_yield = ground.piece(piece).start == ground.elastic_until();
+            recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, &at);
+        }
+        at.distance = entry_of(ground, piece);
+    };
+
+    let unloading = ground.turned(piece, at.distance - entry_of(ground, piece), None);
+    recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
+    let loading_time = at.time;
+    let branch = unloading.branch();
+    at.distance = unloading.peak.elastic_approach;
+    let mut fate = Fate::Captured;
+    if !is_at_rest {
+        at.speed = 0.0;
+        path.sizes = Sizes { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
+        path.piece = &branch;
+        // a sphere that arrived without speed does not separate
+        let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
+        let stops = is_captured && forces.is_conservative();
+        let end = if stops { unloading.recovered_at(forces.weight) } else { 0.0 };
+        path.leg = Leg::Back(end);
+        let static_point = may_creep.then(|| forces.static_on_unloading(ground, &unloading));
+        path.rest = static_point.and_then(|point| forces.rest(&point, point.distance));
+        let step = ground.step(&unloading);
+        give_way(&mut at, step, drag);
+        let relaxed = at;
+        let mut landing = Landing::Turning;
+        if at.speed > 0.0 {
+            path.leg = Leg::Outward(f64::INFINITY);
+            landing = go(&path, &mut at, None, recorder)?;
+            if step > 0.0 {
+                recorder.mark(Event::Relaxation, &relaxed);
+            }
+            at.speed = 0.0;
+            path.leg = Leg::Back(end);
+        }
+        if landing == Landing::Turning {
+            landing = go(&path, &mut at, None, recorder)?;
+        }
+        if step > 0.0 && relaxed.speed == 0.0 {
+            recorder.mark(Event::Relaxation, &relaxed);
+        }
+        if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured {
+            fate = Fate::Separated;
+        }
+        recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, &at);
+    }
+    let State { time, distance, speed, loss } = at;
+    // an excess above 1 is the error of the run
+    let limit = if forces.is_even(ground, &unloading) { 1.0 } else { f64::INFINITY };
+    Ok(Outcome {
+        restitution: if fate == Fate::Captured { 0.0 } else { (-speed / q).min(limit) },
+        loading_time,
+        contact_time: time,
+        fate,
+        largest_force: ground.reported_force(&unloading, drag.is_in_contact().then_some(largest)),
+        end_indentation: distance + ground.dent(&unloading.peak).residual(),
+        end_speed: speed,
+        loss: loss / ACCELERATION,
+        unloading,
+    })
+}
+
+/// The first state: first contact. A sphere without speed starts a very small distance further in, where the force of the law is
+/// still negligible compared with the weight.
+fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
+    if touch.speed != 0.0 {
+        return touch;
+    }
+    let pull = ACCELERATION * forces.weight;
+    let distance = 1e-22 * forces.static_on_loading(ground).distance;
+    let speed = (2.0 * distance * pull).sqrt();
+    State { time: speed / pull, distance, speed, loss: 0.0 }
+}
+
+/// The speed and the loss after the force drops by `fall`. Only a plate gives way.
+fn give_way(at: &mut State, fall: f64, drag: Drag) {
+    let gained = ACCELERATION * drag.theta * fall;
+    if gained != 0.0 {
+        at.loss -= gained * (at.speed + 0.5 * gained);
+        at.speed += gained;
+    }
+}
+
+/// The leg along a piece of the loading curve.
+#[inline(always)]
+fn way_out(ground: Ground, index: usize) -> Leg {
+    let is_last = index + 1 == ground.way_in.pieces().len();
+    let end = if is_last { f64::INFINITY } else { ground.piece(index + 1).start - ground.piece(index).start };
+    Leg::Outward(end + entry_of(ground, index))
+}
+
+/// The distance of the integrator at the start of a piece.
+fn entry_of(ground: Ground, index: usize) -> f64 {
+    ground.piece(index).shape.offset()
+}

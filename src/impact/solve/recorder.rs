@@ -1,0 +1,229 @@
+//! The trace of an impact: the recorder keeps the continuous solution and the events of every leg during the integration, and
+//! computes the points from them. A leg is the motion along one piece of the loading curve, or along the unloading branch.
+
+use crate::contact::law::{ContactState, Ground, Unloading};
+use crate::impact::problem::scales::ACCELERATION;
+use crate::numerics::ode::{Drag, Segment, State};
+use crate::numerics::power::max_or_nan;
+use crate::numerics::root::falls_through;
+
+/// The events of an impact that a trace marks, in their order of time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Event {
+    Touch,
+    /// First yield of the softer body.
+    Yield,
+    /// The loading curve passes from one piece to the next.
+    Knot,
+    Peak,
+    /// The force drops at maximum compression, where the metal relaxes to the strength of a lower strain rate.
+    Relaxation,
+    /// The contact force vanishes: at the residual indentation, or before it under viscous damping.
+    Separation,
+    /// The end of the run of a sphere that does not separate.
+    Captured,
+}
+
+/// A point of a trace, dimensionless.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// τ, u and the energy absorbed by drag; the distance is the distance of the leg.
+    pub at: State,
+    /// The state of the law: x, its force, and ε, the part of x that unloading from here recovers.
+    pub state: ContactState,
+    pub total_force: f64,
+    /// True if compression is over.
+    pub is_unloading: bool,
+    pub event: Option<Event>,
+}
+
+impl Point {
+    /// A point of a motion on the loading curve, where the state of the law is `state`.
+    pub(in crate::impact) fn loading(
+        state: ContactState,
+        slope: impl FnOnce() -> f64,
+        drag: Drag,
+        at: &State,
+        event: Option<Event>,
+    ) -> Self {
+        let of_drag = || drag.at(state.force, || slope() / ACCELERATION).0 * at.speed;
+        // at separation the total force is zero, except for rounding
+        let total_force = if drag.is_in_contact() { max_or_nan(state.force + of_drag(), 0.0) } else { state.force };
+        Self { at: *at, state, total_force, is_unloading: false, event }
+    }
+
+    /// A point of a motion on the unloading branch; distances are measured from the residual indentation.
+    pub(in crate::impact) fn unloading(unloading: &Unloading, drag: Drag, at: &State, event: Option<Event>) -> Self {
+        let recovered = at.distance.max(0.0);
+        let state = ContactState {
+            indentation: unloading.peak.residual() + at.distance,
+            force: unloading.force_of(recovered),
+            elastic_approach: at.distance,
+        };
+        Self { is_unloading: true, ..Self::loading(state, || unloading.slope_of(recovered), drag, at, event) }
+    }
+}
+
+/// A recorded leg of a motion.
+#[derive(Debug)]
+struct Recorded {
+    /// The piece of the loading curve; `None` on the unloading branch.
+    piece: Option<usize>,
+    /// Its continuous solution.
+    track: Vec<Segment>,
+    /// Events at its start, on it and at its end, in order of time.
+    events: Vec<(Event, State)>,
+}
+
+/// Records the continuous solution and the events of every leg of a motion, if it is switched on.
+#[derive(Debug, Default)]
+pub struct Recorder {
+    legs: Option<Vec<Recorded>>,
+}
+
+impl Recorder {
+    pub fn on() -> Self {
+        Self { legs: Some(Vec::new()) }
+    }
+
+    #[inline]
+    pub(in crate::impact) fn is_on(&self) -> bool {
+        self.legs.is_some()
+    }
+
+    /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first leg begins with first contact.
+    #[inline]
+    pub(in crate::impact) fn begin(&mut self, piece: Option<usize>, touch: &State) -> Option<&mut Vec<Segment>> {
+        self.legs.as_mut().and_then(|legs| begin(legs, piece, touch))
+    }
+
+    /// Records an event of the last leg.
+    #[inline]
+    pub(in crate::impact) fn mark(&mut self, event: Event, at: &State) {
+        if let Some(legs) = &mut self.legs {
+            mark(legs, event, at);
+        }
+    }
+
+    /// Returns the recorded motion on this surface.
+    pub(in crate::impact) fn track(self, ground: Ground<'_>, unloading: Unloading, drag: Drag) -> Track<'_> {
+        Track { ground, unloading, drag, legs: self.legs.unwrap_or_default() }
+    }
+
+    /// The points of the motion at these rising times and at its events, in order of time.
+    pub(in crate::impact) fn points(
+        self,
+        ground: Ground,
+        unloading: &Unloading,
+        drag: Drag,
+        times: impl Iterator<Item = f64>,
+    ) -> Vec<Point> {
+        let (mut points, mut times, mut begun) = (Vec::new(), times.peekable(), 0.0);
+        for Recorded { piece, track, mut events } in self.legs.into_iter().flatten() {
+            let point = |at: &State, event: Option<Event>| point_of(ground, unloading, drag, piece, at, event);
+            if let Some(state) = piece.and_then(|index| yielding(ground, index, begun, &track)) {
+                let place = events.partition_point(|(_, at)| at.time <= state.time);
+                events.insert(place, (Event::Yield, state));
+            }
+            begun = track.last().map_or(begun, |last| last.end);
+            let mut events = events.into_iter().peekable();
+            for segment in &track {
+                // the step before the last may end beyond the end of the leg, and the last step then returns to this end
+                while let Some(time) = times.next_if(|time| *time < segment.end.min(begun)) {
+                    while let Some((event, at)) = events.next_if(|(_, at)| at.time <= time) {
+                        points.push(point(&at, Some(event)));
+                    }
+                    points.push(point(&segment.at(time), None));
+                }
+            }
+            points.extend(events.map(|(event, at)| point(&at, Some(event))));
+        }
+        points
+    }
+}
+
+/// A point of a motion on a piece of the loading curve, or on the unloading branch.
+fn point_of(
+    ground: Ground,
+    unloading: &Unloading,
+    drag: Drag,
+    piece: Option<usize>,
+    at: &State,
+    event: Option<Event>,
+) -> Point {
+    let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
+    let piece = ground.piece(index);
+    // distances are measured from the zero of a power law, otherwise from the start of the piece
+    let distance = at.distance - piece.shape.offset();
+    Point::loading(ground.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
+}
+
+/// A recorded motion, which can be evaluated at any time.
+#[derive(Debug)]
+pub struct Track<'a> {
+    ground: Ground<'a>,
+    unloading: Unloading,
+    drag: Drag,
+    legs: Vec<Recorded>,
+}
+
+impl Track<'_> {
+    /// The times at which the motion passes from one formula of the force to the next, in order, and the time of its end.
+    pub(in crate::impact) fn ends(&self) -> impl Iterator<Item = f64> {
+        let goes_on = |leg: Option<&Recorded>| {
+            leg.and_then(|leg| leg.piece).is_some_and(|piece| self.ground.piece(piece).is_joint)
+        };
+        let ends = self.legs.iter().enumerate().filter(move |(i, _)| !goes_on(self.legs.get(i + 1)));
+        ends.filter_map(|(_, leg)| leg.track.last()).map(|segment| segment.end)
+    }
+
+    /// The state at a time, or at the nearest end of the motion for a time outside of it; and the piece of the loading curve of this
+    /// state, `None` on the unloading branch.
+    pub(in crate::impact) fn state(&self, time: f64) -> (State, Option<usize>) {
+        let ends_before = |leg: &Recorded| leg.track.last().is_none_or(|segment| segment.end < time);
+        let leg = self.legs.partition_point(ends_before).min(self.legs.len() - 1);
+        let Recorded { piece, track, .. } = &self.legs[leg];
+        let segment = track.partition_point(|segment| segment.end < time).min(track.len() - 1);
+        (track[segment].at(time.min(track[segment].end)), *piece)
+    }
+
+    /// The point of the motion at a state on this piece of the loading curve.
+    pub(in crate::impact) fn loading_point(&self, piece: usize, at: &State) -> Point {
+        point_of(self.ground, &self.unloading, self.drag, Some(piece), at, None)
+    }
+}
+
+#[cold] // a run without a trace is faster without this code in it
+fn begin<'a>(legs: &'a mut Vec<Recorded>, piece: Option<usize>, touch: &State) -> Option<&'a mut Vec<Segment>> {
+    let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
+    legs.push(Recorded { piece, track: Vec::new(), events });
+    legs.last_mut().map(|leg| &mut leg.track)
+}
+
+#[cold]
+fn mark(legs: &mut [Recorded], event: Event, at: &State) {
+    if let Some(leg) = legs.last_mut() {
+        leg.events.push((event, *at));
+    }
+}
+
+/// The state of first yield on a leg that begins at this time, if the leg passes it. First yield ends no leg, because a trace must
+/// not change the steps.
+fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
+    let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
+    let distance = yields_at - piece.start + piece.shape.offset();
+    let number = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
+    let begun = number.checked_sub(1).map_or(begun, |before| track[before].end);
+    let ahead = |time: f64| distance - track[number].at(time).distance;
+    let is_inside = index == ground.way_in.index_at(yields_at) && piece.start < yields_at;
+    let is_passed = is_inside && ahead(begun) > 0.0;
+    is_passed.then(|| State { distance, ..track[number].at(falls_through((begun, track[number].end), ahead)) })
+}
+
+/// The times of `samples` points evenly spaced over a motion of this length, without both ends, which are events.
+#[allow(clippy::cast_precision_loss)] // counts below 2^53
+pub(in crate::impact) fn even_times(samples: usize, duration: f64) -> impl Iterator<Item = f64> {
+    let inner = samples.saturating_sub(2);
+    let interval = duration / (inner + 1) as f64;
+    (1..=inner).map(move |k| interval * k as f64)
+}

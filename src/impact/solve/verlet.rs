@@ -1,0 +1,339 @@
+//! An impact by velocity Verlet in fixed steps, as in DEM codes: steps pass over kinks, and separation is noticed at the first step
+//! without force.
+//!
+//! A time in whole steps would hide the error of the motion, so the two times of the outcome lie within a step. Maximum compression
+//! is where the speed and the acceleration of the deepest step lead to zero speed. Separation is found by following the free
+//! flight after the last step back to the contact. Without damping both times are accurate to second order in the step, like the
+//! motion. [`FixedSteps`] has the times that a code with this step finds.
+
+use super::outcome::{Computed, Fate, FixedSteps, Outcome};
+use super::recorder::{Event, Point, even_times};
+use crate::contact::law::{ContactState, Ground, Unloading};
+use crate::impact::problem::forces::ScaledForces;
+use crate::impact::problem::scales::ACCELERATION;
+use crate::numerics::curve::piece::Piece;
+use crate::numerics::ode::{Drag, Effort, IntegrationError, Segment, State};
+use crate::numerics::power::max_or_nan;
+use crate::numerics::root::halved;
+
+/// The law as a code with fixed steps evaluates it: its memory is the largest indentation so far. Distances are measured from first
+/// contact.
+struct Remembering<'a> {
+    ground: Ground<'a>,
+    drag: Drag,
+    touch: f64,
+    deepest: f64,
+    unloading: Option<Unloading>,
+    /// The phase after the metal relaxed on a plate, in which the bodies approach a little further along the unloading branch.
+    after_relaxation: AfterRelaxation,
+}
+
+/// The phase of the motion since the metal relaxed on a plate.
+#[derive(Clone, Copy, PartialEq)]
+enum AfterRelaxation {
+    NotYet,
+    Approaching,
+    Parting,
+}
+
+impl<'a> Remembering<'a> {
+    fn of(ground: Ground<'a>, drag: Drag) -> Self {
+        let deepest = ground.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
+        let unloading = ground.branch().copied();
+        Self { ground, drag, touch: ground.touch(), deepest, unloading, after_relaxation: AfterRelaxation::NotYet }
+    }
+
+    /// The speed that the sphere gains when the metal relaxes on a plate: the force falls, and the momentum stays (`motion.rs`).
+    /// `speed` is the speed against the plate.
+    fn relaxed(&mut self, speed: f64) -> f64 {
+        if speed >= 0.0 || self.drag.theta == 0.0 || self.ground.law.relaxed.is_none() {
+            return 0.0;
+        }
+        if self.after_relaxation != AfterRelaxation::NotYet {
+            self.after_relaxation = AfterRelaxation::Parting;
+            return 0.0;
+        }
+        let unloading = self.branch_from(self.deepest);
+        let fall = self.ground.step(&unloading);
+        if fall > 0.0 {
+            (self.unloading, self.after_relaxation) = (Some(unloading), AfterRelaxation::Approaching);
+        }
+        ACCELERATION * self.drag.theta * fall
+    }
+
+    /// The unloading branch from the deepest step. After a relaxation it is the branch of the relaxed metal.
+    fn branch_from(&self, deepest: f64) -> Unloading {
+        match self.unloading {
+            Some(unloading) if self.after_relaxation != AfterRelaxation::NotYet => unloading,
+            _ => self.ground.unloading(self.loaded_to(deepest)),
+        }
+    }
+
+    /// The piece of the loading curve at a distance.
+    fn piece_at(&self, distance: f64) -> &'a Piece {
+        self.ground.piece(self.ground.way_in.index_at(self.touch + distance))
+    }
+
+    /// The state on the loading curve at a distance.
+    fn loaded_to(&self, distance: f64) -> ContactState {
+        match self.ground.branch() {
+            Some(branch) if distance <= branch.peak.elastic_approach => self.ground.state_at(0, distance),
+            _ => self.ground.law.loaded_to(self.touch + distance),
+        }
+    }
+
+    /// Force of the law, what damping adds to it, and the deceleration by drag on the motion alone.
+    fn at(&mut self, distance: f64, speed: f64) -> (f64, f64, f64) {
+        let drag = self.drag;
+        let is_loading = distance > self.deepest && self.after_relaxation == AfterRelaxation::NotYet;
+        if is_loading || (distance == self.deepest && self.unloading.is_none()) {
+            (self.deepest, self.unloading) = (distance, None);
+            let (x, piece) = (self.touch + distance, self.piece_at(distance));
+            let force = piece.force_at(x);
+            return resisted(drag, force, || piece.slope_at(x), speed);
+        }
+        let (ground, touch, deepest) = (self.ground, self.touch, self.deepest);
+        let unloading = self.unloading.get_or_insert_with(|| ground.unloading(ground.loaded_to(touch + deepest)));
+        let recovered = distance - (unloading.peak.residual() - touch);
+        let force = unloading.force_of(recovered);
+        resisted(drag, force, || unloading.slope_of(recovered.max(0.0)), speed)
+    }
+
+    /// The state at separation, within the step of this length from `before` to `end`. At `end` no force pushes the sphere, so
+    /// its free flight is followed backwards: to the depth of the dent or, under viscous damping, to the zero of the total force.
+    /// If the damping exceeds the force only because the step is coarse, there is no such zero, and the separation is at the end
+    /// of the step.
+    fn left_at(&mut self, before: &State, end: &State, step: f64, gravity: f64, residual: f64) -> State {
+        let flown_back = |since: f64| State {
+            time: end.time - since,
+            distance: end.distance - since * (end.speed - 0.5 * gravity * since),
+            speed: end.speed - gravity * since,
+            ..*end
+        };
+        let gap = residual - end.distance;
+        let speed_at_dent = (end.speed * end.speed + 2.0 * gravity * gap).sqrt();
+        let is_past_dent = gap > 0.0;
+        let since_dent = if is_past_dent { (2.0 * gap / (speed_at_dent - end.speed)).min(step) } else { 0.0 };
+        if !self.drag.lifts_off() {
+            let at_dent = flown_back(since_dent);
+            let loss = before.loss;
+            return if is_past_dent { State { distance: residual, loss, ..at_dent } } else { at_dent };
+        }
+        let mut is_pushed = |since: f64| {
+            let State { distance, speed, .. } = flown_back(since);
+            let (force, of_damping, _) = self.at(distance, speed);
+            force + of_damping > 0.0
+        };
+        let (gone, _) = halved(since_dent, step, |since| !is_pushed(since));
+        let separated = flown_back(gone);
+        let (force, of_damping, _) = self.at(separated.distance, separated.speed);
+        let of_damping = max_or_nan(of_damping, -force);
+        State { loss: before.loss + ACCELERATION * of_damping * separated.speed * (step - gone), ..separated }
+    }
+}
+
+/// A force of the law with the drag on it, see [`Remembering::at`].
+fn resisted(drag: Drag, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
+    // the drag is that of the deceleration g = c f
+    let (in_contact, on_motion) = drag.at(ACCELERATION * force, || ACCELERATION * slope());
+    (force, in_contact * speed / ACCELERATION, on_motion * speed)
+}
+
+/// A motion in steps of equal length.
+struct VerletMotion<'a> {
+    contact: Remembering<'a>,
+    weight: f64,
+    step: f64,
+    /// Steps so far.
+    count: u64,
+    state: State,
+    acceleration: f64,
+}
+
+impl<'a> VerletMotion<'a> {
+    /// At first touch.
+    fn new(ground: Ground<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
+        let state = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+        let (contact, weight) = (Remembering::of(ground, forces.drag), forces.weight);
+        Self { contact, weight, step, count: 0, state, acceleration: ACCELERATION * weight }
+    }
+
+    /// Makes a step, with the damping force at the speed half a step earlier; returns the force of the law and the total force.
+    fn advance(&mut self) -> (f64, f64) {
+        let (step, mut from) = (self.step, self.state);
+        let mut half = from.speed + 0.5 * step * self.acceleration;
+        let gained = self.contact.relaxed(half);
+        if gained > 0.0 {
+            from.loss -= gained * (half + 0.5 * gained);
+            half += gained;
+        }
+        let distance = from.distance + step * half;
+        let (force, of_damping, on_motion) = self.contact.at(distance, half);
+        let total = max_or_nan(force + of_damping, 0.0);
+        self.acceleration = ACCELERATION * (self.weight - total) - on_motion;
+        self.count += 1;
+        #[allow(clippy::cast_precision_loss)] // counts below 2^53
+        let time = step * self.count as f64;
+        let loss = from.loss + (ACCELERATION * (total - force) + on_motion) * half * step;
+        self.state = State { time, distance, speed: half + 0.5 * step * self.acceleration, loss };
+        (force, total)
+    }
+}
+
+/// A contact of fewer steps has no result.
+const MIN_STEPS: u64 = 5;
+/// A run with a larger restitution has no result; a restitution above 1 gets a warning.
+const MAX_RESTITUTION: f64 = 1.05;
+
+/// Integrates in steps of `step`. The peak is the deepest step. The run ends with the first step of the rebound in which no force
+/// pushes; or, for a captured sphere, with the first step in which the sphere moves inwards again.
+///
+/// # Errors
+/// [`IntegrationError::TooManyFixedSteps`] if there is no end within `most_steps`, [`IntegrationError::CoarseSteps`] if the steps
+/// are too long to follow the contact.
+pub(crate) fn march(
+    ground: Ground,
+    q: f64,
+    forces: &ScaledForces,
+    step: f64,
+    most_steps: u64,
+    trace: Option<(usize, Option<f64>)>,
+) -> Result<Computed, IntegrationError> {
+    let mut motion = VerletMotion::new(ground, q, forces, step);
+    let (mut peak, mut track) = (motion.state, Vec::new());
+    // time of zero speed near the deepest step
+    let mut turns_at = 0.0;
+    let mut largest_force = 0.0;
+    for n in 1..=most_steps {
+        let (before, acceleration) = (motion.state, motion.acceleration);
+        let (force, total) = motion.advance();
+        if trace.is_some() {
+            track.push(parabola(before, acceleration, motion.state.time));
+        }
+        largest_force = max_or_nan(largest_force, total);
+        let mut state = motion.state;
+        let time = state.time;
+        if state.distance > peak.distance && motion.contact.after_relaxation == AfterRelaxation::NotYet {
+            peak = state;
+            let acceleration = motion.acceleration;
+            let until = if acceleration < 0.0 { (state.speed / -acceleration).clamp(-step, step) } else { 0.0 };
+            turns_at = time + until;
+        }
+        if !(state.distance.is_finite() && state.speed.is_finite()) {
+            return Err(IntegrationError::NotFinite { time });
+        }
+        let is_back = time > peak.time;
+        // the total force of Hunt and Crossley vanishes before the force of the law only through rounding or a coarse step
+        let pushes = if forces.drag.lifts_off() { total } else { force };
+        let lifts_off = is_back && pushes == 0.0 && state.speed < 0.0;
+        let is_slower =
+            is_back && state.speed >= 0.0 && motion.contact.after_relaxation != AfterRelaxation::Approaching;
+        let deepest = || motion.contact.branch_from(peak.distance);
+        let stays = || {
+            if forces.is_conservative() {
+                is_back && forces.captures(&deepest(), q) && force <= forces.weight
+            } else {
+                creeps(&motion, forces, &deepest())
+            }
+        };
+        if !(lifts_off || is_slower || forces.weight > 0.0 && stays()) {
+            continue;
+        }
+        let unloading = deepest();
+        let separates = lifts_off && !forces.captures(&unloading, q);
+        if separates {
+            let residual = ground.dent(&unloading.peak).residual() - motion.contact.touch;
+            state = motion.contact.left_at(&before, &state, step, ACCELERATION * forces.weight, residual);
+        }
+        let restitution = if separates { -state.speed / q } else { 0.0 };
+        // under gravity a slow sphere that sinks into its dent separates faster than it arrived
+        let makes_energy = forces.weight == 0.0 && restitution > MAX_RESTITUTION;
+        if separates && n < MIN_STEPS || makes_energy {
+            return Err(IntegrationError::CoarseSteps { steps: n, restitution });
+        }
+        let outcome = Outcome {
+            unloading,
+            restitution,
+            largest_force: ground.reported_force(&unloading, Some(largest_force)),
+            loading_time: if is_back { turns_at.min(state.time) } else { peak.time },
+            contact_time: state.time,
+            fate: if separates { Fate::Separated } else { Fate::Captured },
+            end_indentation: motion.contact.touch + state.distance,
+            end_speed: state.speed,
+            loss: state.loss / ACCELERATION,
+        };
+        // one evaluation a step, and one at first touch
+        let work = Effort { steps: n, rejected: 0, force_evaluations: n + 1 };
+        let separation_time = separates.then_some(time);
+        let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });
+        let of_samples = |(samples, duration): (usize, Option<f64>)| {
+            let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
+            motion.contact.points(&outcome, &peak, &track, times)
+        };
+        let points = trace.map_or_else(Vec::new, of_samples);
+        return Ok(Computed { fixed_steps, points, ..Computed::new(outcome, work) });
+    }
+    Err(IntegrationError::TooManyFixedSteps { steps: most_steps })
+}
+
+/// True if an overdamped sphere is near its static indentation.
+fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
+    let point = forces.static_point(motion.contact.ground, unloading);
+    let indentation = motion.contact.touch + motion.state.distance;
+    forces.rest(&point, point.indentation).is_some_and(|rest| rest.excess(indentation, motion.state.speed) <= 0.0)
+}
+
+/// The motion in a step that begins in this state and ends at this time.
+fn parabola(from: State, acceleration: f64, end: f64) -> Segment {
+    Segment::new(end, move |time| {
+        let t = time - from.time;
+        let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
+        State { time, distance, speed: from.speed + acceleration * t, loss: from.loss }
+    })
+}
+
+impl Remembering<'_> {
+    /// The points of this outcome at these rising times and at its events, from the steps up to its end.
+    fn points(
+        &self,
+        outcome: &Outcome,
+        peak: &State,
+        track: &[Segment],
+        times: impl Iterator<Item = f64>,
+    ) -> Vec<Point> {
+        let mut times = times.take_while(|time| *time < outcome.contact_time).peekable();
+        let mut states = Vec::new();
+        for segment in track {
+            while let Some(time) = times.next_if(|time| *time < segment.end) {
+                states.push((segment.at(time), None));
+            }
+        }
+        let touch = track.first().map_or(*peak, |first| first.at(0.0));
+        let turning = State { time: outcome.loading_time, speed: 0.0, ..*peak };
+        let end = State {
+            time: outcome.contact_time,
+            distance: outcome.end_indentation - self.touch,
+            speed: outcome.end_speed,
+            loss: outcome.loss * ACCELERATION,
+        };
+        let of_end = if outcome.fate == Fate::Separated { Event::Separation } else { Event::Captured };
+        let until_peak = states.partition_point(|(state, _)| state.time <= outcome.loading_time);
+        if self.ground.step(&outcome.unloading) > 0.0 {
+            states.insert(until_peak, (turning, Some(Event::Relaxation)));
+        }
+        states.insert(until_peak, (turning, Some(Event::Peak)));
+        states.insert(0, (touch, Some(Event::Touch)));
+        states.push((end, Some(of_end)));
+        let residual = self.ground.dent(&outcome.unloading.peak).residual() - self.touch;
+        let point = |(state, event): (State, Option<Event>)| {
+            if state.time <= outcome.loading_time && event != Some(Event::Relaxation) {
+                let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);
+                Point::loading(self.loaded_to(state.distance), slope, self.drag, &state, event)
+            } else {
+                let at = State { distance: state.distance - residual, ..state };
+                Point::unloading(&outcome.unloading, self.drag, &at, event)
+            }
+        };
+        states.into_iter().map(point).collect()
+    }
+}

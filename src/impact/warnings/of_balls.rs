@@ -1,0 +1,22 @@
+//! The warning for two balls of one material of which only one has a strength.
+
+use crate::contact::pair::Hold;
+use crate::impact::problem::contact::Contact;
+use crate::impact::result::impact::Impact;
+use crate::impact::result::warning::{Warning, WarningKind};
+
+/// The warning for a ball on a ball of the same elastic constants, where one strength is missing and the other ball yields.
+pub(super) fn of_one_strength(contact: &Contact, impact: &Impact) -> Option<Warning> {
+    let (sphere, target) = (contact.sphere(), contact.half_space());
+    let is_of_two_balls = target.hold == Hold::Ball && sphere.material == target.material;
+    let [elastic, yielding] = match [sphere.yield_strength, target.yield_strength] {
+        [None, Some(_)] => ["sphere", "half_space"],
+        [Some(_), None] => ["half_space", "sphere"],
+        _ => return None,
+    };
+    Warning::when(is_of_two_balls && impact.has_dent(), WarningKind::OneBallYields, 0.0, || {
+        format!(
+            "e is off if both balls are of one material, mostly too high and by up to 7 %: they have the same elastic constants, but only {yielding} has a strength, and {elastic} stays elastic; give {elastic}.yield_strength too, unless that ball is much harder"
+        )
+    })
+}

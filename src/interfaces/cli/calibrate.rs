@@ -1,0 +1,112 @@
+//! `plm-impact calibrate`
+
+use std::path::{PathBuf, absolute};
+
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::scenario::keys::words::LAWS;
+
+use super::output::Output;
+use super::scenario::{ScenarioArguments, at_options};
+use super::terminal::other;
+
+/// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
+///
+/// [calibrate] in the scenario says which keys are wanted and what is known of the noise. Without it, the yield strength
+/// of the half-space is. DATA is a CSV file whose columns name what they hold, with the unit: speed_m_per_s or
+/// drop_height_m; restitution, rebound_speed_m_per_s, rebound_height_m, bounce_interval_s, leeb, dent_diameter_m, dent_depth_m,
+/// contact_time_s, peak_force_N, each with a column of standard deviations (restitution_sd) if known; other keys of the
+/// scenario that change from line to line (sphere_radius_mm); or indentation_m and force_N of an indentation curve.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact calibrate impact.toml --drop-height \"1 m\" --rebound-height \"24 cm\"
+  plm-impact calibrate impact.toml rebounds.csv --set law=thornton --out by-thornton")]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+    /// Measurements, in place of calibrate.data
+    #[arg(value_name = "DATA.csv", conflicts_with_all = ["restitution", "rebound_speed", "rebound_height", "leeb", "dent_diameter"])]
+    data: Option<PathBuf>,
+    /// One measured restitution, in place of a file
+    #[arg(long, value_name = "E")]
+    restitution: Option<String>,
+    /// One measured rebound: --rebound-speed "1.5 m/s"
+    #[arg(long, value_name = "SPEED")]
+    rebound_speed: Option<String>,
+    /// One measured height of a rebound: --rebound-height "24 cm"
+    #[arg(long, value_name = "HEIGHT")]
+    rebound_height: Option<String>,
+    /// One measured Leeb hardness
+    #[arg(long, value_name = "HL")]
+    leeb: Option<String>,
+    /// One measured dent: --dent-diameter "1.2 mm"
+    #[arg(long, value_name = "LENGTH")]
+    dent_diameter: Option<String>,
+    /// Impact speed of that measurement: --speed "3 m/s"
+    #[arg(long, value_name = "SPEED")]
+    speed: Option<String>,
+    /// Height of the fall before that measurement: --drop-height "1 m"
+    #[arg(long, value_name = "HEIGHT", conflicts_with = "speed")]
+    drop_height: Option<String>,
+    /// Fit every other law too, and rank the laws
+    #[arg(long)]
+    all_laws: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
+    let scenario = arguments.scenario.load_with(&arguments.settings()?).map_err(|error| at_options(error, &OPTIONS))?;
+    scenario.wanted().map_err(|error| at_options(error, &OPTIONS))?;
+    arguments.output.once(arguments.scenario.name(), scenario)
+}
+
+/// The keys of the scenario that options give, in the order of [`Arguments::numbers`].
+const OPTIONS: [(&str, &str); 7] = [
+    ("calibrate.measured.restitution", "--restitution"),
+    ("calibrate.measured.rebound_speed", "--rebound-speed"),
+    ("calibrate.measured.rebound_height", "--rebound-height"),
+    ("calibrate.measured.leeb", "--leeb"),
+    ("calibrate.measured.dent_diameter", "--dent-diameter"),
+    ("impact.speed", "--speed"),
+    ("impact.drop_height", "--drop-height"),
+];
+
+impl Arguments {
+    /// The values of [`OPTIONS`].
+    fn numbers(&self) -> [&Option<String>; 7] {
+        [
+            &self.restitution,
+            &self.rebound_speed,
+            &self.rebound_height,
+            &self.leeb,
+            &self.dent_diameter,
+            &self.speed,
+            &self.drop_height,
+        ]
+    }
+
+    /// The options as keys of the scenario.
+    fn settings(&self) -> Result<Vec<String>, Error> {
+        let mut settings = Vec::new();
+        if let Some(data) = &self.data {
+            // a path of the command line is not relative to the scenario
+            let path = absolute(data).map_err(other(data.display()))?;
+            settings.push(format!("calibrate.data={}", quoted(&path.to_string_lossy())));
+        }
+        let numbers: Vec<_> = OPTIONS.iter().zip(self.numbers()).map(|((key, _), value)| (key, value)).collect();
+        settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
+        if self.all_laws {
+            // under the law of Hertz nothing yields
+            let laws = (LAWS.known)().into_iter().filter(|law| law != "hertz");
+            let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();
+            settings.push(format!("calibrate.laws=[{}]", laws.join(",")));
+        }
+        Ok(settings)
+    }
+}
+
+/// As TOML.
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}

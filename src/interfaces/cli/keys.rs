@@ -1,0 +1,30 @@
+//! `plm-impact keys`
+
+use clap::Args;
+use plm_impact::error::Error;
+use plm_impact::scenario::key_docs::{about_keys, about_result};
+use plm_impact::scenario::keys::EVERY_KEY;
+use plm_impact::strings::did_you_mean;
+
+/// Print what a key of a scenario is: its meaning, its unit and range, and its default
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact keys impact.angle
+  plm-impact keys hardness")]
+pub struct Arguments {
+    /// A key with its table, or a part of several keys [default: all]
+    #[arg(default_value = "", hide_default_value = true)]
+    key: String,
+}
+
+pub fn keys(Arguments { key }: &Arguments) -> Result<(), Error> {
+    let text = about_keys(key).ok_or_else(|| {
+        if let Some(about) = about_result(key) {
+            return Error::input(format!("\"{key}\" is a result, not a key: {about}"));
+        }
+        let known = "`plm-impact keys` prints all";
+        let names = EVERY_KEY.iter().map(|known| known.path);
+        Error::input(format!("unknown key \"{key}\"{}", did_you_mean(key, names, '"', known)))
+    })?;
+    super::terminal::print(&text)
+}

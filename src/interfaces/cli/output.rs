@@ -1,0 +1,204 @@
+//! The options that say what a run writes, where, and what it shows.
+
+use std::ffi::OsString;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use plm_impact::error::{Error, ErrorKind};
+use plm_impact::files::{Origin, OutputDirectory, OutputFile, SUMMARY, hex};
+use plm_impact::report::chart::Pictures;
+use plm_impact::report::run::{Outcome, RunOptions, at_once, refuse_warnings};
+use plm_impact::report::text::Detail;
+use plm_impact::scenario::Scenario;
+use plm_impact::table::parts::make_way;
+use sha2::{Digest as _, Sha256};
+
+use super::watch::{Signals, Watch};
+
+/// The options that say which files are written, and where.
+#[derive(Debug, Args)]
+#[allow(clippy::struct_excessive_bools)] // each is an option
+pub struct Output {
+    /// Output directory [default: plots/<scenario name>, with the settings of the command line at its end]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Replace files that this program did not write, and results of another scenario or of other settings
+    #[arg(long)]
+    force: bool,
+    /// Take warnings for errors: write nothing, exit code 1
+    #[arg(long)]
+    pub strict: bool,
+    /// Print also how exact the integration was: closed form, steps, balance of energy
+    #[arg(long, conflicts_with = "quiet")]
+    pub verbose: bool,
+    /// Neither table nor progress; warnings and errors only
+    #[arg(long)]
+    pub quiet: bool,
+    /// Print summary.json, and nothing else, to standard output
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub pictures: PictureArguments,
+}
+
+/// Prints the summary among these files.
+pub fn print_summary(files: &[OutputFile]) -> Result<(), Error> {
+    let summary = files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
+    super::terminal::print_json(&String::from_utf8_lossy(summary))
+}
+
+/// Warnings to standard error.
+pub fn warn(warnings: &[String]) {
+    for warning in warnings {
+        super::terminal::warning(warning);
+    }
+}
+
+impl Output {
+    /// Runs a scenario at once. The files go to the directory, the table to standard output, and warnings and the names
+    /// of the files to standard error.
+    pub fn once(&self, file: &Path, mut scenario: Scenario) -> Result<(), Error> {
+        let signals = Signals::listen()?;
+        let directory = self.prepare(file, &mut scenario)?;
+        make_way(&directory)?;
+        let pictures = self.pictures.format;
+        let detail = if self.verbose { Detail::Whole } else { Detail::Usual };
+        let (scenario, outcome) = Watch::without_files(self.quiet).watch(signals, move |progress| {
+            let outcome = outcome(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
+            Ok((scenario, outcome))
+        })?;
+        let Outcome { warnings, text, files, contradiction, .. } = outcome;
+        warn(&warnings);
+        refuse_warnings(&scenario, warnings.len(), self.strict)?;
+        let out = directory.path().to_owned();
+        let removed = directory.write(&files)?;
+        let names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+        note_replaced(&directory, &removed);
+        self.report(&text, &files, format_args!("wrote {} to {}", names.join(", "), out.display()))?;
+        contradiction
+            .map_or(Ok(()), |reason| Err(Error::in_file(ErrorKind::Mismatch, scenario.document.name(), reason)))
+    }
+
+    /// Prints the table of a run and notes where its files are, or prints the summary alone.
+    pub fn report(&self, text: &str, files: &[OutputFile], where_to: impl Display) -> Result<(), Error> {
+        if self.json {
+            print_summary(files)?;
+        } else if !self.quiet {
+            super::terminal::print(text)?;
+            super::terminal::note(where_to);
+        }
+        Ok(())
+    }
+
+    /// Refuses one directory for the results of several files.
+    pub fn refuse_one_directory(&self) -> Result<(), Error> {
+        let Some(one) = &self.out else { return Ok(()) };
+        Err(Error::input(format!(
+            "--out {}: several files have a directory each; leave --out out, and they go to plots/NAME, or run one file at a time",
+            one.display()
+        )))
+    }
+
+    /// The output directory.
+    pub fn directory(&self, file: &Path, overrides: &[String]) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| Path::new("plots").join(default_name(file, overrides)))
+    }
+
+    /// Prepares the output directory, and notes for the results how the scenario's file is found from there.
+    pub fn prepare(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
+        let reads: Vec<&Path> = scenario.files().map(|(_, path)| path).collect();
+        let (sha256, overrides_sha256) = (scenario.sha256(), scenario.overrides_sha256());
+        let origin =
+            Origin::File { path: file, sha256: &sha256, overrides_sha256: overrides_sha256.as_deref(), reads: &reads };
+        let path = self.directory(file, &scenario.document.overrides());
+        let directory = OutputDirectory::prepare(&path, origin, self.force)?;
+        scenario.from_results = directory.relative_path(file);
+        Ok(directory)
+    }
+}
+
+/// The longest name of a default directory: a file system takes 255 bytes.
+const MAX_NAME: usize = 120;
+
+/// The name of the default directory: that of the scenario, and behind it the overrides, so that results with other overrides
+/// have another directory.
+fn default_name(file: &Path, overrides: &[String]) -> OsString {
+    let mut name = file.file_stem().unwrap_or(file.as_os_str()).to_owned();
+    if overrides.is_empty() {
+        return name;
+    }
+    let settings: Vec<String> = overrides.iter().map(|setting| in_file_name(setting)).collect();
+    let settings = format!(",{}", settings.join(","));
+    if settings.len() <= MAX_NAME {
+        name.push(settings);
+        return name;
+    }
+    // settings with the same beginning
+    let hash = hex(&Sha256::digest(overrides.join("\0")));
+    name.push(format!("{}-{}", &settings[..MAX_NAME], &hash[..8]));
+    name
+}
+
+/// `key=value` without what a shell or a file system takes for something else. Of a path the name of the file is left.
+fn in_file_name(setting: &str) -> String {
+    let (key, value) = setting.split_once('=').unwrap_or((setting, ""));
+    let path = Some(value.trim_matches(['"', '\''])).filter(|_| key.trim() == "calibrate.data").map(Path::new);
+    let file = path.and_then(Path::file_name).map(|name| name.to_string_lossy());
+    let text = format!("{key}={}", file.as_deref().unwrap_or(value));
+    let kept = text.chars().filter(|c| !c.is_whitespace() && !"\"'".contains(*c));
+    kept.map(|c| if c.is_ascii_alphanumeric() || ".=+-".contains(c) { c } else { '_' }).collect()
+}
+
+/// The outcome of a scenario that is not a table.
+pub fn outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
+    at_once(scenario, Some(options))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
+}
+
+/// Notes which older results are gone, once the new ones are there.
+pub fn note_replaced(directory: &OutputDirectory, removed: &[String]) {
+    let path = directory.path().display();
+    if let Some(older) = directory.replaces() {
+        super::terminal::note(format_args!("{path}: replaced {older}"));
+    }
+    if !removed.is_empty() {
+        super::terminal::note(format_args!(
+            "{path}: removed {} of the run before, which this run does not make",
+            removed.join(", ")
+        ));
+    }
+}
+
+/// The command line as typed, without the directory of the program.
+pub fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1).map(|argument| quoted(&argument.to_string_lossy()));
+    std::iter::once(env!("CARGO_PKG_NAME").to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
+}
+
+/// Quoted for a shell where it has to be.
+fn quoted(argument: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+@%".contains(c);
+    if !argument.is_empty() && argument.chars().all(is_plain) {
+        argument.to_owned()
+    } else {
+        format!("'{}'", argument.replace('\'', r"'\''"))
+    }
+}
+
+/// Takes the name of one of `all`.
+pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let find = move |given: String| all.into_iter().find(|one| name(*one) == given).ok_or("no such name");
+    PossibleValuesParser::new(all.map(name)).try_map(find)
+}
+
+/// The option with the format of pictures.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct PictureArguments {
+    /// Format of the pictures: svg stays sharp in any size, and its text can be searched; narrow-svg fits a column of a paper
+    #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = one_of(Pictures::ALL, Pictures::name))]
+    pub format: Pictures,
+}

@@ -1,0 +1,108 @@
+//! `plm-impact run` and `plm-impact check`
+
+use std::path::PathBuf;
+
+use clap::Args;
+use plm_impact::error::{Error, ErrorKind};
+use plm_impact::report::run::Outcome;
+use serde_json::Value;
+
+use super::output::Output;
+use super::scenario::{ScenarioArguments, at_options};
+
+/// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact run impact.toml --set impact.speed=\"1 m/s\" --pictures svg
+  plm-impact run impact.toml sweep.toml --set law=thornton")]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+    /// More scenario files; each is run with the same options into a directory of its own
+    #[arg(value_name = "FILES")]
+    more: Vec<PathBuf>,
+    /// Impact speed in place of that of the scenario, as --set impact.speed="2 m/s"
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
+    #[command(flatten)]
+    output: Output,
+    #[command(flatten)]
+    sweep: super::table::Options,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Error> {
+    if arguments.more.is_empty() {
+        return one(arguments, &arguments.scenario);
+    }
+    arguments.output.refuse_one_directory()?;
+    let mut files = vec![arguments.scenario.clone()];
+    files.extend(arguments.more.iter().map(|file| arguments.scenario.with_file(file)));
+    refuse_same_names(&files)?;
+    let mut failed: Vec<(String, ErrorKind, u8)> = Vec::new();
+    for file in &files {
+        match one(arguments, file) {
+            Ok(()) => {}
+            // a signal is meant for all files
+            Err(error) if matches!(error.kind, ErrorKind::Stopped(_)) => return Err(error),
+            Err(error) => failed.push((file.name().display().to_string(), error.kind, super::terminal::error(&error))),
+        }
+    }
+    let Some((_, kind, _)) = failed.iter().max_by_key(|(.., code)| *code) else { return Ok(()) };
+    let names: Vec<String> = failed.iter().map(|(name, _, code)| format!("{name} (exit code {code})")).collect();
+    Err(Error::new(*kind, format!("{} of {} scenarios failed: {}", failed.len(), files.len(), names.join(", "))))
+}
+
+/// Refuses two files that would have the same default directory.
+fn refuse_same_names(files: &[ScenarioArguments]) -> Result<(), Error> {
+    for (at, file) in files.iter().enumerate() {
+        let is_like = |other: &&ScenarioArguments| {
+            other.name() != file.name() && other.name().file_stem() == file.name().file_stem()
+        };
+        if let Some(other) = files[..at].iter().find(is_like) {
+            let [one, other] = [other, file].map(|file| file.name().display().to_string());
+            return Err(Error::input(format!(
+                "{one} and {other} have the same name, and their results would go to the same directory; run one file at a time, each with its own --out"
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Runs one of the files.
+fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
+    let speed = arguments.speed.as_ref().map(|speed| format!("impact.speed={speed}"));
+    let options = [("impact.speed", "--speed")];
+    let mut scenario =
+        file.load_with(speed.as_slice()).map_err(|error| at_options(error, &options[..speed.iter().len()]))?;
+    let kind = scenario.kind()?;
+    if kind.is_table() {
+        return super::table::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);
+    }
+    arguments.sweep.refuse_for(kind.what())?;
+    arguments.output.once(file.name(), scenario)
+}
+
+/// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact check impact.toml
+  plm-impact check impact.toml --set sphere.youngs_modulus=rigid --json")]
+pub struct CheckArguments {
+    #[command(flatten)]
+    scenario: ScenarioArguments,
+    /// Print JSON: inputs in SI, the numbers that follow from them, and the warnings
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn check(arguments: &CheckArguments) -> Result<(), Error> {
+    let scenario = arguments.scenario.load()?;
+    let Outcome { warnings, text, mut checked, .. } = plm_impact::report::run::check(&scenario)?;
+    super::output::warn(&warnings);
+    if !arguments.json {
+        return super::terminal::print(&text);
+    }
+    checked.insert("kind".to_owned(), scenario.kind()?.name().into());
+    checked.insert("warnings".to_owned(), warnings.into());
+    super::terminal::print_json(&format!("{:#}\n", Value::Object(checked)))
+}

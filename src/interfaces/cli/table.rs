@@ -1,0 +1,163 @@
+//! `plm-impact run` on a scenario with `[sweep]` or `[monte_carlo]`.
+
+use std::num::NonZeroU64;
+use std::path::Path;
+use std::time::Duration;
+
+use clap::{Args, value_parser};
+use plm_impact::error::Error;
+use plm_impact::files::OutputDirectory;
+use plm_impact::report::run::{refuse_warnings, table};
+use plm_impact::scenario::Scenario;
+use plm_impact::table::{Format, Job, Layout, Shard, Tally};
+use rayon::ThreadPoolBuilder;
+
+use super::output::{Output, note_replaced, one_of, warn};
+use super::watch::{Signals, Watch};
+
+/// More threads could stop a machine.
+const MOST_THREADS: u16 = 1024;
+/// The variable with the number of threads, where no option gives it.
+const THREADS_VARIABLE: &str = "RAYON_NUM_THREADS";
+
+/// Options of sweeps.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Sweeps: format of the table [default: csv]
+    #[arg(long, value_parser = one_of(Format::ALL, Format::name))]
+    format: Option<Format>,
+    /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed; auto
+    /// takes I and N from a Slurm array job
+    #[arg(long, value_name = "I/N|auto")]
+    shard: Option<String>,
+    /// Sweeps: threads [default: one a core]; the table is the same whatever their number
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=i64::from(MOST_THREADS)))]
+    threads: Option<u16>,
+}
+
+impl Options {
+    /// Refuses options of tables for `scene`, which has none.
+    pub fn refuse_for(&self, scene: &str) -> Result<(), Error> {
+        let given = [
+            self.format.map(|_| "--format"),
+            self.shard.as_ref().map(|_| "--shard"),
+            self.threads.map(|_| "--threads"),
+        ];
+        match given.into_iter().flatten().next() {
+            Some(name) => Err(Error::input(format!(
+                "{name} is for tables, those of a [sweep] or a [monte_carlo], and this scenario is {scene}"
+            ))),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Time that a table has to stop by itself after a signal.
+const PATIENCE: Duration = Duration::from_millis(700);
+/// Rows of a part, for tests of small tables.
+const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
+
+/// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
+pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
+    let plan = scenario.plan()?;
+    let cautions = table::cautions(&plan, None);
+    warn(&cautions.warnings);
+    refuse_warnings(scenario, cautions.warnings.len(), output.strict)?;
+    let shard = options.shard.as_deref().map(parse_shard).transpose()?;
+    let pictures = output.pictures.format;
+    if shard.is_some() && output.json {
+        let message = "--json prints the summary of a whole table, and a shard has none; leave one of the two out";
+        return Err(Error::input(message.to_owned()));
+    }
+    let signals = Signals::listen()?;
+    let directory = output.prepare(file, scenario)?;
+    let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
+    let Options { format, threads, .. } = *options;
+    let mut layout = Layout::new(&plan);
+    if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse::<NonZeroU64>().ok()) {
+        layout.rows_per_part = rows.get();
+    }
+    let leaves = if layout.is_in_parts(shard, &directory) {
+        "the same command goes on from the parts that are whole"
+    } else {
+        "nothing was written; the same command starts anew"
+    };
+    let watch = Watch { is_quiet: output.quiet, counted: "rows", patience: PATIENCE, leaves };
+    let (directory, plan, written) = watch.watch(signals, move |progress| {
+        let job = Job {
+            plan: &plan,
+            shard,
+            format: format.unwrap_or(Format::Csv),
+            layout,
+            directory: &directory,
+            source: &source,
+            progress,
+        };
+        let written = with_threads(threads, || job.run())??;
+        Ok((directory, plan, written))
+    })?;
+    let about = table::text(&plan, &written.tally, &cautions);
+    let (mut files, mut removed) = (Vec::new(), Vec::new());
+    if shard.is_none() {
+        let leaves = "the table is written, its summary is not; give the same command again";
+        let tally = written.tally.clone();
+        // the parts of a table are no file
+        let table = written.table.file_name().filter(|_| written.table.is_file());
+        provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
+        provenance.files.extend(other_table(&directory, &provenance.files));
+        files = Watch { leaves, ..Watch::without_files(output.quiet) }
+            .watch(signals, move |_| table::files(&plan, &tally, &cautions, provenance, pictures))?;
+        removed = directory.write(&files)?;
+    }
+    note_replaced(&directory, &removed);
+    let found = match written.found {
+        0 => String::new(),
+        rows => format!("{rows} of these rows were there\n"),
+    };
+    let names = std::iter::once(written.table.display().to_string()).chain(files.iter().map(|file| file.name.clone()));
+    let wrote = format!("{found}wrote {}", names.collect::<Vec<_>>().join(", "));
+    output.report(&about, &files, wrote)?;
+    let Tally { failures, rows, .. } = written.tally;
+    if failures == 0 {
+        return Ok(());
+    }
+    // rows without a result make exit code 1
+    let table = written.table.display();
+    let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
+    Err(Error::failed(text).about(table))
+}
+
+fn parse_shard(text: &str) -> Result<Shard, Error> {
+    if text == "auto" { Shard::from_slurm(|name| std::env::var(name).ok()) } else { Shard::parse(text) }
+}
+
+/// The table of an earlier run in another format. It stays, because it may have cost hours.
+fn other_table(directory: &OutputDirectory, written: &[String]) -> Option<String> {
+    let names = Format::ALL.map(|format| format!("table.{}", format.name()));
+    let is_there = |name: &String| {
+        !written.contains(name) && directory.same_results().contains(name) && directory.path().join(name).is_file()
+    };
+    names.into_iter().find(is_there)
+}
+
+/// Does the work on as many threads as the option says, or the environment, or on one per core.
+///
+/// # Errors
+/// [`Error`] if the number in the environment is not allowed, or if the system does not start that number of threads.
+pub fn with_threads<R: Send>(option: Option<u16>, work: impl FnOnce() -> R + Send) -> Result<R, Error> {
+    let threads = option.map_or_else(threads_from_environment, Ok)?;
+    let pool = ThreadPoolBuilder::new().num_threads(threads.into()).build().map_err(|error| {
+        Error::input(format!("the system does not start {threads} threads: {error}; give fewer with --threads"))
+    })?;
+    Ok(pool.install(work))
+}
+
+/// The number of threads by the environment; 0 is one per core.
+fn threads_from_environment() -> Result<u16, Error> {
+    let Some(text) = std::env::var_os(THREADS_VARIABLE).filter(|text| !text.is_empty()) else { return Ok(0) };
+    let threads = text.to_str().and_then(|text| text.parse().ok()).filter(|threads| *threads <= MOST_THREADS);
+    threads.ok_or_else(|| {
+        let text = text.to_string_lossy();
+        Error::input(format!("{THREADS_VARIABLE}={}: a number of threads is 0 to {MOST_THREADS}", text.escape_debug()))
+    })
+}

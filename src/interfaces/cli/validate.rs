@@ -1,0 +1,83 @@
+//! `plm-impact validate`
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use plm_impact::contact::law::PlmCoefficients;
+use plm_impact::error::{Error, ErrorKind};
+use plm_impact::files::{Origin, OutputDirectory, OutputFile};
+use plm_impact::report::chart::Pictures;
+use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
+use plm_impact::validate;
+use plm_impact::validate::report;
+
+use super::output::{PictureArguments, note_replaced};
+use super::watch::{Signals, Watch};
+
+/// For maintainers: compare the law with finite elements and measurements (CSV, Markdown, pictures)
+///
+/// Measurements of your own are compared by `plm-impact calibrate FILE DATA.csv --set calibrate.free={}`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  plm-impact validate --out validation --pictures none
+  plm-impact validate --coefficients mine.toml --out mine")]
+pub struct Arguments {
+    /// Output directory
+    #[arg(long, value_name = "DIR", default_value = "plots/validate")]
+    out: PathBuf,
+    /// Replace files that this program did not write
+    #[arg(long)]
+    force: bool,
+    /// Compare the law with these coefficients too, beside the built-in ones
+    #[arg(long, value_name = "FILE")]
+    coefficients: Option<PathBuf>,
+    #[command(flatten)]
+    pictures: PictureArguments,
+}
+
+pub fn validate(arguments: &Arguments) -> Result<(), Error> {
+    let own = arguments.coefficients.as_deref().map(load).transpose()?;
+    let is_built_in = own.is_none();
+    let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());
+    let signals = Signals::listen()?;
+    let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
+    let name = coefficients.provenance.name.clone();
+    let format = arguments.pictures.format;
+    let (compared, laws, pictures) = Watch::without_files(false).watch(signals, move |progress| {
+        let compared = validate::comparisons(&coefficients, progress)?;
+        let laws = validate::laws::laws(&coefficients)?;
+        let draw = || validate::pictures(&coefficients, format, progress);
+        let pictures = super::table::with_threads(None, draw)??;
+        Ok((compared, laws, pictures))
+    })?;
+    let page = shown(&report::page(&compared, &laws, &name, is_built_in), format);
+    let mut files = vec![
+        OutputFile { name: "validation.csv".into(), bytes: report::csv(&compared)? },
+        OutputFile { name: "README.md".into(), bytes: page.into_bytes() },
+    ];
+    let count = pictures.len();
+    files.extend(pictures);
+    let out = directory.path().to_owned();
+    let removed = directory.write(&files)?;
+    note_replaced(&directory, &removed);
+    super::terminal::print(&report::table(&compared))?;
+    super::terminal::note(format_args!("wrote validation.csv, README.md and {count} pictures to {}", out.display()));
+    Ok(())
+}
+
+/// The page with the pictures of this format, or without pictures.
+fn shown(page: &str, format: Pictures) -> String {
+    match format {
+        Pictures::Png => page.to_owned(),
+        Pictures::Svg | Pictures::NarrowSvg => page.replace(".png", ".svg"),
+        Pictures::None => {
+            page.lines().filter(|line| !line.starts_with("![")).map(|line| line.to_owned() + "\n").collect()
+        }
+    }
+}
+
+fn load(path: &Path) -> Result<PlmCoefficients, Error> {
+    let text = read_text(path, LARGEST_SCENARIO)?;
+    PlmCoefficients::from_toml(&text)
+        .map_err(|error| Error::in_file(ErrorKind::Input, &path.display().to_string(), error.to_string().trim_end()))
+}

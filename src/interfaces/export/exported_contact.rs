@@ -1,0 +1,107 @@
+//! The part of a scenario that a code for many spheres takes over: the bodies with plate and damping, and the speed. That code
+//! has its own way to compute all other forces and the path of the sphere.
+
+use crate::contact::pair::Hold;
+use crate::error::{Error, ErrorKind};
+use crate::impact::Contact;
+use crate::numerics::functions::cos;
+use crate::scenario::input::Input;
+use crate::scenario::keys::at;
+use crate::scenario::{Kind, Scenario};
+
+/// The contact of a scenario without the motion around it.
+pub(super) struct Bare {
+    pub contact: Contact,
+    /// Impact speed normal to the surface \[m/s\]; `None` without one, and where it varies.
+    pub speed: Option<f64>,
+    /// Radius \[m\] of the second ball; `None` for a wall.
+    pub ball: Option<f64>,
+    /// The coefficient of friction, if the scenario has one.
+    pub friction: Option<f64>,
+    /// A sentence for every other part of the scenario: it says that the part is left out, or what replaces it.
+    pub left_out: Vec<String>,
+}
+
+impl Bare {
+    pub fn new(scenario: &Scenario) -> Result<Self, Error> {
+        let kind = scenario.kind()?;
+        let refuse = |message| Err(scenario.document.refuse(kind.name(), message));
+        match kind {
+            Kind::Calibrate => {
+                return refuse(
+                    "its keys are still to be found: export the calibrated.toml that `plm-impact calibrate` writes",
+                );
+            }
+            Kind::Indentation => return refuse("there is no impact in it: leave this table out, and give an impact"),
+            _ => {}
+        }
+        let plan = kind.is_table().then(|| scenario.plan()).transpose()?;
+        let mut input = plan.as_ref().map_or_else(|| scenario.resolve_bodies(), |plan| Ok(plan.input.clone()))?;
+        let paths = plan.map(|plan| plan.paths()).unwrap_or_default();
+        let is_single = !paths.iter().any(|path| ["impact.speed", "impact.drop_height", "impact.angle"].contains(path));
+        let angle = input.number(at!("impact.angle")).unwrap_or(0.0);
+        let speed = Some(input.speed() * cos(angle)).filter(|speed| is_single && *speed > 0.0);
+        let mut left_out = left_out(&input);
+        let table = match kind {
+            Kind::Repeat => Some("[repeat] is left out: this is the first impact, on a fresh surface".to_owned()),
+            Kind::Sweep | Kind::MonteCarlo => Some(first_case(&input, kind, &paths)),
+            _ => None,
+        };
+        left_out.splice(0..0, table);
+        let friction = input.number(at!("friction.coefficient"));
+        for key in [
+            at!("gravity.acceleration"),
+            at!("impact.drop_height"),
+            at!("impact.angle"),
+            at!("sphere.spin"),
+            at!("air.density"),
+        ] {
+            input.set(key, None);
+        }
+        let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
+        let contact = input.contact().map_err(failed)?;
+        let ball = match contact.half_space().hold {
+            Hold::Fixed => None,
+            Hold::Ball => contact.half_space().ball_radius(),
+            Hold::Free(_) => {
+                let message = "these lines are for a wall that is fixed, or for two spheres: leave this key out, or give mass = \"ball\" with half_space.radius and half_space.density";
+                return Err(scenario.document.refuse("half_space.mass", message));
+            }
+        };
+        Ok(Self { contact, speed, ball, friction, left_out })
+    }
+}
+
+/// The parts of the motion that the other code has itself.
+fn left_out(input: &Input) -> Vec<String> {
+    let has = |at| input.number(at).is_some();
+    let by_itself = |name: &str| format!("{name} is left out: the simulation has it itself");
+    let mut left_out = Vec::new();
+    if has(at!("impact.angle")) {
+        left_out.push("impact.angle is left out: the speed is the part that is normal to the wall".to_owned());
+    }
+    let keys = [
+        ("sphere.spin", at!("sphere.spin")),
+        ("[gravity]", at!("gravity.acceleration")),
+        ("[air]", at!("air.density")),
+    ];
+    left_out.extend(keys.into_iter().filter(|(_, key)| has(*key)).map(|(name, _)| by_itself(name)));
+    left_out
+}
+
+/// Which of its cases stands for a table.
+fn first_case(input: &Input, kind: Kind, paths: &[&str]) -> String {
+    let key_values = input.key_values();
+    let is_of_bodies = |path: &&&str| !path.starts_with("impact.") && !path.starts_with("solver.");
+    let value = |path: &&str| {
+        let key_values = key_values.iter().find(|key_values| key_values.path == *path)?;
+        Some(format!("{path} = {}", key_values.text()))
+    };
+    let values: Vec<String> = paths.iter().filter(is_of_bodies).filter_map(value).collect();
+    let name = kind.name();
+    if values.is_empty() {
+        return format!("[{name}] is left out");
+    }
+    let which = if kind == Kind::MonteCarlo { "the middle of every range" } else { "the first values" };
+    format!("[{name}] is left out: {which} count, {}", values.join(", "))
+}

@@ -1,0 +1,60 @@
+//! Writes input lines for other codes, so that they give the same rebound as the contact law here, of a sphere from a wall or of
+//! two spheres. The lines hold a constant e at one speed, a spring with this e and the contact time of the law, or a table e(v).
+//!
+//! | model | parameters from e and contact time t of the impact at v |
+//! |---|---|
+//! | damped linear spring | k = m (π² + ln² e)/t², damping from e: the overlap lasts t, and e is the same at every speed |
+//! | damped spring that never pulls (Schwager and Pöschel 2007) | tan φ (π − 2φ) = −ln e, ω = (π − 2φ)/(t cos φ), k = m ω², c = 2 m ω sin φ: the force lasts t; for e > exp(−2) |
+//!
+//! The mass m is the effective mass of two spheres, and the sphere's own on a wall. The peak force of the damped spring follows from
+//! these parameters. It differs from the peak force of the law.
+
+mod exported_contact;
+mod exporter;
+mod springs;
+
+use crate::error::{Error, ErrorKind};
+use crate::impact::Solver;
+use crate::numerics::functions::pow;
+use crate::scenario::Scenario;
+use exported_contact::Bare;
+pub use exporter::{Request, Target};
+pub use springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
+
+/// Rows of a table e(v).
+const POINTS: u32 = 41;
+
+/// The lines for another code, from the bodies and the speed of any scenario of impacts. `command` is the command line, which the
+/// lines name as their origin.
+///
+/// # Errors
+/// [`Error`] for a bad scenario, one without impacts, a missing speed, or a speed without a result or a rebound.
+pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
+    let bare = Bare::new(scenario)?;
+    let speed = request.speed.or(bare.speed).or(request.speeds.map(|(from, _)| from)).ok_or_else(|| {
+        Error::input("the scenario has no single impact speed: give --speed, such as --speed \"3 m/s\"".to_owned())
+    })?;
+    let at = |speed: f64| {
+        let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
+        bare.contact.impact(speed, &Solver::AUTO, None).map_err(failed)
+    };
+    let impact = at(speed)?;
+    if impact.measured_restitution() <= 0.0 {
+        return Err(Error::input(format!("at {speed} m/s the sphere does not rebound, and no spring has e = 0")));
+    }
+    let mut table = Vec::new();
+    if request.target.takes_table() {
+        let (from, to) = request.speeds.unwrap_or((speed / 10.0, 10.0 * speed));
+        for i in 0..POINTS {
+            let share = f64::from(i) / f64::from(POINTS - 1);
+            // the ends are those that were asked for, to the last digit
+            let ends = [(0, from), (POINTS - 1, to)].into_iter().find(|(end, _)| *end == i);
+            table.push(at(ends.map_or_else(|| from * pow(to / from, share), |(_, speed)| speed))?);
+        }
+    } else if request.speeds.is_some() {
+        let message = "--speeds: this code takes one constant e; give --speed, or --to csv";
+        return Err(Error::input(message.to_owned()));
+    }
+    exporter::Head { scenario, bare: &bare, impact: &impact, e: impact.measured_restitution(), command }
+        .lines(request, &table)
+}

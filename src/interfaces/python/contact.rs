@@ -1,0 +1,391 @@
+//! A contact of two bodies, and one of its impacts.
+
+use std::borrow::Cow;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::sync::{Mutex, OnceLock};
+
+use pyo3::exceptions::{PyAttributeError, PyOverflowError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict, PyList};
+
+use super::cases::{self, Contact, Given, SPEED};
+use super::convert::{Numbers, Reduced, exception, from_json, html, source_of, warn, with};
+use super::force::force;
+use super::table::table_of_csv;
+use crate::error::Error;
+use crate::impact;
+use crate::report::pictures;
+use crate::report::run::{at_speed_of, no_result, texts};
+use crate::report::text::overview::overview;
+use crate::report::text::{Detail, table, trace};
+use crate::results::impact::{Single, results};
+use crate::results::{TABLES, fields};
+use crate::scenario::input::Purpose;
+use crate::scenario::keys::interval::expected_notes;
+use crate::scenario::keys::quantity::SAMPLES;
+use crate::scenario::keys::{RestitutionInterval, at, restitution_interval, strength_notes};
+use crate::scenario::{Kind, Scenario, Source};
+use crate::strings::did_you_mean;
+
+/// The name of the contact in messages.
+const NAME: &str = "Contact";
+
+impl Contact {
+    /// The contact, and the warnings about its keys.
+    fn from_source(source: &Source) -> PyResult<(Self, Vec<String>)> {
+        let scenario = Scenario::from_source(NAME, source).map_err(exception)?;
+        if scenario.kind().map_err(exception)? != Kind::Impact {
+            let message = "a Contact has the tables of one impact; use plm_impact.impacts for tables, plm_impact.run for all else";
+            return Err(PyValueError::new_err(message));
+        }
+        let input = if scenario.document.has("impact") {
+            scenario.resolve()
+        } else {
+            // the scenario needs a speed; any speed is right, because it is not used
+            with(&scenario, [format!("{SPEED}=1")]).and_then(|any| any.resolve()).map(|mut input| {
+                input.set(at!("impact.speed"), None);
+                input
+            })
+        };
+        let input = input.map_err(exception)?;
+        let contact = input.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
+        let warnings = texts(&scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
+        Ok((Self { scenario, input, inner: contact, plans: Mutex::default() }, warnings))
+    }
+
+    /// The speed of an impact (m/s).
+    fn speed(&self, speed: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
+        // without a speed the error says what is missing
+        let Some(speed) = speed else { return Ok(self.scenario.resolve().map_err(exception)?.speed()) };
+        match Given::speed(speed)?.check()?.numbers {
+            Numbers { shape, values } if shape.is_empty() && values.len() == 1 => Ok(values[0]),
+            _ => Err(PyTypeError::new_err(format!(
+                "{SPEED}: found {}, expected one number or text; restitution and plm_impact.impacts take arrays",
+                speed.get_type()
+            ))),
+        }
+    }
+
+    /// The contact, with the strength of its own speed if it depends on one.
+    fn of_one_strength(&self) -> PyResult<Cow<'_, impact::Contact>> {
+        let own = at_speed_of(&self.scenario, &self.input, &self.inner).map_err(exception)?;
+        Ok(own.map_or(Cow::Borrowed(&self.inner), Cow::Owned))
+    }
+
+    /// The contact with the strength of an impact at this speed; `None` where it does not depend on the speed.
+    fn own(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
+        let [normal, _] = self.input.approach_at(speed).components();
+        let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
+        own.map_err(|reason| no_result(&self.scenario, &reason))
+    }
+
+    fn computed(
+        &self,
+        own: Option<&impact::Contact>,
+        speed: f64,
+        samples: Option<usize>,
+    ) -> Result<impact::Impact, Error> {
+        let refuse = |reason| no_result(&self.scenario, &reason);
+        let approach = self.input.approach_at(speed);
+        own.unwrap_or(&self.inner).impact(approach, &self.input.solver(), samples).map_err(refuse)
+    }
+}
+
+#[pymethods]
+impl Contact {
+    #[new]
+    #[pyo3(signature = (**tables), text_signature = "(*, sphere, half_space, **tables)")]
+    fn new(py: Python<'_>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let source = tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?;
+        let (contact, warnings) = Self::from_source(&source)?;
+        warn(py, 1, &warnings)?;
+        Ok(contact)
+    }
+
+    /// The coefficient of restitution at these speeds (an array of any shape, a number, or a text with a unit), as in a
+    /// table: by the closed form if there is one, and for many speeds on all cores. A speed that is NaN or not allowed, such as
+    /// one of 0, gives NaN, and a ModelWarning names its index. Elastic waves are not in it; see `restitution_with_waves` of
+    /// `impact` and `impacts`.
+    fn restitution<'py>(&self, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        cases::restitution(self, speed)
+    }
+
+    /// One impact at a speed, which is a number in m/s or a text with a unit. With `samples` it has a trace with
+    /// this number of rows evenly spaced in time, and a row for every event.
+    #[pyo3(signature = (speed=None, *, samples=None))]
+    fn impact(
+        slf: &Bound<'_, Self>,
+        speed: Option<&Bound<'_, PyAny>>,
+        samples: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Impact> {
+        // without a speed it is that of the scenario, which may be that of a fall
+        let falls = speed.is_none();
+        let speed = slf.get().speed(speed)?;
+        let samples = samples.map(whole_number).transpose()?;
+        if let Some(samples) = samples {
+            SAMPLES.check(samples as f64).map_err(|error| PyValueError::new_err(format!("samples: {error}")))?;
+        }
+        let samples = samples.and_then(|samples| samples.try_into().ok());
+        let mut impact = Impact::compute(slf.py(), slf.clone().unbind(), speed, samples)?;
+        if falls {
+            impact.result.warnings.extend(slf.get().input.flight_warnings());
+        }
+        let warnings = [texts(&impact.result.warnings), impact.notes.clone()].concat();
+        warn(slf.py(), 1, &warnings)?;
+        Ok(impact)
+    }
+
+    /// The force of the law (N) at the indentations (m) of any number of contacts, and their memory afterwards. A memory
+    /// has three numbers for each contact: the largest indentation so far (m), the force there (N), and the part of this
+    /// indentation that is recovered on unloading (m). So its shape is that of the indentations and a last axis of 3.
+    /// Zeros, or no memory, are a contact that was never loaded.
+    ///
+    /// The memory belongs to one spot of the surface. Set it to zero when the sphere has left (indentation <= 0), unless
+    /// the sphere comes back to the same spot. Do not do so earlier, where the force ends at the depth of the dent.
+    ///
+    /// The force has no gravity, damping or elastic waves: they are those of the program that moves the spheres. A whole
+    /// loop, in which spheres fall on fresh surface again and again:
+    ///
+    ///     mass, dt = 7850 * 4 / 3 * np.pi * 5e-3**3, 5e-7     # dt: a hundredth of a contact, which takes 60 us here
+    ///     height, speed = np.full(2, 1e-6), np.array([-0.05, -0.02])  # of the lowest point of each sphere (m, m/s)
+    ///     force, memory = contact.force(-height)
+    ///     for step in range(100_000):                         # velocity Verlet
+    ///         speed += 0.5 * dt * (force / mass - 9.81)
+    ///         height += dt * speed
+    ///         force, memory = contact.force(-height, memory)
+    ///         memory[height >= 0] = 0                         # has left: the next contact is a fresh one
+    ///         speed += 0.5 * dt * (force / mass - 9.81)
+    ///
+    /// An indentation or a memory that is not finite, and a memory that no path of this contact leads to, raise ValueError.
+    #[pyo3(signature = (indentation, memory=None))]
+    fn force<'py>(
+        &self,
+        indentation: &Bound<'py, PyAny>,
+        memory: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        force(self.of_one_strength()?.as_ref(), indentation, memory)
+    }
+
+    /// Impact speed above which the half-space yields (m/s); `None` if it cannot yield.
+    #[getter]
+    fn yield_speed_m_per_s(&self) -> PyResult<Option<f64>> {
+        Ok(self.of_one_strength()?.yield_speed())
+    }
+
+    /// Indentation at first yield (m); `None` if it cannot yield.
+    #[getter]
+    fn yield_indentation_m(&self) -> PyResult<Option<f64>> {
+        Ok(self.of_one_strength()?.yields_at().map(|(indentation, _)| indentation))
+    }
+
+    /// Force at first yield (N); `None` if it cannot yield.
+    #[getter]
+    #[pyo3(name = "yield_force_N")]
+    fn yield_force(&self) -> PyResult<Option<f64>> {
+        Ok(self.of_one_strength()?.yields_at().map(|(_, force)| force))
+    }
+
+    /// The name of the law.
+    #[getter]
+    fn _law(&self) -> &'static str {
+        self.input.named_law.about().name
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        let has_speed = |contact: &Self| contact.scenario.document.has("impact");
+        self.input == other.input && has_speed(self) == has_speed(other)
+    }
+
+    fn __hash__(&self) -> u64 {
+        // equal inputs are written alike
+        let mut hasher = DefaultHasher::new();
+        format!("{:?}", self.input).hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        html(slf.as_any(), None)
+    }
+
+    /// The bodies and the law, as `plm-impact check` shows them.
+    fn __repr__(&self) -> String {
+        let lines = overview(&self.input, &self.inner, &expected_notes(&self.input, &self.inner));
+        let lines = lines.lines().filter(|line| !line.starts_with(SPEED) || self.input.speed().is_finite());
+        lines.fold("<plm_impact.Contact>".to_owned(), |text, line| text + "\n" + line)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (String,)> {
+        let texts = serde_json::to_string(&slf.get().scenario.source());
+        Ok((slf.get_type().getattr("_of_texts")?, (texts.map_err(unexpected)?,)))
+    }
+
+    #[staticmethod]
+    fn _of_texts(texts: &str) -> PyResult<Self> {
+        // whoever made the contact had its warnings
+        Ok(Self::from_source(&serde_json::from_str(texts).map_err(unexpected)?)?.0)
+    }
+}
+
+/// A whole number; one that is too large for 64 bits becomes the largest of them, which is then refused by its range.
+fn whole_number(value: &Bound<'_, PyAny>) -> PyResult<i64> {
+    let number = value.extract::<i64>();
+    let is_too_large = |error: &PyErr| error.is_instance_of::<PyOverflowError>(value.py());
+    if number.as_ref().is_err_and(is_too_large) { Ok(i64::MAX) } else { number }
+}
+
+#[allow(clippy::needless_pass_by_value)] // for map_err
+fn unexpected(error: serde_json::Error) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+/// One impact. Its results are attributes with the names of `summary.json`: `impact.restitution`,
+/// `impact.contact_time_s`, `impact.energy` (a dict). `dir(impact)` lists them. A result without a value is `None`; one that
+/// this contact does not have raises AttributeError. `impact.trace` is the trace, computed when it is asked for. A pickled
+/// impact is computed again when it is read.
+#[pyclass(frozen, module = "plm_impact")]
+#[derive(Debug)]
+pub struct Impact {
+    contact: Py<Contact>,
+    result: impact::Impact,
+    /// The contact with the strength of this impact, where that depends on the speed.
+    own: Option<impact::Contact>,
+    samples: Option<usize>,
+    /// The interval of e. It is computed when the first result is asked for, and then serves all results.
+    interval: OnceLock<Option<RestitutionInterval>>,
+    /// Notes for the user on the strength and on the exponent behind e.
+    notes: Vec<String>,
+    /// The impact with a trace, if `result` has none; and the trace as an array. Each is computed when it is asked for first.
+    traced: OnceLock<impact::Impact>,
+    trace: OnceLock<Py<PyAny>>,
+}
+
+impl Impact {
+    fn compute(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+        let holder = contact.get();
+        let computed = || -> Result<_, Error> {
+            let own = holder.own(speed)?;
+            Ok((holder.computed(own.as_ref(), speed, samples)?, own))
+        };
+        let (result, own) = py.detach(computed).map_err(exception)?;
+        let notes = if result.has_dent() {
+            strength_notes(&holder.input, own.as_ref().unwrap_or(&holder.inner), &holder.input.law(), &[])
+        } else {
+            Vec::new()
+        };
+        Ok(Self {
+            contact,
+            result,
+            own,
+            samples,
+            interval: OnceLock::new(),
+            notes,
+            traced: OnceLock::new(),
+            trace: OnceLock::new(),
+        })
+    }
+
+    fn single(&self) -> Single<'_> {
+        let contact = self.contact.get();
+        let own = self.own.as_ref().unwrap_or(&contact.inner);
+        let interval = || restitution_interval(&contact.input, own, self.result.speed, &self.result.essentials);
+        let interval = self.interval.get_or_init(interval).as_ref();
+        let drop_height = contact.input.drop_height();
+        Single { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }
+    }
+
+    /// The impact with a trace. If it has none, it is computed again with a trace.
+    fn traced(&self) -> PyResult<&impact::Impact> {
+        if self.result.trace.is_empty() {
+            if let Some(traced) = self.traced.get() {
+                return Ok(traced);
+            }
+            let contact = self.contact.get();
+            let impact = contact.computed(self.own.as_ref(), self.result.speed, Some(contact.input.samples()));
+            let impact = impact.map_err(exception)?;
+            return Ok(self.traced.get_or_init(|| impact));
+        }
+        Ok(&self.result)
+    }
+}
+
+#[pymethods]
+impl Impact {
+    fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let single = self.single();
+        if let Some(result) = results().iter().find(|result| result.name == name) {
+            let missing = || {
+                PyAttributeError::new_err(match result.condition {
+                    TABLES => format!("{name} is {TABLES}: plm_impact.impacts gives it"),
+                    condition => format!("{name} is there only if {condition}"),
+                })
+            };
+            return from_json(py, &(result.value)(&single).ok_or_else(missing)?);
+        }
+        let there = self.to_dict(py)?;
+        if let Some(group) = there.get_item(name)? {
+            return Ok(group);
+        }
+        let names: Vec<String> = there.keys().extract()?;
+        let hint = did_you_mean(name, names.iter().map(String::as_str), '"', "dir(impact) lists all");
+        Err(PyAttributeError::new_err(format!("an impact has no result \"{name}\"{hint}")))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py, (Py<Contact>, f64, Option<usize>)> {
+        let Self { contact, result, samples, .. } = slf.get();
+        Ok((slf.get_type().getattr("_of_speed")?, (contact.clone_ref(slf.py()), result.speed, *samples)))
+    }
+
+    #[staticmethod]
+    fn _of_speed(py: Python<'_>, contact: Py<Contact>, speed: f64, samples: Option<usize>) -> PyResult<Self> {
+        Self::compute(py, contact, speed, samples)
+    }
+
+    fn __dir__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyList>> {
+        let names = slf.py().import("builtins")?.getattr("object")?.call_method1("__dir__", (slf,))?;
+        let names = names.cast_into::<PyList>()?;
+        for name in slf.get().to_dict(slf.py())?.keys() {
+            names.append(name)?;
+        }
+        Ok(names)
+    }
+
+    /// All results by name, as in `summary.json`.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let value = serde_json::to_value(fields(&results(), &self.single()));
+        let value = value.map_err(unexpected)?;
+        Ok(from_json(py, &value)?.cast_into::<PyDict>()?)
+    }
+
+    /// The trace: a read-only structured array with the columns of `trace.csv`.
+    #[getter]
+    fn trace<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        if let Some(array) = self.trace.get() {
+            return Ok(array.bind(py).clone());
+        }
+        let csv = py.detach(|| trace(self.traced()?).map_err(exception))?;
+        let array = table_of_csv(py, &csv)?.call_method0("to_numpy")?;
+        // every access gives the same array
+        array.call_method1("setflags", (false,))?;
+        let array = array.unbind();
+        Ok(self.trace.get_or_init(|| array).bind(py).clone())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<plm_impact.Impact>\n{}", table(&self.single(), Detail::Usual).trim_end())
+    }
+
+    /// The picture of the force against the indentation, as PNG.
+    #[getter]
+    fn picture<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let picture = py.detach(|| {
+            let caption = pictures::caption::caption(&self.contact.get().input, &[]);
+            let drawn = pictures::force_indentation(self.traced()?).map_err(exception)?;
+            Ok::<_, PyErr>(drawn.with_caption(caption).to_png().map_err(exception))
+        });
+        Ok(PyBytes::new(py, &picture??))
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        html(slf.as_any(), Some(slf.get().picture(slf.py())?))
+    }
+}

@@ -1,0 +1,131 @@
+//! Runs a scenario of any kind, as the command does.
+
+use std::path::PathBuf;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyBytes, PyDict, PyMapping, PyType};
+
+use super::convert::{exception, overrides, python, source_of, unreadable, warn};
+use super::rows::{failures, of_plan, values};
+use super::table::{of_values, table as table_of};
+use super::workers::{append, interruptible, reserved};
+use crate::files::{Counter, OutputFile};
+use crate::report::chart::Pictures;
+use crate::report::run::{Outcome, RunOptions, at_once, table};
+use crate::report::text::Detail;
+use crate::scenario::Scenario;
+
+/// The name of measurements that are arrays, in messages.
+const DATA: &str = "data";
+
+/// Runs a scenario from a file or from a dict of the same form, such as `run("scenarios/steel-on-steel.toml")`. The keys in
+/// `set` replace those of the scenario: `set={"impact.speed": "2 m/s", "law": "thornton"}`. No file is written. Drawing the
+/// pictures takes most of the time: leave them out by `pictures=False`.
+///
+/// Raises ValueError for a bad scenario, with file, line, key, value and what is allowed; NoSuchFile, which is a
+/// FileNotFoundError too, for a missing file; RuntimeError for a run that fails. Warnings are one ModelWarning.
+#[pyfunction]
+#[pyo3(signature = (scenario, /, *, set=None, pictures=true))]
+pub fn run<'py>(
+    py: Python<'py>,
+    scenario: &Bound<'py, PyAny>,
+    set: Option<&Bound<'py, PyMapping>>,
+    pictures: bool,
+) -> PyResult<Bound<'py, PyAny>> {
+    run_scenario(py, &scenario_of(scenario, overrides(set)?)?, pictures)
+}
+
+/// Finds keys of a scenario from measurements, as `plm-impact calibrate` does.
+///
+/// `data` takes the place of the file of measurements. It is a dict of arrays, a table of this module, or a DataFrame of
+/// pandas or polars, a table of Arrow. Its columns have the names that such a file has (`speed_m_per_s`, `restitution`,
+/// `restitution_sd`); NaN stands for what was not measured. A line k in the results is element k - 2: line 1 has the names.
+///
+///     found = calibrate("scenarios/calibrate-ball-drop.toml", {"drop_height_mm": [50, 100], "rebound_height_mm": [22.0, 45.1]})
+///     found.summary, found.tables["residuals"]
+///
+/// `pictures=False` leaves the pictures out, as in `run`: a bootstrap needs none. Errors are those of `run`.
+#[pyfunction]
+#[pyo3(signature = (scenario, data=None, /, *, set=None, pictures=true))]
+pub fn calibrate<'py>(
+    py: Python<'py>,
+    scenario: &Bound<'py, PyAny>,
+    data: Option<&Bound<'py, PyAny>>,
+    set: Option<&Bound<'py, PyMapping>>,
+    pictures: bool,
+) -> PyResult<Bound<'py, PyAny>> {
+    let mut overrides = overrides(set)?;
+    let Some(data) = data else { return run_scenario(py, &scenario_of(scenario, overrides)?, pictures) };
+    overrides.push(format!("calibrate.data={DATA}"));
+    let csv = python(py, "csv_of")?.call1((data,))?.extract()?;
+    let scenario = scenario_of(scenario, overrides)?.with_data(csv);
+    run_scenario(py, &scenario, pictures).map_err(|error| of_element(py, error))
+}
+
+/// A scenario that is given as a path or a dict.
+fn scenario_of(path_or_tables: &Bound<'_, PyAny>, overrides: Vec<String>) -> PyResult<Scenario> {
+    let scenario = match path_or_tables.cast::<PyMapping>() {
+        Ok(tables) => {
+            let source = source_of(tables)?;
+            Scenario::from_text("scenario", &source.text, &[source.overrides, overrides].concat())
+        }
+        Err(_) => Scenario::load(&path_or_tables.extract::<PathBuf>()?, &overrides),
+    };
+    scenario.map_err(|error| unreadable(path_or_tables.py(), error))
+}
+
+/// The error of a line of measurements that are arrays: it names the element.
+fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
+    let text = error.value(py).to_string();
+    let parts = text.strip_prefix(DATA).and_then(|rest| rest.strip_prefix(':')?.split_once(':'));
+    match parts.and_then(|(line, rest)| Some((line.parse::<usize>().ok()?, rest))) {
+        Some((1, rest)) => PyValueError::new_err(format!("{DATA}:{rest}")),
+        Some((line, rest)) => PyValueError::new_err(format!("{DATA}, element {}:{rest}", line.saturating_sub(2))),
+        None => error,
+    }
+}
+
+fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> PyResult<Bound<'py, PyAny>> {
+    let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
+    let made = interruptible(py, |progress| at_once(scenario, Some(&options(&command, pictures, progress))))?
+        .map_err(exception)?;
+    if let Some(mut made) = made {
+        made.warnings.extend(made.contradiction.take());
+        warn(py, 1, &[made.warnings.as_slice(), &made.notes].concat())?;
+        return outcome(py, made, None);
+    }
+    let plan = scenario.plan().map_err(exception)?;
+    let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
+    let named = of_plan(&plan);
+    let mut columns = reserved(rows, &vec![1; named.len()])?;
+    let made = interruptible(py, |progress| {
+        let take = |piece| append(&mut columns, piece);
+        let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
+        table::outcome(scenario, &plan, &tally, &options(&command, pictures, progress), None)
+    });
+    let made = made?.map_err(exception)?;
+    let failed = failures(columns.last().map_or(&[], Vec::as_slice));
+    warn(py, 1, &made.warnings.iter().chain(&made.notes).cloned().chain(failed).collect::<Vec<_>>())?;
+    outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
+}
+
+fn options<'a>(command: &'a str, pictures: bool, progress: &'a Counter) -> RunOptions<'a> {
+    let pictures = if pictures { Pictures::Png } else { Pictures::None };
+    RunOptions { command, detail: Detail::Usual, pictures, progress }
+}
+
+/// A `plm_impact.Outcome`.
+fn outcome<'py>(
+    py: Python<'py>,
+    Outcome { warnings, text, files, .. }: Outcome,
+    table: Option<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    static OUTCOME: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let named = PyDict::new(py);
+    for OutputFile { name, bytes } in files {
+        named.set_item(name, PyBytes::new(py, &bytes))?;
+    }
+    OUTCOME.import(py, "plm_impact", "Outcome")?.call1((warnings, text, named, table))
+}

@@ -1,0 +1,50 @@
+//! The keys and the materials, for a form.
+
+use serde_json::{Map, Value, json};
+
+use crate::materials::{MaterialEntry, Property, all};
+use crate::report::pictures::title_of;
+use crate::report::text::materials::one;
+use crate::scenario::input::{Body, EITHER};
+use crate::scenario::keys::words::LAWS;
+use crate::scenario::keys::{At, EVERY_KEY, Form, NUMBER, Words};
+
+/// The keys whose value is a number or a word: path, title, meaning, default, an example, the unit of a number that is written
+/// without one, the words that may be chosen, and the key in whose place it may stand.
+pub fn fields() -> Value {
+    let law = json!({ "path": "law", "title": "Law", "about": "The contact law.", "default": "plm", "words": (LAWS.known)() });
+    let keys = EVERY_KEY.iter().filter(|key| !key.path.contains("[]")).filter_map(|key| {
+        let (example, unit, words) = match key.form {
+            Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
+                (quantity.example.trim_matches('"'), quantity.dimension.si_unit(), None)
+            }
+            Form::Word(Words { known, .. }) => ("", "", Some(known())),
+            _ => return None,
+        };
+        let pair = EITHER.iter().find(|[_, other]| *other == key.path);
+        Some(json!({
+            "path": key.path,
+            "title": title_of(key.path),
+            "about": key.about,
+            "default": key.default.replace(['"', '`'], ""),
+            "example": example,
+            "unit": unit,
+            "words": words,
+            "instead": pair.map(|[one, _]| one)
+        }))
+    });
+    keys.chain([law]).collect()
+}
+
+/// The materials: name, what each is, the keys that take a value from it, with that value as it is written, and its page.
+pub fn materials() -> Value {
+    let entry = |entry: &MaterialEntry| {
+        let defaults = Body::ALL.into_iter().flat_map(Body::defaults);
+        let written = |(at, property): (At<NUMBER>, Property)| {
+            Some((at.path().to_owned(), json!(entry.get(property)?.used.text)))
+        };
+        let values: Map<_, _> = defaults.filter_map(written).collect();
+        json!({ "name": entry.name, "title": entry.title, "values": values, "page": one(entry) })
+    };
+    all().iter().map(entry).collect()
+}

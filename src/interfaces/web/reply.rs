@@ -1,0 +1,103 @@
+//! The result of a scenario as JSON, with its files. An impact has a curve beside it: e against its speed or its drop height, with the
+//! impact as a point on the curve.
+
+use serde_json::{Map, Value, json};
+
+use crate::error::Error;
+use crate::files::{Counter, OutputFile};
+use crate::numerics::functions::log10;
+use crate::report::chart::{Pictures, Series, Style};
+use crate::report::pictures::sweep::pictures;
+use crate::report::run::{Outcome, RunOptions, at_once, impact, table};
+use crate::report::text::Detail;
+use crate::scenario::keys::at;
+use crate::scenario::plan::Plan;
+use crate::scenario::{Kind, Scenario};
+use crate::table::Tally;
+use crate::table::format::csv::Csv;
+use crate::units::four_digits;
+
+/// The most rows of a table, which is held in memory.
+const MOST_ROWS: u64 = 100_000;
+const POINTS: usize = 601;
+/// The decades of the curve below, and also above, the power of ten at or below the impact.
+const DECADES: f64 = 2.0;
+
+/// Runs a scenario of any kind.
+pub fn run(scenario: &Scenario, pictures: Pictures) -> Result<Value, Error> {
+    let kind = scenario.kind()?;
+    let command = format!("{} in a web page: run {}", env!("CARGO_PKG_NAME"), scenario.document.name());
+    let options = RunOptions { command: &command, detail: Detail::Whole, pictures, progress: &Counter::default() };
+    let Outcome { warnings, text, files, contradiction, .. } = match at_once(scenario, Some(&options))? {
+        Some(outcome) => outcome,
+        None => of_table(scenario, &options)?,
+    };
+    let curve = if kind == Kind::Impact { curve(scenario, pictures)? } else { None };
+    Ok(json!({
+        "kind": kind.name(),
+        "warnings": warnings,
+        "text": text,
+        "contradiction": contradiction,
+        "files": texts(files),
+        "curve": curve
+    }))
+}
+
+fn of_table(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
+    let plan = scenario.plan()?;
+    let rows = plan.count();
+    if rows > MOST_ROWS {
+        let key = if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" };
+        let message =
+            format!("a table of {rows} rows: a page computes at most {MOST_ROWS}; ask for fewer, or use the command");
+        return Err(scenario.document.refuse(key, message));
+    }
+    let (csv, tally) = rows_of(&plan)?;
+    let table = OutputFile { name: "table.csv".to_owned(), bytes: csv };
+    table::outcome(scenario, &plan, &tally, options, Some(table))
+}
+
+/// The picture in this format, and its points as CSV; `None` for a sphere that is released at first touch.
+fn curve(scenario: &Scenario, format: Pictures) -> Result<Option<Value>, Error> {
+    let (input, _, impact) = impact::compute(scenario, None)?;
+    let (key, at) = match input.number(at!("impact.drop_height")) {
+        Some(height) => ("impact.drop_height", height),
+        None => ("impact.speed", input.speed()),
+    };
+    if at <= 0.0 {
+        return Ok(None);
+    }
+    let decade = log10(at).floor();
+    let axis =
+        format!("sweep.\"{key}\"={{ logspace = [1e{}, 1e{}], points = {POINTS} }}", decade - DECADES, decade + DECADES);
+    let source = scenario.source();
+    let swept = Scenario::from_text(scenario.document.name(), &source.text, &[axis])?;
+    let mut plan = swept.plan()?;
+    plan.columns = Some(vec!["restitution"]);
+    let drawn = pictures(&plan, &Tally::new(&plan)).into_iter().next();
+    drawn
+        .map(|(_, mut chart)| {
+            let point = Series::points("this impact", vec![(at, impact.restitution)]).styled(Style::BLACK);
+            let point = point.and(format!("e = {}", four_digits(impact.restitution)));
+            chart.panels.iter_mut().for_each(|panel| panel.series.push(point.clone()));
+            "Restitution of the same bodies".clone_into(&mut chart.title);
+            let mut files: Vec<OutputFile> = format.file("restitution", &chart)?.into_iter().collect();
+            files.push(OutputFile { name: "restitution.csv".to_owned(), bytes: rows_of(&plan)?.0 });
+            Ok(texts(files))
+        })
+        .transpose()
+}
+
+/// The table as CSV, and what its rows add up to.
+fn rows_of(plan: &Plan) -> Result<(Vec<u8>, Tally), Error> {
+    let form = Csv::new(plan);
+    let mut text = (plan.column_names().join(",") + "\n").into_bytes();
+    let tally = table::rows(plan, &Counter::default(), |rows| form.lines(rows), |piece| text.extend(piece))?;
+    Ok((text, tally))
+}
+
+/// The texts of files, by their names.
+fn texts(files: Vec<OutputFile>) -> Value {
+    let text = |file: OutputFile| (file.name, String::from_utf8_lossy(&file.bytes).into());
+    Value::Object(files.into_iter().map(text).collect::<Map<_, _>>())
+}

@@ -1,0 +1,125 @@
+//! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`; with drag it
+//! alone has its own rates.
+
+use super::{Dragged, DraggedState, Field};
+use crate::numerics::functions::pow;
+use crate::numerics::ode::{Drag, Path};
+use crate::numerics::power::power_turn;
+
+/// Without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1; m = 4 for Hertz.
+#[derive(Debug, Clone, Copy)]
+pub struct Power<const HERTZ: bool, const PULLED: bool> {
+    pub c: f64,
+    m: f64,
+    /// γ; not used without gravity.
+    pull: f64,
+}
+
+impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
+    #[inline(always)]
+    pub fn new(k: f64, n: f64, pull: f64) -> Self {
+        Self { c: 2.0 * k, m: 2.0 * n + 1.0, pull }
+    }
+
+    /// m, which the compiler knows for Hertz.
+    #[inline(always)]
+    fn m(self) -> f64 {
+        if HERTZ { 4.0 } else { self.m }
+    }
+}
+
+impl<const HERTZ: bool, const PULLED: bool> Field for Power<HERTZ, PULLED> {
+    const IS_TIME: bool = false;
+    const IS_POLYNOMIAL: bool = HERTZ;
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        Self { c: self.c * factor, pull: self.pull * factor, ..self }
+    }
+    #[inline(always)]
+    fn g(self, y: f64) -> f64 {
+        let square = y * y;
+        let power = if HERTZ { square * square } else { pow(y.abs(), self.m) };
+        let force = self.c * power;
+        if PULLED { 2.0 * self.pull * y - force } else { -force }
+    }
+    #[inline(always)]
+    fn derivatives(self, y: f64) -> (f64, f64) {
+        let (slope, second) = if HERTZ {
+            let second = self.c * (y * y) * -12.0;
+            (second * y * (1.0 / 3.0), second)
+        } else {
+            let second = -self.c * self.m * (self.m - 1.0) * pow(y.abs(), self.m - 2.0);
+            (second * y / (self.m - 1.0), second)
+        };
+        (if PULLED { slope + 2.0 * self.pull } else { slope }, second)
+    }
+    /// c y^(m+1)/(m+1) − γ y².
+    #[inline(always)]
+    fn potential(self, y: f64) -> f64 {
+        if HERTZ && !PULLED {
+            let square = y * y;
+            return 0.2 * self.c * square * square * y;
+        }
+        let q = self.m() + 1.0;
+        let of_force = self.c / q * pow(y.abs(), q);
+        if PULLED { of_force - self.pull * y * y } else { of_force }
+    }
+    #[inline(always)]
+    fn at_potential(self, potential: f64) -> f64 {
+        if PULLED {
+            // potential = k d^(n+1)/(n+1) − γ d
+            let (n, k) = (0.5 * (self.m() - 1.0), 0.5 * self.c);
+            power_turn(k, n, potential.max(0.0), self.pull).sqrt()
+        } else {
+            let q = self.m() + 1.0;
+            pow(q * potential / self.c, 1.0 / q)
+        }
+    }
+    /// Where the pull is stronger than the force, the first step follows from the pull.
+    #[inline(always)]
+    fn stiffness(self, y: f64) -> f64 {
+        let slope = self.derivatives(y).0;
+        if PULLED { 4.0 * self.pull - slope } else { -slope }
+    }
+}
+
+/// Hertz's law with drag, r = d^(1/m); the drag holds χ, η √(k n) and θ k n.
+#[derive(Debug, Clone, Copy)]
+pub struct DraggedHertz<const M: u8> {
+    pub k: f64,
+    pub drag: Drag,
+    pub pull: f64,
+}
+
+impl<const M: u8> DraggedHertz<M> {
+    /// The piece k d^1.5 with the pull and the drag of a path.
+    pub fn along(k: f64, path: &Path) -> Self {
+        let (Drag { chi, eta, theta }, slope) = (path.drag, 1.5 * k);
+        Self { k, drag: Drag { chi, eta: eta * slope.sqrt(), theta: theta * slope }, pull: path.pull }
+    }
+}
+
+impl<const M: u8> Dragged for DraggedHertz<M> {
+    const ROOT: i32 = M as i32;
+    #[inline(always)]
+    fn rates(&self, y: f64, u: f64) -> DraggedState {
+        let square = y * y;
+        if M == 2 {
+            // per 2 s: k s³, and θ k n s; η would need the root of s
+            let (clock, force) = (y * 2.0, self.k * 2.0 * square * square);
+            let mut drag = force * self.drag.chi * u;
+            if self.drag.theta != 0.0 {
+                drag += 2.0 * self.drag.theta * square * u;
+            }
+            [u, clock * self.pull - force - drag, clock, drag * u]
+        } else {
+            let clock = square * 4.0 * y;
+            let force = clock * self.k * square * square * square;
+            let mut drag = (force * self.drag.chi + clock * self.drag.eta * y) * u;
+            if self.drag.theta != 0.0 {
+                drag += clock * self.drag.theta * square * u;
+            }
+            [u, clock * self.pull - force - drag, clock, drag * u]
+        }
+    }
+}

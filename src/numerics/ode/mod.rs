@@ -1,0 +1,133 @@
+//! Integrators for one smooth piece of motion, d'' = γ − g(d) − drag(d, d'), landed on its end.
+//!
+//! Nothing here knows bodies, laws or units. Of contact mechanics only this is used: a force grows along a piece, and drag
+//! depends on that force or on its slope. A piece is a power law g = k d^n measured from its zero, a straight line, or any
+//! other smooth force. A [`Path`] is the way along a piece, with the pull γ and the drag that act there. An [`Integrator`]
+//! carries a state to the end of the path: to a given distance, to zero speed, to zero contact force, or near to rest. The
+//! state lands *on* the end, so that no step crosses a kink.
+
+mod damped_oscillator;
+pub mod damped_stepper;
+mod dense_output;
+mod dop853;
+mod equations;
+mod event;
+mod landing;
+mod leg;
+mod nystrom;
+pub mod ode_solvers;
+pub mod rk8;
+
+use thiserror::Error;
+
+pub use leg::{Arrival, Drag, Landing, Leg, Path, Rest, Sizes, State};
+
+/// The cost of an integration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Effort {
+    pub steps: u64,
+    pub rejected: u64,
+    pub force_evaluations: u64,
+}
+
+impl std::ops::Add for Effort {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            steps: self.steps + other.steps,
+            rejected: self.rejected + other.rejected,
+            force_evaluations: self.force_evaluations + other.force_evaluations,
+        }
+    }
+}
+
+/// Most steps of a leg, accepted and rejected. Only with a drag of hundreds of times the critical one are more needed: explicit
+/// steps are then no longer than the fast decay, and the creep lasts as long as the slow decay. The ratio of the two grows
+/// with the square of the drag.
+pub(crate) const MOST_STEPS: u64 = 100_000;
+
+/// Why an integration stopped. Times and steps are dimensionless.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum IntegrationError {
+    /// The step became too small to advance.
+    #[error("step size underflow: a step is too small to move the sphere; loosen the tolerance or use another method")]
+    StepUnderflow { time: f64, step: f64 },
+    /// More steps than any impact needs.
+    #[error(
+        "no end of the contact within {steps} steps; loosen the tolerance, or use method = \"auto\", which takes the closed form where there is one"
+    )]
+    TooManySteps { steps: u64 },
+    /// More steps of fixed length than any impact needs.
+    #[error(
+        "no end of the contact within {steps} fixed steps, because the contact lasts much longer than without damping; use method = \"rk8\""
+    )]
+    TooManyFixedSteps { steps: u64 },
+    /// Fixed steps that are too long to follow the contact.
+    #[error(
+        "the fixed steps are too long for this contact: verlet passes it in {steps} steps and finds a restitution of {restitution:.3}; raise solver.steps_per_contact, or use another method than verlet"
+    )]
+    CoarseSteps {
+        /// Steps in contact.
+        steps: u64,
+        /// e of the run.
+        restitution: f64,
+    },
+    /// A strain rate that does not settle.
+    #[error(
+        "strain rate and strength do not settle within {rounds} rounds, because the strength rises too steeply with the rate; lower the sensitivity to the rate of strain"
+    )]
+    UnsettledRate { rounds: u64 },
+    /// More steps of friction than any impact needs.
+    #[error(
+        "friction needs more than {steps} steps in this contact; lower the coefficient of friction, or leave out angle and spin"
+    )]
+    TooManyFrictionSteps { steps: u64 },
+    /// A motion damped far beyond critical, which creeps, or whose fast decay leaves only tiny steps.
+    #[error(
+        "no end of the contact within {steps} steps: it is damped so strongly that it creeps, or that steps are no longer than the fast decay; lower the damping, whose unit may be mistaken"
+    )]
+    Creeping { steps: u64 },
+    #[error("the state became infinite or not a number")]
+    NotFinite { time: f64 },
+}
+
+/// A stretch of a motion with its continuous solution: the state at any time of the stretch. Times are absolute, distances
+/// those of the leg.
+pub struct Segment {
+    pub end: f64,
+    at: Box<dyn Fn(f64) -> State + Send + Sync>,
+}
+
+impl Segment {
+    pub(crate) fn new(end: f64, at: impl Fn(f64) -> State + Send + Sync + 'static) -> Self {
+        Self { end, at: Box::new(at) }
+    }
+
+    /// The state at a time of the stretch.
+    pub fn at(&self, time: f64) -> State {
+        (self.at)(time)
+    }
+}
+
+impl std::fmt::Debug for Segment {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Segment").field("end", &self.end).finish_non_exhaustive()
+    }
+}
+
+/// Carries a state along smooth pieces.
+pub trait Integrator {
+    /// From `state` to where the path ends; `state` is then that landing: distance equal to the end, or speed zero, exactly.
+    /// The continuous solution is appended to `track`; it changes neither the steps nor the [`Effort`].
+    ///
+    /// # Errors
+    /// [`IntegrationError`] if the step underflows, the steps run out, or the state is not finite.
+    fn traverse(
+        &mut self,
+        path: &Path,
+        state: &mut State,
+        track: Option<&mut Vec<Segment>>,
+    ) -> Result<Arrival, IntegrationError>;
+
+    fn work(&self) -> Effort;
+}

@@ -1,0 +1,91 @@
+//! Reference data that checks, comparisons and pictures show beside the laws: finite-element results of this project for the
+//! five material cases of Xie et al. (2024), for half-spaces that harden and for whole impacts; measured rebound hardness,
+//! bounces and oblique rebounds. The head of each table in `src/reference` says where it comes from, how it was
+//! obtained and its error, and explains its columns, whose names have their unit.
+
+pub mod hardening;
+pub mod loading;
+pub mod quasi_static;
+
+use std::collections::BTreeMap;
+
+use crate::error::Error;
+
+/// Name of the quasi-static finite elements in reports.
+pub const STATIC: &str = "finite elements, CalculiX 2.20, src/reference/fe_*.csv";
+/// Name of the finite elements of whole impacts in reports.
+pub const DYNAMIC: &str = "explicit finite elements, src/reference/fe_dynamic.csv";
+
+/// A table that is compiled in: its name and its text.
+#[derive(Debug, Clone, Copy)]
+pub struct Table(&'static str, &'static str);
+
+macro_rules! table {
+    ($file:literal) => {
+        Table($file, include_str!($file))
+    };
+}
+
+/// Whole impacts by explicit finite elements, and their curves.
+pub const IMPACTS: Table = table!("fe_dynamic.csv");
+pub const CURVES_OF_IMPACTS: Table = table!("fe_dynamic_curves.csv");
+/// Whole impacts on half-spaces whose strength rises with the strain rate.
+pub const RATED_IMPACTS: Table = table!("fe_rate.csv");
+/// Full unloadings on half-spaces that do not harden, their curves, and full unloadings on those that harden.
+pub const UNLOADINGS: Table = table!("fe_unloading.csv");
+pub const CURVES_OF_UNLOADINGS: Table = table!("fe_unloading_curves.csv");
+pub const HARDENING: Table = table!("fe_hardening.csv");
+/// Load cycles in which the sphere yields, alone or with the half-space.
+pub const YIELDING: Table = table!("fe_yielding.csv");
+/// Impact devices after Leeb with what they show on two test blocks, and the ranges of hardness and strength of steels.
+pub const DEVICES: Table = table!("leeb.csv");
+pub const STEELS: Table = table!("leeb_tensile.csv");
+/// Times between the bounces of a table-tennis ball; the height stands in the first line of a drop.
+pub const CLICKS: Table = table!("../../scenarios/clicks.csv");
+/// Oblique rebounds: measured, and by finite elements.
+pub const REBOUNDS: Table = table!("kharaz.csv");
+pub const SLIPS: Table = table!("fe_oblique.csv");
+
+/// A row of a table: its cells by the names of their columns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row(BTreeMap<String, String>);
+
+impl Table {
+    /// Its rows.
+    ///
+    /// # Errors
+    /// [`Error`] if the table is damaged.
+    pub fn rows(&self) -> Result<Vec<Row>, Error> {
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(self.1.as_bytes());
+        let rows = reader.deserialize().map(|row| row.map(Row)).collect::<Result<_, csv::Error>>();
+        rows.map_err(|error| damaged(self.0, &error.to_string()))
+    }
+}
+
+impl Row {
+    /// The text of a cell; empty if the cell does not exist.
+    pub fn text(&self, column: &str) -> &str {
+        self.0.get(column).map_or("", String::as_str)
+    }
+
+    /// The number in a cell; `None` where it is empty.
+    pub fn maybe(&self, column: &str) -> Option<f64> {
+        self.text(column).parse().ok()
+    }
+
+    /// The number in a cell; NaN if the cell holds no number.
+    pub fn number(&self, column: &str) -> f64 {
+        self.maybe(column).unwrap_or(f64::NAN)
+    }
+
+    /// The keys of a scenario that the row gives: the columns whose names have a dot.
+    pub fn keys(&self) -> Vec<String> {
+        let is_key = |(name, cell): &(&String, &String)| name.contains('.') && !cell.is_empty();
+        self.0.iter().filter(is_key).map(|(name, cell)| format!("{name}={cell}")).collect()
+    }
+}
+
+/// The error of a damaged table; the tables are compiled in.
+pub(crate) fn damaged(table: &str, problem: &str) -> Error {
+    Error::failed(format!("reference table {table}: {problem}"))
+}

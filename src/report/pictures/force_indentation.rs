@@ -1,0 +1,75 @@
+//! Force against the approach, and against the indentations of sphere and half-space, during loading and unloading: the
+//! loops of Xie et al. (2024), Figs. 8 and 12.
+
+use super::loops;
+use crate::error::Error;
+use crate::impact::{Event, Impact};
+use crate::numerics::functions::atan2;
+use crate::report::chart::{Axis, Chart, DOTTED, GREY, INK, Mark, Series, Style};
+use crate::units::{Dimension, four_digits, quantity};
+
+/// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
+pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
+    let trace = &impact.trace;
+    let peak = (impact.peak_indentation, impact.force_at_peak_indentation);
+    let ink = |mark| Style::marker(mark, INK);
+    let to_peak = Style::line(GREY, 1.5);
+    let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
+    let branches = loops::of_impact(impact)
+        .ok_or_else(|| Error::failed("force against indentation needs a trace: run the impact with samples"))?;
+    let (drawn, of_sphere) = loops::arranged(&branches);
+    series.extend(drawn);
+    if is_damped(impact) {
+        let of_law = trace.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
+        // the other curves include the damping
+        let name = Series::line("force of the law", of_law.collect()).and("without damping, against δ");
+        series.push(name.styled(Style::line(INK, 2.5).dashed(DOTTED)));
+    }
+    let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));
+    let points: Vec<_> = at(Event::Yield).collect();
+    series.extend((!points.is_empty()).then(|| Series::points("First yield", points).styled(ink(Mark::Diamond))));
+    let length = |name: &str, value| format!("{name} = {}", quantity(value, Dimension::Length));
+    let turning = Series::points(peak_name(impact), vec![peak]).styled(ink(Mark::Square));
+    series.push(turning.and(force_at_peak(impact)).and(length("δₘ", impact.peak_indentation)));
+    if impact.has_dent() {
+        let residual = impact.residual_indentation;
+        let dent = Series::points("Residual indentation", vec![(residual, 0.0)]).styled(ink(Mark::Inverted));
+        series.push(dent.and(length("δᵣ", residual)));
+    }
+    let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
+    let y = Axis::linear("Force", "N").between(0.0, 1.08 * impact.peak_force);
+    // without dent and damping, unloading lies on loading
+    let has_two = impact.has_dent() || is_damped(impact);
+    let branches: &[&str] = if has_two { &["loading", "unloading"] } else { &["loading and unloading"] };
+    let chart = Chart::new(title(impact), [x, y], series).with_branches(branches);
+    Ok(loops::with_sphere(chart, of_sphere))
+}
+
+pub(in crate::report) fn is_damped(impact: &Impact) -> bool {
+    impact.under_forces.is_some_and(|under| under.damping_loss.is_some())
+}
+
+/// The name of the turning point. With damping it is not the peak of the force, which is largest before it.
+pub(in crate::report) fn peak_name(impact: &Impact) -> &'static str {
+    if is_damped(impact) { "Deepest point" } else { "Peak" }
+}
+
+/// The force at the turning point. It is the peak force F_m only without damping.
+pub(in crate::report) fn force_at_peak(impact: &Impact) -> String {
+    let force = quantity(impact.force_at_peak_indentation, Dimension::Force);
+    if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
+}
+
+/// The title of the pictures of one impact: whole speed, angle and normal restitution.
+pub(in crate::report) fn title(impact: &Impact) -> String {
+    let first = impact.trace.first();
+    let friction = first.and_then(|row| Some((row.speed, row.friction?.tangential_speed)));
+    let angle = friction.map_or_else(String::new, |(normal, along)| {
+        format!(" and {}°", four_digits(atan2(along, normal).to_degrees()))
+    });
+    let end = match impact.captured() {
+        Some(_) => "captured".to_owned(),
+        None => format!("restitution e = {}", four_digits(impact.restitution)),
+    };
+    format!("Impact at {}{angle}: {end}", quantity(impact.speed, Dimension::Speed))
+}

@@ -1,0 +1,33 @@
+//! Friction force, slip speed and spin of an oblique impact against time, in three boxes one above the other.
+
+use super::force_indentation::title;
+use crate::impact::Impact;
+use crate::impact::oblique::FrictionState;
+use crate::report::chart::{Axis, Chart, GREY, INK, Panel, Series, Style, extremes};
+use crate::units::{Dimension, quantity};
+
+/// The picture of friction; `None` for an impact without an angle, a spin, or a trace.
+pub fn friction(impact: &Impact) -> Option<Chart> {
+    let rows: Vec<(f64, FrictionState)> =
+        impact.trace.iter().filter_map(|row| Some((row.time, row.friction?))).collect();
+    let (_, last) = rows.last()?;
+    let panel = |name: &str, unit: &str, number: usize, value: fn(&FrictionState) -> f64, note: Option<String>| {
+        let points: Vec<(f64, f64)> = rows.iter().map(|(time, row)| (*time, value(row))).collect();
+        let (low, high) = extremes(points.iter().map(|at| at.1).chain([0.0]));
+        let margin = 0.08 * (high - low);
+        let mut series = Series::line(name, points).styled(Style::new(number).solid());
+        series.texts.extend(note);
+        let mut panel = Panel::new(Axis::linear(name, unit).between(low - margin, high + margin), vec![series]);
+        panel.guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
+        panel
+    };
+    let after = |value, dimension| Some(format!("{} at the end", quantity(value, dimension)));
+    let panels = vec![
+        panel("Friction", "N", 3, |row| row.friction_force, None),
+        panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, Dimension::Speed)),
+        panel("Spin", "rad/s", 2, |row| row.spin, after(last.spin, Dimension::AngularSpeed)),
+    ];
+    let x = Axis::linear("Time", "s").between(0.0, 1.03 * impact.duration());
+    let peak = Series::vertical(impact.loading_time, "deepest point").styled(Style::line(GREY, 2.0));
+    Some(Chart::stacked(title(impact), x, panels).with_guides([peak]))
+}

@@ -1,0 +1,77 @@
+//! Force against indentation of slow contacts. For one half-space: the approach, and the indentations of sphere and
+//! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13.
+
+use super::loops::{self, Branches};
+use crate::contact::law::Branch;
+use crate::impact::indentation::{IndentationRow, Tested};
+use crate::report::chart::{Axis, Chart, Series};
+use crate::units::{Dimension, quantity};
+
+pub fn indentation(tested: &[Tested]) -> Chart {
+    let branches = |one: &Tested| branches(&one.indentation.trace);
+    let (series, of_sphere) = match tested {
+        [one] => loops::arranged(&branches(one)),
+        several => {
+            let one_loop = |(i, one): (usize, &Tested)| {
+                let name = one.specimen.name.as_deref().unwrap_or_default();
+                loops::series(name, loops::style(i, 4.0), &branches(one), 0)
+            };
+            (several.iter().enumerate().flat_map(one_loop).collect(), Vec::new())
+        }
+    };
+    let rows = || tested.iter().flat_map(|one| &one.indentation.trace);
+    let strongest = rows().map(|row| row.force).fold(0.0, f64::max);
+    let deepest = rows().map(|row| row.indentation).fold(0.0, f64::max);
+    let unloads = rows().any(|row| !is_loading(row));
+    let branches = ["loading", "unloading and reloading"];
+    let mut entries = Vec::new();
+    if let [one] = tested
+        && let Some(step) = one.indentation.steps.last()
+    {
+        let memory = &step.memory;
+        entries.push(
+            Series::text("Largest load")
+                .and(format!("Fₘ = {}", quantity(memory.force, Dimension::Force)))
+                .and(format!("δₘ = {}", quantity(memory.indentation, Dimension::Length)))
+                .and(format!("δᵣ = {}", quantity(memory.residual_indentation, Dimension::Length))),
+        );
+    }
+    let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * deepest);
+    let y = Axis::linear("Force", "N").between(0.0, 1.08 * strongest);
+    let chart = Chart::new(title(tested), [x, y], series);
+    let chart = chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_entries(entries);
+    loops::with_sphere(chart, of_sphere)
+}
+
+/// The loop of the trace of one half-space.
+fn branches(rows: &[IndentationRow]) -> Branches {
+    let branches = rows.chunk_by(|a, b| is_loading(a) == is_loading(b)).map(|branch| {
+        let indentations = |row: &IndentationRow| [row.indentation, row.sphere_indentation, row.half_space_indentation];
+        let mut rows: Vec<_> = branch.iter().map(|row| (indentations(row), row.force)).collect();
+        let is_loading = branch.first().is_some_and(is_loading);
+        if !is_loading {
+            // unloading and reloading follow the same curve; it is drawn once, so that the gaps between the dashes
+            // stay open
+            rows.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+        }
+        (is_loading, rows)
+    });
+    branches.collect()
+}
+
+fn is_loading(row: &IndentationRow) -> bool {
+    matches!(row.branch, Branch::Elastic | Branch::Plastic)
+}
+
+fn title(tested: &[Tested]) -> String {
+    let strongest =
+        tested.iter().flat_map(|one| &one.indentation.steps).map(|step| step.memory.force).fold(0.0, f64::max);
+    let load = quantity(strongest, Dimension::Force);
+    match tested {
+        [one] => match &one.specimen.name {
+            Some(name) => format!("Indentation of {name} to {load}"),
+            None => format!("Indentation to {load}"),
+        },
+        several => format!("Indentation of {} half-spaces to {load}", several.len()),
+    }
+}

@@ -1,0 +1,59 @@
+//! The output of `check --json`: the inputs, and the numbers that follow from them before anything is run.
+
+use serde_json::{Map, Value};
+
+use super::inputs::Inputs;
+use crate::impact::Contact;
+use crate::results::{Reported, fields, results};
+use crate::scenario::input::Input;
+use crate::scenario::plan::Plan;
+
+/// The numbers of a contact at which no sphere has arrived.
+pub fn contact() -> Vec<Reported<Contact>> {
+    results! { |contact: Contact|
+        /// Mass of the sphere.
+        "sphere_mass_kg" in Mass as "sphere mass": contact.mass();
+        /// Mass of the body that is hit.
+        "target_mass_kg" in Mass as "mass of the body that is hit" if FREE: contact.target_mass();
+        /// Effective mass of both bodies.
+        "effective_mass_kg" in Mass as "effective mass m*" if FREE:
+            contact.target_mass().map(|_| contact.reduced_mass());
+        /// Effective radius of both bodies; the radius of the sphere where a flat surface is hit.
+        "effective_radius_m" in Length as "effective radius R": contact.pair().radius;
+        /// Effective modulus E* of the pair of bodies.
+        "effective_modulus_Pa" in Pressure as "effective modulus E*": contact.pair().effective_modulus;
+        /// The sphere's share of the elastic approach; 0 for a rigid sphere.
+        "sphere_compliance" as "share of the sphere kappa": contact.pair().sphere_compliance;
+        /// Indentation at first yield.
+        "yield_indentation_m" in Length as "yield indentation delta_Y" if REACHES:
+            contact.pair().reachable_yield_point().map(|point| point.indentation);
+        /// Force at first yield.
+        "yield_force_N" in Force as "yield force F_Y" if REACHES: contact.pair().reachable_yield_point().map(|point| point.force);
+        /// Contact radius at first yield.
+        "yield_contact_radius_m" in Length as "yield contact radius a_Y" if REACHES:
+            contact.pair().reachable_yield_point().map(|point| point.contact_radius);
+        /// Impact speed above which a body yields.
+        "yield_speed_m_per_s" in Speed as "yield speed v_Y" if REACHES: contact.yield_speed();
+    }
+}
+
+/// The contact with the strengths at the strain rate of the speed, where they depend on it.
+pub(super) fn at_its_speed(input: &Input, contact: &Contact) -> Contact {
+    let [speed, _] = input.approach().components();
+    contact.at_speed(speed).unwrap_or_else(|_| contact.clone())
+}
+
+/// A scenario of impacts; of a table, it is its first case.
+pub fn of_contact(input: &Input, contact: &Contact) -> Map<String, Value> {
+    let inputs = Inputs::new(input).json().into();
+    let numbers = fields(&self::contact(), &at_its_speed(input, contact)).into();
+    Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), numbers)])
+}
+
+/// A table: also its size and its columns.
+pub fn of_plan(plan: &Plan, contact: &Contact) -> Map<String, Value> {
+    let mut all = of_contact(&plan.input, contact);
+    all.insert("cases".to_owned(), plan.count().into());
+    all.insert("columns".to_owned(), plan.column_names().into());
+    all
+}

@@ -1,0 +1,194 @@
+//! An entry of the registry of results, and its value as JSON.
+
+use serde_json::{Map, Value};
+
+use crate::impact::{Contact, Essentials};
+use crate::units::Dimension;
+
+/// A result that is computed from a `T`.
+#[derive(Debug, Clone, Copy)]
+pub struct Reported<T> {
+    /// With the unit.
+    pub name: &'static str,
+    /// The meaning, in one sentence.
+    pub about: &'static str,
+    pub shown: Shown,
+    /// The condition of the result; empty if the result always exists.
+    pub condition: &'static str,
+    /// The name on the terminal, or a remark that the terminal appends to the line above. In a remark `{}` is replaced by the value,
+    /// and `{%}` by the value in percent of the value of that line. Empty: the terminal does not show the result.
+    pub label: &'static str,
+    /// `None` if the result is omitted.
+    pub value: fn(&T) -> Option<Value>,
+    /// The column of a table with this result.
+    pub column: Option<Column>,
+}
+
+/// How the terminal shows a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    Plain,
+    /// In this unit, with a prefix. The name of the result ends in the unit.
+    In(Dimension),
+    /// As a fraction in percent.
+    Percent,
+    /// As a deviation in percent, with its sign.
+    Deviation,
+    /// As an error, in powers of ten.
+    Error,
+}
+
+/// The requirement of a column: a table has the column only if its scene has this part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Needs {
+    /// No requirement: the column is in every table.
+    Nothing,
+    /// A yield strength: without one nothing is plastic.
+    Strength,
+    /// A strength with a known uncertainty, under a law with a known error.
+    Interval,
+    /// A strength that rises with the rate of strain.
+    Rate,
+    /// The yield strength of the sphere: without it there is no flat.
+    Flat,
+    /// The density of a half-space that is no plate: without it elastic waves are not computed.
+    Density,
+    Thickness,
+    /// An angle or a spin: without them nothing slides.
+    Incidence,
+    /// The mass of a free target: without it the target is fixed.
+    Target,
+    /// The mass of a free target, and an angle or a spin.
+    Struck,
+    /// Gravity or a drop height: without them the flight is not determined.
+    Flight,
+}
+
+/// A column of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Column {
+    /// With the unit.
+    pub name: &'static str,
+    pub needs: Needs,
+    /// The value of a row; `None` is an empty field.
+    pub value: fn(&Essentials) -> Option<f64>,
+}
+
+impl Needs {
+    /// The condition under which an impact has the result, in words and as a function.
+    const fn rule(self) -> (&'static str, fn(&Contact, &Essentials) -> bool) {
+        match self {
+            Self::Nothing => ("", |_, _| true),
+            Self::Strength => (YIELDS, |contact, _| contact.pair().yield_point.is_some()),
+            Self::Interval => (INTERVAL, |_, row| row.restitution_interval.is_some()),
+            Self::Rate => (RATES, |contact, _| contact.rated().is_some()),
+            Self::Flat => (FLATTENS, |contact, _| contact.sphere().yield_strength.is_some()),
+            Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
+            Self::Thickness => (PLATE, |_, row| row.on_plate.is_some()),
+            Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
+            Self::Target => (FREE, |_, row| row.target_speed.is_some()),
+            Self::Struck => (STRUCK, |_, row| row.rebound.is_some_and(|after| after.target.is_some())),
+            Self::Flight => (FLIES, |_, row| row.rebound_height.is_some()),
+        }
+    }
+
+    /// The condition under which an impact has the result, in words.
+    pub const fn condition(self) -> &'static str {
+        self.rule().0
+    }
+
+    /// True if an impact on this contact has the result.
+    pub fn is_met(self, contact: &Contact, row: &Essentials) -> bool {
+        self.rule().1(contact, row)
+    }
+}
+
+/// The values of all existing results, by name. A name with a dot belongs to a group: `energy.drift` is `drift` in `energy`.
+pub fn fields<T>(results: &[Reported<T>], subject: &T) -> Map<String, Value> {
+    let mut all = Map::new();
+    for Reported { name, value, .. } in results {
+        let Some(value) = value(subject) else { continue };
+        match name.split_once('.') {
+            None => drop(all.insert((*name).to_owned(), value)),
+            Some((group, name)) => all.entry(group).or_insert_with(|| Map::new().into())[name] = value,
+        }
+    }
+    all
+}
+
+/// The results of several things as a list.
+pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &'a T>) -> Value {
+    all.into_iter().map(|one| fields(results, one)).collect()
+}
+
+pub(crate) const YIELDS: &str = "a body has a yield strength";
+pub(crate) const REACHES: &str =
+    "a body has a yield strength, and at first yield the contact is narrower than the sphere";
+pub(crate) const RATES: &str = "a strength rises with the rate of strain";
+pub(crate) const FLATTENS: &str = "the sphere has a yield strength";
+pub(crate) const INTERVAL: &str = "a body yields under the law `plm`, with an exponent whose error against finite \
+     elements is known, and no warning reports an error of e of unknown size; in a table also a material by name, a hardness \
+     or `strength_kind = \"proof\"`";
+pub(crate) const NOTES: &str =
+    "the scenario leaves the kind of the strength or the exponent of the law open, and a body yields";
+pub(crate) const WAVES: &str =
+    "the half-space has a density and no mass; not under damping, on a plate, nor without a rebound";
+pub(crate) const OBLIQUE: &str = "the sphere comes in at an angle, or spins";
+pub(crate) const FREE: &str = "the half-space has a mass, and is free to move";
+pub(crate) const STRUCK: &str = "a second ball is hit at an angle, or by a sphere that spins";
+pub(crate) const FLIES: &str = "there is gravity or a drop height";
+pub(crate) const AIR: &str = "there is air";
+pub(crate) const FORCES: &str = "there is gravity, damping or a plate";
+pub(crate) const PLATE: &str = "a plate is hit";
+pub(crate) const GRAVITY: &str = "there is gravity";
+pub(crate) const DAMPING: &str = "there is damping";
+pub(crate) const VISCOUS: &str = "there is viscous damping";
+pub const TABLES: &str = "in tables only";
+pub(crate) const OUTSIDE: &str = "there are such rows";
+pub(crate) const RANDOM: &str = "the cases are random";
+pub(crate) const NAMED_COLUMNS: &str = "the cases are random, and output names other columns";
+pub(crate) const VERLET: &str = "the method is verlet";
+pub(crate) const BOUNCES: &str = "the sphere bounces under gravity";
+pub(crate) const CAPTURED: &str = "the sphere stays in its dent";
+pub(crate) const NAMED: &str = "the half-space has a name";
+pub(crate) const GIVEN: &str = "the step is given by it";
+
+/// A list of results from its entries.
+macro_rules! results {
+    (|$subject:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
+        $(in $shown:ident)? $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? $(: $value:expr)?;)+) => {
+        vec![$($crate::results::entry::Reported::<$type> {
+            name: $name,
+            about: concat!($($about),+).trim_ascii_start(),
+            shown: results!(@shown $($shown)?),
+            condition: results!(@condition [$($condition)?] [$($needs)?]),
+            label: concat!($($label)?),
+            #[allow(unused_variables)] // a result of tables alone has no value here
+            value: |$subject| results!(@value $subject [$($condition)?] [$($needs, $column)?] [$($value)?]),
+            column: results!(@column $($name, $needs, $column)?),
+        }),+]
+    };
+    (@shown) => { $crate::results::entry::Shown::Plain };
+    (@shown Percent) => { $crate::results::entry::Shown::Percent };
+    (@shown Deviation) => { $crate::results::entry::Shown::Deviation };
+    (@shown Error) => { $crate::results::entry::Shown::Error };
+    (@shown $dimension:ident) => {
+        $crate::results::entry::Shown::In($crate::units::Dimension::$dimension)
+    };
+    (@condition [] []) => { "" };
+    (@condition [] [$needs:ident]) => { $crate::results::entry::Needs::$needs.condition() };
+    (@condition [$condition:ident] [$($needs:ident)?]) => { $crate::results::entry::$condition };
+    (@value $subject:ident [] [] [$value:expr]) => { Some($value.into()) };
+    (@value $subject:ident [$condition:ident] [] [$value:expr]) => { $value.map(Into::into) };
+    (@value $subject:ident [] [$needs:ident, $column:expr] []) => {
+        $subject.of_row($crate::results::entry::Needs::$needs, $column)
+    };
+    (@value $subject:ident [$condition:ident] [$needs:ident, $column:expr] []) => { None };
+    (@value $subject:ident [$condition:ident] [$needs:ident, $column:expr] [$value:expr]) => { $value.map(Into::into) };
+    (@column) => { None };
+    (@column $name:literal, $needs:ident, $value:expr) => {{
+        use $crate::results::entry::{Column, Needs};
+        Some(Column { name: $name, needs: Needs::$needs, value: $value })
+    }};
+}
+pub(crate) use results;

@@ -1,0 +1,38 @@
+//! The registry of results: every number and word that the program reports, once. Summaries, the columns of tables and
+//! traces, the terminal and the reference page come from it. Here are the results of one impact, which tables have as
+//! columns; those of the other kinds of scene stand beside their texts, in `report`.
+//!
+//! An entry of a list has these parts, in this order:
+//!
+//! * what the result means, in one sentence;
+//! * its name. The name ends in the unit; in JSON, the part before a dot is the name of a group;
+//! * `in` and its dimension, or how its number is shown: [`Shown`];
+//! * `as` and a label, for a result that the terminal shows;
+//! * `if` and a condition, for a result that is not always there. A result without a condition is always there: as `null` (in
+//!   CSV as an empty field) where its value is not finite or `None`;
+//! * its value; for a result of an impact that is also a column of tables: in brackets what it needs, and how a row gives it.
+
+pub(crate) mod entry;
+pub mod impact;
+pub mod series;
+pub mod trace;
+
+pub(crate) use entry::results;
+pub use entry::{Column, Needs, Reported, Shown, TABLES, fields, lists};
+
+use crate::units::Dimension;
+
+/// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
+pub fn columns() -> Vec<Column> {
+    let mut columns: Vec<Column> = impact::results().iter().filter_map(|result| result.column).collect();
+    columns.sort_by_key(|column| (column.needs == Needs::Density, column.needs == Needs::Thickness));
+    columns
+}
+
+/// The dimension of a result of an impact; a plain number where its name has no unit.
+pub fn dimension_of(name: &str) -> Dimension {
+    match impact::results().iter().find(|result| result.name == name).map(|result| result.shown) {
+        Some(Shown::In(dimension)) => dimension,
+        _ => Dimension::Ratio,
+    }
+}

@@ -1,0 +1,276 @@
+//! The text of a scenario with its overrides: both are parsed and merged, and messages point to positions in them.
+
+pub mod edit;
+pub(in crate::scenario) mod excerpt;
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::Read;
+use std::ops::Range;
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::input::read_input::is_at_or_below;
+use super::input::reader::Fault;
+use super::key_docs::{allowed, missing};
+use super::syntax::syntax_message;
+use super::toml_node::{Node, add_places};
+use crate::error::{Details, Error, ErrorKind};
+use edit::Change;
+use excerpt::{Mark, shortened};
+
+/// Largest scenario \[MiB\], which holds 50 000 values. Parsing takes a hundred times the memory of the text.
+pub const LARGEST_SCENARIO: u64 = 1;
+
+/// Largest file of measurements \[MiB\].
+pub const LARGEST_DATA: u64 = 64;
+
+/// Reads a text file of at most `largest` MiB, so that an endless device does not fill the memory.
+pub fn read_text(path: &Path, largest: u64) -> Result<String, Error> {
+    text_of(path, File::open(path).map_err(unreadable(path))?, largest)
+}
+
+fn unreadable(path: &Path) -> impl Fn(std::io::Error) -> Error {
+    Error::of_file(ErrorKind::Input, path, "cannot be read", "")
+}
+
+/// Reads an open file; messages name it by `path`.
+pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Error> {
+    let most = largest << 20;
+    let mut bytes = Vec::new();
+    from.take(most + 1).read_to_end(&mut bytes).map_err(unreadable(path))?;
+    let file = path.display().to_string();
+    if bytes.len() as u64 > most {
+        // data have no short form
+        let is_scenario = path.extension().is_none_or(|end| end == "toml");
+        let way_out = if is_scenario { "write long lists as linspace or logspace" } else { "leave out lines of it" };
+        let reason = format!("is larger than {largest} MiB, the most that is read; {way_out}");
+        return Err(Error::in_file(ErrorKind::Input, &file, reason));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let good = error.utf8_error().valid_up_to();
+        let line = 1 + String::from_utf8_lossy(&error.as_bytes()[..good]).matches('\n').count();
+        let text = format!("{file}:{line}: is not a text file (not UTF-8)");
+        Error::input(text).with(Details { file: Some(file), line: Some(line as u64), ..Details::default() })
+    })
+}
+
+/// Longer keys and messages quote a generated value; their middle is omitted.
+const LONGEST_KEY: usize = 200;
+const LONGEST_MESSAGE: usize = 1800;
+
+/// `key=value` from the command line.
+#[derive(Debug, Clone)]
+struct Override {
+    text: String,
+    /// With dots.
+    key: String,
+}
+
+impl Override {
+    fn parse(text: &str) -> Result<(Self, Change), Error> {
+        let refuse = |problem: String| {
+            let (key, value) = text.split_once('=').unwrap_or((text, ""));
+            let [key, value] = [key, value].map(|part| Some(part.to_owned()).filter(|part| !part.is_empty()));
+            let error_at = Error::input(format!("--set {text}: {problem}"));
+            error_at.with(Details { message: Some(problem), key, value, ..Details::default() })
+        };
+        let (key, value) = text
+            .split_once('=')
+            .filter(|(key, value)| !key.trim().is_empty() && !value.trim().is_empty())
+            .ok_or_else(|| refuse("write key=value, such as impact.speed=\"1 m/s\"".to_owned()))?;
+        if text.contains(|c: char| c.is_control() && c != '\t') {
+            return Err(refuse(
+                "a line break or another control character is in it; write --set anew for every key".to_owned(),
+            ));
+        }
+        let change = Change::parse(key, value).map_err(|error| refuse(error.message().trim_end().to_owned()))?;
+        Ok((Self { text: text.to_owned(), key: change.key() }, change))
+    }
+}
+
+/// The spans of the values of a text, by their keys.
+type Places = BTreeMap<String, Range<usize>>;
+
+fn places(text: &str) -> Result<Places, toml::de::Error> {
+    let mut places = Places::new();
+    let root = DeTable::parse(text)?;
+    add_places("", &Spanned::new(0..0, DeValue::Table(root.into_inner())), &mut places);
+    Ok(places)
+}
+
+/// A scenario as text: the file and what the command line changes in it.
+#[derive(Debug, Clone)]
+pub struct Document {
+    name: String,
+    text: String,
+    overrides: Vec<Override>,
+    /// The text with the changes of the command line, which is parsed.
+    edited: String,
+    places: Places,
+    /// The spans in the text of the file.
+    in_file: Places,
+}
+
+impl Document {
+    /// Parses the text of a scenario called `name` (in messages), with `key=value` overrides.
+    pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, Error> {
+        let parsed: Vec<_> = overrides.iter().map(|given| Override::parse(given)).collect::<Result<_, _>>()?;
+        let (overrides, changes): (Vec<_>, Vec<_>) = parsed.into_iter().unzip();
+        let mut document =
+            Self { name, edited: text.clone(), text, overrides, places: Places::new(), in_file: Places::new() };
+        let refuse = |span: Option<Range<usize>>, message: &str| {
+            let message = syntax_message(&document.text, span.as_ref(), message);
+            document.error_at(span.map(Location::File), "", &message)
+        };
+        let in_file = places(&document.text).map_err(|error| refuse(error.span(), error.message()))?;
+        if changes.is_empty() {
+            document.places.clone_from(&in_file);
+        } else {
+            let edited =
+                edit::changed(&document.text, &changes).map_err(|error| refuse(error.span(), error.message()))?;
+            document.places = places(&edited).map_err(|error| refuse(None, error.message()))?;
+            document.edited = edited;
+        }
+        document.in_file = in_file;
+        Ok(document)
+    }
+
+    pub(super) fn tables(&self) -> Result<Node<'_>, Error> {
+        let root = DeTable::parse(&self.edited).map_err(|error| self.error_at(None, "", error.message()))?;
+        Ok(Spanned::new(0..0, DeValue::Table(root.into_inner())))
+    }
+
+    /// The name of the scenario in messages: its file.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// `key=value` of the command line, as given.
+    pub fn overrides(&self) -> Vec<String> {
+        self.overrides.iter().map(|given| given.text.clone()).collect()
+    }
+
+    /// The text with the changes of the command line.
+    pub fn edited(&self) -> &str {
+        &self.edited
+    }
+
+    /// The refusals of the keys that were refused during parsing: first in the order of the file, then in the order of the
+    /// command line.
+    pub(super) fn refused(&self, refused: Vec<(String, Fault)>) -> Vec<Error> {
+        let mut placed: Vec<_> =
+            refused.into_iter().map(|(key, fault)| (self.place(&key, fault.span), key, fault.message)).collect();
+        placed.sort_by_key(|(place, ..)| match place {
+            Some(Location::File(span)) => (0, span.start),
+            Some(Location::Set(number)) => (1, *number),
+            None => (2, 0),
+        });
+        placed.into_iter().map(|(place, key, message)| self.error_at(place, &key, &message)).collect()
+    }
+
+    /// A refusal of the value at `key`, with its position.
+    pub fn refuse(&self, key: &str, message: impl AsRef<str>) -> Error {
+        let place = self.places.get(key).and_then(|span| self.place(key, span.clone()));
+        self.error_at(place, key, message.as_ref())
+    }
+
+    /// The location of a span of the parsed text that belongs to a key. It is on the command line if an override gives the key or a table
+    /// that holds it; otherwise in the file; otherwise at the override that gives the first key of the table.
+    fn place(&self, key: &str, span: Range<usize>) -> Option<Location> {
+        let by = |is_this: &dyn Fn(&str) -> bool| self.overrides.iter().rposition(|given| is_this(&given.key));
+        if let Some(number) = by(&|given| is_at_or_below(key, given)) {
+            return Some(Location::Set(number));
+        }
+        if let (Some(own), Some(read)) = (self.in_file.get(key), self.places.get(key)) {
+            let at = |byte: usize| (own.start + byte).saturating_sub(read.start);
+            return Some(Location::File(at(span.start)..at(span.end)));
+        }
+        by(&|given| is_at_or_below(given, key)).map(Location::Set)
+    }
+
+    /// True if the scenario or the command line gives the key itself.
+    pub fn has(&self, key: &str) -> bool {
+        self.places.contains_key(key)
+    }
+
+    /// The value of a key as written, without quotes.
+    pub(super) fn value(&self, key: &str) -> Option<&str> {
+        self.edited.get(self.places.get(key)?.clone()).map(|text| text.trim_matches(['"', '\'']))
+    }
+
+    /// The given keys whose path begins with this text, and tables without keys.
+    pub(super) fn inside(&self, begin: &str) -> Vec<&str> {
+        let keys = self.places.range(begin.to_owned()..).map(|(key, _)| key.as_str());
+        let keys: Vec<&str> = keys.take_while(|key| key.starts_with(begin)).collect();
+        let is_inner = |key: &str, other: &&str| other.strip_prefix(key).is_some_and(|rest| rest.starts_with('.'));
+        keys.iter().copied().filter(|key| !keys.iter().any(|other| is_inner(key, other))).collect()
+    }
+
+    /// The refusal of a scenario that lacks `key` in `table`; for an empty `table`, that lacks the table `key`.
+    pub fn missing(&self, table: &str, key: &str) -> Error {
+        let needed = format!("{table}.{key}");
+        self.refuse(table, missing(key, table)).needing(Some(needed.as_str()).filter(|_| !table.is_empty()))
+    }
+
+    /// The refusal if one of these keys is needed; `way_out` names other remedies.
+    pub(super) fn missing_one_of(&self, table: &str, keys: &[&str], way_out: &str) -> Error {
+        let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
+        let first = missing(names.next().unwrap_or_default(), table);
+        let others: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+        let or_others = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
+        self.refuse(table, first + &or_others + way_out).needing(keys.first().copied())
+    }
+
+    /// The refusal of a key that is given together with its alternative.
+    pub(super) fn one_key(&self, first: &str, second: &str) -> Error {
+        let [one, other] = [first, second].map(|path| path.rsplit('.').next().unwrap_or(path));
+        self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
+    }
+
+    fn error_at(&self, place: Option<Location>, key: &str, message: &str) -> Error {
+        let (mut begin, mut excerpt) = (self.name.clone(), String::new());
+        let mut details = Details {
+            file: Some(self.name.clone()),
+            key: Some(key.to_owned()).filter(|key| !key.is_empty()),
+            allowed: allowed(key),
+            message: Some(message.to_owned()),
+            ..Details::default()
+        };
+        match place {
+            Some(Location::Set(number)) => {
+                let text = &self.overrides[number].text;
+                begin = format!("--set {text}");
+                details.file = None;
+                details.value = text.split_once('=').map(|(_, value)| value.to_owned());
+            }
+            Some(Location::File(span)) => {
+                let Mark { line, column, value, excerpt: marked } = Mark::new(&self.text, &span);
+                begin = format!("{begin}:{line}:{column}");
+                excerpt = marked;
+                (details.line, details.column) = (Some(line as u64), Some(column as u64));
+                // if the key itself is refused, the marker is under the key, and there is no value
+                let name = key.rsplit('.').next().unwrap_or(key);
+                details.value = Some(value).filter(|text| text != name && !text.starts_with('['));
+            }
+            None => {}
+        }
+        let place = if key.is_empty() { String::new() } else { format!("{}: ", shortened(key, LONGEST_KEY)) };
+        let text = format!("{begin}: {place}{}{excerpt}", shortened(message, LONGEST_MESSAGE));
+        Error::input(text).with(details)
+    }
+}
+
+/// The location of a message.
+enum Location {
+    /// A span of the text of the file, in bytes.
+    File(Range<usize>),
+    /// The override of the command line with this number.
+    Set(usize),
+}

@@ -1,0 +1,268 @@
+//! The values of file and command line: numbers as they are given, without numbers that follow from others. Every key has its own
+//! value here, so the order in which values are set does not matter; `resolve.rs` computes the numbers that follow.
+
+pub(crate) mod body_material;
+pub(in crate::scenario) mod law;
+pub mod measured;
+pub mod numeric_key;
+pub(crate) mod read_input;
+pub(crate) mod reader;
+pub(in crate::scenario) mod resolve;
+pub(in crate::scenario) mod strength;
+pub(in crate::scenario) mod unused_keys;
+
+pub(crate) use body_material::{Body, BodyMaterial};
+pub use measured::Measured;
+pub use numeric_key::{BODIES, EITHER, KEYS, Key, NEEDED, SPHERE, partner, varied};
+pub use unused_keys::{Purpose, without_effect};
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::keys::{AnyKey, At, COUNT, EVERY_KEY, Form, NUMBER, OTHER, Part, Quantity, WORD};
+use crate::contact::law::{LawChoice, PlmCoefficients};
+use crate::contact::strength::flow_curve::{FlowCurve, FlowPoint};
+use crate::units::{Dimension, describe, human, number};
+
+/// A value that is neither a number nor a word.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    Numbers(Vec<f64>),
+    Words(Vec<String>),
+    Text(String),
+    /// A flow curve through points, from a list or a file.
+    Curve(FlowCurve),
+    Coefficients(Arc<PlmCoefficients>),
+}
+
+/// The values that an input has besides its numbers.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Others {
+    /// By the indices of their keys.
+    values: BTreeMap<usize, Value>,
+    /// The items of lists of tables, by the paths of the lists.
+    items: BTreeMap<&'static str, Vec<Input>>,
+    materials: Vec<BodyMaterial>,
+}
+
+/// All values of a scenario.
+#[derive(Debug, Clone)]
+pub struct Input {
+    /// Values by the index of their key: numbers in SI, whole numbers, and words by their index in the list of words. A missing value is
+    /// NaN. A word in place of a number is infinity.
+    numbers: [f64; EVERY_KEY.len()],
+    // the rows of a table share these values; only an axis of materials changes them
+    others: Arc<Others>,
+    /// The law that the scenario names, without the numbers that it gives to it: see [`Input::law`].
+    pub named_law: LawChoice,
+}
+
+impl Default for Input {
+    fn default() -> Self {
+        Self { numbers: [f64::NAN; EVERY_KEY.len()], others: Arc::default(), named_law: LawChoice::default() }
+    }
+}
+
+impl PartialEq for Input {
+    fn eq(&self, other: &Self) -> bool {
+        self.numbers.map(f64::to_bits) == other.numbers.map(f64::to_bits)
+            && self.others == other.others
+            && self.named_law == other.named_law
+    }
+}
+
+impl Input {
+    /// The number of a key, SI.
+    #[inline]
+    pub fn number(&self, at: At<NUMBER>) -> Option<f64> {
+        self.given(at.place())
+    }
+
+    #[inline]
+    pub(super) fn given(&self, place: usize) -> Option<f64> {
+        let number = self.numbers[place];
+        if number.is_nan() { None } else { Some(number) }
+    }
+
+    /// Sets a checked number, SI; `None` removes it.
+    #[inline]
+    pub fn set(&mut self, at: At<NUMBER>, number: Option<f64>) {
+        self.numbers[at.place()] = number.unwrap_or(f64::NAN);
+    }
+
+    /// A whole number.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole and positive, checked when it was read
+    pub fn count(&self, at: At<COUNT>) -> Option<u64> {
+        self.given(at.place()).map(|number| number as u64)
+    }
+
+    /// The index of a word in the list of the words of the key.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a place in a list
+    pub fn word(&self, at: At<WORD>) -> Option<usize> {
+        self.given(at.place()).map(|place| place as usize)
+    }
+
+    /// Sets a word, by its index in the list of the words of the key; `None` removes it.
+    pub fn choose(&mut self, at: At<WORD>, word: Option<usize>) {
+        self.numbers[at.place()] = word.map_or(f64::NAN, |place| place as f64);
+    }
+
+    /// Any other value.
+    pub fn value(&self, at: At<OTHER>) -> Option<&Value> {
+        self.others.values.get(&at.place())
+    }
+
+    /// Sets such a value; `None` removes it.
+    pub fn put_value(&mut self, at: At<OTHER>, value: Option<Value>) {
+        let values = &mut Arc::make_mut(&mut self.others).values;
+        match value {
+            Some(value) => drop(values.insert(at.place(), value)),
+            None => drop(values.remove(&at.place())),
+        }
+    }
+
+    /// Sets a parsed value at an index of the list.
+    pub(super) fn put_number(&mut self, place: usize, number: f64) {
+        self.numbers[place] = number;
+    }
+
+    pub(super) fn put_other(&mut self, place: usize, value: Value) {
+        Arc::make_mut(&mut self.others).values.insert(place, value);
+    }
+
+    pub fn words(&self, at: At<OTHER>) -> Option<&[String]> {
+        if let Some(Value::Words(words)) = self.value(at) { Some(words) } else { None }
+    }
+
+    pub fn numbers(&self, at: At<OTHER>) -> Option<&[f64]> {
+        if let Some(Value::Numbers(numbers)) = self.value(at) { Some(numbers) } else { None }
+    }
+
+    /// A text, or the name of a file.
+    pub fn text(&self, at: At<OTHER>) -> Option<&str> {
+        if let Some(Value::Text(text)) = self.value(at) { Some(text) } else { None }
+    }
+
+    /// The items of a list of tables; `None` if it is not given.
+    pub fn items(&self, path: &str) -> Option<&[Self]> {
+        self.others.items.get(path).map(Vec::as_slice)
+    }
+
+    /// Sets the items of a list of tables.
+    pub fn set_items(&mut self, path: &'static str, items: Vec<Self>) {
+        Arc::make_mut(&mut self.others).items.insert(path, items);
+    }
+
+    /// The values that the bodies take from their named materials.
+    pub fn materials(&self) -> &[BodyMaterial] {
+        &self.others.materials
+    }
+
+    pub fn set_materials(&mut self, materials: Vec<BodyMaterial>) {
+        Arc::make_mut(&mut self.others).materials = materials;
+    }
+
+    /// Sets the defaults of the keys in `is_used` that are not given and have a default.
+    pub(super) fn fill(&mut self, is_used: impl Fn(&AnyKey) -> bool) {
+        for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| is_used(key)) {
+            let default = key.default.trim_matches('"');
+            let value = match key.form {
+                Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
+                    quantity.parse(default).ok()
+                }
+                Form::Word(words) => (words.known)().iter().position(|word| word == default).map(|word| word as f64),
+                _ => None,
+            };
+            if let (Some(value), None) = (value, self.given(place)) {
+                self.put_number(place, value);
+            }
+        }
+    }
+
+    /// The numbers of a table, by their names in alphabetical order.
+    pub fn numbers_of(&self, table: &str) -> Vec<(String, f64)> {
+        let name = |path: &'static str| path.strip_prefix(table)?.strip_prefix('.');
+        let all = EVERY_KEY.iter().zip(self.numbers).filter(|(key, number)| key.number().is_some() && !number.is_nan());
+        let mut all: Vec<_> = all.filter_map(|(key, number)| Some((name(key.path)?.to_owned(), number))).collect();
+        all.sort_by(|a, b| a.0.cmp(&b.0));
+        all
+    }
+
+    /// The keys of one impact that have a value, for reports: in the order of the list, with the name of the law before its
+    /// keys.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // counts and places are whole
+    pub fn key_values(&self) -> Vec<KeyValue> {
+        let mut key_values = Vec::new();
+        for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| key.part != Part::Kind) {
+            if key.part == Part::Law && !key_values.iter().any(|key_values: &KeyValue| key_values.path == "law") {
+                key_values.push(KeyValue::word("law", Part::Law, self.named_law.name()));
+            }
+            if key.part == Part::Law && !self.is_of_law(key.path) {
+                continue;
+            }
+            let value = match (key.form, self.given(place), self.others.values.get(&place)) {
+                (Form::NumberOr(_, word), Some(f64::INFINITY), _) => word.into(),
+                (Form::Count(_), Some(count), _) => (count as u64).into(),
+                (Form::Word(words), Some(place), _) => (words.known)().get(place as usize).cloned().into(),
+                (_, Some(number), _) => number.into(),
+                (.., Some(value)) if value.text().is_some() => value.text().into(),
+                _ => continue,
+            };
+            let quantity = key.number().map(|(quantity, _)| quantity);
+            key_values.push(KeyValue { path: key.path.to_owned(), part: key.part, quantity, value });
+        }
+        key_values
+    }
+}
+
+impl Value {
+    /// The text for reports; `None` for values that reports omit.
+    fn text(&self) -> Option<String> {
+        match self {
+            Self::Curve(FlowCurve::Points(points)) => {
+                let pair = |point: &FlowPoint| {
+                    format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure))
+                };
+                Some(points.iter().map(pair).collect::<Vec<_>>().join(", "))
+            }
+            Self::Coefficients(table) => Some(format!("{} ({})", table.provenance.name, table.provenance.source)),
+            _ => None,
+        }
+    }
+}
+
+/// A key and its value, for reports.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeyValue {
+    /// With dots.
+    pub path: String,
+    pub part: Part,
+    /// Only a number has one.
+    pub quantity: Option<&'static Quantity>,
+    /// In SI, or a word.
+    pub value: serde_json::Value,
+}
+
+impl KeyValue {
+    pub fn word(path: &str, part: Part, word: impl Into<serde_json::Value>) -> Self {
+        Self { path: path.to_owned(), part, quantity: None, value: word.into() }
+    }
+
+    /// Its name in summaries, with the unit: `impact_speed_m_per_s`.
+    pub fn column(&self) -> String {
+        self.path.replace('.', "_") + self.quantity.map_or("", |quantity| quantity.dimension.suffix())
+    }
+
+    /// The value for the terminal.
+    pub fn text(&self) -> String {
+        match (self.quantity, self.value.as_f64(), self.value.as_str()) {
+            (Some(quantity), Some(number), _) if quantity.is_hardness => {
+                format!("{}, {}", describe(number, quantity.dimension), quantity.human(number))
+            }
+            (Some(quantity), Some(number), _) => describe(number, quantity.dimension),
+            (.., Some(word)) => word.to_owned(),
+            _ => self.value.to_string(),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The numeric keys of one impact, which may vary. Axes, random variables, free keys, `check` and the inputs of `summary.json` use
+//! this list.
+
+use std::sync::LazyLock;
+
+use super::Input;
+use crate::scenario::keys::{At, EVERY_KEY, NUMBER, Part, Quantity};
+
+/// A numeric key of an impact, which may vary: as an axis, as a random variable, or as a free key of a calibration.
+#[derive(Debug, PartialEq)]
+pub struct Key {
+    /// With dots: `impact.speed`.
+    pub path: &'static str,
+    pub part: Part,
+    /// Dimension and allowed range.
+    pub quantity: &'static Quantity,
+    /// A word that may replace the number.
+    pub word: Option<&'static str>,
+    at: At<NUMBER>,
+}
+
+/// All numeric keys of the scene of an impact, in the order of the file.
+pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
+    let of_impact = EVERY_KEY.iter().enumerate().filter(|(_, key)| key.part != Part::Kind);
+    let numeric = of_impact.filter_map(|(place, key)| Some((key, key.number()?, At::new(place)?)));
+    numeric.map(|(key, (quantity, word), at)| Key { path: key.path, part: key.part, quantity, word, at }).collect()
+});
+
+/// Alternative keys: a scene has one of the two.
+pub const EITHER: [[&str; 2]; 6] = [
+    ["sphere.radius", "sphere.diameter"],
+    ["sphere.density", "sphere.mass"],
+    ["sphere.yield_strength", "sphere.hardness"],
+    ["half_space.yield_strength", "half_space.hardness"],
+    ["impact.speed", "impact.drop_height"],
+    ["damping.hunt_crossley", "damping.viscous"],
+];
+
+/// The alternative of this key.
+pub fn partner(path: &str) -> Option<&'static str> {
+    let pair = EITHER.iter().find(|pair| pair.contains(&path))?;
+    Some(if pair[0] == path { pair[1] } else { pair[0] })
+}
+
+impl Key {
+    /// `None` if it is not given, infinite for the word.
+    pub fn get(&self, input: &Input) -> Option<f64> {
+        input.number(self.at)
+    }
+
+    /// Sets a checked number, SI, or removes it. Nothing else changes.
+    pub fn set(&self, input: &mut Input, value: Option<f64>) {
+        input.set(self.at, value);
+    }
+
+    /// The name of its column in tables, with its unit: `impact_speed_m_per_s`.
+    pub fn column(&self) -> String {
+        format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
+    }
+
+    pub fn find(path: &str) -> Option<&'static Self> {
+        KEYS.iter().find(|key| key.path == path)
+    }
+
+    /// Sets a checked number, SI, in an input, and removes the alternative of the key.
+    pub fn put(&self, input: &mut Input, value: f64) {
+        if let Some(other) = partner(self.path).and_then(Self::find) {
+            other.set(input, None);
+        }
+        self.set(input, Some(value));
+    }
+}
+
+/// The path of the key itself, for the path of an axis, a random key or a key of a calibration. Any other path does not change.
+pub fn varied(path: &str) -> &str {
+    ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
+}
+
+/// The keys that an impact needs, or their alternatives (see [`EITHER`]). The speed is the last.
+pub const NEEDED: [&str; 7] = [
+    "sphere.radius",
+    "sphere.youngs_modulus",
+    "sphere.poissons_ratio",
+    "half_space.youngs_modulus",
+    "half_space.poissons_ratio",
+    "sphere.density",
+    "impact.speed",
+];
+
+/// The number of [`NEEDED`] keys of the sphere, and of both bodies; mass and speed follow.
+pub const SPHERE: usize = 3;
+pub const BODIES: usize = 5;

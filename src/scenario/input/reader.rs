@@ -1,0 +1,191 @@
+//! Reads values as they are written. A refusal reports the value, the allowed range and the remedy.
+
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::scenario::keys::words::unknown_material;
+use crate::scenario::keys::{AnyKey, EVERY_KEY, Quantity, Words};
+use crate::scenario::toml_node::{Name, Node, below, described, whole_number};
+use crate::strings::{did_you_mean, known_names};
+
+/// A refused value: its span, and the reason.
+#[derive(Debug, Clone)]
+pub struct Fault {
+    pub span: Range<usize>,
+    /// The value, the allowed range and the remedy.
+    pub message: String,
+}
+
+impl Fault {
+    /// A refusal of the value at this span.
+    pub fn at(node: &Node, message: impl Into<String>) -> Self {
+        Self { span: node.span(), message: message.into() }
+    }
+
+    /// The refusal of a value of the wrong kind.
+    pub fn unexpected(node: &Node, expected: &str) -> Self {
+        Self::at(node, format!("found {}, expected {expected}", described(node)))
+    }
+}
+
+/// Reads the file of this name, relative to the scenario, for the key of this path: returns its path and its text.
+pub type Files<'f> = &'f mut dyn FnMut(&str, &str) -> Result<[String; 2], String>;
+
+/// Reads the tables of a scenario and collects the refusals.
+pub struct Reader<'f> {
+    /// The table or key that is read, with dots.
+    pub path: String,
+    /// Keys whose value or name is refused.
+    pub refused: Vec<(String, Fault)>,
+    pub has_unknown: bool,
+    files: Files<'f>,
+}
+
+impl<'f> Reader<'f> {
+    /// A reader at the top of a scenario.
+    pub fn new(files: Files<'f>) -> Self {
+        Self { path: String::new(), refused: Vec::new(), has_unknown: false, files }
+    }
+
+    /// Reads the value of this name; a refusal is collected.
+    pub fn in_table(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), Fault>) {
+        let inner = below(&self.path, name);
+        let outer = std::mem::replace(&mut self.path, inner);
+        if let Err(fault) = read(self) {
+            self.refused.push((self.path.clone(), fault));
+        }
+        self.path = outer;
+    }
+
+    /// Path and text of the file that this key names.
+    pub fn file(&mut self, node: &Node, example: &str) -> Result<[String; 2], Fault> {
+        (self.files)(&self.path, text(node, example)?).map_err(|message| Fault::at(node, message))
+    }
+
+    /// Refuses keys that are not in `known`, the names of the keys of this table.
+    pub fn unknown(&mut self, name: &Name, known: &[&str]) {
+        let (thing, things) = match self.path.as_str() {
+            "" => ("table", "tables"),
+            "law" => ("law", "laws"),
+            _ => ("key", "keys here"),
+        };
+        let written = name.get_ref();
+        self.has_unknown = true;
+        let message = if known.is_empty() {
+            format!("unknown {thing} `{written}`; this table takes none")
+        } else {
+            let all = known_names(written, known, things);
+            let hint = keys_of_this_name(&self.path, written)
+                .unwrap_or_else(|| did_you_mean(written, known.iter().copied(), '`', &all));
+            let way =
+                if self.path.is_empty() && &**written == "plate" { " A plate has `half_space.thickness`." } else { "" };
+            format!("unknown {thing} `{written}`{hint}{way}")
+        };
+        self.in_table(written, |_| Err(Fault { span: name.span(), message }));
+    }
+}
+
+/// A hint at the keys that end in a name which is given as a table.
+fn keys_of_this_name(path: &str, name: &str) -> Option<String> {
+    // `plate` is a key of the half-space, but a user who writes a table of this name means the body
+    let ends = |key: &&AnyKey| {
+        let (table, last) = key.path.rsplit_once('.').unwrap_or_default();
+        last == name && !table.contains('.') && name != "plate"
+    };
+    let keys: Vec<&str> = EVERY_KEY.iter().filter(ends).map(|key| key.path).filter(|_| path.is_empty()).collect();
+    match &keys[..] {
+        [] => None,
+        [one] => Some(format!(", did you mean `{one}`?")),
+        several => Some(format!(", did you mean one of `{}`?", several.join("`, `"))),
+    }
+}
+
+/// A number in SI, or a text with a unit; infinite for the word in place of the number.
+pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f64, Fault> {
+    let or = |begin: &str| word.map_or_else(String::new, |word| format!("{begin} \"{word}\""));
+    let value = match node.get_ref() {
+        DeValue::String(text) if word.is_some_and(|word| text.trim() == word) => return Ok(f64::INFINITY),
+        DeValue::String(text) => {
+            return quantity.parse(text).map_err(|message| Fault::at(node, message + &or("; or write")));
+        }
+        DeValue::Integer(digits) => whole_number(digits),
+        DeValue::Float(digits) => digits.as_str().parse().ok(),
+        _ => None,
+    };
+    let expected = || format!("{} such as {}{}", quantity.name, quantity.example, or(", or"));
+    let value = value.ok_or_else(|| Fault::unexpected(node, &expected()))?;
+    quantity.plain(value).map_err(|message| Fault::at(node, message))
+}
+
+/// A whole number.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and below 2^64
+pub fn count(quantity: &Quantity, node: &Node) -> Result<u64, Fault> {
+    const TOO_MANY: f64 = 18_446_744_073_709_551_616.0;
+    if let DeValue::String(_) = node.get_ref() {
+        return Err(Fault::unexpected(node, &format!("a whole number such as {}", quantity.example)));
+    }
+    let value = number(quantity, None, node)?;
+    // above 2^53 only the digits show the number
+    let whole =
+        node.get_ref().as_integer().and_then(|digits| u64::from_str_radix(digits.as_str(), digits.radix()).ok());
+    match whole {
+        Some(whole) => Ok(whole),
+        None if value.fract() == 0.0 && value < TOO_MANY => Ok(value as u64),
+        None => {
+            let message = format!("{value} is not allowed: {} must be a whole number below 2^64", quantity.name);
+            Err(Fault::at(node, message))
+        }
+    }
+}
+
+/// Two numbers.
+pub fn pair(quantities: [&Quantity; 2], node: &Node) -> Result<[f64; 2], Fault> {
+    let example = quantities.map(|quantity| quantity.example).join(", ");
+    match list(node, &format!("[{example}]"))? {
+        [one, other] => Ok([number(quantities[0], None, one)?, number(quantities[1], None, other)?]),
+        items => Err(Fault::at(node, format!("has {} numbers; write two, such as [{example}]", items.len()))),
+    }
+}
+
+pub fn list<'n, 't>(node: &'n Node<'t>, example: &str) -> Result<&'n [Node<'t>], Fault> {
+    match node.get_ref() {
+        DeValue::Array(items) => Ok(items),
+        _ => Err(Fault::unexpected(node, &format!("a list in [ ] such as {example}"))),
+    }
+}
+
+/// Any text.
+pub fn text<'n>(node: &'n Node, example: &str) -> Result<&'n str, Fault> {
+    match node.get_ref() {
+        DeValue::String(text) => Ok(text),
+        _ => Err(Fault::unexpected(node, &format!("a text in quotes such as \"{example}\""))),
+    }
+}
+
+/// The index of a word in the list of known words.
+pub fn word(words: &Words, node: &Node) -> Result<usize, Fault> {
+    named(words, node, |given| (words.known)().iter().position(|word| word == given))
+}
+
+/// Reads a word, and finds its meaning.
+pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>) -> Result<T, Fault> {
+    let known = (words.known)();
+    let given = text(node, known.first().map_or("", String::as_str))?;
+    find(given).ok_or_else(|| {
+        let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
+        let all: Vec<&str> = all.iter().map(String::as_str).collect();
+        let hint = match words.one {
+            "material" => unknown_material(given),
+            _ => did_you_mean(given, known.iter().map(String::as_str), '"', &known_names(given, &all, words.several)),
+        };
+        Fault::at(node, format!("unknown {} \"{given}\"{hint}", words.one))
+    })
+}
+
+pub fn items<'n, 't>(node: &'n Node<'t>) -> Result<&'n DeTable<'t>, Fault> {
+    match node.get_ref() {
+        DeValue::Table(table) => Ok(table),
+        _ => Err(Fault::unexpected(node, "a table")),
+    }
+}

@@ -1,0 +1,260 @@
+//! From written values to bodies, contact and motion. Only here a mass becomes a density, a hardness a strength, and a height a
+//! speed. A missing number is NaN here; the scenario checks before that all numbers are given.
+
+use std::sync::Arc;
+
+use super::{Body, BodyMaterial, Input, Key, Value};
+use crate::contact::law::LawChoice;
+use crate::contact::pair::{HalfSpace, Hold, Sphere, sphere_volume};
+use crate::contact::strength::kind::StrengthKind;
+use crate::impact::flight::free_flight::{Flying, Medium};
+use crate::impact::{
+    Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
+    Solver,
+};
+use crate::materials::{MaterialEntry, all};
+use crate::scenario::keys::{Part, at, key_of};
+
+/// Evenly spaced rows of a trace, unless the scenario gives another number.
+pub const DEFAULT_SAMPLES: usize = 400;
+
+impl Input {
+    /// The bodies. With a flow curve in the law, a hardness gives another yield strength.
+    pub fn bodies(&self, law: &LawChoice) -> (Sphere, HalfSpace) {
+        let radius = self.radius().unwrap_or(f64::NAN);
+        let of_mass = |mass: f64| mass / sphere_volume(radius);
+        let number = |at| self.number(at);
+        let [of_sphere, of_half_space] = law.flow();
+        let yield_strength = self.yield_strength(Body::Sphere, of_sphere);
+        let strength = self.yield_strength(Body::HalfSpace, of_half_space);
+        let density = number(at!("sphere.density")).unwrap_or(f64::NAN);
+        let density = number(at!("sphere.mass")).map_or(density, of_mass);
+        (
+            Sphere { radius, material: self.material(Body::Sphere), density, yield_strength },
+            HalfSpace {
+                density: number(at!("half_space.density")),
+                radius: number(at!("half_space.radius")),
+                hold: match number(at!("half_space.mass")) {
+                    None => Hold::Fixed,
+                    Some(f64::INFINITY) => Hold::Ball,
+                    Some(mass) => Hold::Free(mass),
+                },
+                ..HalfSpace::flat(self.material(Body::HalfSpace), strength)
+            },
+        )
+    }
+
+    pub fn sphere(&self) -> Sphere {
+        self.bodies(&self.law()).0
+    }
+
+    pub fn half_space(&self) -> HalfSpace {
+        self.bodies(&self.law()).1
+    }
+
+    /// True if more than a yield strength describes the flow stress of a body, or if the law does not use it.
+    pub fn has_flow(&self, body: Body) -> bool {
+        let law = self.law();
+        let is_hard = self.number(key_of!(body, "hardness")).is_some();
+        is_hard || body.pick(law.flow()).is_some() || matches!(law, LawChoice::Hertz(_))
+    }
+
+    /// Gravity, damping and the plate.
+    pub fn forces(&self) -> Forces {
+        let number = |at| self.number(at);
+        let viscous = || number(at!("damping.viscous")).map(Damping::Viscous);
+        let damping = number(at!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
+        let plate = number(at!("half_space.thickness")).map(|thickness| Plate {
+            thickness,
+            edge_distance: number(at!("half_space.edge_distance")),
+            theory: self
+                .word(at!("half_space.plate"))
+                .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
+        });
+        Forces { gravity: number(at!("gravity.acceleration")), damping, plate, flying: self.flying() }
+    }
+
+    /// The flight of the sphere, if there is gravity or a height.
+    pub fn flying(&self) -> Option<Flying> {
+        let falls = self.number(at!("gravity.acceleration")).or(self.number(at!("impact.drop_height"))).is_some();
+        let gravity = self.falling_gravity();
+        let in_vacuum = Flying::in_vacuum(gravity);
+        let in_air = || {
+            let medium = self.air()?;
+            Some(Flying::in_air(gravity, &medium, self.radius()?, self.mass()?))
+        };
+        falls.then(|| in_air().unwrap_or(in_vacuum))
+    }
+
+    /// The air of the scenario.
+    pub fn air(&self) -> Option<Medium> {
+        let density = self.number(at!("air.density"))?;
+        let drag = self.number(at!("air.drag")).filter(|drag| drag.is_finite());
+        Some(Medium { density, drag, viscosity: self.number(at!("air.viscosity")).unwrap_or(f64::NAN) })
+    }
+
+    /// The moving mass \[kg\], given directly or by the density of the sphere.
+    pub fn mass(&self) -> Option<f64> {
+        let of_density = || Some(self.number(at!("sphere.density"))? * sphere_volume(self.radius()?));
+        self.number(at!("sphere.mass")).or_else(of_density)
+    }
+
+    /// The pair of the bodies for the law.
+    ///
+    /// # Errors
+    /// [`ImpactError`] if a constant of the pair over- or underflows, and for a law that lacks a loading or an unloading rule.
+    pub fn contact(&self) -> Result<Contact, ImpactError> {
+        let law = self.law();
+        let (sphere, half_space) = self.bodies(&law);
+        self.pair(sphere, half_space, &law)
+    }
+
+    /// Pairs these bodies under this law.
+    pub fn pair(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
+        let mut contact = Contact::try_new(sphere, half_space, law.get())?.with_forces(self.forces());
+        if self.number(at!("sphere.mass")).is_some() {
+            contact = contact.of_a_body();
+        }
+        if let Some(moment) = self.number(at!("sphere.moment_of_inertia")) {
+            contact = contact.with_moment_of_inertia(moment);
+        }
+        let [sphere, half_space] = Body::ALL.map(|body| self.named_material(body));
+        let flow = law.flow();
+        let is_by_hardness =
+            Body::ALL.map(|body| self.number(key_of!(body, "hardness")).is_some() && body.pick(flow).is_none());
+        let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));
+        let is_by_hardness = [0, 1].map(|place| is_by_hardness[place] && !is_of_impact[place]);
+        let named = Named { sphere, half_space, is_by_hardness, is_of_impact };
+        Ok(contact.of_materials(named).with_rates(self.rates(), law))
+    }
+
+    /// The impact speed \[m/s\]: the speed after the fall if a height is given.
+    pub fn speed(&self) -> f64 {
+        let fallen =
+            self.number(at!("impact.drop_height")).and_then(|height| Some(self.flying()?.landing_speed(height)));
+        fallen.or(self.number(at!("impact.speed"))).unwrap_or(f64::NAN)
+    }
+
+    /// The gravity of falls and of rebounds to a height \[m/s²\]. Without `[gravity]` a height only determines a speed.
+    pub fn falling_gravity(&self) -> f64 {
+        self.number(at!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
+    }
+
+    /// Angle, spin and friction, if an angle or a spin is given.
+    #[inline]
+    pub fn incidence(&self) -> Option<Incidence> {
+        let (angle, spin) = (self.number(at!("impact.angle")), self.number(at!("sphere.spin")));
+        (angle.is_some() || spin.is_some()).then(|| Incidence {
+            angle: angle.unwrap_or(0.0),
+            spin: spin.unwrap_or(0.0),
+            friction: self.number(at!("friction.coefficient")).unwrap_or(0.0),
+        })
+    }
+
+    /// Speed, angle and spin at first contact.
+    #[inline]
+    pub fn approach(&self) -> Approach {
+        self.approach_at(self.speed())
+    }
+
+    /// Replaces the speed of [`Input::approach`].
+    #[inline]
+    pub fn approach_at(&self, speed: f64) -> Approach {
+        Approach { speed, incidence: self.incidence() }
+    }
+
+    /// Method and tolerance.
+    pub fn solver(&self) -> Solver {
+        let defaults = Solver::default();
+        let steps = self.count(at!("solver.steps_per_contact")).and_then(|steps| steps.try_into().ok());
+        Solver {
+            method: self.word(at!("solver.method")).map_or(defaults.method, |place| Method::ALL[place]),
+            tolerance: self.number(at!("solver.tolerance")).unwrap_or(defaults.tolerance),
+            steps_per_contact: steps.unwrap_or(defaults.steps_per_contact),
+        }
+    }
+
+    /// Sets this method, unless the scenario names one.
+    pub fn choose_method(&mut self, method: Method) {
+        if self.word(at!("solver.method")).is_none() {
+            self.choose(at!("solver.method"), Method::ALL.iter().position(|known| *known == method));
+        }
+    }
+
+    /// True if a row of a table, or at least its times, are integrated.
+    pub fn is_stepped(&self) -> bool {
+        let forces = self.forces();
+        let method = self.solver().method.chosen(&forces, false);
+        forces.gravity.is_some() || method.is_some_and(|method| method != Method::ClosedForm)
+    }
+
+    /// Evenly spaced rows of the trace.
+    pub fn samples(&self) -> usize {
+        self.count(at!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
+    }
+
+    /// The sphere's radius \[m\], by its radius or its diameter.
+    pub fn radius(&self) -> Option<f64> {
+        let of_diameter = || Some(0.5 * self.number(at!("sphere.diameter"))?);
+        self.number(at!("sphere.radius")).or_else(of_diameter)
+    }
+
+    pub fn named_material(&self, body: Body) -> Option<&'static MaterialEntry> {
+        // the file of materials is read only for a body that names one
+        self.word(key_of!(body, "material")).and_then(|place| all().get(place))
+    }
+
+    /// Replaces the values that a body took from another material by the values of its material.
+    pub fn take(&mut self, choice: &BodyMaterial) {
+        self.choose(
+            key_of!(choice.body, "material"),
+            all().iter().position(|known| known.name == choice.material.name),
+        );
+        if !self.materials().contains(choice) {
+            let others = self.materials().iter().filter(|other| other.body != choice.body);
+            self.set_materials(others.chain([choice]).cloned().collect());
+        }
+        for &(at, property) in &choice.defaults {
+            self.set(at, choice.material.get(property).map(|known| known.used.value));
+        }
+    }
+
+    /// The input with the values that follow from others, and with the defaults of the used keys, for reports.
+    pub fn filled(&self) -> Self {
+        let mut input = self.clone();
+        input.set(at!("sphere.radius"), self.radius());
+        input.set(at!("sphere.diameter"), None);
+        for body in Body::ALL {
+            input.choose(key_of!(body, "material"), None);
+        }
+        let (sphere, half_space) = self.bodies(&self.law());
+        input.fill_strength(Body::Sphere, sphere.yield_strength);
+        input.fill_strength(Body::HalfSpace, half_space.yield_strength);
+        input.set(at!("impact.speed"), Some(self.speed()));
+        if let Some(Incidence { angle, spin, .. }) = self.incidence() {
+            input.set(at!("impact.angle"), Some(angle));
+            input.set(at!("sphere.spin"), Some(spin));
+        }
+        input.choose_method(self.solver().method);
+        let is_on_plate = self.forces().plate.is_some();
+        let rates = self.rates();
+        let is_raised = |path: &str| {
+            Body::ALL.iter().zip(rates).any(|(body, rate)| path.starts_with(body.rate_table()) && rate.is_some())
+        };
+        let has_reference = |path: &str| {
+            !path.ends_with(".reference")
+                || Key::find(&path.replace("reference", "c")).is_some_and(|c| c.get(self).is_some())
+        };
+        input.fill(|key| match key.part {
+            Part::Rate => is_raised(key.path) && has_reference(key.path),
+            Part::Law => self.is_of_law(key.path),
+            Part::Motion => is_on_plate,
+            part => matches!(part, Part::Solver | Part::Output),
+        });
+        let coefficients = at!("law.plm.coefficients");
+        if let (LawChoice::Plm(law), None) = (&self.named_law, self.value(coefficients)) {
+            input.put_value(coefficients, Some(Value::Coefficients(Arc::clone(&law.coefficients))));
+        }
+        input
+    }
+}

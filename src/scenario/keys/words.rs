@@ -1,0 +1,85 @@
+//! The words that keys take in place of numbers.
+
+use super::Words;
+use crate::contact::law::LawChoice;
+use crate::contact::law::catalogue::jackson_green::Hardness;
+use crate::contact::strength::kind::StrengthKind;
+use crate::impact::series::Place;
+use crate::impact::{Method, PlateTheory};
+use crate::materials::{MaterialEntry, all};
+use crate::results::columns;
+use crate::strings::did_you_mean;
+
+const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> Words {
+    Words { one, several, known }
+}
+
+/// The end of a message about a material that is not in the list. Its other names, such as "AISI 304", are in the descriptions
+/// of the materials.
+pub fn unknown_material(name: &str) -> String {
+    let lower = name.to_lowercase().replace("aluminum", "aluminium");
+    let is_word = |part: &&str| !part.is_empty() && !NORMS.contains(part);
+    let parts: Vec<&str> = lower.split(|c: char| !c.is_alphanumeric() && c != '.').filter(is_word).collect();
+    let has = |words: &str, part: &str| words.split(|c: char| !c.is_alphanumeric() && c != '.').any(|own| own == part);
+    let is_meant = |entry: &&MaterialEntry| {
+        let words = format!("{} {}", entry.name, entry.title).to_lowercase();
+        !parts.is_empty() && parts.iter().all(|part| has(&words, part))
+    };
+    let meant: Vec<&str> = all().iter().filter(is_meant).map(|entry| entry.name.as_str()).collect();
+    let names = all().iter().map(|entry| entry.name.as_str());
+    let candidates: Vec<&str> = if meant.is_empty() { names.collect() } else { meant.clone() };
+    let rest = format!(
+        "`plm-impact materials` lists all {}; a scenario can give youngs_modulus, poissons_ratio and density instead",
+        all().len()
+    );
+    match &meant[..] {
+        [one] => format!(", did you mean \"{one}\"?"),
+        [] => did_you_mean(name, candidates, '"', &rest),
+        several => format!(", did you mean one of \"{}\"?", several.join("\", \"")),
+    }
+}
+
+/// Words before the number of a material that are not in its description.
+const NORMS: [&str; 8] = ["aisi", "sae", "en", "din", "jis", "astm", "alloy", "grade"];
+
+/// Names of integration methods.
+pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.map(Method::name)));
+/// Names of whole laws.
+pub static LAWS: Words = words("law", "laws", || laws(LawChoice::has_loading));
+/// Laws, as an axis takes them.
+pub static AXIS_OF_LAWS: Words =
+    words("law", "laws (or \"loading + unloading\" such as \"jackson_green + brake\")", || {
+        laws(LawChoice::has_loading)
+    });
+pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
+pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
+/// Spots of repeated impacts.
+pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
+/// Forms of the hardness of Jackson and Green.
+pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
+/// Words for the noise of measurements, if it is not given by numbers.
+pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
+/// Kinds of a strength.
+pub static STRENGTH_KINDS: Words = words("kind", "kinds", || texts(StrengthKind::ALL.map(StrengthKind::name)));
+/// How the rise of a strength with the rate of strain is given, if not by a table.
+pub static RATES: Words = words("word", "words here", || texts(["material"]));
+/// Scales on which the range of a key is searched.
+pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]));
+/// The ways to treat outliers.
+pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "none"]));
+/// The place of `student-t` among them.
+pub const STUDENT_T: usize = 0;
+pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
+pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL.map(PlateTheory::name)));
+/// Distributions of a material within its ranges.
+pub static DRAWN: Words = words("word", "words here", || texts(["uniform"]));
+/// Names of the results that a table may have.
+pub static COLUMNS: Words = words("result", "results", || texts(columns().iter().map(|column| column.name)));
+
+fn texts(known: impl IntoIterator<Item = impl ToString>) -> Vec<String> {
+    known.into_iter().map(|word| word.to_string()).collect()
+}
+
+fn laws(is_wanted: fn(&LawChoice) -> bool) -> Vec<String> {
+    texts(LawChoice::all().iter().filter(|law| is_wanted(law)).map(LawChoice::name))
+}

@@ -1,0 +1,6 @@
+//! One file for each kind of scenario.
+
+pub mod calibration;
+pub mod indentation;
+pub(in crate::scenario) mod series;
+pub(in crate::scenario) mod sweep;

@@ -1,0 +1,5 @@
+//! Which keys may stand together.
+
+pub(in crate::scenario) mod combinations;
+pub(in crate::scenario) mod flow_curve;
+pub(in crate::scenario) mod strain_rate;

@@ -1,0 +1,16 @@
+//! Text that people read and write: aligned tables, CSV as spreadsheets write it, named enums, "did you mean".
+
+pub(crate) mod aligned;
+pub(crate) mod csv;
+#[doc(hidden)]
+pub mod names;
+
+pub use aligned::{aligned, markdown};
+pub(crate) use names::named;
+pub use names::{did_you_mean, known_names};
+
+/// The text with a capital letter at its beginning.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

@@ -1,0 +1,71 @@
+//! Rows are classified as results, as rows outside the range of a law, or as failures.
+
+use super::Failure;
+use super::statistics::{Distribution, Statistics};
+use crate::impact::Essentials;
+use crate::results::Column;
+use crate::scenario::plan::Plan;
+
+/// The outcome of a row: its values in [`Plan::statistics_columns`], where a missing value is NaN; or the reason why it has no result.
+pub type Count = Result<Vec<f64>, Failure>;
+
+/// Classifies a computed row. `columns` are the columns with statistics.
+pub fn count(result: &Result<Essentials, Failure>, columns: &[Column]) -> Count {
+    let values = |row: &Essentials| columns.iter().map(|column| (column.value)(row).unwrap_or(f64::NAN)).collect();
+    result.as_ref().map(values).map_err(|failure| *failure)
+}
+
+/// The outcome of a row that is read from a file; `None` for an unknown status.
+pub(super) fn written(status: &str, values: Vec<f64>) -> Option<Count> {
+    if status == OK {
+        return Some(Ok(values));
+    }
+    Failure::find(status).map(Err)
+}
+
+/// The status of a row with a result.
+pub(super) const OK: &str = "ok";
+
+pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
+    result.as_ref().map_or_else(|failure| failure.name(), |_| OK)
+}
+
+/// Counts of rows, and the statistics of their columns.
+#[derive(Debug, Clone, Default)]
+pub struct Tally {
+    pub rows: u64,
+    /// Rows without a result.
+    pub failures: u64,
+    /// Rows outside the range of the law.
+    pub outside_law: u64,
+    /// The columns of [`Plan::statistics_columns`], the restitution first. Empty if the values are not random.
+    pub statistics: Vec<(Column, Statistics)>,
+}
+
+impl Tally {
+    /// No rows of this plan yet.
+    pub fn new(plan: &Plan) -> Self {
+        let statistics = plan.statistics_columns().into_iter().map(|column| (column, Statistics::default())).collect();
+        Self { statistics, ..Self::default() }
+    }
+
+    /// Counts a row. The statistics depend on the order of the rows in their last digits.
+    pub fn push(&mut self, count: Count) {
+        self.rows += 1;
+        match count {
+            // an answer, not a failure
+            Err(Failure::OutsideLaw) => self.outside_law += 1,
+            Err(_) => self.failures += 1,
+            Ok(values) => {
+                for ((_, statistics), value) in self.statistics.iter_mut().zip(values) {
+                    statistics.push(value);
+                }
+            }
+        }
+    }
+
+    /// The distribution of every column that has values.
+    pub fn distributions(&self) -> Vec<(Column, Distribution)> {
+        self.statistics.iter().filter_map(|(column, all)| Some((*column, all.distribution()?))).collect()
+    }
+}

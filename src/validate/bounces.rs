@@ -1,0 +1,48 @@
+//! A ball that bounces has one restitution at these low speeds, from whatever height it is dropped. The times between its bounces
+//! give that restitution only if the flight is right: this compares the formulas of the flight, and no contact law.
+
+use super::comparison::{Comparison, Group, mean};
+use crate::contact::law::PlmCoefficients;
+use crate::error::Error;
+use crate::impact::STANDARD_GRAVITY;
+use crate::impact::flight::free_flight::{Flying, Medium};
+use crate::reference::{CLICKS, Row};
+
+const SOURCE: &str = "intervals between bounces of a table-tennis ball by students (Ali, Broggi, Cantarini), without a second witness, scenarios/clicks.csv";
+const IN_AIR: Group = Group::new("measured: restitution at a drop height over that at 8 cm, with air", SOURCE, "");
+const IN_VACUUM: Group =
+    Group::new("measured: restitution at a drop height over that at 8 cm, without air", SOURCE, "");
+
+/// The ball and the air of `scenarios/bouncing-clicks.toml`.
+const RADIUS: f64 = 0.02;
+const MASS: f64 = 2.7e-3;
+const AIR: Medium = Medium { density: 1.2, drag: Some(0.5), viscosity: f64::NAN };
+
+/// The restitution of the bounces between these intervals: the speed of each take-off over that of the landing before it. A contact
+/// lasts about a millisecond, which changes a restitution by 0.02 %, and is left in the intervals.
+fn restitution(drop: &[Row], flying: &Flying) -> f64 {
+    let take_offs: Vec<f64> =
+        drop.iter().map(|click| flying.take_off_speed(click.number("bounce_interval_s"))).collect();
+    let ratio = |pair: &[f64]| pair[1] / flying.landing_speed(flying.rise(pair[0]));
+    mean(&take_offs.windows(2).map(ratio).collect::<Vec<_>>())
+}
+
+/// The higher drops against the lowest, on which air has the least effect. The contact law has no part in it, so its coefficients
+/// change nothing.
+pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let clicks = CLICKS.rows()?;
+    let drops: Vec<&[Row]> = clicks.chunk_by(|_, next| next.maybe("drop_height_cm").is_none()).collect();
+    let Some((lowest, higher)) = drops.split_first() else { return Ok(Vec::new()) };
+    let mut compared = Vec::new();
+    for (group, flying) in [
+        (IN_AIR, Flying::in_air(STANDARD_GRAVITY, &AIR, RADIUS, MASS)),
+        (IN_VACUUM, Flying::in_vacuum(STANDARD_GRAVITY)),
+    ] {
+        let reference = restitution(lowest, &flying);
+        for drop in higher {
+            let height = drop.first().map_or(f64::NAN, |click| click.number("drop_height_cm"));
+            compared.push(group.compared(format!("{height} cm"), [reference, restitution(drop, &flying)]));
+        }
+    }
+    Ok(compared)
+}

@@ -1,0 +1,88 @@
+//! Whole impacts against explicit finite elements: restitution, contact time, peak force, dent depth.
+
+use super::comparison::{Comparison, EXPONENTS, Group, Quantity, compared};
+use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
+use crate::error::Error;
+use crate::impact::Impact;
+use crate::reference;
+use crate::reference::{CURVES_OF_IMPACTS, DYNAMIC, IMPACTS, Row};
+use crate::scenario::Scenario;
+use crate::scenario::input::Input;
+
+const QUANTITIES: [Quantity<Case>; 8] = [
+    (Group::new("impact: restitution, exponent 3/2", DYNAMIC, ""), |case| {
+        Some([case.reference.number("restitution"), case.impacts[0].restitution])
+    }),
+    (Group::new("impact: restitution, pressure-shape", DYNAMIC, ""), |case| {
+        Some([case.reference.number("restitution"), case.impacts[1].restitution])
+    }),
+    (Group::new("impact: restitution, pressure-shape with waves", DYNAMIC, ""), |case| {
+        Some([case.reference.number("restitution"), case.impacts[1].restitution_with_waves()?])
+    }),
+    (Group::new("impact: energy radiated as waves", DYNAMIC, ""), |case| {
+        Some([case.reference.number("radiated_share"), case.impacts[1].wave_loss_fraction?])
+    }),
+    (Group::new("impact: contact time, exponent 3/2", DYNAMIC, "s"), |case| {
+        Some([case.reference.number("contact_time_s"), case.impacts[0].contact_time])
+    }),
+    (Group::new("impact: contact time, pressure-shape", DYNAMIC, "s"), |case| {
+        Some([case.reference.number("contact_time_s"), case.impacts[1].contact_time])
+    }),
+    (Group::new("impact: peak force", DYNAMIC, "N"), |case| {
+        Some([case.reference.number("peak_force_N"), case.impacts[0].peak_force])
+    }),
+    (Group::new("impact: residual indentation", DYNAMIC, "m"), |case| {
+        Some([case.reference.number("residual_indentation_m"), case.impacts[0].residual_indentation])
+    }),
+];
+
+/// Number of samples in the traces that pictures are drawn from.
+const SAMPLES: usize = 300;
+
+const SCENARIOS: [(&str, &str); 3] = [
+    ("D1", include_str!("../../scenarios/dynamic-fe-d1.toml")),
+    ("D2", include_str!("../../scenarios/dynamic-fe-d2.toml")),
+    ("D5", include_str!("../../scenarios/dynamic-fe-d5.toml")),
+];
+
+/// One impact, by finite elements and by the law.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The results of the finite elements, with the name, such as "D1".
+    pub reference: Row,
+    /// Samples of the finite elements, in the order of time.
+    pub samples: Vec<Row>,
+    /// The impact by the law with each of [`EXPONENTS`], with a trace.
+    pub impacts: [Impact; 2],
+}
+
+/// The inputs of the three impacts, and what the finite elements gave: results, and samples in the order of time.
+pub(super) fn scenes() -> Result<Vec<(Input, Row, Vec<Row>)>, Error> {
+    let (references, samples) = (IMPACTS.rows()?, CURVES_OF_IMPACTS.rows()?);
+    let scene = |&(name, text): &(&'static str, &str)| {
+        let reference = references.iter().find(|row| row.text("case") == name).cloned();
+        let reference = reference.ok_or_else(|| reference::damaged(DYNAMIC, &format!("has no row {name}")))?;
+        let input = Scenario::from_text(name, text, &[])?.resolve()?;
+        Ok((input, reference, samples.iter().filter(|sample| sample.text("case") == name).cloned().collect()))
+    };
+    SCENARIOS.iter().map(scene).collect()
+}
+
+/// The three impacts.
+pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
+    let case = |(input, reference, samples): (Input, Row, Vec<Row>)| {
+        let impact = |exponent| -> Result<Impact, Error> {
+            let law = LawChoice::Plm(Plm::new(coefficients, exponent));
+            let (sphere, half_space) = input.bodies(&law);
+            let contact = input.pair(sphere, half_space, &law)?;
+            Ok(contact.impact(input.speed(), &input.solver(), Some(SAMPLES))?)
+        };
+        let [paper, shape] = EXPONENTS.map(|(exponent, _)| impact(exponent));
+        Ok(Case { reference, samples, impacts: [paper?, shape?] })
+    };
+    scenes()?.into_iter().map(case).collect()
+}
+
+pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    Ok(compared(&QUANTITIES, &cases(coefficients)?, |case| case.reference.text("case").to_owned()))
+}

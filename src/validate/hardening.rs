@@ -1,0 +1,66 @@
+//! A half-space that hardens: the law, loaded with the same work as the finite elements.
+
+use super::comparison::{Comparison, Group, Quantity, compared};
+use crate::contact::law::{ContactState, Law, Plm, PlmCoefficients, UnloadingExponent};
+use crate::error::Error;
+use crate::reference::{HARDENING, Row};
+
+const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
+
+/// A load cycle by finite elements, and by the law.
+type Case = (Row, AtEnergy);
+
+const QUANTITIES: [Quantity<Case>; 5] = [
+    (group("hardening: restitution, pressure-shape"), |(row, state)| {
+        Some([row.number("restitution"), state.restitution])
+    }),
+    (group("hardening: peak force"), |(row, state)| Some([row.number("f"), state.peak.force])),
+    (group("hardening: peak indentation"), |(row, state)| Some([row.number("x"), state.peak.indentation])),
+    // a shallow dent would have a large relative deviation
+    (
+        Group::of_differences("hardening: residual indentation, deviation over peak indentation", REFERENCE, ""),
+        |(row, state)| Some([row.number("residual_share"), state.peak.residual() / state.peak.indentation]),
+    ),
+    (group("hardening: contact radius"), |(row, state)| {
+        Some([row.number("contact_radius_over_R"), state.contact_radius])
+    }),
+];
+
+const fn group(name: &'static str) -> Group {
+    Group::new(name, REFERENCE, "")
+}
+
+/// A load cycle by the law.
+pub(super) struct AtEnergy {
+    peak: ContactState,
+    /// Restitution √(recovered/spent work).
+    pub(super) restitution: f64,
+    /// Contact radius at the peak, a_m/R.
+    contact_radius: f64,
+}
+
+/// The load cycle in which loading takes this work, in units of first yield.
+pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEnergy {
+    let piece = &law.loading.pieces()[law.loading.index_at_work(spent)];
+    let peak = law.loaded_to(piece.indentation_at_work(spent));
+    let restitution = (law.unloading(peak).capacity() / spent).sqrt();
+    AtEnergy { peak, restitution, contact_radius: law.contact_radius(&peak) * yield_radius_ratio }
+}
+
+/// The law of these materials, and a_Y/R. Without `hardens` the law has no flow curve.
+pub(super) fn law(materials: &Row, coefficients: &PlmCoefficients, hardens: bool) -> Result<Option<(Law, f64)>, Error> {
+    let flow = [None, materials.curve().filter(|_| hardens)];
+    let plm = Plm { flow, ..Plm::new(coefficients, UnloadingExponent::PressureShape) };
+    Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
+}
+
+pub(super) fn unloadings(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let mut cases = Vec::new();
+    for row in HARDENING.rows()? {
+        if let Some((law, yield_radius_ratio)) = law(&row, coefficients, true)? {
+            let state = at_energy(&law, yield_radius_ratio, row.number("spent"));
+            cases.push((row, state));
+        }
+    }
+    Ok(compared(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.text("material"), row.number("x"))))
+}

@@ -1,0 +1,61 @@
+//! Compares the law with finite elements and with measurements. The number of the reference comes from a table of
+//! `src/reference`, never from the law.
+//!
+//! Comparisons with exact arithmetic and closed forms are not here: they are tests of the program.
+
+mod bounces;
+pub mod cases;
+pub mod comparison;
+pub mod dynamic;
+mod figure_10;
+mod hardening;
+pub mod law_error;
+pub mod laws;
+mod leeb;
+mod oblique;
+mod pictures;
+mod quasi_static;
+mod rate;
+pub mod report;
+mod yielding;
+
+use crate::contact::law::PlmCoefficients;
+use crate::error::Error;
+use crate::files::Counter;
+pub use comparison::{Comparison, Group};
+pub use pictures::pictures;
+
+/// A function that compares the law with one kind of reference.
+type Source = fn(&PlmCoefficients) -> Result<Vec<Comparison>, Error>;
+
+/// All these functions, in the order of the table in the report.
+const SOURCES: &[Source] = &[
+    quasi_static::loading,
+    quasi_static::cycles,
+    dynamic::impacts,
+    hardening::unloadings,
+    yielding::load_cycles,
+    rate::impacts,
+    leeb::rebounds,
+    leeb::hardnesses,
+    yielding::equal_balls,
+    bounces::heights,
+    oblique::rebounds,
+];
+
+/// All comparisons of a law with these coefficients. `progress` counts the kinds of references.
+pub fn comparisons(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<Comparison>, Error> {
+    let (mut all, built_in) = (Vec::new(), PlmCoefficients::built_in());
+    progress.expect(SOURCES.len() as u64);
+    for source in SOURCES {
+        let mut compared = source(coefficients)?;
+        if coefficients != built_in {
+            for (own, other) in compared.iter_mut().zip(source(built_in)?) {
+                own.of_built_in = Some(other.deviation);
+            }
+        }
+        all.extend(compared);
+        progress.step();
+    }
+    Ok(all)
+}

@@ -1,0 +1,66 @@
+//! Oblique impacts: measured rebounds of alumina from glass, and finite elements. Both stay elastic, and nothing
+//! is fitted to them. Measured oblique rebounds from a dent are not public.
+
+use super::comparison::{Comparison, Group};
+use crate::contact::law::{Plm, PlmCoefficients};
+use crate::contact::pair::{HalfSpace, Material, Sphere};
+use crate::error::Error;
+use crate::impact::{Approach, Contact, Incidence, Rebound, Solver};
+use crate::numerics::functions::atan;
+use crate::reference::{REBOUNDS, SLIPS};
+
+const KHARAZ: &str = "Kharaz, Gorham and Salman 2001, kharaz.csv";
+const FINITE_ELEMENTS: &str = "finite elements, Chung and Ooi 2011, fe_oblique.csv";
+
+/// The sphere of Kharaz et al. and its speed.
+pub(super) const RADIUS: f64 = 2.5e-3;
+pub(super) const SPEED: f64 = 3.9;
+/// Their coefficient of friction, and that of the finite elements.
+pub(super) const FRICTION: f64 = 0.092;
+const FRICTION_OF_ELEMENTS: f64 = 0.3;
+
+const TANGENTIAL: Group = Group::of_differences("oblique: tangential restitution", KHARAZ, "");
+const SPIN: Group = Group::of_differences("oblique: spin, radius times spin over speed", KHARAZ, "");
+const ANGLE: Group = Group::of_differences("oblique: rebound angle, deviation over 1 rad", KHARAZ, "rad");
+const SLIP: Group = Group::of_differences("oblique: slip speed after the impact over mu v_n", FINITE_ELEMENTS, "");
+
+pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
+    let sphere = Sphere::elastic(RADIUS, Material { youngs_modulus: 380e9, poissons_ratio: 0.23 }, 4000.0);
+    let glass = Material { youngs_modulus: 70e9, poissons_ratio: 0.25 };
+    let half_space = HalfSpace::flat(glass, None);
+    Ok(Contact::try_new(sphere, half_space, &Plm::default())?)
+}
+
+/// The rebound at an angle from the normal \[rad\], without spin before.
+pub(super) fn rebound(contact: &Contact, angle: f64, friction: f64) -> Result<Option<Rebound>, Error> {
+    let approach = Approach { speed: SPEED, incidence: Some(Incidence { angle, spin: 0.0, friction }) };
+    Ok(contact.impact(approach, &Solver::default(), None)?.rebound)
+}
+
+/// The coefficients of the law have no part in impacts that stay elastic.
+pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let alumina = alumina_on_glass()?;
+    let mut compared = Vec::new();
+    for row in REBOUNDS.rows()? {
+        let [angle, value] = ["angle_deg", "value"].map(|column| row.number(column));
+        let Some(after) = rebound(&alumina, angle.to_radians(), FRICTION)? else { continue };
+        let (group, numbers) = match row.text("quantity") {
+            "tangential_restitution" => (TANGENTIAL, [value, after.tangential_restitution]),
+            "spin_rad_per_s" => (SPIN, [value, after.spin].map(|spin| spin * RADIUS / SPEED)),
+            _ => (ANGLE, [value.to_radians(), after.angle]),
+        };
+        compared.push(group.compared(format!("{angle} deg"), numbers));
+    }
+    // a rigid plane under an elastic sphere has the G*/E* of two equal bodies
+    let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
+    let half_space = HalfSpace::flat(body, None);
+    let equal = Contact::try_new(Sphere::elastic(RADIUS, body, 2700.0), half_space, &Plm::default())?;
+    for row in SLIPS.rows()? {
+        let before = row.number("slip_before");
+        let angle = atan(FRICTION_OF_ELEMENTS * before);
+        let Some(after) = rebound(&equal, angle, FRICTION_OF_ELEMENTS)? else { continue };
+        let numbers = [row.number("slip_after"), -after.contact_point_restitution * before];
+        compared.push(SLIP.compared(format!("s_0/(mu v_n) = {before}"), numbers));
+    }
+    Ok(compared)
+}

@@ -1,0 +1,276 @@
+//! Pictures of the validation: the law (lines) beside the reference (points).
+
+use rayon::prelude::*;
+
+use super::cases::{Case, cases};
+use super::comparison::{EXPONENTS, deviation};
+use super::dynamic;
+use super::figure_10::figure_10;
+use super::hardening::{at_energy, law};
+use super::leeb::restitution as of_device;
+use super::oblique::{FRICTION, alumina_on_glass, rebound};
+use super::quasi_static::restitution;
+use super::yielding::compared;
+use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
+use crate::error::Error;
+use crate::files::{Counter, OutputFile};
+use crate::impact::oblique::normal_motion::TangentialMotion;
+use crate::impact::{ImpactError, TraceRow};
+use crate::numerics::functions::{exp, ln, sin_cos};
+use crate::reference::{DEVICES, HARDENING, REBOUNDS, Row, STEELS};
+use crate::report::chart::{Axis, Chart, Panel, Pictures, Series, Style};
+use crate::units::{Dimension, quantity};
+
+/// A picture before it is drawn, with the name of its file without the ending.
+type Picture = (String, Chart);
+
+/// A curve of 300 pieces from 1 to `high`, with equal ratios.
+fn log_sampled(high: f64, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> {
+    (0..=300).map(|i| point(exp(ln(high) * f64::from(i) / 300.0))).collect()
+}
+
+/// All pictures. `progress` counts them.
+pub fn pictures(
+    coefficients: &PlmCoefficients,
+    format: Pictures,
+    progress: &Counter,
+) -> Result<Vec<OutputFile>, Error> {
+    if format == Pictures::None {
+        return Ok(Vec::new());
+    }
+    let cases = cases()?;
+    let mut pictures = vec![off_by_depth(&cases, coefficients)];
+    if let Some(case) = cases.iter().find(|case| case.loading.case == "case3") {
+        pictures.push(by_depth(case, coefficients));
+        pictures.extend(figure_10(case)?);
+    }
+    pictures.extend(dynamic::cases(coefficients)?.iter().map(impact));
+    pictures.push(hardening(coefficients)?);
+    pictures.push(yielding(coefficients, &cases)?);
+    pictures.push(leeb(coefficients)?);
+    pictures.push(oblique()?);
+    progress.expect(pictures.len() as u64);
+    let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());
+    let drawn: Result<Vec<Option<OutputFile>>, Error> = pictures.par_iter().map(file).collect();
+    Ok(drawn?.into_iter().flatten().collect())
+}
+
+fn depths() -> Axis {
+    Axis::log("Peak indentation over that at yield", "")
+}
+
+/// The caption that says where the cases come from.
+const CASES: &str = "cases are pairs of bodies of Table 1 of Xie et al. (2024)";
+
+/// The deviation of the restitution of all load cycles: a box for each exponent, a marker for each pair of materials.
+fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
+    let of_exponent = |(which, (exponent, name)): (usize, (_, &str))| {
+        let of_case = |(i, case): (usize, &Case)| {
+            let law = case.law(coefficients, exponent);
+            let off = |x, e| (x, 100.0 * deviation(e, restitution(&law, x)));
+            let points = case
+                .cycles
+                .iter()
+                .filter_map(|cycle| Some(off(cycle.peak.indentation, cycle.row.maybe("restitution")?)));
+            let name = if which == 0 { case.name() } else { String::new() };
+            Series::points(name, points.collect()).styled(i)
+        };
+        let series = cases.iter().enumerate().map(of_case).collect();
+        let y = Axis::linear(&format!("e off, {name}"), "%").between(-6.5, 2.5);
+        let mut panel = Panel::new(y, series);
+        panel.guides.push(Series::horizontal(0.0, ""));
+        panel
+    };
+    let panels = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
+    let chart = Chart::stacked("Restitution of the law less that of finite elements", depths(), panels);
+    ("error-restitution".to_owned(), chart.with_caption(CASES))
+}
+
+fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
+    let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.peak.indentation);
+    let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.peak.indentation, cycle.row.maybe("restitution")?)));
+    let mut series = vec![Series::points("finite elements", cycles.collect())];
+    for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
+        let law = case.law(coefficients, exponent);
+        let curve = log_sampled(1.1 * deepest, |x| (x, restitution(&law, x)));
+        series.push(Series::line(format!("law, {name}"), curve).styled(i + 1));
+    }
+    let y = Axis::linear("Restitution e", "").between(0.15, 1.02);
+    let chart = Chart::new(format!("Restitution against depth, {}", case.name()), [depths(), y], series);
+    let chart = chart.with_caption(CASES);
+    (format!("restitution-{}", case.name().replace(' ', "-")), chart)
+}
+
+/// The step from marker to marker, in samples of finite elements; the lines below the markers stay visible.
+const SHOWN: usize = 4;
+
+/// An indentation: its name, its column of the reference, and its value in the law.
+type IndentationPart = (&'static str, &'static str, fn(&TraceRow) -> f64);
+
+const INDENTATIONS: [IndentationPart; 3] = [
+    ("approach δ", "indentation_m", |row| row.indentation),
+    ("sphere δₛ", "sphere_indentation_m", |row| row.sphere_indentation),
+    ("half-space δₕ", "half_space_indentation_m", |row| row.half_space_indentation),
+];
+
+/// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
+fn impact(case: &dynamic::Case) -> Picture {
+    let (mut series, mut of_sphere) = (Vec::new(), Vec::new());
+    for (i, (name, column, of_row)) in INDENTATIONS.into_iter().enumerate() {
+        let samples = case.samples.iter().step_by(SHOWN);
+        let points = samples.map(|sample| (sample.number(column), sample.number("force_N")));
+        let mut drawn = vec![Series::points(name, points.collect()).styled(i)];
+        for (which, impact) in case.impacts.iter().enumerate() {
+            let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
+            drawn.push(Series::line("", curve).styled(Style::new(i).branch(which)));
+        }
+        if i == 1 { of_sphere = drawn } else { series.extend(drawn) }
+    }
+    let mut notes = vec!["points: finite elements".to_owned(), "Restitution".to_owned()];
+    notes.push(format!("  finite elements: {:.4}", case.reference.number("restitution")));
+    let of_law = case.impacts.iter().zip(EXPONENTS);
+    notes.extend(of_law.map(|(impact, (_, name))| format!("  {name}: {:.4}", impact.restitution)));
+    let with_waves = case.impacts[1].restitution_with_waves();
+    notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
+    let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
+    let (name, slug) = (case.reference.text("case"), case.reference.text("case").to_lowercase());
+    let title = format!("Impact {name} at {}", quantity(case.impacts[0].speed, Dimension::Speed));
+    let chart = Chart::new(title, axes, series).with_side(Axis::linear("of the sphere", "m"), of_sphere);
+    let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
+    (format!("impact-{slug}-force-indentation"), chart)
+}
+
+/// Materials that harden, and their names in the picture.
+const METALS: [(&str, &str); 3] =
+    [("c3n10", "steel, N = 0.1"), ("alvoce", "aluminium, Voce"), ("cun30", "copper, N = 0.3")];
+
+/// Restitution against depth on half-spaces that harden, by the law with the flow curve and with the initial yield
+/// strength.
+fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
+    let rows = HARDENING.rows()?;
+    let mut series = Vec::new();
+    for (i, (name, called)) in METALS.into_iter().enumerate() {
+        let of_material: Vec<_> = rows.iter().filter(|row| row.text("material") == name).collect();
+        let Some(materials) = of_material.first() else { continue };
+        let point = |row: &&Row| (row.number("x"), row.number("restitution"));
+        let points: Vec<(f64, f64)> = of_material.iter().map(point).collect();
+        let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
+        series.push(Series::points(called, points).styled(i));
+        for (which, hardens) in [true, false].into_iter().enumerate() {
+            let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
+            let curve = log_sampled(1.2 * deepest, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
+            series.push(Series::line("", curve).styled(Style::new(i).branch(which)));
+        }
+    }
+    let axes = [
+        Axis::log("Peak indentation over that at first yield", ""),
+        Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
+    ];
+    let chart = Chart::new("Restitution on metals that harden", axes, series);
+    let chart =
+        chart.with_branches(&["law, flow curve", "law, initial strength"]).with_notes(["points: finite elements"]);
+    Ok(("hardening-restitution".to_owned(), chart))
+}
+
+/// The pairs of steel in the picture of bodies that yield, all of the same strength; the dents are those of case 3.
+const YIELDING: [(&str, &str); 2] = [("S1", "sphere: flat"), ("S3", "both")];
+
+/// Restitution against contact radius, where the half-space yields, the sphere, or both.
+fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, Error> {
+    let (all, mut series) = (compared(coefficients, UnloadingExponent::PressureShape)?, Vec::new());
+    let mut add = |called: &str, law: &Law, ratio: f64, points: Vec<(f64, f64)>, deepest: f64| {
+        let style = series.len() / 2;
+        series.push(Series::points(called, points).styled(style));
+        let at = |x| (law.contact_radius(&law.loaded_to(x)) * ratio, restitution(law, x));
+        series.push(Series::line("", log_sampled(1.1 * deepest, at)).styled(style));
+    };
+    for case in cases.iter().filter(|case| case.loading.case == "case3") {
+        let law = case.law(coefficients, UnloadingExponent::PressureShape);
+        let point = |row: &Row| Some((row.number("contact_radius_over_R"), row.maybe("restitution")?));
+        let points = case.cycles.iter().filter_map(|cycle| point(&cycle.row)).collect();
+        let deepest = case.cycles.iter().map(|cycle| cycle.peak.indentation).fold(1.0, f64::max);
+        add("half-space: dent", &law, case.loading.yield_radius_ratio, points, deepest);
+    }
+    for (name, called) in YIELDING {
+        let of_pair: Vec<_> = all.iter().filter(|cycle| cycle.row.text("case") == name).collect();
+        let Some(first) = of_pair.first() else { continue };
+        let point = |row: &Row| (row.number("contact_radius_over_R"), row.number("e"));
+        let points = of_pair.iter().map(|cycle| point(&cycle.row)).collect();
+        let deepest = of_pair.iter().map(|cycle| cycle.at_depth).fold(1.0, f64::max);
+        add(called, &first.law, first.bodies.yield_radius_ratio(), points, deepest);
+    }
+    let axes = [
+        Axis::log("Contact radius over radius of the sphere a/R", ""),
+        Axis::linear("Restitution e, pressure-shape", "").between(0.25, 1.02),
+    ];
+    let chart = Chart::new("Restitution where sphere, half-space or both yield", axes, series);
+    let chart = chart.with_notes(["points: finite elements", "lines: law"]).with_caption("yield strength 345 MPa");
+    Ok(("yielding-restitution".to_owned(), chart))
+}
+
+/// The rebound hardness of steels against their tensile strength: as measured, and by the law with two strengths that are
+/// often used as yield strength. The 0.2 % strength of a structural steel is 0.65 of the tensile.
+fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
+    let steels = STEELS.rows()?;
+    let end = |steel: &Row, which: &str| {
+        (steel.number(&format!("{which}_tensile_strength_MPa")), steel.number(&format!("{which}_HLD")))
+    };
+    // a point of NaN separates the steels
+    let ranges = steels.iter().flat_map(|steel| [end(steel, "low"), end(steel, "high"), (f64::NAN, f64::NAN)]);
+    let ranges = ranges.collect();
+    let mut series =
+        vec![Series::line("measured, ten steels", ranges).and("each from end to end of its range").styled(0)];
+    let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
+    for (device, (i, (share, name, assumption))) in
+        DEVICES.rows()?.iter().take(1).cycle().zip(lines.into_iter().enumerate())
+    {
+        let mut points = Vec::new();
+        for step in 0..=60 {
+            let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
+            points.push((tensile, 1000.0 * of_device(device, 1e6 * share * tensile, coefficients)?));
+        }
+        series.push(Series::line(name, points).and(assumption).styled(1 + i));
+    }
+    let axes =
+        [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)];
+    let chart = Chart::new("Rebound hardness of steels (Leeb, device D)", axes, series);
+    Ok(("measured-leeb-tensile-strength".to_owned(), chart))
+}
+
+/// The tangential restitution against the angle: measured, by the program, by the spring of DEM codes, and of a rigid
+/// body.
+fn oblique() -> Result<Picture, Error> {
+    let rows = REBOUNDS.rows()?;
+    let measured = rows.iter().filter(|row| row.text("quantity") == "tangential_restitution");
+    let measured = measured.map(|row| (row.number("angle_deg"), row.number("value"))).collect();
+    let measured = Series::points("measured, alumina on glass", measured);
+    let contact = alumina_on_glass()?;
+    let motion = TangentialMotion::elastic().map_err(ImpactError::from)?;
+    let (chi, j) = (contact.chi(), contact.slip_factor());
+    let mut curves = [Vec::new(), Vec::new(), Vec::new()];
+    // up to 65 degrees
+    for step in 1..=260 {
+        let degrees = 0.25 * f64::from(step);
+        let angle = degrees.to_radians();
+        let Some(after) = rebound(&contact, angle, FRICTION)? else { continue };
+        let (sin, cos) = sin_cos(angle);
+        // s_0 = v_t, so that e_t = 1 + (s_1/s_0 - 1)/j
+        let psi = 4.0 * contact.shear_ratio() * sin / cos / FRICTION;
+        let sliding = 1.0 - 4.0 * chi / psi;
+        let ratios = [-after.contact_point_restitution, motion.run_on_one_spring(psi, chi), sliding.max(0.0)];
+        for (curve, ratio) in curves.iter_mut().zip(ratios) {
+            curve.push((degrees, 1.0 + (ratio - 1.0) / j));
+        }
+    }
+    let names = ["this program", "one spring, as in LAMMPS", "rigid body"];
+    let mut series = vec![measured.styled(Style::BLACK)];
+    let curves = names.into_iter().zip(curves).enumerate();
+    series.extend(curves.map(|(i, (name, curve))| Series::line(name, curve).styled(i)));
+    let axes = [
+        Axis::linear("Angle of impact from the normal", "°"),
+        Axis::linear("Tangential restitution vₜ′/vₜ", "").between(0.5, 1.0),
+    ];
+    let chart =
+        Chart::new("Oblique rebound of alumina from glass", axes, series).with_caption("3.9 m/s, friction 0.092");
+    Ok(("oblique-alumina-on-glass".to_owned(), chart))
+}

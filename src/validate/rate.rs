@@ -1,0 +1,52 @@
+//! Whole impacts on a half-space whose strength rises with the strain rate, against explicit finite elements with the rate in
+//! every point.
+
+use super::comparison::{Comparison, Group, Quantity, compared};
+use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
+use crate::error::Error;
+use crate::impact::Impact;
+use crate::reference::{RATED_IMPACTS, Row};
+use crate::scenario::Scenario;
+
+const SOURCE: &str = "explicit finite elements, src/reference/fe_rate.csv";
+
+/// An impact by finite elements, and by the law.
+type Case = (Row, Impact);
+
+const QUANTITIES: [Quantity<Case>; 5] = [
+    (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |(row, impact)| {
+        Some([row.number("restitution"), impact.restitution_with_waves()?])
+    }),
+    (Group::new("impact with strain rate: contact time", SOURCE, "s"), |(row, impact)| {
+        Some([row.number("contact_time_s"), impact.contact_time])
+    }),
+    (Group::new("impact with strain rate: peak force", SOURCE, "N"), |(row, impact)| {
+        Some([row.number("peak_force_N"), impact.peak_force])
+    }),
+    (Group::new("impact with strain rate: peak indentation", SOURCE, "m"), |(row, impact)| {
+        Some([row.number("peak_indentation_m"), impact.peak_indentation])
+    }),
+    (
+        Group::of_differences("impact with strain rate: residual indentation over peak indentation", SOURCE, ""),
+        |(row, impact)| {
+            Some(
+                [row.number("residual_indentation_m"), impact.residual_indentation]
+                    .map(|depth| depth / row.number("peak_indentation_m")),
+            )
+        },
+    ),
+];
+
+/// A row has the keys of a scenario.
+fn impact(row: &Row, coefficients: &PlmCoefficients) -> Result<Impact, Error> {
+    let input = Scenario::from_text(row.text("case"), "", &row.keys())?.resolve()?;
+    let law = LawChoice::Plm(Plm::new(coefficients, UnloadingExponent::PressureShape));
+    let (sphere, half_space) = input.bodies(&law);
+    Ok(input.pair(sphere, half_space, &law)?.closed_form(input.speed())?)
+}
+
+pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+    let case = |row: Row| impact(&row, coefficients).map(|impact| (row, impact));
+    let cases: Vec<Case> = RATED_IMPACTS.rows()?.into_iter().map(case).collect::<Result<_, Error>>()?;
+    Ok(compared(&QUANTITIES, &cases, |(row, _)| row.text("case").to_owned()))
+}

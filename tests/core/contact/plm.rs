@@ -1,0 +1,170 @@
+//! The law without motion: printed table, limits, knots, work, unloading, memory, coefficient tables.
+
+// tables as printed
+#![allow(clippy::unreadable_literal, clippy::excessive_precision)]
+
+use std::f64::consts::PI;
+
+use crate::common::prelude::*;
+
+/// Restitution of a quasi-static cycle to x: square root of recovered over spent work.
+fn restitution(law: &Law, x: f64) -> f64 {
+    let peak = law.loaded_to(x);
+    (law.unloading(peak).stored(x) / law.loading.work(x)).sqrt()
+}
+
+#[test]
+fn printed_table_of_case_3_is_reproduced() {
+    // x, f, ε, W/(F_Y δ_Y), δ_s/δ, δ_r/δ_m, e: Xie et al. 2024, Table 1, case 3; computed with 30 digits from the law's
+    // definition and printed with 6 to 10
+    #[rustfmt::skip]
+    let table = [
+        [0.5, 0.3535533906, 0.5, 0.07071067812, 0.502392, 0.0, 1.0],
+        [1.0, 1.0, 1.0, 0.4, 0.502392, 0.0, 1.0],
+        [1.5, 1.837117307, 1.46337678, 1.102270384, 0.490126, 0.0244155, 0.9877168219],
+        [1.7, 2.216528818, 1.639126182, 1.507239596, 0.484403, 0.0358081, 0.9819327226],
+        [3.0, 5.057057684, 2.649139069, 6.172605254, 0.443636, 0.116954, 0.9317450113],
+        [6.0, 13.2848753, 4.519200382, 33.19948495, 0.378402, 0.2468, 0.8504991088],
+        [13.5, 39.66439315, 8.098300364, 227.7999516, 0.301372, 0.400126, 0.7510183169],
+        [30.0, 111.3790227, 14.1570179, 1456.015413, 0.237079, 0.528099, 0.6581647239],
+        [105.1, 516.9194675, 31.22024643, 24562.28802, 0.149237, 0.702947, 0.5126549951],
+        [300.0, 1733.205069, 56.69780713, 241783.0525, 0.0949485, 0.811007, 0.4032043176],
+        [843.1, 5371.880041, 94.35262359, 2164075.282, 0.0562235, 0.888088, 0.3060792981],
+    ];
+    let scene = Scene::case_3();
+    let (law, kappa) = (scene.law(), scene.contact().pair().sphere_compliance);
+    for [x, f, eps, work, sphere_share, residual_share, e] in table {
+        let peak = law.loaded_to(x);
+        let near =
+            |got: f64, want: f64, digits: f64| assert!((got - want).abs() <= digits * want, "x = {x}: {got} {want}");
+        near(peak.force, f, 6e-10);
+        near(peak.elastic_approach, eps, 6e-10);
+        near(law.loading.work(x), work, 6e-10);
+        near(kappa * peak.elastic_approach / x, sphere_share, 6e-6);
+        near(peak.residual() / x, residual_share, 6e-6);
+        near(restitution(&law, x), e, 6e-10);
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::common::cases(200))]
+
+    #[test]
+    fn work_is_the_integral_of_the_force(scene in any_scene(), log_x in -3.0..5.0_f64) {
+        let law = scene.law();
+        let x = 10_f64.powf(log_x);
+        let starts = law.loading.pieces().iter().map(|piece| piece.start).filter(|start| *start < x);
+        let ends: Vec<f64> = starts.chain([x]).collect();
+        let sum: f64 = ends.windows(2).map(|span| integral(span[0], span[1], |x| law.loading.force(x))).sum();
+        prop_assert!(off(law.loading.work(x), sum) < 1e-13, "{} {sum}", law.loading.work(x));
+    }
+
+    #[test]
+    fn work_is_inverted(scene in any_scene(), log_x in -3.0..5.0_f64) {
+        let curve = scene.law().loading;
+        let x = 10_f64.powf(log_x);
+        let piece = &curve.pieces()[curve.index_at(x)];
+        prop_assert!(off(piece.indentation_at_work(curve.work(x)), x) < 2e-15);
+    }
+
+    #[test]
+    fn unloading_begins_at_peak_and_ends_at_dent(scene in any_scene(), log_x in -1.0..4.0_f64, exponent in 0..3_usize) {
+        let exponent = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape][exponent];
+        let law = Scene { exponent, ..scene }.law();
+        let x = 10_f64.powf(log_x);
+        let peak = law.loaded_to(x);
+        let unloading = law.unloading(peak);
+        // Eq. 19: F(δ_m) = F_m, F(δ_r) = 0; x − x_r loses digits by the factor x/ε
+        prop_assert!(off(unloading.force(x), peak.force) < 4e-15 * x / peak.elastic_approach);
+        prop_assert_eq!(unloading.force(peak.residual()), 0.0);
+        prop_assert_eq!(unloading.force(0.5 * peak.residual()), 0.0);
+        // stored energy is the integral of the force
+        let middle = peak.residual() + 0.5 * peak.elastic_approach;
+        let returned = integral(middle, x, |x| unloading.force(x));
+        prop_assert!(off(unloading.stored(x) - unloading.stored(middle), returned) < 1e-11 * x / peak.elastic_approach);
+        // Eq. 24 in units of the yield point: R_e/R = f²/ε³; and with exponent 3/2 the law is f = √(R_e/R) (x −
+        // x_r)^1.5
+        let ratio = peak.unloading_radius_ratio();
+        prop_assert!(off(ratio, peak.force.powi(2) / peak.elastic_approach.powi(3)) < 1e-14);
+        if exponent == UnloadingExponent::Paper {
+            prop_assert!(off(unloading.force(middle), ratio.sqrt() * (0.5 * peak.elastic_approach).powf(1.5)) < 1e-12 * x / peak.elastic_approach);
+        }
+    }
+}
+
+#[test]
+fn radius_ratio_and_exponent_have_their_end_values() {
+    let table = &PlmCoefficients::built_in().contact_radius;
+    let shallow = table.of(0.0, 0.01);
+    // Λ: 1 up to A = 1.5, 1.15 at A = 4, 1.19 from A = 8 on
+    for (radius, want) in
+        [(0.0, 1.0), (1.0, 1.0), (1.5, 1.0), (2.75, 1.075), (4.0, 1.15), (6.0, 1.17), (8.0, 1.19), (1e6, 1.19)]
+    {
+        assert!(off(shallow.ratio_at(radius), want) < 1e-15, "{radius}");
+    }
+    // G = 1 + (0.25 + 0.145 κ²) max(0, â/R − 0.105), here with a_Y = R/100 so that â/R = A/100
+    for (kappa, radius, want) in [(0.0, 10.5, 1.0), (0.0, 40.5, 1.075), (0.5, 40.5, 1.085_875), (1.0, 50.5, 1.158)] {
+        let deep = table.of(kappa * kappa, 0.01);
+        assert!(off(deep.geometry_at(radius), want) < 1e-15, "{kappa} {radius}");
+        assert_eq!(deep.geometry_at(0.5 * f64::min(radius, 10.5)), 1.0);
+    }
+    assert_eq!(pressure_shape_exponent(1.0), 1.5);
+    // uniform pressure, Λ = 3π/8: n = 3π/4 − 1
+    assert!(off(pressure_shape_exponent(3.0 * PI / 8.0), 0.75 * PI - 1.0) < 1e-15);
+    // n = 3/2 − 0.80746 (Λ − 1)
+    assert!(off(pressure_shape_exponent(1.1), 1.5 - 0.080_746) < 1e-6);
+    // after elastic loading, unloading follows Hertz for every choice
+    for exponent in [UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape] {
+        let law = Scene { exponent, ..Scene::case_3() }.law();
+        assert_eq!(law.unloading(law.loaded_to(0.9)).exponent, 1.5);
+    }
+}
+
+/// The built-in table with one change.
+fn changed(change: impl FnOnce(&mut PlmCoefficients)) -> PlmCoefficients {
+    let mut table = PlmCoefficients::built_in().clone();
+    change(&mut table);
+    table
+}
+
+#[test]
+fn built_in_table_is_accepted_with_its_source() {
+    let table = PlmCoefficients::built_in();
+    table.check().unwrap();
+    assert!(table.provenance.source.contains("CalculiX") && table.provenance.range.contains("0.45"));
+}
+
+#[test]
+fn a_table_without_geometry_is_read() {
+    let text = include_str!("../../../src/contact/law/plm/coefficients.toml");
+    assert_eq!(&PlmCoefficients::from_toml(text).unwrap(), PlmCoefficients::built_in());
+    // a table in the earlier form without geometry: G = 1
+    let older: String =
+        text.lines().filter(|line| !line.starts_with("geometry_slope")).map(|l| l.to_owned() + "\n").collect();
+    let radius = PlmCoefficients::from_toml(&older).unwrap().contact_radius.of(0.25, 0.01);
+    assert_eq!(radius.geometry_at(1e3), 1.0);
+}
+
+#[test]
+fn tables_of_200_and_of_close_knots_work() {
+    let pair = *Scene::case_3().contact().pair();
+    for ratio in [1.02, 1.0 + 1e-12] {
+        let table = changed(|table| {
+            table.force.from = (0..200).map(|i| 1.7 * f64::powi(ratio, i)).collect();
+            // approximately the slopes of f = x^1.2 through (1.7, 2.2)
+            table.force.slope = table.force.from.iter().map(|x| 2.0 * (x / 1.7).powf(0.2)).collect();
+            table.force.slope_kappa_squared = vec![0.05; 200];
+        });
+        table.check().unwrap();
+        let law = table.law(&pair, pair.yield_point.unwrap().contact_radius / pair.radius, UnloadingExponent::Paper);
+        let pieces = law.loading.pieces();
+        assert_eq!(pieces.len(), 201);
+        for pair in pieces.windows(2) {
+            assert!(off(pair[0].force_at(pair[1].start), pair[1].force) < 1e-15);
+            assert!(off(pair[0].work_at(pair[1].start), pair[1].work) < 1e-15);
+            assert!(pair[0].force < pair[1].force && pair[0].work < pair[1].work);
+        }
+        let law_restitution: Vec<f64> = [1.5, 1.7, 2.0, 20.0, 80.0].map(|x| restitution(&law, x)).to_vec();
+        assert!(law_restitution.windows(2).all(|pair| pair[0] > pair[1]), "{law_restitution:?}");
+    }
+}

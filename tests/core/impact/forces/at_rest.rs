@@ -1,0 +1,40 @@
+//! Spheres that are released at rest, or nearly at rest, and are moved by their own weight.
+
+use plm_impact::impact::solve::motion;
+
+use super::exact_solutions;
+use crate::common::prelude::*;
+
+#[test]
+fn sphere_released_at_rest_falls_at_any_tolerance() {
+    // the speed at first touch is much smaller than later: k d^(n+1)/(n+1) = w d, so d_m^n = (n + 1) w/k
+    let reloaded = |exponent| {
+        let law = Scene { exponent, ..Scene::steel() }.law();
+        let dent = law.dented(law.loaded_to(20.0));
+        (law, Some(dent))
+    };
+    let dents = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::Fixed(1.8)].map(reloaded);
+    for (law, dent) in [Law::hertz(), Scene::steel().law()].map(|law| (law, None)).iter().chain(&dents) {
+        let ground = Ground::new(law, dent.as_ref());
+        let (k, n) = ground.branch().map_or((1.0, 1.5), |branch| (branch.stiffness(), branch.exponent));
+        // beyond 0.4 it also passes knots, where its speed still rises
+        for weight in [1e-6, 1e-3, 0.4, 0.6, 2.0, 5.0, 12.0, 20.0, 50.0, 300.0] {
+            let forces = ScaledForces { weight, ..ScaledForces::NONE };
+            let deepest = ((n + 1.0) * weight / k).powf(1.0 / n);
+            for tolerance in (30..120).map(|tenths| 10_f64.powf(-0.1 * f64::from(tenths))) {
+                for share in [0.0, 1e-8, 1e-3] {
+                    let speed = share * (weight * deepest).sqrt();
+                    let outcome =
+                        motion::integrate(ground, speed, &forces, &mut Rk8::new(tolerance), &mut Recorder::default())
+                            .unwrap();
+                    let exact = exact_solutions::solve(ground, speed, &forces);
+                    let (got, want) = (outcome.unloading.peak.elastic_approach, exact.unloading.peak.elastic_approach);
+                    let at = format!("n = {n}, w = {weight}, {share} at {tolerance:e}");
+                    assert!(off(got, want) < 10.0 * tolerance + 1e-12, "{at}: {got} {want}");
+                    assert!(weight > 0.4 || off(want, deepest) < 10.0 * share + 1e-12, "{at}: {want} {deepest}");
+                    assert!(off(outcome.loading_time, exact.loading_time) < 10.0 * tolerance + 1e-9, "{at}");
+                }
+            }
+        }
+    }
+}

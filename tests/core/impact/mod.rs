@@ -1,0 +1,21 @@
+//! Tests of impacts, series and indentation.
+
+pub mod flight;
+pub mod forces;
+pub mod hardening_scenarios;
+pub mod hertz;
+pub mod indentation;
+pub mod interval;
+pub mod invalid_input;
+pub mod oblique;
+pub mod plate;
+mod rate;
+pub mod references;
+pub mod series;
+pub mod stability;
+pub mod stability_cases;
+pub mod strain_rate;
+pub mod two_bodies;
+pub mod verlet;
+pub mod waves;
+pub mod yield_point;

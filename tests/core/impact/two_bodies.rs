@@ -1,0 +1,91 @@
+//! A second ball and a curved wall: conservation, limits, and equal balls.
+
+use plm_impact::contact::pair::Hold;
+use plm_impact::impact::ImpactError;
+
+use crate::common::prelude::*;
+
+/// A steel ball, and a ball that it hits, by radius, strength and modulus.
+fn balls(sphere: (f64, f64, f64), other: (f64, f64, f64), exponent: UnloadingExponent) -> Contact {
+    let material = |youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 };
+    let (radius, strength, modulus) = sphere;
+    let sphere = Sphere { yield_strength: Some(strength), ..Sphere::elastic(radius, material(modulus), 7850.0) };
+    let (radius, strength, modulus) = other;
+    let half_space = HalfSpace {
+        density: Some(7850.0),
+        radius: Some(radius),
+        hold: Hold::Ball,
+        ..HalfSpace::flat(material(modulus), Some(strength))
+    };
+    Contact::try_new(sphere, half_space, &Plm { exponent, ..Plm::default() }).unwrap()
+}
+
+const STEEL: (f64, f64, f64) = (5e-3, 345e6, 210e9);
+
+/// By symmetry two equal balls meet as one of them meets a rigid wall at half the closing speed: at half the approach, with the same
+/// force, time and contact radius.
+#[test]
+fn equal_balls_equal_rigid_wall_at_half_speed() {
+    for exponent in [UnloadingExponent::Paper, UnloadingExponent::PressureShape] {
+        let pair = balls(STEEL, STEEL, exponent);
+        let wall = HalfSpace::flat(Material { youngs_modulus: 1e30, poissons_ratio: 0.3 }, None);
+        let alone = Contact::try_new(*pair.sphere(), wall, &Plm { exponent, ..Plm::default() }).unwrap();
+        for speed in [0.002, 0.02, 0.5, 3.0, 12.0] {
+            let (two, one) = (pair.closed_form(speed).unwrap(), alone.closed_form(0.5 * speed).unwrap());
+            for (what, got, want) in [
+                ("e", two.restitution, one.restitution),
+                ("time", two.contact_time, one.contact_time),
+                ("force", two.peak_force, one.peak_force),
+                ("approach", two.peak_indentation, 2.0 * one.peak_indentation),
+                ("sphere", two.peak_sphere_indentation, one.peak_indentation),
+                ("residual", two.residual_indentation, 2.0 * one.residual_indentation),
+                ("radius", two.peak_contact_radius, one.peak_contact_radius),
+                ("radius ratio", two.radius_ratio, one.radius_ratio),
+                ("energy", two.kinetic_in, 2.0 * one.kinetic_in),
+            ] {
+                assert!((got - want).abs() <= 1e-12 * want.abs(), "{what} at {speed}: {got} {want}");
+            }
+        }
+    }
+}
+
+/// Two balls, where either of them is the one that is hit.
+#[test]
+fn it_does_not_matter_which_ball_is_hit() {
+    for (one, other) in
+        [(STEEL, (8e-3, 500e6, 70e9)), (STEEL, (3e-3, 360e6, 210e9)), ((2e-3, 900e6, 400e9), (9e-3, 100e6, 70e9))]
+    {
+        let [ab, ba] = [(one, other), (other, one)].map(|(a, b)| balls(a, b, UnloadingExponent::PressureShape));
+        for speed in [0.01, 0.3, 2.0] {
+            let [ab, ba] = [&ab, &ba].map(|contact| contact.closed_form(speed).unwrap());
+            assert!(off(ab.restitution, ba.restitution) < 1e-12 && apart(&ab, &ba) < 1e-12, "{speed}");
+            assert!((ab.flat_depth - ba.dent_depth()).abs() < 1e-12 * ab.peak_indentation, "{speed}");
+        }
+    }
+}
+
+#[test]
+fn a_hollow_needs_room_for_the_sphere() {
+    let (sphere, half_space) = Scene::steel().parts();
+    let of = |radius: f64| {
+        Contact::try_new(sphere, HalfSpace { radius: Some(radius), ..half_space }, &Plm::default()).map(drop)
+    };
+    assert!(of(-2.0 * sphere.radius).is_ok() && of(sphere.radius).is_ok());
+    assert!(matches!(of(-1.9 * sphere.radius), Err(ImpactError::Hollow(_))));
+}
+
+/// Two equal elastic balls exchange their speeds. What a run leaves of the speed of the first is its error, and no result.
+#[test]
+fn rest_within_error_of_run_is_no_rest() {
+    let second =
+        ["half_space.radius=5 mm", "half_space.mass=ball", "half_space.density=7850", "half_space.yield_strength=1e12"];
+    let contact = crate::common::contact(crate::common::STEEL, &second);
+    for method in [Method::ClosedForm, Method::Rk8, Method::Dop853] {
+        let impact = contact.impact(3.0, &solver(method, 1e-12), None).unwrap();
+        assert!((impact.restitution - 1.0).abs() < 1e-11);
+        assert_eq!(impact.rebound_speed, 0.0, "{}", method.name());
+    }
+    // a small e less than 1 is no error
+    let (rebound, _) = contact.speeds_after(3.0, 1.0 - 1e-8);
+    assert!(off(rebound, -1.5e-8) < 1e-6, "{rebound}");
+}

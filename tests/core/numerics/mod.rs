@@ -1,0 +1,4 @@
+//! Tests of the numerical methods.
+
+pub mod damped_integrators;
+pub mod landing;

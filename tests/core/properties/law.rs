@@ -1,0 +1,208 @@
+//! Invariants of the law behind an impact: rows of its trace, its unloading exponent, and the same contact without motion.
+
+use plm_impact::impact::indentation::Target::{Indentation as To, Load};
+
+use super::balances::{Judged, near};
+use super::random_scene::Run;
+use super::trace::rank;
+use crate::common::prelude::*;
+use crate::impact::forces::exact_solutions;
+
+/// The law of a run whose strength has no rate, with its units and the dent that was there before.
+fn law_of(run: &Run) -> Option<(Scales, &Law, Option<Dent>)> {
+    if run.contact.has_rate() {
+        return None;
+    }
+    let fastest = run.speed().max(2.0 * run.contact.yield_speed().unwrap_or(0.0));
+    let (scales, law, _) = run.contact.scaled(fastest).unwrap();
+    Some((scales, law, run.before.memory().map(|peak| law.dented(peak))))
+}
+
+/// Every row of the trace has the force of the law at its indentation: on the loading curve, up the branch of an old dent, and down
+/// the branch of the peak. A captured sphere rests where that branch carries its weight.
+pub fn rows_lie_on_the_law(run: &Run) -> Judged {
+    let Some((scales, law, dent)) = law_of(run) else { return Ok(false) };
+    let (impact, ground) = (&run.impact, Ground::new(law, dent.as_ref()));
+    let unloading = ground.unloading(ground.loaded_to(impact.peak_indentation / scales.length));
+    // the distance to the dent is a small difference of two indentations
+    let rounding = 1e-11 * impact.peak_indentation / impact.elastic_approach;
+    // the rows of fixed steps are interpolated
+    let trace = if run.is_adaptive() { &impact.trace[..] } else { &[] };
+    for row in trace {
+        let x = row.indentation / scales.length;
+        let want = if rank(row) == 2 { unloading.force(x) } else { ground.loaded_to(x).force };
+        let got = row.elastic_force.unwrap_or(row.force);
+        near("force", got, want * scales.force, rounding * impact.force_at_peak_indentation)?;
+    }
+    // one that creeps to rest has not turned
+    let at_rest = impact.captured().and_then(|under| under.static_indentation);
+    if let Some(at_rest) = at_rest.filter(|at_rest| *at_rest < 0.99 * impact.peak_indentation) {
+        let weight = run.contact.mass() * run.contact.forces().gravity.unwrap();
+        let carried = unloading.force(at_rest / scales.length) * scales.force;
+        near("weight", carried, weight, 1e-9 * weight + rounding * impact.force_at_peak_indentation)?;
+    }
+    Ok(!trace.is_empty())
+}
+
+/// The exponent of unloading is the one that was asked for, to the last bit where it is a number, or the one that gives back just what
+/// was spent, of which a warning tells.
+pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judged {
+    let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
+    let LoadingRule::Polyline(rule) = &law.rule else { return Ok(false) };
+    let LawChoice::Plm(plm) = run.scene.input().unwrap().law() else { return Ok(false) };
+    let used = run.impact.unloading_exponent;
+    let x = run.impact.peak_indentation / scales.length;
+    let peak = law.loaded_to(x);
+    let asked = match plm.exponent {
+        UnloadingExponent::Paper => 1.5,
+        UnloadingExponent::Fixed(exponent) => exponent,
+        // with hardening the shape of the pressure is another one, and where a sphere flows too
+        UnloadingExponent::PressureShape if run.scene.has("half_space.flow_stress") || !run.is_flat_and_alone() => {
+            return Ok(false);
+        }
+        UnloadingExponent::PressureShape => {
+            pressure_shape_exponent(rule.radius.ratio_at(peak.force / peak.elastic_approach))
+        }
+    };
+    // f ε/(n + 1) is the work of loading
+    let gives_all = peak.force * peak.elastic_approach / law.loading.work(x) - 1.0;
+    let is_raised = run.impact.warnings.iter().any(|warning| warning.kind == WarningKind::RaisedExponent);
+    // behind an elastic loading it is Hertz's, and next to it rounding decides
+    if peak.residual() <= 1e-9 * x {
+        return Ok(false);
+    }
+    if gives_all > asked * (1.0 + 1e-12) {
+        near("raised exponent", used, gives_all, 1e-12)?;
+        prop_assert!(is_raised || gives_all < asked * (1.0 + 1e-9), "{} {}", gives_all, asked);
+    } else {
+        let rounding = if plm.exponent == UnloadingExponent::PressureShape { 1e-13 } else { 0.0 };
+        near("exponent", used, asked, rounding)?;
+        prop_assert!(!is_raised, "{} {}", gives_all, asked);
+    }
+    Ok(true)
+}
+
+/// A contact that is only asked for its force goes up the loading curve, down the branch, up it again, and on beyond the old peak. Its
+/// energy is the work of this force, and its stiffness the slope.
+pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judged {
+    let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
+    let (contact, mut memory) = (&run.contact, Memory::default());
+    let peak = law.loaded_to(run.impact.peak_indentation / scales.length);
+    let unloading = law.unloading(peak);
+    let (spent, size) = (law.loading.work(peak.indentation), peak.force * peak.indentation);
+    for share in [1.0, 0.6, -0.1, 0.6, 1.0, 1.2] {
+        let x = peak.residual() + share * peak.elastic_approach;
+        let before = memory;
+        let force = contact.force(x * scales.length, &mut memory);
+        let want = if x > peak.indentation { law.loaded_to(x).force } else { unloading.force(x) };
+        let rounding = 1e-13 * peak.indentation / peak.elastic_approach;
+        near("force", force / scales.force, want, rounding * peak.force)?;
+        prop_assert_eq!(contact.force(x * scales.length, &mut memory.clone()), force, "asked twice");
+        prop_assert!(share > 1.0 || before == Memory::default() || before == memory, "{:?}", memory);
+        if share <= 1.0 {
+            let ContactEnergy { stored, plastic } = contact.energy(x * scales.length, force, &memory);
+            near("stored", stored / scales.energy(), unloading.stored(x), rounding * size)?;
+            near("plastic", plastic / scales.energy(), spent - unloading.capacity(), 1e-12 * spent)?;
+        }
+        if share == 0.6 {
+            let step = 1e-5 * peak.elastic_approach;
+            let slope = (unloading.force(x + step) - unloading.force(x - step)) / (2.0 * step);
+            let stiffness = contact.stiffness(x * scales.length, &memory) * scales.length / scales.force;
+            near("stiffness", stiffness, slope, 1e-6 * slope)?;
+        }
+    }
+    prop_assert!(contact.pair().yield_point.is_some() || memory == Memory::default());
+    Ok(true)
+}
+
+/// A slow indentation to the depth of an impact has its force and dent, takes its kinetic energy, and gives back what the impact does.
+/// Cycles below that depth change nothing of it, and the cycle after it runs back up the branch.
+pub fn a_slow_indentation_is_the_impact_without_motion(run: &Run) -> Judged {
+    let Some((_, _, None)) = law_of(run) else { return Ok(false) };
+    let Ok(impact) = run.contact.clone().with_forces(Forces::default()).closed_form(run.speed()) else {
+        return Ok(false);
+    };
+    let input = run.scene.input().unwrap();
+    let law = input.law();
+    let (sphere, half_space) = input.bodies(&law);
+    let slow = StaticContact::try_new(&sphere, &half_space, law.get()).unwrap();
+    let depth = impact.peak_indentation;
+    let steps = slow.indent(&[To(depth), Load(0.0), To(depth)], None).unwrap().steps;
+    let [up, down, again] = steps[..] else { panic!("three steps") };
+    let kinetic = impact.kinetic_in;
+    near("force", up.force, impact.force_at_peak_indentation, 1e-12 * up.force)?;
+    near("dent", up.memory.residual_indentation, impact.residual_indentation, 1e-12 * depth)?;
+    if impact.has_dent() {
+        near("radius", up.memory.contact_radius, impact.peak_contact_radius, 1e-12 * impact.peak_contact_radius)?;
+    }
+    let slope = impact.unloading_exponent * up.force / impact.elastic_approach;
+    prop_assert!(!run.is_plm() || off(up.memory.unloading_stiffness, slope) < 1e-11, "{:?}", up.memory);
+    near("work", up.work, kinetic, 1e-12 * kinetic)?;
+    near("back", -down.work, impact.restitution.powi(2) * kinetic, 1e-12 * kinetic)?;
+    near("plastic", up.plastic_work, up.work + down.work, 1e-12 * kinetic)?;
+    prop_assert_eq!((again.plastic_work, again.memory), (0.0, up.memory));
+    near("force again", again.force, up.force, 1e-12 * up.force)?;
+    near("work again", again.work, -down.work, 1e-12 * kinetic)?;
+    // above the lower peak the law may have no answer
+    if let Ok(cycles) = slow.indent(&[To(0.4 * depth), Load(0.0), To(depth)], None) {
+        let last = cycles.steps[2];
+        near("force of cycles", last.force, up.force, 1e-13 * up.force)?;
+        near("dent of cycles", last.memory.residual_indentation, up.memory.residual_indentation, 1e-13 * depth)?;
+        let plastic = cycles.steps.iter().map(|step| step.plastic_work).sum::<f64>();
+        near("plastic work of cycles", plastic, up.plastic_work, 1e-12 * kinetic)?;
+    }
+    Ok(true)
+}
+
+/// Under the damping of Hunt and Crossley alone the force at every speed has a closed form, on any spot.
+pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judged {
+    let (Some((scales, law, dent)), Forces { gravity: None, damping, plate: None, .. }) =
+        (law_of(run), *run.contact.forces())
+    else {
+        return Ok(false);
+    };
+    let Some(Damping::HuntCrossley(chi)) = damping.filter(|_| run.is_plm() && run.is_adaptive()) else {
+        return Ok(false);
+    };
+    let damped = crate::impact::forces::damped(chi * scales.speed);
+    let exact = exact_solutions::solve(Ground::new(law, dent.as_ref()), run.speed() / scales.speed, &damped);
+    let allowed = 10.0 * run.slack() + 1e-9;
+    for (name, got, want) in [
+        ("restitution", run.impact.restitution, exact.restitution),
+        ("largest force", run.impact.peak_force / scales.force, exact.largest_force),
+        ("peak", run.impact.peak_indentation / scales.length, exact.unloading.peak.indentation),
+        ("loading time", run.impact.loading_time / scales.time(), exact.loading_time),
+        ("contact time", run.impact.contact_time / scales.time(), exact.contact_time),
+    ] {
+        near(name, got, want, allowed * want)?;
+    }
+    Ok(true)
+}
+
+/// The energy fraction of elastic waves is the integral over loading and unloading.
+pub fn waves_take_the_integral(run: &Run) -> Judged {
+    let is_alone = run.contact.forces().is_none() && run.is_fresh() && run.is_plm() && !run.contact.has_rate();
+    let Some(share) = run.impact.wave_loss_fraction.filter(|_| is_alone && run.is_adaptive()) else { return Ok(false) };
+    let want = crate::impact::waves::loss_by_quadrature(&run.contact, run.speed());
+    near("waves", share, want, (1e-10 + run.slack()) * want)?;
+    Ok(true)
+}
+
+/// An impact has the warning of its depth just if its depth exceeds the depth limit that a code without impacts gets.
+pub fn an_impact_deeper_than_the_data_is_warned_of(run: &Run) -> Judged {
+    let is_of_depth = |warning: &Warning| match warning.kind {
+        WarningKind::DeepDent | WarningKind::BeyondFlowCurve => true,
+        WarningKind::OutsideStated => {
+            // the indentation, and the lower end of the range
+            let numbers: Vec<f64> = warning.to_string().split(' ').filter_map(|word| word.parse().ok()).collect();
+            numbers[0] > numbers[1]
+        }
+        _ => false,
+    };
+    let (depth, deepest) = (run.impact.peak_indentation, run.own().deepest());
+    if !run.is_fresh() || off(depth, deepest) < 1e-9 {
+        return Ok(false);
+    }
+    prop_assert_eq!(run.impact.warnings.iter().any(is_of_depth), depth > deepest, "{} {}", depth, deepest);
+    Ok(true)
+}

@@ -1,0 +1,132 @@
+//! Synthetic data of known strength: how often the interval contains the true value.
+
+use crate::common::prelude::*;
+use plm_impact::calibrate::data::{Data, Row, Value};
+use plm_impact::calibrate::fit::NoiseModel;
+use plm_impact::calibrate::problem::Problem;
+use plm_impact::numerics::functions::normal_quantile;
+use plm_impact::scenario::input::measured::Measured;
+use plm_impact::scenario::plan::free_key::Free;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use rayon::prelude::*;
+
+/// Normally distributed numbers with mean 0 and sd 1, the same in every run of the test. Every set is a stream of its own of
+/// ChaCha, so the sets are independent.
+fn normals(set: u64, count: usize) -> Vec<f64> {
+    let mut generator = ChaCha8Rng::seed_from_u64(99);
+    generator.set_stream(set);
+    #[allow(clippy::cast_precision_loss)] // 53 bits
+    let mut next = || normal_quantile(((generator.next_u64() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64);
+    (0..count).map(|_| next()).collect()
+}
+
+/// How the data are made, and what is assumed of them.
+#[derive(Debug, Clone, Copy)]
+struct Made {
+    sets: u64,
+    readings: u32,
+    /// Scatter, as a share of the value.
+    sd: f64,
+    /// True if the scatter is estimated; if not, it is given as a share of what the law gives.
+    is_estimated: bool,
+    is_robust: bool,
+    quantities: &'static [&'static str],
+    /// The keys with their true values.
+    keys: &'static [(&'static str, f64)],
+}
+
+const STRENGTH: (&str, f64) = ("half_space.yield_strength", 345e6);
+const MODULUS: (&str, f64) = ("half_space.youngs_modulus", 210e9);
+const PLAIN: Made = Made {
+    sets: 300,
+    readings: 6,
+    sd: 0.01,
+    is_estimated: false,
+    is_robust: false,
+    quantities: &["restitution"],
+    keys: &[STRENGTH],
+};
+
+/// For every key, the shares of the sets whose 68 % and 95 % intervals contain the true value.
+fn covered(made: Made) -> Vec<[f64; 2]> {
+    let Made { sets, readings, sd, is_estimated, is_robust, quantities, keys } = made;
+    let mut scene = Scenario::from_text("steel", crate::common::STEEL, &[]).unwrap().resolve().unwrap();
+    // by the closed form, as the command calibrates
+    scene.choose_method(Method::Auto);
+    let contact = scene.contact().unwrap();
+    let speeds: Vec<f64> = (0..readings).map(|i| 0.3 * 17_f64.powf(f64::from(i) / f64::from(readings - 1))).collect();
+    let range = |(path, truth): &(&str, f64)| Free {
+        key: Key::find(path).unwrap(),
+        from: 0.5 * truth,
+        to: 2.0 * truth,
+        is_logarithmic: true,
+        hardness: None,
+    };
+    let free: Vec<Free> = keys.iter().map(range).collect();
+    let exact = |(row, speed): (usize, &f64)| {
+        let impact = contact.closed_form(*speed).unwrap();
+        let value = |name: &&str| {
+            let quantity = Measured::find(name).unwrap();
+            Value { row, quantity, value: quantity.predict(&impact, &scene).unwrap(), deviation: None }
+        };
+        quantities.iter().map(value).collect::<Vec<_>>()
+    };
+    let exact: Vec<Value> = speeds.iter().enumerate().flat_map(exact).collect();
+    let hits = (0..sets).into_par_iter().map(|set| {
+        let noisy = exact.iter().zip(normals(set, exact.len()));
+        let data = Data {
+            name: "made".to_owned(),
+            keys: vec![Key::find("impact.speed").unwrap()],
+            rows: speeds.iter().map(|speed| Row { keys: vec![*speed], ..Row::default() }).collect(),
+            values: noisy.map(|(value, noise)| Value { value: value.value * (1.0 + sd * noise), ..*value }).collect(),
+        };
+        let share = if is_estimated { 1.0 } else { sd };
+        let noise_model = NoiseModel { instrument: vec![0.0; exact.len()], share, is_estimated };
+        let deviations = noise_model.deviations(&data.sizes());
+        let fit = Fit::new(Problem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
+        let of_key = |key: usize| {
+            fit.intervals(key).map(|[low, high]| {
+                let [low, high] =
+                    [low.map_or(0.0, |end| free[key].at(end)), high.map_or(f64::MAX, |end| free[key].at(end))];
+                (low..=high).contains(&keys[key].1)
+            })
+        };
+        (0..keys.len()).map(of_key).collect()
+    });
+    let hits: Vec<Vec<[bool; 2]>> = hits.collect();
+    #[allow(clippy::cast_precision_loss)] // a few thousand
+    let share = |key: usize| [0, 1].map(|level| hits.iter().filter(|hit| hit[key][level]).count() as f64 / sets as f64);
+    (0..keys.len()).map(share).collect()
+}
+
+#[test]
+fn intervals_cover_truth_at_stated_rate() {
+    // with shares of the readings in place of shares of what the law gives, half of the sets with much noise were in their
+    // 68 %, whether the noise is given or estimated
+    let much = Made { readings: 16, sd: 0.12, ..PLAIN };
+    for made in [
+        Made { sets: 600, ..PLAIN },
+        Made { is_estimated: true, ..PLAIN },
+        much,
+        Made { is_estimated: true, ..much },
+        Made { quantities: &["peak_force"], ..PLAIN },
+        Made { sets: 100, quantities: &["restitution", "peak_force"], keys: &[STRENGTH, MODULUS], ..PLAIN },
+    ] {
+        for key in covered(made) {
+            // within 3.5 standard deviations of the share in `made.sets` independent sets
+            for (share, level) in key.into_iter().zip([0.682_69, 0.95]) {
+                #[allow(clippy::cast_precision_loss)]
+                let deviation = f64::sqrt(level * (1.0 - level) / made.sets as f64);
+                assert!((share - level).abs() < 3.5 * deviation, "{made:?}: {share} for {level}");
+            }
+        }
+    }
+}
+
+/// The likelihood with long tails is wider than normal noise needs: it covers at least as often.
+#[test]
+fn robust_intervals_cover_truth_at_least_as_often() {
+    let [[narrow, wide]] = covered(Made { readings: 12, is_robust: true, ..PLAIN })[..] else { panic!() };
+    assert!((0.6..0.9).contains(&narrow) && (0.92..=1.0).contains(&wide), "{narrow} {wide}");
+}

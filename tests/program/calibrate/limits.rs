@@ -1,0 +1,181 @@
+//! Calibrations at the limits: readings without scatter, elastic rebounds, few values, kinks of the sum of squares.
+
+use std::fmt::Write as _;
+
+use crate::common::prelude::*;
+use plm_impact::calibrate::Measurements;
+
+use super::fits::{STRENGTH, calibrated, near, of_nine_pieces, scenario};
+
+const STEEL: &str = include_str!("../../../scenarios/steel-on-steel.toml");
+
+/// The strength that one restitution gives, with the summary, at this speed.
+fn of_one(restitution: f64, speed: &str) -> (f64, Value) {
+    let (_, summary) = calibrated(STEEL, "", &["--restitution", &restitution.to_string(), "--speed", speed], 0);
+    (summary["keys"][0]["estimate"].as_f64().unwrap(), summary)
+}
+
+/// e of the scenario at this strength.
+fn restitution(strength: f64, speed: &str) -> f64 {
+    let settings = [format!("half_space.yield_strength={strength}"), format!("impact.speed={speed}")];
+    let scene = Scenario::from_text("steel", STEEL, &settings).unwrap().resolve().unwrap();
+    scene.contact().unwrap().closed_form(scene.speed()).unwrap().restitution
+}
+
+#[test]
+fn repeated_readings_give_no_noise_or_interval() {
+    let two = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n";
+    // half of the readings of a tester that shows two digits are the same
+    let most = "speed_m_per_s,restitution\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.49\n3,0.48\n3,0.50\n3,0.47\n";
+    for (data, robust) in [(two, ""), (two, "robust = \"student-t\""), (most, "robust = \"student-t\"")] {
+        let text = of_nine_pieces(&format!("data = \"d.csv\"\n{STRENGTH}{robust}"));
+        let (_, summary) = calibrated(&text, data, &[], 0);
+        let key = &summary["keys"][0];
+        near(&key["estimate"], 341.7e6, 1e-3);
+        assert!(key["sd"].is_null() && key["interval_95"].is_null() && summary["fits"].is_null(), "{summary}");
+        assert_eq!((summary["noise"].as_str(), summary["estimated_noise"].is_null()), (Some("unknown"), true));
+        let refusal = summary["refusal"].as_str().unwrap();
+        assert!(refusal.contains("repeat without scatter") && refusal.contains("give calibrate.noise"), "{refusal}");
+    }
+    // with the noise there is an interval
+    let noise = "noise = { restitution = 0.005 }";
+    let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{STRENGTH}{noise}")), two, &[], 0);
+    assert!(summary["keys"][0]["sd"].as_f64().unwrap() > 1e6, "{summary}");
+}
+
+#[test]
+fn strength_of_nearly_elastic_rebound_is_found() {
+    for wanted in [0.998, 0.999, 0.9995, 0.9999, 0.99999] {
+        let (strength, _) = of_one(wanted, "0.1 m/s");
+        assert!((restitution(strength, "0.1 m/s") - wanted).abs() < 1e-8, "{wanted}: {strength}");
+    }
+}
+
+#[test]
+fn elastic_rebound_gives_lower_bound_of_strength() {
+    for speed in ["0.1 m/s", "3 m/s"] {
+        let (strength, summary) = of_one(1.0, speed);
+        assert!(
+            restitution(strength, speed) > 1.0 - 1e-9 && restitution(0.999 * strength, speed) < 1.0 - 1e-6,
+            "{strength}"
+        );
+        let refusal = summary["refusal"].as_str().unwrap();
+        assert!(refusal.starts_with("every half_space.yield_strength from "), "{refusal}");
+        // a tenth of Young's modulus, the upper end of the range
+        assert!(refusal.contains(" to 21 GPa gives the same") && refusal.contains("elastic"), "{refusal}");
+    }
+}
+
+#[test]
+fn few_values_do_not_test_the_law() {
+    let low = "free = { \"half_space.yield_strength\" = { from = \"100 MPa\", to = \"150 MPa\" } }";
+    let data = |n: u32| {
+        (0..n).fold("speed_m_per_s,restitution\n".to_owned(), |mut data, i| {
+            writeln!(data, "{},{}", 1.0 + 0.1 * f64::from(i), 0.85 - 0.003 * f64::from(i)).unwrap();
+            data
+        })
+    };
+    // seven signs are equal by chance in 1/64 of all data, eight in 1/128
+    for n in [2, 3, 5, 7] {
+        let (desk, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(n), &[], 0);
+        assert!(summary["fits"].is_null() && summary["misfit"].as_f64().unwrap() > 0.5, "{n}: {summary}");
+        assert!(summary["undecided"].as_str().unwrap().contains("cannot be judged"), "{summary}");
+        let (_, said) = desk.ends(&["calibrate", "s.toml", "--out", "o", "--pictures", "none"], 0);
+        assert!(said.contains("whether the law fits cannot be judged"), "{said}");
+    }
+    let (_, summary) = calibrated(&scenario(&format!("data = \"d.csv\"\n{low}")), &data(8), &[], 3);
+    assert_eq!(summary["fits"], false);
+    // with a noise that is given one value is enough
+    let (_, summary) =
+        calibrated(&scenario(&format!("data = \"d.csv\"\n{low}\nnoise = {{ restitution = 0.01 }}")), &data(1), &[], 3);
+    assert_eq!(summary["fits"], false);
+}
+
+/// Twenty impacts; the method of Levenberg and Marquardt stopped at a kink, 590.8 MPa, with the first range below.
+const KINKED: &str = "0.8042298891,0.7507834666 1.049992641,0.7344917636 2.530164755,0.6558293253 0.2355599335,0.8739483039 \
+    1.820923506,0.6949543897 0.7310727126,0.7676019802 0.5462823988,0.8016018985 2.26240936,0.6284181316 \
+    0.2917735685,0.8718736551 3.756951237,0.6191112572 0.7310936336,0.7816023912 4.943361028,0.5671278239 \
+    1.086485297,0.7253070375 2.02756342,0.6572582979 1.011677022,0.7367028022 0.9099655303,0.7578124888 \
+    3.954696145,0.5834981023 0.6810721323,0.7738535256 0.3791040205,0.8480323904 0.3026317279,0.8565095456";
+
+/// Impacts of another law; it stopped at 413.7 MPa.
+const KINKED_TOO: &str = "0.2476450185,0.7988998404 1.530120559,0.5891670031 0.2006049693,0.80359361 0.2503447181,0.7883243871 \
+    0.8504923176,0.6552061184 0.1494136478,0.8560760375 1.299178092,0.6179270466 1.858728561,0.5917104628 \
+    0.1106104141,0.8825972591 4.147950723,0.5022207189 0.9750896261,0.6491391441 0.2667459277,0.7825295688 \
+    1.279217902,0.6282859965 0.81350338,0.6800281161 2.823824679,0.5486356582 2.903040278,0.5183320724 \
+    3.417856108,0.5199527295 3.464529911,0.5311805704 0.1657555692,0.8287024051 3.274237568,0.5409728683";
+
+/// The fit and the least sum on a fine grid about it.
+fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
+    let lines: String = data.split_whitespace().flat_map(|line| [line, "\n"]).collect();
+    let request = format!(
+        "data = \"d.csv\"\nfree = {{ \"half_space.yield_strength\" = {{ from = {from}, to = {to} }} }}\nnoise = {{ restitution = 0.01 }}\n{robust}"
+    );
+    let text = scenario(&request).replace("208 GPa", "210 GPa");
+    let scenario = read(&text, NONE).with_data(format!("speed_m_per_s,restitution\n{lines}"));
+    let measured = Measurements::new(&scenario).unwrap();
+    let progress = Counter::default();
+    let found = measured.calibrate(&progress).unwrap();
+    let fit: &Fit = &found.fit;
+    let grid = |i: i32| fit.problem.sum(&[fit.best().shares[0] + f64::from(i) * 1e-5]);
+    let least = (-2000..=2000).map(grid).fold(f64::INFINITY, f64::min);
+    (found.keys[0].estimate, found.keys[0].sd.unwrap(), fit.best().sum - least)
+}
+
+#[test]
+fn estimate_is_minimum_behind_kink() {
+    let robust = "robust = \"student-t\"";
+    let ranges = [(50e6, 5e9), (60e6, 4e9), (500e6, 700e6)].map(|(from, to)| fitted(KINKED, from, to, robust));
+    for (estimate, sd, above) in ranges {
+        // the grid has steps of a few hundredths of the standard deviation
+        assert!(above < 1e-3, "{estimate}: {above}");
+        assert!((estimate - ranges[2].0).abs() < 0.02 * sd, "{ranges:?}");
+    }
+    let (estimate, _, above) = fitted(KINKED_TOO, 50e6, 5e9, "");
+    assert!(above < 1e-3, "{estimate}: {above}");
+}
+
+/// The region of 95 % against a plane of 201 by 201 places: its area is the share of places whose sum is at most 5.9915 above
+/// the least, the quantile of chi-square with 2 degrees of freedom (tables).
+#[test]
+fn region_of_two_keys_matches_plane_of_sums() {
+    let text = scenario(&format!("data = \"d.csv\"\n{}noise = {{ restitution = 0.01 }}", super::fits::BOTH));
+    let measured = Measurements::new(&read(&text, NONE).with_data(super::fits::MADE.to_owned())).unwrap();
+    let progress = Counter::default();
+    let found = measured.calibrate(&progress).unwrap();
+    let fit: &Fit = &found.fit;
+    let outline = fit.region(0.95).remove(0);
+    let ends = |key: usize| {
+        let all = outline.iter().map(|place| place[key]);
+        (all.clone().fold(f64::INFINITY, f64::min), all.fold(0.0, f64::max))
+    };
+    let ([low_x, high_x], [low_y, high_y]) = (<[f64; 2]>::from(ends(0)), <[f64; 2]>::from(ends(1)));
+    let mut inside = 0.0;
+    for i in 0..=200 {
+        for j in 0..=200 {
+            let at = |low: f64, high: f64, i: i32| low + (high - low) * (1.2 * f64::from(i) / 200.0 - 0.1);
+            let place = [at(low_x, high_x, i), at(low_y, high_y, j)];
+            inside += f64::from(u8::from(fit.problem.sum(&place) - fit.best().sum <= 5.991_464_547));
+        }
+    }
+    let of_plane = inside * (1.2 * (high_x - low_x) / 200.0) * (1.2 * (high_y - low_y) / 200.0);
+    let cross = outline.windows(2).map(|at| at[0][0] * at[1][1] - at[1][0] * at[0][1]);
+    let of_outline = 0.5 * cross.sum::<f64>();
+    assert!((of_outline / of_plane - 1.0).abs() < 0.01, "{of_outline} {of_plane}");
+}
+
+/// With two values more than keys, Student's distribution has 2 degrees of freedom: the region of 95 % ends where the sum has
+/// risen by 2 F = 38, or at an end of a range (F(2, 2) of 95 % is 19, from tables).
+#[test]
+fn region_of_two_keys_reflects_few_values() {
+    let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n".to_owned();
+    let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::fits::BOTH));
+    let measured = Measurements::new(&read(&text, NONE).with_data(data)).unwrap();
+    let progress = Counter::default();
+    let found = measured.calibrate(&progress).unwrap();
+    let rise = |place: &[f64; 2]| found.fit.problem.sum(place) - found.fit.best().sum;
+    let outline = found.fit.region(0.95).remove(0);
+    let is_at_an_end = |place: &[f64; 2]| place.iter().any(|share| !(1e-9..1.0 - 1e-9).contains(share));
+    let free: Vec<f64> = outline.iter().filter(|place| !is_at_an_end(place)).map(rise).collect();
+    assert!(free.len() > 20 && free.iter().all(|rise| (rise / 38.0 - 1.0).abs() < 0.01), "{free:?}");
+}

@@ -1,0 +1,413 @@
+//! `plm-impact export`: the springs, when integrated, have the e and the contact time of the law; tables are those of
+//! the closed form; scenes that cannot be exported are refused. Runs in LAMMPS are in tests/lammps.
+
+use std::process::Output;
+
+use crate::common::prelude::*;
+use plm_impact::interfaces::export::{
+    E_WITHIN, Target, damped_spring, range_of_constant, spring_without_pull, steps_per_contact,
+};
+
+const STEEL: &str = "scenarios/steel-on-steel.toml";
+
+fn export(arguments: &[&str]) -> Output {
+    call(Path::new(env!("CARGO_MANIFEST_DIR")), &[&["export"], arguments].concat())
+}
+
+fn printed(arguments: &[&str]) -> String {
+    let output = export(arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn steel() -> Contact {
+    Scenario::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join(STEEL), &[])
+        .unwrap()
+        .resolve()
+        .unwrap()
+        .contact()
+        .unwrap()
+}
+
+/// e and contact time of a force law F(δ, δ'), integrated in steps of a millionth of `time`. The contact ends when
+/// `is_over` is true for δ and the force.
+fn integrated(
+    (mass, speed, time): (f64, f64, f64),
+    force: impl Fn(f64, f64) -> f64,
+    is_over: impl Fn(f64, f64) -> bool,
+) -> (f64, f64) {
+    let step = 1e-6 * time;
+    let (mut x, mut v, mut t) = (0.0_f64, speed, 0.0);
+    loop {
+        let half = v - 0.5 * step * force(x, v) / mass;
+        x += step * half;
+        let pushed = force(x, half);
+        v = half - 0.5 * step * pushed / mass;
+        t += step;
+        if v < 0.0 && is_over(x, pushed) {
+            return (-v / speed, t);
+        }
+    }
+}
+
+#[test]
+fn the_springs_rebound_as_the_law_does() {
+    let contact = steel();
+    for speed in [0.05, 3.0, 20.0] {
+        let impact = contact.closed_form(speed).unwrap();
+        let (m, e, time) = (contact.mass(), impact.restitution, impact.contact_time);
+        let near = |rebound: f64, lasted: f64| {
+            assert!((rebound / e - 1.0).abs() < 1e-4, "{speed}: e {rebound}, {e}");
+            assert!((lasted / time - 1.0).abs() < 1e-4, "{speed}: {lasted}");
+        };
+        let stiffness = damped_spring(m, e, time);
+        let damping = damping(m, stiffness, e);
+        // such a spring pulls before separation: only the end of the overlap counts
+        let spring = |x: f64, v: f64| stiffness * x + damping * v;
+        let (rebound, lasted) = integrated((m, speed, time), spring, |x, _| x <= 0.0);
+        near(rebound, lasted);
+
+        let (stiffness, damping) = spring_without_pull(m, e, time).unwrap();
+        let spring = |x: f64, v: f64| (stiffness * x + damping * v).max(0.0);
+        let (rebound, lasted) = integrated((m, speed, time), spring, |_, pushed| pushed <= 0.0);
+        near(rebound, lasted);
+    }
+}
+
+/// Damping of a linear spring with this e, from the logarithmic decrement; the contact ends with the overlap.
+fn damping(mass: f64, stiffness: f64, e: f64) -> f64 {
+    let share = -e.ln() / (std::f64::consts::PI.powi(2) + e.ln().powi(2)).sqrt();
+    2.0 * share * (mass * stiffness).sqrt()
+}
+
+/// The wall of LAMMPS as its code takes steps: velocity Verlet, with the damping of the speed half a step before, and no
+/// force where there is no overlap. With 200 steps a contact this gives what LAMMPS gave over the phases of the first
+/// step: e 0.492 -0.4 to +0.3 %, 0.316 -1.0 to +0.2 %, 0.159 -2.3 to 0 %.
+fn stepped(e: f64, steps: f64, phase: f64) -> f64 {
+    let (stiffness, step) = (damped_spring(1.0, e, 1.0), 1.0 / steps);
+    let damping = damping(1.0, stiffness, e);
+    let (mut x, mut v, mut a) = (-phase * step, 1.0, 0.0);
+    loop {
+        let half: f64 = v + 0.5 * step * a;
+        x += step * half;
+        a = if x > 0.0 { -(stiffness * x + damping * half) } else { 0.0 };
+        v = half + 0.5 * step * a;
+        if x <= 0.0 && v < 0.0 {
+            return -v;
+        }
+    }
+}
+
+#[test]
+fn time_step_keeps_restitution_within_one_percent() {
+    let off = |e: f64, steps: f64| {
+        let errors = (0..40).map(|i| stepped(e, steps, (f64::from(i) + 0.5) / 40.0) / e - 1.0);
+        errors.fold((0.0_f64, 0.0_f64), |(low, high), error| (low.min(error), high.max(error)))
+    };
+    // what LAMMPS gave with 200 steps
+    for (e, low, high) in [(0.4925, -0.0038, 0.0034), (0.3161, -0.0091, 0.0025), (0.1588, -0.0229, 0.0)] {
+        let (least, most) = off(e, 200.0);
+        assert!((least - low).abs() < 1e-3 && (most - high).abs() < 1e-3, "{e}: {least} {most}");
+    }
+    for e in [0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.85, 0.95] {
+        let steps = steps_per_contact(e);
+        let (least, most) = off(e, steps);
+        assert!(least > -0.01 && most < 0.01, "{e}, {steps} steps: {least} {most}");
+    }
+    // the text says the number of steps, and the time step is that of the line
+    let text = printed(&[STEEL, "--to", "lammps", "--set", "law=thornton", "--speed", "30 m/s"]);
+    assert!(text.contains("(610 steps a contact, e within 1 %)"), "{text}");
+}
+
+#[test]
+fn constant_e_has_its_speed_range() {
+    let contact = steel();
+    let e = |speed| contact.closed_form(speed).unwrap().restitution;
+    let [from, to] = range_of_constant(&contact, 3.0, e(3.0)).map(Option::unwrap);
+    for (end, beyond) in [(from, 0.999 * from), (to, 1.001 * to)] {
+        assert!((e(end) / e(3.0) - 1.0).abs() <= E_WITHIN * (1.0 + 1e-9));
+        assert!((e(beyond) / e(3.0) - 1.0).abs() > E_WITHIN);
+    }
+    let [from, to] = [from, to].map(plm_impact::units::four_digits);
+    assert!(printed(&[STEEL, "--to", "lammps"]).contains(&format!("from {from} to {to} m/s")));
+    // below first yield, at 9.667 mm/s, e is 1 at every speed: the range has no lower end. At 1 µm/s, 1000 times the speed is
+    // elastic too
+    let slow = |speed| printed(&[STEEL, "--to", "lammps", "--speed", speed]);
+    assert!(
+        slow("1 mm/s").contains("within 2 % up to 0.0") && !slow("1 mm/s").contains("0.0000"),
+        "{}",
+        slow("1 mm/s")
+    );
+    assert!(slow("1 um/s").contains("within 2 % at all speeds near this one"), "{}", slow("1 um/s"));
+}
+
+/// A fall of v²/(2 g), and e² of it on the way up.
+#[test]
+fn header_has_numbers_of_drop_test() {
+    let impact = steel().closed_form(3.0).unwrap();
+    let text = printed(&[STEEL, "--to", "yade", "--speed", "3 m/s"]);
+    let line = text.lines().find(|line| line.contains("dent diameter")).unwrap();
+    let numbers: Vec<f64> = line.split(' ').filter_map(|word| word.parse().ok()).collect();
+    let fall = 4.5 / 9.80665;
+    let want = [2.0 * impact.peak_contact_radius, impact.restitution * impact.restitution * fall, fall];
+    assert!(numbers.iter().zip(want).all(|(got, want)| (got / want - 1.0).abs() < 1e-6), "{line} {want:?}");
+    assert_eq!(numbers.len(), 3, "{line}");
+}
+
+#[test]
+fn tables_are_those_of_the_closed_form() {
+    let contact = steel();
+    let text = printed(&[STEEL, "--to", "csv", "--speeds", "0.1 m/s,10 m/s"]);
+    let row = |line: &str| line.split_once(',').and_then(|(speed, e)| Some((speed.parse().ok()?, e.parse().ok()?)));
+    let rows: Vec<(f64, f64)> = text.lines().filter_map(row).collect();
+    assert_eq!(rows.len(), 41, "{text}");
+    assert_eq!((rows[0].0, rows[40].0), (0.1, 10.0));
+    for (speed, e) in rows {
+        assert!((e - contact.closed_form(speed).unwrap().restitution).abs() < 1e-9, "{speed}");
+    }
+    // a tenth to ten times the 3 m/s of the scenario
+    let text = printed(&[STEEL, "--to", "csv"]);
+    assert!(text.contains("\n3e-1,") && text.contains("\n3e1,"), "{text}");
+}
+
+#[test]
+fn every_code_gets_its_lines_with_their_origin() {
+    for (name, target) in Target::ALL.map(|target| (target.name(), target)) {
+        let text = printed(&[STEEL, "--to", name, "--set", "law=thornton"]);
+        assert!(text.contains("plm-impact 0.1.0: plm-impact export") && text.contains("--set law=thornton"), "{text}");
+        assert!(text.contains("SHA-256") && text.contains("impact at 3 m/s: e "), "{text}");
+        // tests/lammps runs the lines of LAMMPS; those of LIGGGHTS and Yade only where somebody has these codes
+        let said = match target {
+            Target::Lammps | Target::Csv => [false, false],
+            Target::Liggghts | Target::Yade => [true, false],
+            Target::Mercury => [false, true],
+        };
+        let words = ["no test runs these lines in that code", "these lines were never run in that code"];
+        assert_eq!(words.map(|words| text.contains(words)), said, "{text}");
+    }
+}
+
+/// A thick wall takes elastic waves, so where its density is known the lines have e with them. 0.574 is in the head of that
+/// scenario, 0.5795 in the finite elements that it names.
+#[test]
+fn lines_name_wave_loss_in_their_e() {
+    let with_waves = printed(&["scenarios/alumina-on-aluminium-with-waves.toml", "--to", "lammps"]);
+    assert!(with_waves.contains(": e 0.574") && with_waves.contains(" 0.574409212 damping"), "{with_waves}");
+    assert!(
+        with_waves.contains("# this e is for a thick wall: elastic waves are in it, and it is 0.585758 without them")
+    );
+    let without = printed(&[STEEL, "--to", "lammps"]);
+    assert!(
+        without.contains("# this e is without elastic waves: give half_space.density for a thick wall"),
+        "{without}"
+    );
+}
+
+/// Two spheres: the springs that the codes make of the lines, by the formulas in their manuals, part two free masses with e of the
+/// closing speed after the contact time of the law.
+#[test]
+fn lines_of_two_spheres_separate_like_law() {
+    let ball = "density = 7850.0\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength";
+    let scenario = crate::common::STEEL.replace("yield_strength", ball);
+    let desk = Desk::ran(&scenario);
+    let summary = desk.summary();
+    let result = |name: &str| summary[name].as_f64().unwrap();
+    let (e, time) = (result("restitution"), result("contact_time_s"));
+    let masses = [5e-3_f64, 8e-3].map(|radius| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3) * 7850.0);
+    let parted = |stiffness: f64| {
+        let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);
+        let (damping, step) = (damping(reduced, stiffness, e), 1e-5 * time);
+        let ([mut v, mut w], [mut x, mut y], mut t) = ([3.0, 0.0], [0.0, 0.0], 0.0);
+        loop {
+            let force = |overlap: f64, closing: f64| stiffness * overlap + damping * closing;
+            let half = force(x - y, v - w) * 0.5 * step;
+            (v, w) = (v - half / masses[0], w + half / masses[1]);
+            (x, y, t) = (x + step * v, y + step * w, t + step);
+            let half = force(x - y, v - w) * 0.5 * step;
+            (v, w) = (v - half / masses[0], w + half / masses[1]);
+            if v < w && x <= y {
+                assert!(
+                    ((w - v) / 3.0 / e - 1.0).abs() < 1e-3 && (t / time - 1.0).abs() < 1e-3,
+                    "{} {t}",
+                    (w - v) / 3.0
+                );
+                break;
+            }
+        }
+    };
+    let lines = |code: &str| desk.ends(&["export", "s.toml", "--to", code], 0).0;
+    let number = |text: &str, before: &str| -> f64 {
+        let rest = text.split_once(before).unwrap_or_else(|| panic!("{before} in {text}")).1;
+        rest.split([' ', ',', '\n', ')']).next().unwrap().parse().unwrap()
+    };
+    let lammps = lines("lammps");
+    assert!(!lammps.contains("fix wall") && lammps.contains("comm_modify vel yes"), "{lammps}");
+    assert!(lammps.contains("on another of radius 0.008 m") && lammps.contains("of two spheres"), "{lammps}");
+    parted(number(&lammps, "pair_coeff * * hooke "));
+
+    // k = (16/15) sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), for equal Y and nu = 0.3
+    let liggghts = lines("liggghts");
+    assert!(!liggghts.contains("fix wall"), "{liggghts}");
+    let of_pair = number(&liggghts, "youngsModulus peratomtype ") / (2.0 * (1.0 - 0.09));
+    let (radius, mass) = (5e-3_f64 * 8.0 / 13.0, masses[0] * masses[1] / (masses[0] + masses[1]));
+    let plate = 16.0 / 15.0 * radius.sqrt() * of_pair;
+    let speed = number(&liggghts, "characteristicVelocity scalar ");
+    parted(plate * (mass * speed * speed / plate).powf(0.2));
+
+    // MercuryDPM divides the mass by two for two equal spheres
+    assert_relative_eq!(number(&lines("mercury"), "2.0*"), mass, max_relative = 1e-8);
+    // Yade's spring never pulls, and its two materials are in series
+    let (stiffness, damping) = spring_without_pull(mass, e, time).unwrap();
+    assert_relative_eq!(number(&lines("yade"), "kn="), 2.0 * stiffness, max_relative = 1e-8);
+    assert_relative_eq!(number(&lines("yade"), "cn="), 2.0 * damping, max_relative = 1e-8);
+}
+
+/// e of the summary that a run of this scenario writes, and the one of the lines.
+fn both(scenario: &str, result: &str, arguments: &[&str]) -> (f64, f64, String) {
+    let desk = Desk::ran(scenario);
+    std::fs::write(desk.path("e.toml"), scenario).unwrap();
+    let (text, _) = desk.ends(&[&["export", "e.toml", "--to", "liggghts"], arguments].concat(), 0);
+    let line = text.lines().find_map(|line| line.split_once("coefficientRestitution peratomtypepair 1 ")).unwrap();
+    (desk.summary()[result].as_f64().unwrap(), line.1.parse().unwrap(), text.clone())
+}
+
+/// A sheet that the ball hits takes energy, and damping does: the code gets the e of all that.
+#[test]
+fn plate_and_damping_are_in_e() {
+    let plate =
+        crate::common::STEEL.replace("yield_strength", "density = 7850.0\nthickness = \"5 mm\"\nyield_strength");
+    let (run, line, text) = both(&plate, "restitution", &[]);
+    assert!((run - line).abs() < 1e-8 && text.contains("a plate of 5 mm"), "{run} {line} {text}");
+    let damped = crate::common::STEEL.to_owned() + "[damping]\nviscous = 0.1\n";
+    let (run, line, text) = both(&damped, "restitution", &[]);
+    assert!((run - line).abs() < 1e-8 && text.contains("[damping] of the scenario in it"), "{run} {line} {text}");
+}
+
+/// Gravity, air, series, angle and spin are of the motion, which the other code has itself: the e is that of the speed normal to
+/// the wall, here 3 cos(60 deg) and sqrt(2 g h).
+#[test]
+fn motion_of_scenario_is_omitted_and_named() {
+    let law = |speed: f64| steel().closed_form(speed).unwrap().restitution;
+    let of = |more: &str, arguments: &[&str]| {
+        let bodies = crate::common::STEEL.split("[impact]").next().unwrap();
+        let law = "[law.plm]\nunloading_exponent = \"pressure-shape\"\n";
+        let desk = Desk::with(format!("{bodies}{law}{more}"));
+        let (text, _) = desk.ends(&[&["export", "s.toml", "--to", "liggghts"], arguments].concat(), 0);
+        let e = text.lines().find_map(|line| line.split_once("peratomtypepair 1 ")).unwrap().1;
+        (e.parse::<f64>().unwrap(), text)
+    };
+    let oblique = "[impact]\nspeed = \"3 m/s\"\nangle = \"60 deg\"\n[friction]\ncoefficient = 0.2\n";
+    let (e, text) = of(oblique, &[]);
+    assert!((e - law(1.5)).abs() < 1e-8 && text.contains("impact.angle is left out"), "{e} {text}");
+    let bouncing =
+        "[impact]\ndrop_height = \"0.5 m\"\n[gravity]\nacceleration = 9.81\n[repeat]\nimpacts = 3\nspot = \"same\"\n";
+    let (e, text) = of(bouncing, &[]);
+    assert!((e - law((9.81_f64).sqrt())).abs() < 1e-8, "{e} {text}");
+    assert!(
+        text.contains("# [repeat] is left out: this is the first impact") && text.contains("# [gravity] is left out")
+    );
+    let swept = "[impact]\nspeed = \"3 m/s\"\n[sweep]\n\"half_space.youngs_modulus\" = [\"210 GPa\", \"70 GPa\"]\n";
+    let (e, text) = of(swept, &["--speed", "2 m/s"]);
+    assert!((e - law(2.0)).abs() < 1e-8 && text.contains("half_space.youngs_modulus = 2.1e11 Pa (210 GPa)"), "{text}");
+}
+
+/// The stiffness that the hooke model of LIGGGHTS computes for a ball on a wall: k = (16/15) sqrt(R) Y* (15 m V^2/(16 sqrt(R) Y*))^(1/5).
+/// With `ktToKnUser on` its tangential spring is 2/7 of that, else as stiff, and `tangential_damping off` takes its damping out.
+#[test]
+fn liggghts_gets_tangential_spring_of_comment() {
+    let rubbing = crate::common::STEEL.to_owned() + "[friction]\ncoefficient = 0.2\n";
+    let desk = Desk::with(rubbing.replace("[impact]", "[impact]\nangle = \"10 deg\""));
+    let lines = |code: &str| desk.ends(&["export", "s.toml", "--to", code], 0).0;
+    let (text, lammps) = (lines("liggghts"), lines("lammps"));
+    let words = "model hooke tangential history tangential_damping off ktToKnUser on";
+    assert_eq!(text.matches(words).count(), 2, "{text}");
+    assert!(
+        text.contains(&format!("pair_style gran {words}\n")) && text.contains(&format!("wall/gran {words} primitive"))
+    );
+    let number = |text: &str, before: &str| -> f64 {
+        let rest = text.split_once(before).unwrap().1;
+        rest.split([' ', '\n']).next().unwrap().parse().unwrap()
+    };
+    let (radius, mass) = (5e-3_f64, steel().mass());
+    let factor = 16.0 / 15.0 * radius.sqrt() * number(&text, "youngsModulus peratomtype ") / (2.0 * (1.0 - 0.09));
+    let speed = number(&text, "characteristicVelocity scalar ");
+    let stiffness = factor * (mass * speed * speed / factor).powf(0.2);
+    // LAMMPS gets the tangential stiffness itself
+    assert_relative_eq!(number(&lammps, "linear_history "), 2.0 / 7.0 * stiffness, max_relative = 1e-6);
+    // without friction there is no such spring
+    assert!(!printed(&[STEEL, "--to", "liggghts"]).contains("ktToKnUser"));
+}
+
+/// LIGGGHTS stops at a modulus below 5 MPa, unless the input sets `soft_particles yes`, and at e of 0.05 and less.
+#[test]
+fn liggghts_gets_soft_particles_and_accepted_e() {
+    for (modulus, is_soft) in [("2 MPa", true), ("210 GPa", false)] {
+        let keys = [
+            format!("sphere.youngs_modulus={modulus}"),
+            format!("half_space.youngs_modulus={modulus}"),
+            "half_space.yield_strength=1e12 Pa".to_owned(),
+        ];
+        let sets = keys.iter().flat_map(|key| ["--set", key.as_str()]);
+        let text = printed(&[STEEL, "--to", "liggghts"].into_iter().chain(sets).collect::<Vec<_>>());
+        let value: f64 =
+            text.split_once("youngsModulus peratomtype ").unwrap().1.lines().next().unwrap().parse().unwrap();
+        assert_eq!((value < 5e6, text.contains("soft_particles yes\n")), (is_soft, is_soft), "{text}");
+    }
+    let damped = [STEEL, "--to", "liggghts", "--set", "damping.viscous=2"];
+    let output = export(&damped);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("LIGGGHTS refuses e of 0.05 or less, and e is 0.0"), "{message}");
+    assert_eq!(output.status.code(), Some(2));
+}
+
+/// Two balls of two densities: the masses of the materials or species in the lines give the effective mass of the spring.
+#[test]
+fn lines_have_both_densities_of_two_balls() {
+    let ball = |density: f64| format!("density = {density:?}\nradius = \"8 mm\"\nmass = \"ball\"\nyield_strength");
+    let volume = |radius: f64| 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+    for (second, materials) in [(2000.0, 2), (7850.0, 1)] {
+        let desk = Desk::with(crate::common::STEEL.replace("yield_strength", &ball(second)));
+        for (code, before, after) in [("yade", "density=", ','), ("mercury", "setDensity(", ')')] {
+            let text = desk.ends(&["export", "s.toml", "--to", code], 0).0;
+            let densities = text.split(before).skip(1).map(|rest| rest.split(after).next().unwrap().parse().unwrap());
+            let densities: Vec<f64> = densities.collect();
+            assert_eq!(densities.len(), materials, "{text}");
+            let masses = [volume(5e-3) * densities[0], volume(8e-3) * densities[materials - 1]];
+            let line = text.lines().find(|line| line.contains("on another of radius")).unwrap();
+            let named = line.split("mass ").skip(1).map(|rest| rest.split(' ').next().unwrap().parse::<f64>().unwrap());
+            for (mass, named) in masses.into_iter().zip(named) {
+                assert_relative_eq!(mass, named, max_relative = 1e-6);
+            }
+            if code == "mercury" {
+                let effective: f64 = text.split_once("2.0*").unwrap().1.split(')').next().unwrap().parse().unwrap();
+                assert_relative_eq!(effective, masses[0] * masses[1] / (masses[0] + masses[1]), max_relative = 1e-8);
+            } else {
+                assert_eq!(text.matches("O.materials.append(").count(), materials, "{text}");
+            }
+        }
+    }
+}
+
+/// Two balls of one material with one strength: run, check and export name what is missing, and the share of e that it costs.
+#[test]
+fn one_strength_of_two_equal_balls_warns() {
+    let ball = "density = 7850.0\nradius = \"5 mm\"\nmass = \"ball\"\nyield_strength";
+    let one = crate::common::STEEL.replace("yield_strength", ball);
+    let both = one.replace("[sphere]", "[sphere]\nyield_strength = \"345 MPa\"");
+    let words = "e is off if both balls are of one material, mostly too high and by up to 7 %";
+    // the share is largest between the first yield and deep dents
+    let e =
+        |text: &str, speed: &str| Desk::ran(&text.replace("3 m/s", speed)).summary()["restitution"].as_f64().unwrap();
+    let ratio = |speed: &str| e(&one, speed) / e(&both, speed);
+    let [middle, fast] = ["0.3 m/s", "10 m/s"].map(ratio);
+    assert!((1.06..1.07).contains(&middle) && (1.0..1.02).contains(&fast), "{middle} {fast}");
+    let harder = one.replacen("210 GPa", "400 GPa", 1);
+    for (scenario, is_warned) in [(&one, true), (&both, false), (&harder, false)] {
+        let desk = Desk::with(scenario.clone());
+        for command in ["run", "check", "export"] {
+            let to: &[&str] = if command == "export" { &["--to", "lammps"] } else { &[] };
+            let (out, err) = desk.ends(&[&[command, "s.toml"], to].concat(), 0);
+            assert_eq!((out + &err).contains(words), is_warned, "{command}: {scenario}");
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! Tests of the command line and of exports.
+
+pub mod cli;
+pub mod drop;
+pub mod export;
+pub mod hostile_input;
+#[cfg(unix)]
+pub mod json_and_shell;
+pub mod laws;
+pub mod licences;

@@ -1,0 +1,153 @@
+//! Pictures are read back as a reader does, by the labels of the axes: lines, markers and areas are the numbers of the tables
+//! beside them, or of the references. Every function of the program that makes a picture is named here.
+
+mod calibration;
+mod kinds;
+mod runs;
+mod validation;
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use super::svg_reader::*;
+use crate::common::prelude::*;
+
+type Points = Vec<(f64, f64)>;
+type TableRow = BTreeMap<String, String>;
+
+/// How numbers are drawn, and in which colour.
+#[derive(Debug, Clone, Copy)]
+enum Form {
+    /// A line from row to row.
+    Line(&'static str),
+    /// A line through all rows, which has more points than they.
+    Through(&'static str),
+    /// A marker on every row, and no other.
+    Marks(&'static str),
+    /// The outline of an area.
+    Area(&'static str),
+}
+
+use Form::{Area, Line, Marks, Through};
+
+/// The content of one box of a picture.
+struct Shown {
+    /// File and function that make the picture.
+    kind: &'static str,
+    picture: &'static str,
+    panel: usize,
+    form: Form,
+    /// The places of the rows, from the folder of the run, in SI units.
+    rows: Box<dyn Fn(&Desk) -> Points + Send + Sync>,
+}
+
+/// A run, and what its pictures show.
+struct Drawing {
+    desk: Desk,
+    shown: Vec<Shown>,
+}
+
+fn shown(
+    kind: &'static str,
+    picture: &'static str,
+    panel: usize,
+    form: Form,
+    rows: impl Fn(&Desk) -> Points + Send + Sync + 'static,
+) -> Shown {
+    Shown { kind, picture, panel, form, rows: Box::new(rows) }
+}
+
+/// The rows of a table of a run, or of a reference, that have these words in these columns.
+fn table(desk: &Desk, name: &str, only: &[(&str, &str)]) -> Vec<TableRow> {
+    let reference = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/reference/{name}.csv"));
+    let text = fs::read_to_string(reference).unwrap_or_else(|_| desk.read(&format!("out/{name}.csv")));
+    let mut rows = records::<TableRow>(&text);
+    rows.retain(|row| only.iter().all(|(column, word)| row[*column] == *word));
+    rows
+}
+
+/// A number of a row, with angles in degrees as pictures have them.
+fn cell(row: &TableRow, column: &str) -> f64 {
+    let in_degrees = if column.ends_with("_rad") { 180.0 / std::f64::consts::PI } else { 1.0 };
+    in_degrees * row[column].parse::<f64>().unwrap_or(f64::NAN)
+}
+
+/// Two columns of a table.
+fn columns(
+    name: &'static str,
+    only: &'static [(&'static str, &'static str)],
+    [x, y]: [&'static str; 2],
+) -> impl Fn(&Desk) -> Points + Send + Sync {
+    move |desk| table(desk, name, only).iter().map(|row| (cell(row, x), cell(row, y))).collect()
+}
+
+/// How far a place is from a line through places.
+fn distance((x, y): (f64, f64), line: &[(f64, f64)]) -> f64 {
+    let from = |a: (f64, f64), b: (f64, f64)| {
+        let (along, up) = (b.0 - a.0, b.1 - a.1);
+        let share = ((x - a.0) * along + (y - a.1) * up) / (along * along + up * up).max(1e-300);
+        let share = share.clamp(0.0, 1.0);
+        (a.0 + share * along - x).hypot(a.1 + share * up - y)
+    };
+    line.windows(2).map(|pair| from(pair[0], pair[1])).fold(f64::INFINITY, f64::min)
+}
+
+/// How far a place is from the nearest of these.
+fn nearest((x, y): (f64, f64), marks: &[(f64, f64)]) -> f64 {
+    marks.iter().map(|at| (at.0 - x).hypot(at.1 - y)).fold(f64::INFINITY, f64::min)
+}
+
+/// The mistake in the content of a picture.
+fn fault(desk: &Desk, Shown { picture, panel, form, rows, .. }: &Shown) -> Option<String> {
+    let drawn = Drawn(desk.read(&format!("out/{picture}.svg")));
+    let (scales, panel) = (drawn.scales(*panel), *panel);
+    // what lies beyond the axes is not drawn
+    let is_in = drawn.is_in(panel);
+    let seen = |points: Points| points.into_iter().filter(|at| is_in(*at)).collect::<Points>();
+    let rows = seen(rows(desk).into_iter().map(|(x, y)| (scales[0].place(x), scales[1].place(y))).collect());
+    let far =
+        |points: &Points, from: &dyn Fn((f64, f64)) -> f64| points.iter().map(|at| from(*at)).fold(0.0, max_or_nan);
+    let (drawn, off) = match *form {
+        Line(color) | Through(color) => {
+            let line = seen(drawn.lines(color).concat());
+            let back = if matches!(form, Line(_)) { far(&line, &|at| distance(at, &rows)) } else { 0.0 };
+            (line.len(), far(&rows, &|at| distance(at, &line)).max(back))
+        }
+        Marks(color) => {
+            let marks = seen(drawn.marks(color));
+            (marks.len(), far(&rows, &|at| nearest(at, &marks)).max(far(&marks, &|at| nearest(at, &rows))))
+        }
+        Area(color) => {
+            let outline = drawn.areas(color).concat();
+            (outline.len(), far(&rows, &|at| distance(at, &outline)))
+        }
+    };
+    // two pixels of 750
+    let is_right = !rows.is_empty() && drawn > 0 && off < 2.0 * UNITS;
+    (!is_right).then(|| format!("{picture} {panel} {form:?}: {} rows, {drawn} drawn, off by {off}", rows.len()))
+}
+
+/// Runs a scenario, with its pictures as SVG, in a folder that has the data of a calibration.
+fn drawing(scenario: impl AsRef<[u8]>, shown: Vec<Shown>) -> Drawing {
+    let desk = Desk::with(scenario);
+    desk.put("d.csv", calibration::DATA);
+    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
+    Drawing { desk, shown }
+}
+
+fn check(drawings: &[Drawing]) {
+    let faults = drawings.iter().flat_map(|Drawing { desk, shown }| shown.iter().filter_map(|one| fault(desk, one)));
+    let faults: Vec<String> = faults.collect();
+    assert!(faults.is_empty(), "{faults:#?}");
+}
+
+/// An oblique impact has the whole speed and the angle in the titles of all its pictures.
+#[test]
+fn titles_have_the_angle_and_the_whole_speed() {
+    let desk = Desk::with(STEEL.replace("3 m/s\"", "3 m/s\"\nangle = \"30 deg\"") + "[friction]\ncoefficient = 0.1\n");
+    desk.ends(&["run", "s.toml", "--out", "out", "--pictures", "svg"], 0);
+    for picture in ["force_indentation", "history", "friction"] {
+        let texts = Drawn(desk.read(&format!("out/{picture}.svg"))).texts();
+        assert!(texts.iter().any(|text| text.starts_with("Impact at 3 m/s and 30°: ")), "{picture}: {texts:?}");
+    }
+}

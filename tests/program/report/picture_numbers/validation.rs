@@ -1,0 +1,180 @@
+//! Pictures of `validate`, beside its table and its references.
+
+use super::*;
+use crate::validate::validation::rebound_of_device;
+
+/// The first word of the case of a comparison, and the number behind the equals sign.
+fn case(row: &TableRow) -> (&str, f64) {
+    let (name, depth) = row["case"].split_once(", ").unwrap_or((&row["case"], ""));
+    (name, depth.split_once("= ").map_or(f64::NAN, |(_, number)| number.parse().unwrap()))
+}
+
+/// The law of a quantity of the comparisons whose case begins so, each with its case.
+fn of_law(desk: &Desk, quantity: &'static str, begin: &str) -> Vec<TableRow> {
+    let mut rows = table(desk, "validation", &[("quantity", quantity)]);
+    rows.retain(|row| case(row).0.starts_with(begin));
+    rows
+}
+
+/// The restitution of the law over the depth of load cycles.
+fn cycles(quantity: &'static str, begin: &'static str) -> impl Fn(&Desk) -> Points + Send + Sync {
+    move |desk| of_law(desk, quantity, begin).iter().map(|row| (case(row).1, cell(row, "law"))).collect()
+}
+
+/// The restitution of the law over another of its results for the same cases.
+fn crossed(across: &'static str, upward: &'static str, begin: &'static str) -> impl Fn(&Desk) -> Points + Send + Sync {
+    move |desk| {
+        let [x, y] = [across, upward].map(|quantity| of_law(desk, quantity, begin));
+        x.iter().zip(&y).map(|(x, y)| (cell(x, "law"), cell(y, "law"))).collect()
+    }
+}
+
+const EXPONENTS: [&str; 2] = ["load cycle: restitution, exponent 3/2", "load cycle: restitution, pressure-shape"];
+
+fn load_cycles() -> Vec<Shown> {
+    let (off, by_depth) = ("pictures::off_by_depth", "pictures::by_depth");
+    let cases = [("case1", BLUE), ("case2", VERMILLION), ("case3", GREEN), ("case4", PURPLE), ("case5", ORANGE)];
+    let deviations = |(panel, quantity): (usize, &'static str)| {
+        cases.map(|(name, color)| {
+            shown(off, "error-restitution", panel, Marks(color), move |desk| {
+                of_law(desk, quantity, name).iter().map(|row| (case(row).1, 100.0 * cell(row, "deviation"))).collect()
+            })
+        })
+    };
+    let mut shown_there: Vec<Shown> = EXPONENTS.into_iter().enumerate().flat_map(deviations).collect();
+    let law = |quantity, color| shown(by_depth, "restitution-case-3", 0, Through(color), cycles(quantity, "case3"));
+    let elements = columns("fe_unloading", &[("case", "case3")], ["x", "restitution"]);
+    shown_there.extend([
+        shown(by_depth, "restitution-case-3", 0, Marks(BLUE), elements),
+        law(EXPONENTS[0], VERMILLION),
+        law(EXPONENTS[1], GREEN),
+    ]);
+    shown_there
+}
+
+/// The peak of an unloading of case 3, and with its curve and its dent, in SI units.
+fn unloading(run: &'static str, cycle: &'static str, desk: &Desk) -> [Points; 2] {
+    let point = Scene::case_3().contact().pair().yield_point.unwrap();
+    let only = [("run", run), ("cycle", cycle)];
+    let peak = &table(desk, "fe_unloading", &only)[0];
+    let [x, force] = ["x", "f"].map(|column| cell(peak, column));
+    let curve = table(desk, "fe_unloading_curves", &only);
+    let curve = curve.iter().map(|row| (cell(row, "x"), cell(row, "f")));
+    let in_si = |(x, f): (f64, f64)| (x * point.indentation, f * point.force);
+    let all = curve.chain([(x, force), (x * cell(peak, "residual_share"), 0.0)]);
+    [vec![in_si((x, force))], all.map(in_si).collect()]
+}
+
+fn unloadings() -> Vec<Shown> {
+    let of = |(picture, run, cycle): (&'static str, &'static str, &'static str)| {
+        let rows = move |which: usize| move |desk: &Desk| unloading(run, cycle, desk)[which].clone();
+        // the law of the paper unloads from the peak of the finite elements
+        [(Through(BLUE), 0), (Marks(BLACK), 1)]
+            .map(|(form, which)| shown("figure_10::chart", picture, 0, form, rows(which)))
+    };
+    let pictures = [
+        ("figure-10-at-13", "case3_mini", "2"),
+        ("figure-10-at-105", "case3_fs", "1"),
+        ("figure-10-at-843", "case3_large_finesteps", "2"),
+    ];
+    pictures.into_iter().flat_map(of).collect()
+}
+
+fn impacts() -> Vec<Shown> {
+    let of = |(name, picture): (&'static str, &'static str)| {
+        let parts = [
+            (0, BLUE, "indentation_m"),
+            (1, VERMILLION, "sphere_indentation_m"),
+            (0, GREEN, "half_space_indentation_m"),
+        ];
+        parts.into_iter().flat_map(move |(panel, color, column)| {
+            let elements = move |desk: &Desk| -> Points {
+                let rows = table(desk, "fe_dynamic_curves", &[("case", name)]);
+                rows.iter().step_by(4).map(|row| (cell(row, column), cell(row, "force_N"))).collect()
+            };
+            // the scenario of this impact
+            let law = move |_: &Desk| -> Points {
+                let text = format!("scenarios/dynamic-fe-{}.toml", name.to_lowercase());
+                let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(text);
+                let trace = file_of(&outcome(&read(&fs::read_to_string(path).unwrap(), NONE)), "trace.csv");
+                numbers(&trace, column).into_iter().zip(numbers(&trace, "force_N")).collect()
+            };
+            [
+                shown("pictures::impact", picture, panel, Marks(color), elements),
+                shown("pictures::impact", picture, panel, Through(color), law),
+            ]
+        })
+    };
+    let pictures = [
+        ("D1", "impact-d1-force-indentation"),
+        ("D2", "impact-d2-force-indentation"),
+        ("D5", "impact-d5-force-indentation"),
+    ];
+    pictures.into_iter().flat_map(of).collect()
+}
+
+fn metals() -> Vec<Shown> {
+    let (hardening, yielding) = ("pictures::hardening", "pictures::yielding");
+    let (hard, yields) = ("hardening-restitution", "yielding-restitution");
+    let (peak, e) = ("hardening: peak indentation", "hardening: restitution, pressure-shape");
+    let (radius, of_yielding) =
+        ("sphere or both yield: contact radius at the same depth", "sphere or both yield: restitution, pressure-shape");
+    let elements = |only| columns("fe_hardening", only, ["x", "restitution"]);
+    let of_pair = |only| columns("fe_yielding", only, ["contact_radius_over_R", "e"]);
+    let of_case_3 = columns("fe_unloading", &[("case", "case3")], ["contact_radius_over_R", "restitution"]);
+    vec![
+        shown(hardening, hard, 0, Marks(BLUE), elements(&[("material", "c3n10")])),
+        shown(hardening, hard, 0, Marks(VERMILLION), elements(&[("material", "alvoce")])),
+        shown(hardening, hard, 0, Marks(GREEN), elements(&[("material", "cun30")])),
+        shown(hardening, hard, 0, Through(BLUE), crossed(peak, e, "c3n10")),
+        shown(hardening, hard, 0, Through(VERMILLION), crossed(peak, e, "alvoce")),
+        shown(hardening, hard, 0, Through(GREEN), crossed(peak, e, "cun30")),
+        shown(yielding, yields, 0, Marks(BLUE), of_case_3),
+        shown(yielding, yields, 0, Marks(VERMILLION), of_pair(&[("case", "S1")])),
+        shown(yielding, yields, 0, Marks(GREEN), of_pair(&[("case", "S3")])),
+        shown(yielding, yields, 0, Through(VERMILLION), crossed(radius, of_yielding, "S1")),
+        shown(yielding, yields, 0, Through(GREEN), crossed(radius, of_yielding, "S3")),
+    ]
+}
+
+fn rebounds() -> Vec<Shown> {
+    let leeb =
+        |form, rows: fn(&Desk) -> Points| shown("pictures::leeb", "measured-leeb-tensile-strength", 0, form, rows);
+    let oblique = |form, rows: Box<dyn Fn(&Desk) -> Points + Send + Sync>| {
+        shown("pictures::oblique", "oblique-alumina-on-glass", 0, form, rows)
+    };
+    let law = |desk: &Desk| -> Points {
+        let rows = table(desk, "validation", &[("quantity", "oblique: tangential restitution")]);
+        rows.iter().map(|row| (row["case"].trim_end_matches(" deg").parse().unwrap(), cell(row, "law"))).collect()
+    };
+    let measured = columns("kharaz", &[("quantity", "tangential_restitution")], ["angle_deg", "value"]);
+    vec![
+        leeb(Through(BLUE), |desk| {
+            let end = |row: &TableRow, which: &str| {
+                (1e6 * cell(row, &format!("{which}_tensile_strength_MPa")), cell(row, &format!("{which}_HLD")))
+            };
+            let rows = table(desk, "leeb_tensile", &[]);
+            rows.iter().flat_map(|row| ["low", "high"].map(|which| end(row, which))).collect()
+        }),
+        leeb(Through(VERMILLION), |_| {
+            [5e8, 1e9, 2e9].map(|strength| (strength, 1e3 * rebound_of_device(strength))).into()
+        }),
+        leeb(Through(GREEN), |_| {
+            [5e8, 1e9, 2e9].map(|strength| (strength, 1e3 * rebound_of_device(0.65 * strength))).into()
+        }),
+        oblique(Marks(BLACK), Box::new(measured)),
+        oblique(Through(BLUE), Box::new(law)),
+    ]
+}
+
+pub static ALL: LazyLock<Vec<Drawing>> = LazyLock::new(|| {
+    let desk = Desk::with("");
+    desk.ends(&["validate", "--out", "out", "--pictures", "svg"], 0);
+    let shown = [load_cycles(), unloadings(), impacts(), metals(), rebounds()].into_iter().flatten().collect();
+    vec![Drawing { desk, shown }]
+});
+
+#[test]
+fn validation_pictures_show_rows_and_references() {
+    check(&ALL);
+}

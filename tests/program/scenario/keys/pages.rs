@@ -1,0 +1,143 @@
+//! The tables of the reference pages (`scenarios/keys.md`, `results.md`, `units.md`): every key, every
+//! result, every material, every unit, as Markdown.
+
+use std::fmt::Write as _;
+
+use plm_impact::report::text::{calibrate, check, indentation, materials, sweep, units};
+use plm_impact::results::series;
+use plm_impact::results::{Reported, Shown, impact, trace};
+use plm_impact::scenario::key_docs::written;
+use plm_impact::scenario::keys::key::AnyKey;
+use plm_impact::strings::markdown;
+
+use crate::common::prelude::*;
+
+/// A part of a page: its name, and its text.
+type Part = (&'static str, fn() -> String);
+
+const PARTS: [Part; 4] = [("keys", keys), ("results", of_results), ("materials", of_materials), ("units", units_table)];
+
+/// A page in which every table between two marks is written anew, and the number of these tables. The marks are comments such as
+/// `<!-- keys: written by a test -->`.
+pub fn renewed(page: &str) -> (String, usize) {
+    let mut count = 0;
+    let write = |page: String, (name, text): &Part| {
+        let begin = format!("<!-- {name}: written by a test -->");
+        let end = format!("<!-- end of {name} -->");
+        let parts = page.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
+        let Some((before, after)) = parts else { return page };
+        count += 1;
+        format!("{before}{begin}\n\n{}{end}{after}", text())
+    };
+    (PARTS.iter().fold(page.to_owned(), write), count)
+}
+
+fn units_table() -> String {
+    markdown(&units::rows()) + "\n"
+}
+
+fn of_materials() -> String {
+    markdown(&materials::rows("")) + "\n"
+}
+
+/// The results of a file, or of a part of one, and their names with how each is shown.
+type FileOfResults = (String, Vec<(&'static str, Shown)>);
+
+fn file<T>(title: &str, results: &[Reported<T>]) -> FileOfResults {
+    let mut text = format!("### {title}\n\n| name | meaning | when it is there |\n|---|---|---|\n");
+    for Reported { name, about, condition, column, .. } in results {
+        let mark = if column.is_some() { " \u{25a6}" } else { "" };
+        let condition = if condition.is_empty() { "always" } else { condition };
+        let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
+    }
+    (text + "\n", results.iter().map(|result| (result.name, result.shown)).collect())
+}
+
+/// The files of results of every kind of scene.
+fn files() -> [FileOfResults; 14] {
+    [
+        file("One impact: `summary.json`, and columns of tables (\u{25a6})", &impact::results()),
+        file("One impact: `trace.csv`", &trace::results()),
+        file("Repeated impacts: `summary.json`", &series::results()),
+        file("Repeated impacts: `impacts.csv`", &series::impacts()),
+        file("Repeated impacts: `trace.csv`", &series::trace()),
+        file("Indentation: every half-space in `summary.json`", &indentation::half_space()),
+        file("Indentation: every step of a half-space", &indentation::step()),
+        file("Indentation: `trace.csv`", &indentation::columns()),
+        file("Tables: `summary.json`", &sweep::totals()),
+        file("Tables: every other named column in `summary.json`", &sweep::distributions()),
+        file("Tables: every random key in `summary.json`", &sweep::drawn()),
+        file("Calibrations: `summary.json`", &calibrate::results()),
+        file("Calibrations: every key in `summary.json`", &calibrate::key()),
+        file("Checks: `contact` in `check --json`", &check::contact()),
+    ]
+}
+
+fn of_results() -> String {
+    files().into_iter().map(|(markdown, _)| markdown).collect()
+}
+
+#[test]
+fn names_end_in_unit_of_their_number() {
+    let all: Vec<_> = files().into_iter().flat_map(|(_, names)| names).collect();
+    assert!(all.len() > 200, "{}", all.len());
+    let unit_of = |shown| if let Shown::In(dimension) = shown { Some(dimension) } else { None };
+    let units: Vec<_> = all.iter().filter_map(|(_, shown)| unit_of(*shown)).collect();
+    for (name, shown) in all {
+        // the longest end that is a unit: "_m_per_s" ends in "_s" too
+        let ends = units.iter().filter(|unit| name.ends_with(unit.suffix()));
+        let unit = ends.max_by_key(|unit| unit.suffix().len());
+        assert_eq!(unit_of(shown).as_ref(), unit, "{name}");
+    }
+}
+
+/// All keys, a table for every table of a scenario: first those that a user sets, then those for experts.
+fn keys() -> String {
+    let mut tables: Vec<&str> = Vec::new();
+    for (table, _) in EVERY_KEY.iter().map(place) {
+        if !tables.contains(&table) {
+            tables.push(table);
+        }
+    }
+    // the tables in the order of the registry, those of the laws together
+    tables.sort_by_key(|table| EVERY_KEY.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
+    let (of_experts, usual): (Vec<&str>, Vec<&str>) = tables.into_iter().partition(|table| is_of_experts(table));
+    let [usual, of_experts] = [usual, of_experts].map(|tables| tables.into_iter().map(table).collect::<String>());
+    usual + EXPERTS + &of_experts
+}
+
+const EXPERTS: &str = "## Keys for experts
+
+The constants of the other laws, and the integration. A scenario seldom needs them: the defaults are those of the
+papers, and a relative tolerance of 1e-10.
+
+";
+
+/// The constants of laws other than the default one, and the solver.
+fn is_of_experts(table: &str) -> bool {
+    table == "solver" || table.starts_with("law.") && table != "law.plm"
+}
+
+fn table(name: &str) -> String {
+    let mut text = format!("### {}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", heading(name));
+    for key in EVERY_KEY.iter().filter(|key| place(key).0 == name) {
+        let axis = if Key::find(key.path).is_some() { " \u{2195}" } else { "" };
+        let default = if key.default.is_empty() { "\u{2013}" } else { key.default };
+        let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", place(key).1, written(&key.form), key.about);
+    }
+    text + "\n"
+}
+
+/// The table that a key stands in, and its name there; `sweep` and `monte_carlo` are tables themselves.
+fn place(key: &AnyKey) -> (&'static str, &'static str) {
+    key.path.rsplit_once('.').unwrap_or((key.path, key.path))
+}
+
+fn heading(table: &str) -> String {
+    let name = match table.strip_suffix("[]") {
+        Some(list) => format!("`[[{list}]]`"),
+        None => format!("`[{table}]`"),
+    };
+    let law = table.strip_prefix("law.").and_then(LawChoice::from_name);
+    law.map_or(name.clone(), |law| format!("{name}: {}", law.about().title))
+}

@@ -1,0 +1,127 @@
+//! A second implementation of the law, from its equations and its table of coefficients, and the curves it was fitted to.
+
+pub const BUILT_IN: &str = include_str!("../../../src/contact/law/plm/coefficients.toml");
+
+/// A second implementation of the PLM: plain sums, bisection instead of formulas for roots, the trapezoidal rule
+/// instead of closed forms.
+pub struct Second {
+    pub table: toml::Table,
+    /// Knots of the force, and the two parts of its slopes.
+    force: [Vec<f64>; 3],
+    pub kappa: f64,
+    pub a_y: f64,
+}
+
+pub fn list(table: &toml::Table, of: &str, key: &str) -> Vec<f64> {
+    table[of][key].as_array().unwrap().iter().map(|value| value.as_float().unwrap()).collect()
+}
+
+impl Second {
+    /// The law of the bodies in the comment lines of a loading curve.
+    pub fn of(curve: &str) -> Self {
+        let value = |key: &str| -> f64 {
+            let line = curve.lines().find_map(|line| line.strip_prefix(&format!("# {key} = "))).unwrap();
+            line.split(' ').next().unwrap().parse().unwrap()
+        };
+        let [sphere, half_space] = ["sphere", "half_space"].map(|body| value(&format!("{body}.youngs_modulus")));
+        Self::new(sphere, half_space, value("half_space.yield_strength"))
+    }
+
+    /// The law of these moduli \[GPa\] and this strength \[MPa\].
+    pub fn new(sphere: f64, half_space: f64, strength: f64) -> Self {
+        let (e_s, e_h) = (sphere / 0.91, half_space / 0.91);
+        let e_star = e_s * e_h / (e_s + e_h);
+        // C_ν = 1.61316 at ν = 0.3
+        let a_y = std::f64::consts::PI * 1.613_160_7 * 1e-3 * strength / (2.0 * e_star);
+        let table = toml::from_str(BUILT_IN).unwrap();
+        let force = ["from", "slope", "slope_kappa_squared"].map(|key| list(&table, "force", key));
+        Self { table, force, kappa: e_star / e_s, a_y }
+    }
+
+    fn one(&self, key: &str) -> f64 {
+        self.table["elastic_approach"][key].as_float().unwrap()
+    }
+
+    pub fn force(&self, x: f64) -> f64 {
+        let [from, slope, extra] = &self.force;
+        let mut force = x.min(from[0]).powf(1.5);
+        for i in 0..from.len() {
+            let end = from.get(i + 1).copied().unwrap_or(f64::INFINITY);
+            force += (slope[i] + self.kappa.powi(2) * extra[i]) * (x.min(end) - from[i]).max(0.0);
+        }
+        force
+    }
+
+    /// ε at A on the polyline, summed in small steps.
+    fn line(&self, a: f64) -> f64 {
+        let k2 = self.kappa.powi(2);
+        let first =
+            (self.one("first_slope") + self.one("first_slope_kappa_squared") * k2).min(self.one("first_slope_limit"));
+        let plastic = self.one("plastic_slope") + self.one("plastic_slope_kappa_squared") * k2;
+        let plastic_from = 1.0 + self.one("plastic_from_rho") * (1.0 - self.kappa);
+        let [from, factor] = ["geometry_from", "geometry_factor"].map(|key| list(&self.table, "elastic_approach", key));
+        let slope = |a: f64| {
+            let base = if a < plastic_from { first } else { plastic };
+            from.iter()
+                .zip(&factor)
+                .filter(|(from, _)| a * self.a_y >= **from)
+                .fold(base, |slope, (_, factor)| slope * factor)
+        };
+        let knots = from.iter().map(|from| from / self.a_y).chain([plastic_from]);
+        let mut places: Vec<f64> = knots.filter(|knot| *knot > 1.0 && *knot < a).chain([1.0, a]).collect();
+        places.sort_by(f64::total_cmp);
+        1.0 + places.windows(2).map(|pair| slope(0.5 * (pair[0] + pair[1])) * (pair[1] - pair[0])).sum::<f64>()
+    }
+
+    pub fn approach(&self, x: f64) -> f64 {
+        let force = self.force(x);
+        // ε = line(f/ε): the left side rises in ε, the right side falls
+        let (mut low, mut high) = (0.0, x);
+        if x <= 1.0 || self.line(force / x) >= x {
+            return x;
+        }
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if middle < self.line(force / middle) { low = middle } else { high = middle }
+        }
+        low
+    }
+
+    pub fn work(&self, x: f64) -> f64 {
+        let n = 20_000;
+        let step = x / f64::from(n);
+        step * ((1..n).map(|i| self.force(f64::from(i) * step)).sum::<f64>() + 0.5 * self.force(x))
+    }
+
+    /// Λ(A).
+    fn pressure_shape(a: f64) -> f64 {
+        match a {
+            a if a < 1.5 => 1.0,
+            a if a < 4.0 => 1.0 + 0.15 * (a - 1.5) / 2.5,
+            a if a < 8.0 => 1.15 + 0.04 * (a - 4.0) / 4.0,
+            _ => 1.19,
+        }
+    }
+
+    pub fn restitution(&self, x: f64, is_paper: bool) -> f64 {
+        let (force, approach) = (self.force(x), self.approach(x));
+        let lambda = Self::pressure_shape(force / approach);
+        let n = if is_paper { 1.5 } else { 1.5 - 0.807_46 * (lambda - 1.0) };
+        (force * approach / (n + 1.0) / self.work(x)).sqrt()
+    }
+
+    /// a/R, narrower than â/Λ from â/R = 0.105 on.
+    pub fn contact_radius(&self, x: f64) -> f64 {
+        let a = self.force(x) / self.approach(x);
+        let geometry = 1.0 + (0.25 + 0.145 * self.kappa.powi(2)) * (a * self.a_y - 0.105).max(0.0);
+        a * self.a_y / Self::pressure_shape(a) / geometry
+    }
+}
+
+pub const CURVES: [&str; 5] = [
+    include_str!("../../../src/reference/fe_loading_case1.csv"),
+    include_str!("../../../src/reference/fe_loading_case2.csv"),
+    include_str!("../../../src/reference/fe_loading_case3.csv"),
+    include_str!("../../../src/reference/fe_loading_case4.csv"),
+    include_str!("../../../src/reference/fe_loading_case5.csv"),
+];

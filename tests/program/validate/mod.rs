@@ -1,0 +1,6 @@
+//! Tests of validation and benchmark.
+
+pub mod bench;
+pub mod coefficients;
+pub mod independent_law;
+pub mod validation;
