@@ -22,19 +22,19 @@ pub enum ErrorKind {
 }
 
 /// The maximum number of mistakes that are printed after the first one. Programs get all of them.
-const MOST_TOLD: usize = 19;
+const MAX_SHOWN_ERRORS: usize = 19;
 
 /// Why a command failed.
 #[derive(Debug, Error)]
-#[error("{}", self.with_the_others())]
+#[error("{}", self.full_text())]
 pub struct Error {
     pub kind: ErrorKind,
     text: String,
     /// The texts of other mistakes that were found with it.
-    also: Vec<String>,
+    other_errors: Vec<String>,
     pub details: Box<Details>,
     /// The error of the file system, where that is the reason.
-    pub reason: Option<io::Error>,
+    pub io_error: Option<io::Error>,
 }
 
 /// An error in parts, for programs.
@@ -70,7 +70,7 @@ pub struct Details {
 
 impl Error {
     pub fn new(kind: ErrorKind, text: impl Into<String>) -> Self {
-        Self { kind, text: text.into(), also: Vec::new(), details: Box::default(), reason: None }
+        Self { kind, text: text.into(), other_errors: Vec::new(), details: Box::default(), io_error: None }
     }
 
     /// An option, an argument or a scenario is wrong.
@@ -90,39 +90,39 @@ impl Error {
     }
 
     /// Something is wrong with a file as a whole.
-    pub fn in_file(kind: ErrorKind, file: &str, reason: impl Display) -> Self {
-        Self::new(kind, format!("{file}: {reason}")).about(file)
+    pub fn for_file(kind: ErrorKind, file: &str, reason: impl Display) -> Self {
+        Self::new(kind, format!("{file}: {reason}")).with_file(file)
     }
 
     /// The file system refuses a file; for `map_err`. The problem is such as `cannot be read`. The remedy may be empty.
-    pub fn of_file(kind: ErrorKind, path: &Path, problem: &str, way_out: &str) -> impl Fn(io::Error) -> Self {
+    pub fn from_io(kind: ErrorKind, path: &Path, problem: &str, way_out: &str) -> impl Fn(io::Error) -> Self {
         let begin = format!("{}: {problem}", path.display());
         move |reason| {
             let separator = if way_out.is_empty() { "" } else { "; " };
-            let error = Self::new(kind, format!("{begin}: {reason}{separator}{way_out}")).about(path.display());
-            Self { reason: Some(reason), ..error }
+            let error = Self::new(kind, format!("{begin}: {reason}{separator}{way_out}")).with_file(path.display());
+            Self { io_error: Some(reason), ..error }
         }
     }
 
     pub fn is_not_found(&self) -> bool {
-        self.reason.as_ref().is_some_and(|reason| reason.kind() == io::ErrorKind::NotFound)
+        self.io_error.as_ref().is_some_and(|reason| reason.kind() == io::ErrorKind::NotFound)
     }
 
     /// One error that tells all these mistakes; `None` of none.
-    pub fn all(mistakes: Vec<Self>) -> Option<Self> {
+    pub fn combine(mistakes: Vec<Self>) -> Option<Self> {
         mistakes.into_iter().reduce(|mut all, other| {
-            all.also.push(other.text);
-            all.also.extend(other.also);
+            all.other_errors.push(other.text);
+            all.other_errors.extend(other.other_errors);
             all.details.others.push(*other.details);
             all
         })
     }
 
     /// Its text, and those of the other mistakes; of very many it says how many there are.
-    fn with_the_others(&self) -> String {
-        let others = self.also.iter().take(MOST_TOLD).map(|text| format!("\n{text}"));
+    fn full_text(&self) -> String {
+        let others = self.other_errors.iter().take(MAX_SHOWN_ERRORS).map(|text| format!("\n{text}"));
         let text = others.fold(self.text.clone(), |all, other| all + &other);
-        match self.also.len().saturating_sub(MOST_TOLD) {
+        match self.other_errors.len().saturating_sub(MAX_SHOWN_ERRORS) {
             0 => text,
             1 => text + "\nand 1 more mistake",
             more => format!("{text}\nand {more} more mistakes"),
@@ -136,7 +136,7 @@ impl Error {
         if let Some(text) = text(&self.details, &self.text) {
             self.text = text;
         }
-        for (also, details) in self.also.iter_mut().zip(&self.details.others) {
+        for (also, details) in self.other_errors.iter_mut().zip(&self.details.others) {
             if let Some(text) = text(details, also) {
                 *also = text;
             }
@@ -145,15 +145,15 @@ impl Error {
     }
 
     /// Returns the error with the file that it is about.
-    pub fn about(self, file: impl Display) -> Self {
-        self.with(Details { file: Some(file.to_string()), ..Details::default() })
+    pub fn with_file(self, file: impl Display) -> Self {
+        self.with_details(Details { file: Some(file.to_string()), ..Details::default() })
     }
-    pub fn with(self, details: Details) -> Self {
+    pub fn with_details(self, details: Details) -> Self {
         Self { details: details.into(), ..self }
     }
 
     /// Adds the key that has to be given too, if there is one.
-    pub fn needing(mut self, key: Option<&str>) -> Self {
+    pub fn with_missing_key(mut self, key: Option<&str>) -> Self {
         self.details.needs = key.map(str::to_owned);
         self
     }

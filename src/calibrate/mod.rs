@@ -160,7 +160,7 @@ impl Measurements {
         let place = " anywhere in the range of the keys";
         let [place, way_out] = if self.wanted.free.is_empty() { ["", ""] } else { [place, "; choose another range"] };
         let reason = format!("the law has no answer for these measurements{place}: {reason}{way_out}");
-        Error::in_file(ErrorKind::Input, &self.data.name, reason)
+        Error::for_file(ErrorKind::Input, &self.data.name, reason)
     }
 
     /// The best keys under a law.

@@ -50,20 +50,20 @@ pub fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
     move |reason| {
         let is_full = matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull);
         let kind = if is_full { ErrorKind::Failed } else { ErrorKind::Input };
-        Error::of_file(kind, path, "cannot be written", "name another directory with --out")(reason)
+        Error::from_io(kind, path, "cannot be written", "name another directory with --out")(reason)
     }
 }
 
 /// The error of a file that another program wrote.
 pub fn foreign(path: &Path) -> Error {
     let reason = "exists, and is no result of this program; move it, name another --out, or replace it with --force";
-    Error::in_file(ErrorKind::Input, &path.display().to_string(), reason)
+    Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
 /// The error of a result that would take the place of a file that the scenario is, or reads.
 fn input_error(path: &Path) -> Error {
     let reason = "this file belongs to the scenario, and the results would take its place; name another --out";
-    Error::in_file(ErrorKind::Input, &path.display().to_string(), reason)
+    Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
 
 /// The origin of results.
@@ -187,7 +187,7 @@ impl OutputDirectory {
     }
 
     fn refused(&self, reason: &str) -> Error {
-        Error::in_file(ErrorKind::Input, &self.path.display().to_string(), reason)
+        Error::for_file(ErrorKind::Input, &self.path.display().to_string(), reason)
     }
 
     pub fn path(&self) -> &Path {

@@ -124,7 +124,7 @@ impl Scenario {
             };
             mistakes.extend(scenario.missing(&NEEDED[..needed]));
         }
-        Error::all(mistakes).map_or(Ok(scenario), Err)
+        Error::combine(mistakes).map_or(Ok(scenario), Err)
     }
 
     /// True if the scenario, or a named material, gives a key, or if the scenario has a table.
@@ -140,7 +140,7 @@ impl Scenario {
 
     /// Refuses a scenario that lacks one of these keys.
     fn need(&self, keys: &[&'static str]) -> Result<(), Error> {
-        Error::all(self.missing(keys)).map_or(Ok(()), Err)
+        Error::combine(self.missing(keys)).map_or(Ok(()), Err)
     }
 
     /// The refusals of those of these keys that are missing. A key is not missing if its alternative is given, or if it varies over
@@ -195,7 +195,7 @@ impl Scenario {
             self.check_strength(&input),
             self.check_rates(&input),
         ];
-        Error::all(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok(input), Err)
+        Error::combine(checked.into_iter().filter_map(Result::err).collect()).map_or(Ok(input), Err)
     }
 
     /// The input with the first value of every varied key: of its axis or range, of a list of shots, or the median of its distribution.

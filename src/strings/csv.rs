@@ -13,7 +13,7 @@ pub(crate) fn refused(name: &str) -> impl Fn(Refusal) -> Error + Copy {
     move |(line, message)| {
         let at = line.map(|line| format!(":{line}")).unwrap_or_default();
         let error = Error::input(format!("{name}{at}: {message}"));
-        error.with(Details { message: Some(message), file: Some(name.to_owned()), line, ..Details::default() })
+        error.with_details(Details { message: Some(message), file: Some(name.to_owned()), line, ..Details::default() })
     }
 }
 

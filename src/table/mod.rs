@@ -28,15 +28,15 @@ use crate::error::{Error, ErrorKind};
 
 /// Makes an error from that of the file system, for `map_err`. The parts written so far stay.
 pub(crate) fn file(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Error {
-    Error::of_file(ErrorKind::Failed, path, problem, "")
+    Error::from_io(ErrorKind::Failed, path, problem, "")
 }
 
 /// The error of a table that cannot be written.
 pub(crate) fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
-    Error::of_file(ErrorKind::Failed, path, "cannot be written", "free space, then give the same command")
+    Error::from_io(ErrorKind::Failed, path, "cannot be written", "free space, then give the same command")
 }
 
 /// The error for a file that prevents writing, with the remedy.
 pub(crate) fn refused(path: &Path, problem: impl std::fmt::Display) -> Error {
-    Error::in_file(ErrorKind::Input, &path.display().to_string(), problem)
+    Error::for_file(ErrorKind::Input, &path.display().to_string(), problem)
 }

@@ -78,7 +78,7 @@ impl Output {
         note_replaced(&directory, &removed);
         self.report(&text, &files, format_args!("wrote {} to {}", names.join(", "), out.display()))?;
         contradiction
-            .map_or(Ok(()), |reason| Err(Error::in_file(ErrorKind::Mismatch, scenario.document.name(), reason)))
+            .map_or(Ok(()), |reason| Err(Error::for_file(ErrorKind::Mismatch, scenario.document.name(), reason)))
     }
 
     /// Prints the table of a run and notes where its files are, or prints the summary alone.

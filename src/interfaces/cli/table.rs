@@ -124,7 +124,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     // rows without a result make exit code 1
     let table = written.table.display();
     let text = format!("{failures} of {rows} cases have no result: see the column status of {table}");
-    Err(Error::failed(text).about(table))
+    Err(Error::failed(text).with_file(table))
 }
 
 fn parse_shard(text: &str) -> Result<Shard, Error> {

@@ -79,5 +79,5 @@ fn shown(page: &str, format: Pictures) -> String {
 fn load(path: &Path) -> Result<PlmCoefficients, Error> {
     let text = read_text(path, LARGEST_SCENARIO)?;
     PlmCoefficients::from_toml(&text)
-        .map_err(|error| Error::in_file(ErrorKind::Input, &path.display().to_string(), error.to_string().trim_end()))
+        .map_err(|error| Error::for_file(ErrorKind::Input, &path.display().to_string(), error.to_string().trim_end()))
 }

@@ -58,7 +58,7 @@ impl Bare {
         ] {
             input.set(key, None);
         }
-        let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
+        let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
         let contact = input.contact().map_err(failed)?;
         let ball = match contact.half_space().hold {
             Hold::Fixed => None,

@@ -35,7 +35,7 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         Error::input("the scenario has no single impact speed: give --speed, such as --speed \"3 m/s\"".to_owned())
     })?;
     let at = |speed: f64| {
-        let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
+        let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
         bare.contact.impact(speed, &Solver::AUTO, None).map_err(failed)
     };
     let impact = at(speed)?;

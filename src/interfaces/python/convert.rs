@@ -91,7 +91,7 @@ pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyA
 /// The exception of a scenario that cannot be read; for a missing file it is a `FileNotFoundError` too.
 pub fn unreadable(py: Python<'_>, error: Error) -> PyErr {
     static NO_SUCH_FILE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
-    let (true, Some(reason), Some(file)) = (error.is_not_found(), &error.reason, &error.details.file) else {
+    let (true, Some(reason), Some(file)) = (error.is_not_found(), &error.io_error, &error.details.file) else {
         return exception(error);
     };
     // the words that Python itself has for it

@@ -72,7 +72,7 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
     let on = half_space.map_or_else(String::new, |name| format!("\"{name}\", "));
     match reason {
         reason @ (IndentationError::Range(_) | IndentationError::Pair(_) | IndentationError::Law(_)) => {
-            Error::in_file(ErrorKind::Input, scenario.document.name(), format!("{on}{reason}"))
+            Error::for_file(ErrorKind::Input, scenario.document.name(), format!("{on}{reason}"))
         }
         step => scenario.document.refuse("indentation.steps", format!("{on}{step}")),
     }

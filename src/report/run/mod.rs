@@ -65,7 +65,7 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
         let message = format!("is not a part of the contact law: {way_out}");
         return Err(scenario.document.refuse(key, message));
     }
-    let failed = |reason| Error::in_file(ErrorKind::Input, scenario.document.name(), reason);
+    let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
     let contact = input.contact().map_err(failed)?;
     Ok((input, contact))
 }
@@ -98,7 +98,7 @@ pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Res
 pub fn refuse_warnings(scenario: &Scenario, warnings: usize, is_strict: bool) -> Result<(), Error> {
     if is_strict && warnings > 0 {
         let text = format!("{warnings} warning(s), which --strict makes errors; nothing was written");
-        return Err(Error::in_file(ErrorKind::Failed, scenario.document.name(), text));
+        return Err(Error::for_file(ErrorKind::Failed, scenario.document.name(), text));
     }
     Ok(())
 }

@@ -128,9 +128,9 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
             let given = KEYS.iter().filter(is_of_motion).map(|key| key.path).filter(|path| document.has(path));
             let given: Vec<&str> = given.collect();
             let text = format!("{reason}; one of these numbers is too extreme for it: {}", given.join(", "));
-            Error::in_file(ErrorKind::Input, document.name(), text)
+            Error::for_file(ErrorKind::Input, document.name(), text)
         }
-        ImpactError::Integration(_) => Error::in_file(ErrorKind::Failed, document.name(), reason),
-        _ => Error::in_file(ErrorKind::Input, document.name(), reason),
+        ImpactError::Integration(_) => Error::for_file(ErrorKind::Failed, document.name(), reason),
+        _ => Error::for_file(ErrorKind::Input, document.name(), reason),
     }
 }

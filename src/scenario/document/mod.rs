@@ -33,7 +33,7 @@ pub fn read_text(path: &Path, largest: u64) -> Result<String, Error> {
 }
 
 fn unreadable(path: &Path) -> impl Fn(std::io::Error) -> Error {
-    Error::of_file(ErrorKind::Input, path, "cannot be read", "")
+    Error::from_io(ErrorKind::Input, path, "cannot be read", "")
 }
 
 /// Reads an open file; messages name it by `path`.
@@ -47,13 +47,13 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Err
         let is_scenario = path.extension().is_none_or(|end| end == "toml");
         let way_out = if is_scenario { "write long lists as linspace or logspace" } else { "leave out lines of it" };
         let reason = format!("is larger than {largest} MiB, the most that is read; {way_out}");
-        return Err(Error::in_file(ErrorKind::Input, &file, reason));
+        return Err(Error::for_file(ErrorKind::Input, &file, reason));
     }
     String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
         let line = 1 + String::from_utf8_lossy(&error.as_bytes()[..good]).matches('\n').count();
         let text = format!("{file}:{line}: is not a text file (not UTF-8)");
-        Error::input(text).with(Details { file: Some(file), line: Some(line as u64), ..Details::default() })
+        Error::input(text).with_details(Details { file: Some(file), line: Some(line as u64), ..Details::default() })
     })
 }
 
@@ -75,7 +75,7 @@ impl Override {
             let (key, value) = text.split_once('=').unwrap_or((text, ""));
             let [key, value] = [key, value].map(|part| Some(part.to_owned()).filter(|part| !part.is_empty()));
             let error_at = Error::input(format!("--set {text}: {problem}"));
-            error_at.with(Details { message: Some(problem), key, value, ..Details::default() })
+            error_at.with_details(Details { message: Some(problem), key, value, ..Details::default() })
         };
         let (key, value) = text
             .split_once('=')
@@ -216,7 +216,7 @@ impl Document {
     /// The refusal of a scenario that lacks `key` in `table`; for an empty `table`, that lacks the table `key`.
     pub fn missing(&self, table: &str, key: &str) -> Error {
         let needed = format!("{table}.{key}");
-        self.refuse(table, missing(key, table)).needing(Some(needed.as_str()).filter(|_| !table.is_empty()))
+        self.refuse(table, missing(key, table)).with_missing_key(Some(needed.as_str()).filter(|_| !table.is_empty()))
     }
 
     /// The refusal if one of these keys is needed; `way_out` names other remedies.
@@ -225,7 +225,7 @@ impl Document {
         let first = missing(names.next().unwrap_or_default(), table);
         let others: Vec<String> = names.map(|name| format!("`{name}`")).collect();
         let or_others = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
-        self.refuse(table, first + &or_others + way_out).needing(keys.first().copied())
+        self.refuse(table, first + &or_others + way_out).with_missing_key(keys.first().copied())
     }
 
     /// The refusal of a key that is given together with its alternative.
@@ -263,7 +263,7 @@ impl Document {
         }
         let place = if key.is_empty() { String::new() } else { format!("{}: ", shortened(key, LONGEST_KEY)) };
         let text = format!("{begin}: {place}{}{excerpt}", shortened(message, LONGEST_MESSAGE));
-        Error::input(text).with(details)
+        Error::input(text).with_details(details)
     }
 }
 

@@ -157,7 +157,7 @@ impl Scenario {
             if let Some(other) = if others.is_empty() { Some("") } else { given(others) } {
                 // together with another key there are other remedies
                 let needed = unless.first().copied().filter(|_| others.is_empty());
-                refused.push(self.refuse_varied(key, why.replace("{}", other)).needing(needed));
+                refused.push(self.refuse_varied(key, why.replace("{}", other)).with_missing_key(needed));
             }
         }
         refused
@@ -184,7 +184,7 @@ impl Scenario {
         let contact = input.contact().ok().filter(|_| input.forces().plate.is_some());
         let refuse = |error: PlateError| {
             let needed = (error == PlateError::NoDensity).then_some("half_space.density");
-            self.refuse_varied("half_space.thickness", error.to_string()).needing(needed)
+            self.refuse_varied("half_space.thickness", error.to_string()).with_missing_key(needed)
         };
         contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
     }
