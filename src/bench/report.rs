@@ -10,7 +10,7 @@ use crate::impact::Method;
 use crate::numerics::power::max_or_nan;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::text::files::written;
-use crate::strings::markdown;
+use crate::strings::markdown_table;
 
 pub type Measured = (Problem, Vec<Measurement>);
 
@@ -161,7 +161,7 @@ fn time_table(all: &[Measured]) -> String {
             steps_of_verlet(measurements),
         ]
     };
-    markdown(&std::iter::once(names.map(str::to_owned).into()).chain(all.iter().map(row)).collect::<Vec<_>>())
+    markdown_table(&std::iter::once(names.map(str::to_owned).into()).chain(all.iter().map(row)).collect::<Vec<_>>())
 }
 
 /// Steps per contact from which on velocity Verlet keeps e within 1 %. A number of steps serves if all finer settings do too.

@@ -19,7 +19,7 @@ use crate::error::Error;
 use crate::scenario::input::{KEYS, Key, Measured};
 use crate::scenario::keys::Quantity;
 use crate::scenario::keys::quantity::{INDENTATION, LOAD};
-use crate::strings::csv::{CsvText, refused};
+use crate::strings::csv::{CsvReader, csv_file_error};
 use crate::strings::did_you_mean;
 use crate::units::{Dimension, parse};
 
@@ -108,8 +108,8 @@ impl Data {
 
     /// Reads measurements from a text. Messages use `name` for the file.
     pub fn parse(name: &str, text: &str) -> Result<Self, Error> {
-        let refused = refused(name);
-        let table = CsvText::new(text).map_err(refused)?;
+        let refused = csv_file_error(name);
+        let table = CsvReader::new(text).map_err(refused)?;
         let mut data = Self { name: name.to_owned(), ..Self::default() };
         let columns = data.columns(&table.header).map_err(|message| refused((table.line, message)))?;
         for row in table.rows() {

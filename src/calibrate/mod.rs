@@ -33,7 +33,7 @@ use crate::numerics::functions::hypot;
 use crate::scenario::input::Measured;
 use crate::scenario::kinds::calibration::{Source, Wanted};
 use crate::scenario::{Scenario, Source as Text};
-use crate::strings::csv::refused;
+use crate::strings::csv::csv_file_error;
 use crate::units::{four_digits, human};
 use data::Data;
 pub use fit::{Fit, Noise};
@@ -149,7 +149,7 @@ impl Measurements {
     }
 
     fn refusal(&self, line: Option<u64>, message: String) -> Error {
-        refused(&self.data.name)((line, message))
+        csv_file_error(&self.data.name)((line, message))
     }
 
     /// The error where the law gives no result anywhere in the ranges of the keys, or where the calibration was stopped.

@@ -5,10 +5,10 @@ use serde::Deserialize;
 use crate::contact::law::plm::hardness_test;
 use crate::contact::pair::Material;
 use crate::contact::strength::flow_curve::FlowCurve;
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 use crate::units::Dimension;
 
-named! {
+named_enum! {
     /// A property that a material may have, in the order of the file.
     #[derive(PartialOrd, Ord, Deserialize)]
     #[serde(rename_all = "snake_case")]
@@ -27,7 +27,7 @@ named! {
     }
 }
 
-named! {
+named_enum! {
     /// How a material gives way.
     #[derive(Deserialize)]
     #[serde(rename_all = "snake_case")]
@@ -43,7 +43,7 @@ named! {
     }
 }
 
-named! {
+named_enum! {
     /// Metals whose strengths rise alike with the strain rate.
     #[derive(Deserialize)]
     #[serde(rename_all = "snake_case")]

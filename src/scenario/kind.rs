@@ -2,9 +2,9 @@
 
 use super::Scenario;
 use crate::error::Error;
-use crate::strings::named;
+use crate::strings::named_enum;
 
-named! {
+named_enum! {
     /// The kinds of scenarios. Every kind except the first has a table of its name.
     pub enum Kind {
         /// One impact: none of the tables below.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 /// Lines of cells, each column as wide as its widest cell. Columns whose number `is_left` are aligned at the left,
 /// others at the right.
-pub fn aligned<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) -> String {
+pub fn align_columns<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) -> String {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows {
         for (i, cell) in row.as_ref().iter().enumerate() {
@@ -30,7 +30,7 @@ pub fn aligned<R: AsRef<[String]>>(rows: &[R], is_left: impl Fn(usize) -> bool) 
 }
 
 /// The rows as a table in Markdown. The first row has the names of the columns.
-pub fn markdown<R: AsRef<[String]>>(rows: &[R]) -> String {
+pub fn markdown_table<R: AsRef<[String]>>(rows: &[R]) -> String {
     let mut text = String::new();
     for (i, row) in rows.iter().enumerate() {
         let cells: Vec<String> = row.as_ref().iter().map(|cell| cell.replace('|', "\\|")).collect();

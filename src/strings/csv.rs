@@ -7,9 +7,9 @@ use csv::{Position, Reader, ReaderBuilder, StringRecord, Trim};
 use crate::error::{Details, Error};
 
 /// The line, counted from 1, and what is wrong there.
-pub type Refusal = (Option<u64>, String);
+pub type CsvError = (Option<u64>, String);
 
-pub(crate) fn refused(name: &str) -> impl Fn(Refusal) -> Error + Copy {
+pub(crate) fn csv_file_error(name: &str) -> impl Fn(CsvError) -> Error + Copy {
     move |(line, message)| {
         let at = line.map(|line| format!(":{line}")).unwrap_or_default();
         let error = Error::input(format!("{name}{at}: {message}"));
@@ -19,20 +19,20 @@ pub(crate) fn refused(name: &str) -> impl Fn(Refusal) -> Error + Copy {
 
 /// A text of which the names of the columns have been read.
 #[derive(Debug)]
-pub struct CsvText<'t> {
+pub struct CsvReader<'t> {
     /// The names of the columns.
     pub header: StringRecord,
     /// The line of the header, counted from 1.
     pub line: Option<u64>,
     text: &'t str,
     /// `None` where commas separate the columns.
-    decimals: Option<Decimals>,
+    decimals: Option<DecimalSigns>,
     reader: Reader<&'t [u8]>,
 }
 
-impl<'t> CsvText<'t> {
+impl<'t> CsvReader<'t> {
     /// Reads the names of the columns.
-    pub fn new(text: &'t str) -> Result<Self, Refusal> {
+    pub fn new(text: &'t str) -> Result<Self, CsvError> {
         // spreadsheets put a byte order mark before it
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let separator = separator(text);
@@ -40,17 +40,17 @@ impl<'t> CsvText<'t> {
             ReaderBuilder::new().delimiter(separator).comment(Some(b'#')).trim(Trim::All).from_reader(text.as_bytes());
         let header = reader.headers().map_err(|error| (None, error.to_string()))?.clone();
         let line = header.position().map(|position| line_at(text, position));
-        Ok(Self { header, line, text, decimals: (separator != b',').then(Decimals::default), reader })
+        Ok(Self { header, line, text, decimals: (separator != b',').then(DecimalSigns::default), reader })
     }
 
     /// The rows below the header, each with its line. Numbers have decimal points.
-    pub fn rows(self) -> impl Iterator<Item = Result<(u64, StringRecord), Refusal>> {
+    pub fn rows(self) -> impl Iterator<Item = Result<(u64, StringRecord), CsvError>> {
         let Self { header, text, mut decimals, reader, .. } = self;
         reader.into_records().map(move |record| match record {
             Ok(record) => {
                 let line = record.position().map_or(0, |position| line_at(text, position));
                 let Some(decimals) = &mut decimals else { return Ok((line, record)) };
-                Ok((line, decimals.with_points(&record).map_err(|message| (Some(line), message))?))
+                Ok((line, decimals.with_decimal_points(&record).map_err(|message| (Some(line), message))?))
             }
             Err(error) => {
                 let line = error.position().map(|position| line_at(text, position));
@@ -75,14 +75,14 @@ fn separator(text: &str) -> u8 {
 
 /// The decimal signs that the numbers of a file have had so far, each with an example.
 #[derive(Debug, Default)]
-struct Decimals {
+struct DecimalSigns {
     comma: Option<String>,
     point: Option<String>,
 }
 
-impl Decimals {
+impl DecimalSigns {
     /// The row with decimal points. A file that has both signs is refused: one of them may stand between thousands.
-    fn with_points(&mut self, row: &StringRecord) -> Result<StringRecord, String> {
+    fn with_decimal_points(&mut self, row: &StringRecord) -> Result<StringRecord, String> {
         let mut plain = StringRecord::new();
         for field in row {
             let pointed = field.replacen(',', ".", 1);

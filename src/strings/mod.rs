@@ -5,8 +5,8 @@ pub(crate) mod csv;
 #[doc(hidden)]
 pub mod names;
 
-pub use aligned::{aligned, markdown};
-pub(crate) use names::named;
+pub use aligned::{align_columns, markdown_table};
+pub(crate) use names::named_enum;
 pub use names::{did_you_mean, known_names};
 
 /// The text with a capital letter at its beginning.

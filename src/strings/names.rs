@@ -3,7 +3,7 @@
 use super::capital;
 
 /// An enum whose values have names.
-macro_rules! named {
+macro_rules! named_enum {
     ($(#[$meta:meta])* $vis:vis enum $type:ident { $($(#[$about:meta])* $value:ident = $name:expr,)+ }) => {
         $(#[$meta])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,11 +24,11 @@ macro_rules! named {
         }
     };
 }
-pub(crate) use named;
+pub(crate) use named_enum;
 
 /// The only candidate that begins with `word`, or else the one that takes the fewest typing errors to become `word`. The
 /// case of letters does not count. `None` if more than a third of the candidate would have to change.
-fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+fn closest_match<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let candidates: Vec<&str> = candidates.into_iter().collect();
     let mut longer = candidates.iter().filter(|candidate| candidate.to_lowercase().starts_with(&lower));
@@ -45,7 +45,7 @@ fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Opt
 
 /// The candidates of which `word` is a part, or that have all of its parts, or nearly so: "aluminum" and "6061-aluminium" of
 /// "aluminium-6061-t6".
-fn related<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
+fn related_names<'a>(word: &str, candidates: &[&'a str]) -> Vec<&'a str> {
     const MARKS: [char; 4] = ['-', '_', '.', ' '];
     let lower = word.to_lowercase();
     let is_like = |candidate: &&&str| {
@@ -113,8 +113,8 @@ pub fn known_names(word: &str, names: &[&str], kind: &str) -> String {
 /// plm, hertz", or ", did you mean one of `steel-s235`, `steel-s355`?". Else `rest` says what there is: "; laws are plm, hertz".
 pub fn did_you_mean<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>, mark: char, rest: &str) -> String {
     let candidates: Vec<&str> = candidates.into_iter().collect();
-    let some = related(word, &candidates);
-    let near = synonym(word, &candidates).or_else(|| nearest(word, candidates.iter().copied()));
+    let some = related_names(word, &candidates);
+    let near = synonym(word, &candidates).or_else(|| closest_match(word, candidates.iter().copied()));
     match (near, &some[..]) {
         (Some(near), _) | (None, &[near]) => format!(", did you mean {mark}{near}{mark}? {}", capital(rest)),
         (None, []) => format!("; {rest}"),

@@ -10,9 +10,9 @@ use crate::results::Needs;
 use crate::scenario::input::{Body, Input, Key};
 use crate::scenario::keys::{HardnessRanges, Uncertainty};
 use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
-use crate::strings::named;
+use crate::strings::named_enum;
 
-named! {
+named_enum! {
     /// The reason why a row has no numbers, with its name in the column `status`.
     pub enum Failure {
         /// A quantity is too large or too small for double precision.

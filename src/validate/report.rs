@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::comparison::{Comparison, largest, mean, rms};
 use super::laws::LawDeviations;
-use crate::strings::{aligned, markdown};
+use crate::strings::{align_columns, markdown_table};
 
 /// The text of `validation.csv`. Deviations are shares, not per cent.
 pub fn csv(compared: &[Comparison]) -> Result<Vec<u8>, csv::Error> {
@@ -59,7 +59,7 @@ fn summary(compared: &[Comparison]) -> Vec<Vec<String>> {
 
 /// The summary for the terminal.
 pub fn table(compared: &[Comparison]) -> String {
-    aligned(&summary(compared), |column| column == 0)
+    align_columns(&summary(compared), |column| column == 0)
 }
 
 /// The names of the columns, and a row for every law.
@@ -80,9 +80,10 @@ pub fn page(compared: &[Comparison], laws: &[LawDeviations], law: &str, is_built
         let end = next + of_source.len();
         let table: Vec<_> = rows[..1].iter().chain(&rows[next..end]).cloned().collect();
         next = end;
-        let _ = writeln!(tables, "\n### Against {}\n\n{}", of_source[0][0].group.source, markdown(&table).trim_end());
+        let _ =
+            writeln!(tables, "\n### Against {}\n\n{}", of_source[0][0].group.source, markdown_table(&table).trim_end());
     }
     let about = if is_built_in { include_str!("built_in_law.md") } else { "" };
-    let (numbers, laws) = (compared.len(), markdown(&of_laws(laws)));
+    let (numbers, laws) = (compared.len(), markdown_table(&of_laws(laws)));
     format!(include_str!("page.md"), law = law, numbers = numbers, laws = laws, tables = tables, about = about)
 }

@@ -23,7 +23,7 @@ pub mod unloading;
 use std::sync::Arc;
 
 use crate::numerics::curve::Curve;
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
 pub use plm::unloading_rule::PlmRule;
@@ -42,7 +42,7 @@ pub enum LoadingRule {
     Published(Box<Published>),
 }
 
-named! {
+named_enum! {
     pub enum Branch {
         /// Loading without a dent.
         Elastic = "elastic",

@@ -18,10 +18,10 @@
 
 use thiserror::Error;
 
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 use crate::units::number;
 
-named! {
+named_enum! {
     pub enum Scale {
         Vickers = "HV",
         /// Brinell, with a ball of hard metal.

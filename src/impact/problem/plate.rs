@@ -30,7 +30,7 @@ use super::scales::Scales;
 use crate::contact::law::Law;
 use crate::contact::pair::HalfSpace;
 use crate::numerics::functions::{pow, powi};
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plate {
@@ -41,7 +41,7 @@ pub struct Plate {
     pub theory: PlateTheory,
 }
 
-named! {
+named_enum! {
     /// The theory of the plate.
     #[derive(Default)]
     pub enum PlateTheory {

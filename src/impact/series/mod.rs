@@ -21,7 +21,7 @@ use super::flight::free_flight::Flying;
 use super::flight::trajectory::Flight;
 use crate::files::progress::Counter;
 use crate::impact::{Approach, Contact, Impact, ImpactError, Method, Solver, Spot};
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 pub use result::{End, Hit, Sequence};
 
 /// The largest number of impacts that a scenario may ask for.
@@ -30,7 +30,7 @@ pub const MOST_IMPACTS: u64 = 1_000_000;
 /// Maximum number of recorded rows of all traces; later impacts have no trace.
 pub const MOST_ROWS: usize = 200_000;
 
-named! {
+named_enum! {
     /// The spots of the impacts.
     pub enum Place {
         Same = "same",

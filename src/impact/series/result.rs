@@ -6,9 +6,9 @@ use crate::impact::flight::free_flight::Flying;
 use crate::impact::flight::trajectory::Flight;
 use crate::impact::{Approach, Energy, Essentials, Fate, ForcesResult, Impact, Method, Oblique, Warning};
 use crate::numerics::power::max_or_nan;
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 
-named! {
+named_enum! {
     /// Why a series ended.
     pub enum End {
         /// The list of shots is finished.

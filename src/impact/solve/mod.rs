@@ -14,9 +14,9 @@ use crate::contact::law::Ground;
 use crate::numerics::ode::ode_solvers::{Library, Scheme};
 use crate::numerics::ode::rk8::Rk8;
 use crate::numerics::ode::{Drag, Effort, IntegrationError, Integrator};
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 
-named! {
+named_enum! {
     #[derive(Hash)]
     pub enum Method {
         /// The cheapest exact method for the scene, see [`Method::chosen`].

@@ -3,9 +3,9 @@
 use super::recorder::Point;
 use crate::contact::law::Unloading;
 use crate::numerics::ode::Effort;
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 
-named! {
+named_enum! {
     pub enum Fate {
         /// The total contact force vanishes.
         Separated = "separated",

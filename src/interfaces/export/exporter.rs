@@ -10,10 +10,10 @@ use crate::impact::flight::free_flight::Flying;
 use crate::impact::{Essentials, Impact, Rated, STANDARD_GRAVITY};
 use crate::numerics::functions::{atan, pow};
 use crate::scenario::Scenario;
-use crate::strings::named;
+use crate::strings::named_enum;
 use crate::units::{Dimension, four_digits, human};
 
-named! {
+named_enum! {
     /// Which code the lines are for.
     pub enum Target {
         /// LAMMPS, `fix wall/gran`; for two spheres `pair_style granular`.

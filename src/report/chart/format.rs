@@ -3,9 +3,9 @@
 use super::Chart;
 use crate::error::Error;
 use crate::files::OutputFile;
-use crate::strings::named;
+use crate::strings::named_enum;
 
-named! {
+named_enum! {
     /// The file format of pictures.
     pub enum Pictures {
         Png = "png",

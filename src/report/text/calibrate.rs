@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::results::{Reported, fields, results};
 use crate::scenario::input::{Body, Measured};
 use crate::scenario::keys::key_of;
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::{four_digits, percent};
 
 /// The note on an interval with an end outside of the range of the key.
@@ -323,9 +323,9 @@ pub fn table(calibration: &Calibration) -> String {
         let excess = four_digits(second.sum - calibration.fit.best().sum);
         row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
     }
-    let mut text = aligned(&rows, |_| true);
+    let mut text = align_columns(&rows, |_| true);
     if !calibration.laws.is_empty() {
-        let _ = write!(text, "\n{}", aligned(&ranked(calibration), |column| column == 0));
+        let _ = write!(text, "\n{}", align_columns(&ranked(calibration), |column| column == 0));
         text.push_str("a law up to 2 above the best fits as well, and one 10 or more above it does not\n");
     }
     text

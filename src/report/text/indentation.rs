@@ -14,7 +14,7 @@ use crate::scenario::input::Body;
 use crate::scenario::keys::interval::WHICH_STRENGTH;
 use crate::scenario::keys::{EVERY_KEY, Part, at};
 use crate::scenario::kinds::indentation::IndentationScene;
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::{Dimension, describe};
 
 /// The results of one half-space, in the order of `summary.json`.
@@ -163,7 +163,7 @@ pub fn table(tested: &[Tested]) -> String {
             let left = terminal::imprint(one.is_spring, left_behind(point.flow.flat_share));
             terminal::rename_dent(rows.iter_mut().flatten(), left);
         }
-        text.push_str(&aligned(&rows, |_| true));
+        text.push_str(&align_columns(&rows, |_| true));
     }
     text
 }
@@ -205,7 +205,7 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
         rows.extend(terminal::described(&half_space(), one));
         rows.push(overview::who(&one.pair, one.pair.reachable_yield_point().is_some()));
     }
-    aligned(&rows, |_| true) + &terminal::notes(notes)
+    align_columns(&rows, |_| true) + &terminal::notes(notes)
 }
 
 /// Notes for the user on the strength behind forces and indentations, if a body yields and the scenario does not describe its flow

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value, json};
 
 use crate::materials::{Known, MaterialEntry, Property, all};
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::{Dimension, four_digits, quantity};
 
 /// True if the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
@@ -28,7 +28,7 @@ pub fn rows(text: &str) -> Vec<[String; 7]> {
 
 /// The materials whose name or description has this text, one per line.
 pub fn list(text: &str) -> String {
-    let table = aligned(&rows(text), |column| column == 0 || column == 6);
+    let table = align_columns(&rows(text), |column| column == 0 || column == 6);
     format!(
         "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
          `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"

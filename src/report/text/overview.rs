@@ -10,7 +10,7 @@ use crate::impact::Contact;
 use crate::materials::Property;
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::key_of;
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::{Dimension, describe, four_digits, human, percent};
 
 /// A name and a value.
@@ -44,7 +44,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
         rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.flow.of_softer(Body::ALL));
-    aligned(&rows, |_| true) + &self::notes(notes) + &with_rate(input, contact, softer, speed).unwrap_or_default()
+    align_columns(&rows, |_| true) + &self::notes(notes) + &with_rate(input, contact, softer, speed).unwrap_or_default()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
@@ -70,7 +70,7 @@ pub fn of_calibration(measured: &Measurements, calibration: &Calibration) -> Str
         range(quantity.name(), quantity.quantity().dimension, of_it.map(|value| value.value).collect());
     }
     rows.push([String::new(), String::new()]);
-    aligned(&rows, |_| true) + &calibrate::table(calibration)
+    align_columns(&rows, |_| true) + &calibrate::table(calibration)
 }
 
 /// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.

@@ -1,7 +1,7 @@
 //! The text of `check` about a table: how many cases there are, what varies, and which columns the table will have.
 
 use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Variable};
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::percent;
 
 /// An axis with at most this number of values is listed value by value.
@@ -20,7 +20,7 @@ pub fn plan_lines(plan: &Plan) -> String {
             (format!("drawn with seed {seed} from"), rows.collect())
         }
     };
-    let (rows, columns) = (aligned(&rows, |_| true), plan.column_names().join(","));
+    let (rows, columns) = (align_columns(&rows, |_| true), plan.column_names().join(","));
     let scene = if plan.is_monte_carlo() { "the scene at the medians" } else { "the scene of the first case" };
     format!("{count} cases, {from}\n{rows}columns {columns}\n\n{scene}:\n")
 }

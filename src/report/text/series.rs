@@ -11,7 +11,7 @@ use crate::results::fields;
 use crate::results::series as results;
 use crate::results::series::{Series, TraceRow};
 use crate::results::trace::event_name;
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::{Dimension, quantity};
 
 /// A summary lists the speeds of at most this number of shots; a longer list is in `impacts.csv` only.
@@ -101,7 +101,7 @@ pub fn table(series: &Series, detail: Detail) -> String {
     let mut lines = terminal::lines(&about, series);
     let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
     terminal::rename_dent(texts, terminal::imprint(series.contact.is_spring(), series.sequence.left_behind()));
-    aligned(&lines, |_| true) + "\n" + &aligned(&rows, |_| false)
+    align_columns(&lines, |_| true) + "\n" + &align_columns(&rows, |_| false)
 }
 
 /// The text of `check` about a series: its keys. The scene of the first impact is printed after it.
@@ -122,5 +122,5 @@ pub fn repeat_lines(repeat: &Repeat) -> String {
             row("speed", if low == high { speed(&low) } else { format!("{} to {}", speed(&low), speed(&high)) });
         }
     }
-    aligned(&rows, |_| true) + "\nthe scene of the first impact:\n"
+    align_columns(&rows, |_| true) + "\nthe scene of the first impact:\n"
 }

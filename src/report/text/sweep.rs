@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use crate::results::Column;
 use crate::results::{Reported, dimension_of, fields, lists, results};
 use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::table::Tally;
 use crate::table::statistics::Distribution;
 use crate::units::{quantities, quantity};
@@ -106,7 +106,7 @@ pub fn lines(plan: &Plan, tally: &Tally) -> String {
     if !scattered.is_empty() {
         let head = ["random cases", "mean", "standard deviation", "5 %", "50 %", "95 %"].map(str::to_owned);
         let rows: Vec<_> = std::iter::once(head).chain(scattered.iter().map(quantiles)).collect();
-        let _ = write!(text, "\n{}", aligned(&rows, |_| true));
+        let _ = write!(text, "\n{}", align_columns(&rows, |_| true));
     }
     for (place, (column, all)) in constant.iter().enumerate() {
         let value = quantity(all.mean, dimension_of(column.name));

@@ -6,7 +6,7 @@ use crate::impact::{Impact, WarningKind};
 use crate::results::impact::{Single, results};
 use crate::results::{Reported, Shown};
 use crate::scenario::keys::SMALL;
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::{Dimension, describe, four_digits, percent, quantity};
 
 /// How much the terminal shows of an impact.
@@ -55,7 +55,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     rename_dent(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.left_behind()));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
-    aligned(&lines, |_| true) + &notes(single.notes)
+    align_columns(&lines, |_| true) + &notes(single.notes)
 }
 
 /// Notes below the results, a paragraph each.

@@ -1,7 +1,7 @@
 //! All units that a scenario, a column of measurements and the command line may have, by quantity.
 
 use crate::contact::strength::hardness::Scale;
-use crate::strings::aligned;
+use crate::strings::align_columns;
 use crate::units::{Dimension, number, parse};
 
 /// Rows of quantity, SI unit and units; the first row has the names of the columns.
@@ -37,7 +37,7 @@ fn hardness() -> [String; 3] {
 
 /// The units for the terminal.
 pub fn list() -> String {
-    format!("{}\n{SPELLINGS}\n", aligned(&rows(), |_| true))
+    format!("{}\n{SPELLINGS}\n", align_columns(&rows(), |_| true))
 }
 
 const SPELLINGS: &str = "A size of a ball may be a fraction of an inch: \"1/2 in\", \"1-3/8 in\".

@@ -5,9 +5,9 @@ use crate::impact::Essentials;
 use crate::impact::flight::free_flight::Flying;
 use crate::scenario::keys::quantity::{FORCE, LEEB, LENGTH, RESTITUTION, SPEED, TIME};
 use crate::scenario::keys::{Quantity, at};
-use crate::strings::named;
+use crate::strings::named_enum;
 
-named! {
+named_enum! {
     /// A measured quantity.
     #[derive(PartialOrd, Ord)]
     pub enum Measured {

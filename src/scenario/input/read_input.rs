@@ -12,7 +12,7 @@ use crate::scenario::keys::key::{LISTS, List};
 use crate::scenario::keys::quantity::{STRAIN, STRENGTH};
 use crate::scenario::keys::{EVERY_KEY, Form, Quantity};
 use crate::scenario::toml_node::{COMBINED, Node, below};
-use crate::strings::csv::{CsvText, Refusal};
+use crate::strings::csv::{CsvError, CsvReader};
 
 impl Input {
     /// Reads the keys of a table of this path, which has no numbers of items. What is refused stays with the reader. What
@@ -186,8 +186,8 @@ pub fn pair_example(quantities: [&Quantity; 2]) -> String {
 const OF_POINTS: [&str; 2] = ["plastic_strain", "stress_Pa"];
 
 /// The points of a file: `plastic_strain, stress_Pa`.
-fn points(text: &str) -> Result<Vec<[f64; 2]>, Refusal> {
-    let table = CsvText::new(text)?;
+fn points(text: &str) -> Result<Vec<[f64; 2]>, CsvError> {
+    let table = CsvReader::new(text)?;
     if table.header.iter().collect::<Vec<_>>() != OF_POINTS {
         return Err((table.line, format!("its columns must be {}", OF_POINTS.join(", "))));
     }

@@ -16,9 +16,9 @@ use serde::Serialize;
 use super::Rows;
 use super::tally::Count;
 use crate::files::NewFile;
-use crate::strings::named;
+use crate::strings::named_enum;
 
-named! {
+named_enum! {
     /// The file format of a table; its name is the extension, and the word on the command line.
     #[derive(Serialize)]
     #[serde(rename_all = "lowercase")]

@@ -6,7 +6,7 @@ use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, crossing, hertzian};
 use crate::numerics::curve::Curve;
 use crate::numerics::functions::{cos, exp, pow};
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 
 /// The law of Jackson and Green.
 ///
@@ -41,7 +41,7 @@ pub struct JacksonGreen {
     pub hardness: Hardness,
 }
 
-named! {
+named_enum! {
     /// How H_G falls with a/R.
     #[derive(Default)]
     pub enum Hardness {

@@ -10,9 +10,9 @@ use crate::contact::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::impact::Contact;
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::key_of;
-use crate::strings::names::named;
+use crate::strings::names::named_enum;
 
-named! {
+named_enum! {
     /// The bodies of an impact in classes on which the error of the law depends.
     #[derive(Deserialize)]
     #[serde(rename_all = "snake_case")]

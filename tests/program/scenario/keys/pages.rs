@@ -8,7 +8,7 @@ use plm_impact::results::series;
 use plm_impact::results::{Reported, Shown, impact, trace};
 use plm_impact::scenario::key_docs::written;
 use plm_impact::scenario::keys::key::AnyKey;
-use plm_impact::strings::markdown;
+use plm_impact::strings::markdown_table;
 
 use crate::common::prelude::*;
 
@@ -33,11 +33,11 @@ pub fn renewed(page: &str) -> (String, usize) {
 }
 
 fn units_table() -> String {
-    markdown(&units::rows()) + "\n"
+    markdown_table(&units::rows()) + "\n"
 }
 
 fn of_materials() -> String {
-    markdown(&materials::rows("")) + "\n"
+    markdown_table(&materials::rows("")) + "\n"
 }
 
 /// The results of a file, or of a part of one, and their names with how each is shown.
