@@ -11,7 +11,7 @@ use common::Scene;
 use plm_impact::contact::law::{Law, UnloadingExponent};
 use plm_impact::impact::solve::{closed_form, motion};
 use plm_impact::impact::{Damping, Recorder, ScaledForces};
-use plm_impact::numerics::ode::Drag;
+use plm_impact::numerics::ode::DampingCoefficients;
 use plm_impact::numerics::ode::Integrator;
 use plm_impact::numerics::ode::rk8::Rk8;
 
@@ -41,7 +41,7 @@ fn impacts_allocate_nothing() {
         assert!(outcome.restitution > 0.0, "{name}");
         let damping = [None, Some(Damping::Viscous(0.1)), Some(Damping::HuntCrossley(0.1 / speed))];
         for (damping, weight) in damping.into_iter().flat_map(|damping| [(damping, 0.0), (damping, 0.5)]) {
-            let drag = damping.map_or(Drag::NONE, |damping| damping.drag(1.0));
+            let drag = damping.map_or(DampingCoefficients::NONE, |damping| damping.drag(1.0));
             let forces = ScaledForces { weight, drag };
             for tolerance in [1e-3, 1e-9, 1e-13] {
                 let mut stepper = Rk8::new(tolerance);
@@ -50,7 +50,7 @@ fn impacts_allocate_nothing() {
                     motion::integrate(&law, speed, &forces, &mut stepper, &mut Recorder::default()).unwrap();
                 });
                 assert_eq!(counted.count_total, 0, "{name} {forces:?} at {tolerance:e}");
-                assert!(stepper.work().steps > 0, "{name} {forces:?} at {tolerance:e}");
+                assert!(stepper.stats().steps > 0, "{name} {forces:?} at {tolerance:e}");
             }
         }
     }

@@ -8,8 +8,8 @@ use super::problems::Problem;
 use crate::impact::solve::{closed_form, verlet};
 use crate::impact::{Computed, Method, Solver, run};
 use crate::numerics::functions::pow;
-use crate::numerics::ode::{Effort, IntegrationError};
-use crate::numerics::power::max_or_nan;
+use crate::numerics::ode::{IntegrationError, SolverStats};
+use crate::numerics::power::nan_max;
 
 /// The methods that are measured, in the order of the report.
 pub const METHODS: [Method; 5] = [Method::Rk8, Method::Dop853, Method::Dopri5, Method::Verlet, Method::ClosedForm];
@@ -56,7 +56,7 @@ pub struct Measurement {
     pub contact_time_error: f64,
     pub peak_force_error: f64,
     /// Cost of one impact.
-    pub work: Effort,
+    pub work: SolverStats,
     /// Best time of one impact \[ns\].
     pub ns_per_impact: f64,
 }
@@ -65,7 +65,7 @@ impl Measurement {
     /// True if e is within the threshold, contact time and peak force within 30 times it.
     pub fn reaches(&self, threshold: f64) -> bool {
         self.restitution_error <= threshold
-            && max_or_nan(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold
+            && nan_max(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold
     }
 }
 
@@ -74,7 +74,7 @@ impl Setting {
     fn run(self, method: Method, phase: f64, problem: &Problem) -> Result<Computed, IntegrationError> {
         let (law, speed, forces) = (black_box(&problem.law), black_box(problem.speed), &problem.forces);
         match self {
-            Self::Exact => Ok(Computed::new(closed_form::solve(law, speed), Effort::default())),
+            Self::Exact => Ok(Computed::new(closed_form::solve(law, speed), SolverStats::default())),
             Self::Tolerance(tolerance) => {
                 run(law, speed, forces, None, &Solver { method, tolerance, ..Solver::default() }, None)
             }
@@ -101,7 +101,7 @@ impl Setting {
         let exact = &problem.exact;
         let runs: Result<Vec<Computed>, _> = phases.iter().map(|phase| self.run(method, *phase, problem)).collect();
         let runs = runs.ok()?;
-        let worst = |error: &dyn Fn(&Computed) -> f64| runs.iter().map(error).fold(0.0, max_or_nan);
+        let worst = |error: &dyn Fn(&Computed) -> f64| runs.iter().map(error).fold(0.0, nan_max);
         Some(Measurement {
             method,
             setting: self,

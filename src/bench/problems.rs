@@ -15,10 +15,10 @@ use crate::impact::problem::scales::ACCELERATION;
 use crate::impact::solve::closed_form;
 use crate::impact::solve::closed_form::energy_balance;
 use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces, Solver, run};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::pow;
-use crate::numerics::ode::Drag;
-use crate::numerics::power::turning_time;
+use crate::numerics::ode::DampingCoefficients;
+use crate::numerics::power::quarter_period_factor;
 
 /// An impact in dimensionless form, with its exact outcome.
 #[derive(Debug, Clone)]
@@ -42,7 +42,8 @@ impl Problem {
     /// `contact_time` in units of L/V.
     fn new(name: &'static str, about: &'static str, law: Law, speed: f64, restitution: f64, contact_time: f64) -> Self {
         let unloading = energy_balance(&law, speed).unloading;
-        let unloading_time = turning_time(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
+        let unloading_time =
+            quarter_period_factor(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
         let loading_time = contact_time - unloading_time;
         let by_formula = closed_form::solve(&law, speed);
         let exact = Outcome { unloading, restitution, loading_time, contact_time, ..by_formula };
@@ -74,7 +75,7 @@ pub fn kinked_law() -> Law {
 
 /// A Hertzian law whose unloading has another stiffness, ε = (f/k)^(2/3).
 pub fn stiff_law(k: f64) -> Law {
-    let loading = Loading::new(Curve::hertz().then_straight(1.0, 1.5), 1.0, |x, _| x.sqrt());
+    let loading = Loading::new(LoadingCurve::hertz().then_line(1.0, 1.5), 1.0, |x, _| x.sqrt());
     Law::published(loading, hertzian(move |peak| pow(peak.force / k, 2.0 / 3.0)))
 }
 
@@ -107,7 +108,7 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
     let damped = Problem { name: "damped", about, law, speed, forces, exact };
     let (law, speed) = steel_ball(None, 1.0)?;
     let forces = ScaledForces {
-        drag: Drag { theta: 0.090_413_272_576_400_49 / ACCELERATION, ..Drag::NONE },
+        drag: DampingCoefficients { plate: 0.090_413_272_576_400_49 / ACCELERATION, ..DampingCoefficients::NONE },
         ..ScaledForces::NONE
     };
     let by_rk8 = run(&law, speed, &forces, None, &solver, None)?.outcome;
@@ -124,7 +125,7 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
 
 pub fn problems() -> Result<Vec<Problem>, ImpactError> {
     let p2 = kinked_law();
-    let p3 = Law::new(Curve::clone(&p2.loading).then_straight(60.0, 0.75), p2.limits, p2.rule.clone());
+    let p3 = Law::new(LoadingCurve::clone(&p2.loading).then_line(60.0, 0.75), p2.limits, p2.rule.clone());
     // √(m/k_1) in units of δ_Y/V, with k_1 = (3/2) F_Y/δ_Y: x'' = −(5/4) (3/2) x
     let unit = 1.875_f64.sqrt().recip();
     let sphere = |radius, youngs_modulus| {

@@ -7,7 +7,7 @@ use super::problems::Problem;
 use crate::error::Error;
 use crate::files::OutputFile;
 use crate::impact::Method;
-use crate::numerics::power::max_or_nan;
+use crate::numerics::power::nan_max;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::text::files::written;
 use crate::strings::markdown_table;
@@ -94,9 +94,7 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, Error> 
         let points = measurements
             .iter()
             .filter(|m| m.method == method)
-            .map(|m| {
-                (max_or_nan(max_or_nan(m.restitution_error, m.contact_time_error), ROUNDING), 1e-3 * m.ns_per_impact)
-            })
+            .map(|m| (nan_max(nan_max(m.restitution_error, m.contact_time_error), ROUNDING), 1e-3 * m.ns_per_impact))
             .collect();
         Series::marked_line(method.name(), points)
     });

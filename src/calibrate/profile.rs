@@ -8,7 +8,7 @@ use super::fit::Fit;
 use super::minimise::{ParameterPoint, Profile, Range};
 use super::statistics::{LEVELS, half_width};
 use crate::numerics::functions::{exp_m1, ln_1p, sin_cos};
-use crate::numerics::root::bracketed;
+use crate::numerics::root::newton_bisection;
 
 /// Both ends of an interval; `None` if an end lies outside of the range of the key.
 pub type Ends = [Option<f64>; 2];
@@ -72,7 +72,7 @@ impl Fit<'_> {
             (reach - root, -slope)
         };
         let is_near = |t: f64, next: f64| (t - next).abs() < 1e-6;
-        Some(at(bracketed((0.0, 1.0), 0.9, is_near, rise)))
+        Some(at(newton_bisection((0.0, 1.0), 0.9, is_near, rise)))
     }
 
     /// The outlines of the region that holds both of two keys with this probability, as shares: one around every minimum
@@ -103,7 +103,11 @@ impl Fit<'_> {
                 (inside, outside) = (outside, (2.0 * outside).min(end));
             }
             let is_near = |t: f64, next: f64| (t - next).abs() < 1e-3 * next;
-            at(if short(outside).0 > 0.0 { end } else { bracketed((inside, outside), rise.sqrt(), is_near, short) })
+            at(if short(outside).0 > 0.0 {
+                end
+            } else {
+                newton_bisection((inside, outside), rise.sqrt(), is_near, short)
+            })
         };
         (0..=RAYS).map(place).collect()
     }

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::error::ErrorKind;
 use crate::numerics::functions::{atan, exp};
-use crate::numerics::root::falls_through;
+use crate::numerics::root::illinois;
 use crate::units::{Dimension, human, number};
 
 /// An isotropic elastic material.
@@ -425,7 +425,7 @@ fn computed_yield_factor(poissons_ratio: f64) -> f64 {
         (1.0 + poissons_ratio) * (atan(1.0 / depth) - depth / square) - 3.0 * depth / (square * square)
     };
     // the stress on the axis has one maximum, and the growth is negative at ζ = 2 for every ν
-    let depth = falls_through((0.0, 2.0), growth);
+    let depth = illinois((0.0, 2.0), growth);
     let axis = 1.5 / (1.0 + depth * depth) - (1.0 + poissons_ratio) * (1.0 - depth * atan(1.0 / depth));
     let rim = (1.0 - 2.0 * poissons_ratio) / 3.0_f64.sqrt();
     1.0 / axis.max(rim)

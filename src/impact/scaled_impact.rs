@@ -10,7 +10,7 @@ use super::problem::scales::{ACCELERATION, Scales};
 use super::solve::free_time;
 use crate::contact::law::{Dent, Ground, Law};
 use crate::contact::pair::normal;
-use crate::numerics::ode::Drag;
+use crate::numerics::ode::DampingCoefficients;
 
 /// The input of one impact.
 #[derive(Debug, Clone, Copy)]
@@ -65,13 +65,13 @@ impl Contact {
         if self.forces().is_none() {
             return Ok(Case { scales, ground, q, forces: ScaledForces::NONE, plate: None });
         }
-        let drag = self.forces().damping.map_or(Drag::NONE, |damping| damping.drag(scales.speed));
+        let drag = self.forces().damping.map_or(DampingCoefficients::NONE, |damping| damping.drag(scales.speed));
         let mut forces = ScaledForces { weight: weight / scales.force, drag };
         let mut plate = None;
         if let Some(under) = self.on_plate()? {
             let free_time = free_time(ground, q, &forces)? * scales.time();
             let scaled = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
-            forces.drag.theta = scaled.mobility / ACCELERATION;
+            forces.drag.plate = scaled.mobility / ACCELERATION;
             plate = Some(scaled);
         }
         Ok(Case { scales, ground, q, forces, plate })

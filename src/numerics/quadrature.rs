@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use crate::numerics::functions::{cosh, exp, sinh};
 
 /// How far t runs: the weights are below 1e-30 there.
-const FARTHEST: f64 = 4.0;
+const MAX_T: f64 = 4.0;
 /// The coarsest step is 1/2, the finest 2^-LEVELS.
 const LEVELS: u32 = 9;
 
@@ -35,7 +35,7 @@ impl Node {
 static NODES: LazyLock<Vec<Vec<Node>>> = LazyLock::new(|| {
     let (mut first, mut step) = (0.5, 0.5);
     let level = |_| {
-        let ts = std::iter::successors(Some(first), |t| Some(t + step)).take_while(|t| *t <= FARTHEST);
+        let ts = std::iter::successors(Some(first), |t| Some(t + step)).take_while(|t| *t <= MAX_T);
         let nodes = ts.map(Node::new).collect();
         (first, step) = (0.5 * first, first);
         nodes
@@ -45,7 +45,7 @@ static NODES: LazyLock<Vec<Vec<Node>>> = LazyLock::new(|| {
 
 /// ∫ f over an interval of this `length`. f is given the distances from the lower and the upper end, both with all digits.
 /// Halves its step until the relative change is below 1e-13, or about 4000 evaluations.
-pub fn integrate(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
+pub fn tanh_sinh(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
     if length <= 0.0 {
         return 0.0;
     }
@@ -75,14 +75,14 @@ pub fn integrate(length: f64, mut f: impl FnMut(f64, f64) -> f64) -> f64 {
 }
 
 /// ∫ f from `from` to `to` for an f of the place alone.
-pub fn over(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
-    integrate(to - from, |below, above| f(if below < above { from + below } else { to - above }))
+pub fn tanh_sinh_between(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    tanh_sinh(to - from, |below, above| f(if below < above { from + below } else { to - above }))
 }
 
-pub(crate) const PANEL: usize = 20;
+pub(crate) const GAUSS_POINTS: usize = 20;
 
 /// Gauss's rule of twenty nodes on (−1, 1): the nodes above 0, which have their mirror images below it, and their weights.
-const HALF: [[f64; 2]; PANEL / 2] = [
+const HALF_RULE: [[f64; 2]; GAUSS_POINTS / 2] = [
     [0.076_526_521_133_497_34, 0.152_753_387_130_725_84],
     [0.227_785_851_141_645_07, 0.149_172_986_472_603_74],
     [0.373_706_088_715_419_55, 0.142_096_109_318_382_04],
@@ -96,21 +96,21 @@ const HALF: [[f64; 2]; PANEL / 2] = [
 ];
 
 /// Nodes and weights of Gauss's rule on (0, 1).
-static RULE: [[f64; PANEL]; 2] = {
-    let (mut rule, mut i) = ([[0.0; PANEL]; 2], 0);
-    while i < PANEL / 2 {
-        let [node, weight] = HALF[i];
-        rule[0][PANEL / 2 + i] = 0.5 + 0.5 * node;
-        rule[0][PANEL / 2 - 1 - i] = 0.5 - 0.5 * node;
-        rule[1][PANEL / 2 + i] = 0.5 * weight;
-        rule[1][PANEL / 2 - 1 - i] = 0.5 * weight;
+static RULE: [[f64; GAUSS_POINTS]; 2] = {
+    let (mut rule, mut i) = ([[0.0; GAUSS_POINTS]; 2], 0);
+    while i < GAUSS_POINTS / 2 {
+        let [node, weight] = HALF_RULE[i];
+        rule[0][GAUSS_POINTS / 2 + i] = 0.5 + 0.5 * node;
+        rule[0][GAUSS_POINTS / 2 - 1 - i] = 0.5 - 0.5 * node;
+        rule[1][GAUSS_POINTS / 2 + i] = 0.5 * weight;
+        rule[1][GAUSS_POINTS / 2 - 1 - i] = 0.5 * weight;
         i += 1;
     }
     rule
 };
 
 /// Nodes and weights of Gauss's rule on (0, 1).
-pub(crate) fn gauss() -> (&'static [f64; PANEL], &'static [f64; PANEL]) {
+pub(crate) fn gauss_legendre() -> (&'static [f64; GAUSS_POINTS], &'static [f64; GAUSS_POINTS]) {
     (&RULE[0], &RULE[1])
 }
 
@@ -121,7 +121,7 @@ mod tests {
     /// ∫ x^k = 1/(k + 1), which the rule gives up to k = 39.
     #[test]
     fn the_rule_of_gauss_is_exact_for_powers() {
-        let (nodes, weights) = gauss();
+        let (nodes, weights) = gauss_legendre();
         for k in 0..40 {
             let sum: f64 = nodes.iter().zip(weights).map(|(node, weight)| weight * powi(*node, k)).sum();
             approx::assert_relative_eq!(sum, 1.0 / f64::from(k + 1), max_relative = 2e-15);
@@ -133,19 +133,19 @@ mod tests {
     fn singular_ends_are_integrated_to_rounding() {
         // ∫ 1/√(x (1 − x)) = π; ∫ x^1.5 = 0.4; ∫ ln x = −1; ∫ 1/√(a² + x) with a = 1e-6: 2 (√(1 + a²) − a)
         approx::assert_relative_eq!(
-            integrate(1.0, |x, y| 1.0 / (x * y).sqrt()),
+            tanh_sinh(1.0, |x, y| 1.0 / (x * y).sqrt()),
             std::f64::consts::PI,
             max_relative = 1e-14
         );
-        approx::assert_relative_eq!(integrate(1.0, |x, _| x * x.sqrt()), 0.4, max_relative = 1e-14);
-        approx::assert_relative_eq!(integrate(1.0, |x, _| ln(x)), -1.0, max_relative = 1e-14);
+        approx::assert_relative_eq!(tanh_sinh(1.0, |x, _| x * x.sqrt()), 0.4, max_relative = 1e-14);
+        approx::assert_relative_eq!(tanh_sinh(1.0, |x, _| ln(x)), -1.0, max_relative = 1e-14);
         let near = 2.0 * ((1.0 + 1e-12_f64).sqrt() - 1e-6);
-        approx::assert_relative_eq!(integrate(1.0, |x, _| 1.0 / (1e-12 + x).sqrt()), near, max_relative = 1e-13);
-        approx::assert_relative_eq!(integrate(3.0, |x, _| x * x), 9.0, max_relative = 1e-14);
+        approx::assert_relative_eq!(tanh_sinh(1.0, |x, _| 1.0 / (1e-12 + x).sqrt()), near, max_relative = 1e-13);
+        approx::assert_relative_eq!(tanh_sinh(3.0, |x, _| x * x), 9.0, max_relative = 1e-14);
         // a root just beyond an end, and a layer 10⁻⁶ wide: 1 − w ln(1 + 1/w)
         let root = (pow(1.0001_f64, 1.5) - 1e-6) / 1.5;
-        approx::assert_relative_eq!(over(0.0, 1.0, |x| (1.0001 - x).sqrt()), root, max_relative = 1e-13);
+        approx::assert_relative_eq!(tanh_sinh_between(0.0, 1.0, |x| (1.0001 - x).sqrt()), root, max_relative = 1e-13);
         let layer = 1.0 - 1e-6 * ln(1_000_001_f64);
-        approx::assert_relative_eq!(over(0.0, 1.0, |x| x / (x + 1e-6)), layer, max_relative = 1e-13);
+        approx::assert_relative_eq!(tanh_sinh_between(0.0, 1.0, |x| x / (x + 1e-6)), layer, max_relative = 1e-13);
     }
 }

@@ -3,7 +3,7 @@
 //! Every search ends after a fixed number of guesses, whatever the function returns, NaN too.
 
 /// Most guesses of a search.
-const MOST: u32 = 200;
+const MAX_EVALUATIONS: u32 = 200;
 
 /// The zero of a function that falls from `low` to `high`, by Newton's method from `first` on until two guesses are near each
 /// other by `is_near`. `at` gives the value and its derivative. A guess outside of the bounds that the values so far leave is
@@ -11,14 +11,14 @@ const MOST: u32 = 200;
 ///
 /// Without a zero between the bounds the result is one of them.
 #[inline]
-pub(crate) fn bracketed(
+pub(crate) fn newton_bisection(
     (mut low, mut high): (f64, f64),
     first: f64,
     is_near: impl Fn(f64, f64) -> bool,
     mut at: impl FnMut(f64) -> (f64, f64),
 ) -> f64 {
     let mut x = first;
-    for _ in 0..MOST {
+    for _ in 0..MAX_EVALUATIONS {
         let (value, slope) = at(x);
         *(if value > 0.0 { &mut low } else { &mut high }) = x;
         let newton = x - value / slope;
@@ -34,7 +34,7 @@ pub(crate) fn bracketed(
 
 /// Where `is_before` turns from true to false between two bounds, by 60 halvings: the last place before it and the first
 /// behind it.
-pub fn halved(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> bool) -> (f64, f64) {
+pub fn bisect(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> bool) -> (f64, f64) {
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         *(if is_before(middle) { &mut low } else { &mut high }) = middle;
@@ -44,10 +44,10 @@ pub fn halved(mut low: f64, mut high: f64, mut is_before: impl FnMut(f64) -> boo
 
 /// The zero of a function that falls from above 0 at `low` to 0 or below at `high`: regula falsi (Illinois), with a halving
 /// after every third guess. A guess on an end moves away from it by the resolution: if the zero is there, the search ends.
-pub(crate) fn falls_through((mut low, mut high): (f64, f64), mut at: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn illinois((mut low, mut high): (f64, f64), mut at: impl FnMut(f64) -> f64) -> f64 {
     let (mut above, mut below) = (at(low), at(high));
     let mut low_moved = None;
-    for guess in 1..MOST {
+    for guess in 1..MAX_EVALUATIONS {
         // below it, rounding decides on the sign of the function
         let resolution = 64.0 * f64::EPSILON * high.abs();
         let mut x = low + (high - low) * (above / (above - below));
@@ -78,7 +78,7 @@ pub(crate) fn falls_through((mut low, mut high): (f64, f64), mut at: impl FnMut(
 /// The zero of a convex function below a place where it is positive and rises: from there Newton's method falls towards it,
 /// and ends where rounding stops the fall. `step` is the value over the derivative.
 #[inline]
-pub(crate) fn fallen_from(start: f64, step: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn newton_convex(start: f64, step: impl Fn(f64) -> f64) -> f64 {
     let mut x = start;
     for _ in 0..100 {
         let next = x - step(x);
@@ -95,11 +95,11 @@ mod tests {
     use super::*;
     use crate::numerics::functions::{atan, exp};
 
-    /// [`bracketed`] to the last digit, and how often it asked.
+    /// [`newton_bisection`] to the last digit, and how often it asked.
     fn search(bounds: (f64, f64), first: f64, f: impl Fn(f64) -> (f64, f64)) -> (f64, u32) {
         let mut asked = 0;
         let is_near = |x: f64, next: f64| (next - x).abs() <= f64::EPSILON * next.abs();
-        let root = bracketed(bounds, first, is_near, |x| {
+        let root = newton_bisection(bounds, first, is_near, |x| {
             asked += 1;
             f(x)
         });
@@ -130,7 +130,7 @@ mod tests {
         for slope in [0.0, f64::NAN, 1.0, -1e300] {
             let (root, asked) = search((0.0, 1.0), 0.9, |x| (if x < 0.3 { 1.0 } else { -1.0 }, slope));
             assert!((root - 0.3).abs() <= 2.0 * f64::EPSILON || slope == -1e300, "{slope} {root}");
-            assert!(asked <= MOST);
+            assert!(asked <= MAX_EVALUATIONS);
         }
         // no number beyond x = 1/2, as a formula has that ends there
         let (root, _) = search((0.0, 1.0), 0.75, |x| (if x <= 0.5 { 0.25 - x } else { f64::NAN }, -1.0));
@@ -142,21 +142,21 @@ mod tests {
         assert!((search((0.0, 1.0), 0.5, |_| (1.0, 0.0)).0 - 1.0).abs() <= f64::EPSILON);
         assert!(search((0.0, 1.0), 0.5, |_| (-1.0, 0.0)).0 < 1e-50);
         let (_, asked) = search((0.0, 1.0), 0.5, |_| (f64::NAN, f64::NAN));
-        assert!(asked <= MOST);
+        assert!(asked <= MAX_EVALUATIONS);
     }
 
     #[test]
-    fn halving_finds_the_neighbours_of_a_jump() {
-        let (low, high) = halved(0.0, 1.0, |x| x * x < 0.5);
+    fn bisection_brackets_a_jump() {
+        let (low, high) = bisect(0.0, 1.0, |x| x * x < 0.5);
         assert!(low * low < 0.5 && high * high >= 0.5 && high - low <= f64::EPSILON);
     }
 
     #[test]
     fn newton_from_above() {
         // x³ = 5 from above; x = 0 is a double zero of x², to which the fall is slow; no number ends it at once
-        let cube = fallen_from(9.0, |x| (x * x * x - 5.0) / (3.0 * x * x));
+        let cube = newton_convex(9.0, |x| (x * x * x - 5.0) / (3.0 * x * x));
         assert!((cube * cube * cube - 5.0).abs() < 4e-15, "{cube}");
-        assert!(fallen_from(1.0, |x| 0.5 * x) < 1e-29);
-        assert_eq!(fallen_from(2.0, |_| f64::NAN), 2.0);
+        assert!(newton_convex(1.0, |x| 0.5 * x) < 1e-29);
+        assert_eq!(newton_convex(2.0, |_| f64::NAN), 2.0);
     }
 }

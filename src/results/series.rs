@@ -3,7 +3,7 @@
 use super::{Reported, results};
 use crate::impact::Contact;
 use crate::impact::series::{Drive, End, Hit, Repeat, Sequence};
-use crate::numerics::power::max_or_nan;
+use crate::numerics::power::nan_max;
 use crate::units::{Dimension, quantity};
 
 /// A series of impacts.
@@ -45,7 +45,7 @@ impl Series<'_> {
     }
 
     fn largest(&self, value: fn(&Hit) -> f64) -> f64 {
-        self.sequence.hits.iter().map(value).fold(0.0, max_or_nan)
+        self.sequence.hits.iter().map(value).fold(0.0, nan_max)
     }
 }
 
@@ -98,7 +98,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Highest rebound over the original surface.
         "highest_rebound_m" in Length if BOUNCES: series.bouncing().map(|_| {
             let flights = series.sequence.hits.iter().filter_map(|hit| hit.flight);
-            flights.map(|flight| flight.top()).reduce(max_or_nan)
+            flights.map(|flight| flight.top()).reduce(nan_max)
         });
         /// How far along the surface the last impact is from the first.
         "path_m" in Length as "path" if OBLIQUE:

@@ -42,7 +42,7 @@ pub(super) fn restitution(device: &Row, strength: f64, coefficients: &PlmCoeffic
 /// strength.
 fn strength_for(device: &Row, wanted: f64, coefficients: &PlmCoefficients) -> f64 {
     let is_low = |strength: f64| restitution(device, exp(strength), coefficients).is_ok_and(|e| e < wanted);
-    let (low, high) = root::halved(ln(1e7), ln(1e11), is_low);
+    let (low, high) = root::bisect(ln(1e7), ln(1e11), is_low);
     exp(0.5 * (low + high))
 }
 

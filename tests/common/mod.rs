@@ -14,8 +14,8 @@ use plm_impact::contact::law::{ContactLaw, Ground, Law, Plm, PlmCoefficients, Un
 use plm_impact::contact::pair::{HalfSpace, Material, Sphere};
 use plm_impact::impact::solve::closed_form;
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot};
-use plm_impact::numerics::ode::{Effort, IntegrationError};
-use plm_impact::numerics::power::max_or_nan;
+use plm_impact::numerics::ode::{IntegrationError, SolverStats};
+use plm_impact::numerics::power::nan_max;
 use plm_impact::scenario::Scenario;
 use plm_impact::scenario::input::Input;
 use plm_impact::table::evaluator::{Evaluator, Rows};
@@ -124,7 +124,7 @@ pub fn run<'a>(
     speed: f64,
     method: Method,
     tolerance: f64,
-) -> Result<(Outcome, Effort), IntegrationError> {
+) -> Result<(Outcome, SolverStats), IntegrationError> {
     let ground = ground.into();
     let exact = closed_form::solve(ground, speed);
     let run =
@@ -146,7 +146,7 @@ pub fn worst(got: &Outcome, want: &Outcome) -> f64 {
         off(got.unloading.peak.force, want.unloading.peak.force),
     ]
     .into_iter()
-    .fold(0.0, max_or_nan)
+    .fold(0.0, nan_max)
 }
 
 /// The largest relative error among restitution, times, peak force and peak indentation of two impacts.
@@ -159,7 +159,7 @@ pub fn apart(got: &Impact, want: &Impact) -> f64 {
         off(got.peak_indentation, want.peak_indentation),
     ]
     .into_iter()
-    .fold(0.0, max_or_nan)
+    .fold(0.0, nan_max)
 }
 
 /// An integral to about 14 digits, also where the integrand has the singularity of a root at an end: the trapezoidal rule in

@@ -22,7 +22,7 @@ pub mod unloading;
 
 use std::sync::Arc;
 
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
 pub use contact_law::{About, Bodies, ContactLaw};
@@ -58,7 +58,7 @@ named_enum! {
 /// A contact law in dimensionless form (x = δ/L, f = F/Φ).
 #[derive(Debug, Clone)]
 pub struct Law {
-    pub loading: Arc<Curve>,
+    pub loading: Arc<LoadingCurve>,
     /// The range in which the loading holds.
     pub limits: Limits,
     pub rule: LoadingRule,
@@ -87,7 +87,7 @@ pub(crate) struct Raised {
 }
 
 impl Law {
-    pub fn new(loading: impl Into<Arc<Curve>>, limits: Limits, rule: LoadingRule) -> Self {
+    pub fn new(loading: impl Into<Arc<LoadingCurve>>, limits: Limits, rule: LoadingRule) -> Self {
         Self { loading: loading.into(), limits, rule, relaxed: None }
     }
 
@@ -98,10 +98,10 @@ impl Law {
 
     /// Hertz without limit: loading and unloading on f = x^1.5.
     pub fn hertz() -> Self {
-        Self::new(Curve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), LoadingRule::Elastic)
+        Self::new(LoadingCurve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), LoadingRule::Elastic)
     }
 
-    pub fn plm(loading: impl Into<Arc<Curve>>, rule: PlmRule) -> Self {
+    pub fn plm(loading: impl Into<Arc<LoadingCurve>>, rule: PlmRule) -> Self {
         Self::new(loading, rule.limits(), LoadingRule::Polyline(Box::new(rule)))
     }
 
@@ -249,7 +249,7 @@ impl Law {
                 let peak = self.loaded_to(x);
                 // a relaxed metal follows its branch until the branch meets the loading curve
                 let relaxed = memory.filter(|_| self.relaxed.is_some());
-                let force_beyond = |old: &Unloading| old.branch().force_beyond(x - old.peak.residual());
+                let force_beyond = |old: &Unloading| old.branch().force_at_distance(x - old.peak.residual());
                 match relaxed.map(|old| force_beyond(&self.unloading(old))) {
                     Some(force) if force < peak.force => (force, memory),
                     _ => (peak.force, Some(peak)),

@@ -12,8 +12,8 @@
 
 use super::unloading::{ContactState, GRAZING, Unloading, allowed_exponent};
 use super::{Dent, Ground, Law, LoadingRule, Relaxed};
-use crate::numerics::curve::unloading_curve::{Branch, Form};
-use crate::numerics::root::halved;
+use crate::numerics::curve::unloading_curve::{UnloadingCurve, UnloadingCurveKind};
+use crate::numerics::root::bisect;
 
 /// The reported peak force is lower than the force at the end of loading by this fraction of the drop.
 const UNREPORTED: f64 = 0.8;
@@ -112,7 +112,7 @@ impl Law {
     /// much faster impact, the force drops to the loading curve there.
     pub(crate) fn dent_of_other_rate(&self, branch: &Unloading) -> Dent {
         let (piece, old) = (branch.branch(), branch.peak);
-        let over = |recovered: f64| piece.force_beyond(recovered) - self.loading.force(old.residual() + recovered);
+        let over = |recovered: f64| piece.force_at_distance(recovered) - self.loading.force(old.residual() + recovered);
         if over(old.elastic_approach) >= 0.0 {
             return self.dented_with(*branch, self.loading.force(old.indentation), true);
         }
@@ -121,8 +121,8 @@ impl Law {
         while over(end) < 0.0 && end.is_finite() {
             end *= 2.0;
         }
-        let (below, _) = halved(old.elastic_approach, end, |recovered| over(recovered) < 0.0);
-        let force = piece.force_beyond(below);
+        let (below, _) = bisect(old.elastic_approach, end, |recovered| over(recovered) < 0.0);
+        let force = piece.force_at_distance(below);
         let met = ContactState { indentation: old.residual() + below, force, elastic_approach: below };
         self.dented_with(branch.up_to(met), force, true)
     }
@@ -164,15 +164,17 @@ impl Unloading {
             force: of_peak * force,
             elastic_approach: elastic_approach * length,
         };
-        let curve = self.curve.map(|Branch { form, length: whole }| {
+        let curve = self.curve.map(|UnloadingCurve { form, length: whole }| {
             let form = match form {
-                Form::UniformPressure { force: largest } => Form::UniformPressure { force: largest * force },
-                Form::ShiftedHertz { stiffness, offset } => Form::ShiftedHertz {
+                UnloadingCurveKind::UniformPressure { force: largest } => {
+                    UnloadingCurveKind::UniformPressure { force: largest * force }
+                }
+                UnloadingCurveKind::ShiftedHertz { stiffness, offset } => UnloadingCurveKind::ShiftedHertz {
                     stiffness: stiffness * (force / (length * length.sqrt())),
                     offset: offset * length,
                 },
             };
-            Branch { form, length: whole * length }
+            UnloadingCurve { form, length: whole * length }
         });
         Self { peak, exponent: self.exponent, curve }
     }

@@ -15,8 +15,8 @@ use thiserror::Error;
 
 use super::{ContactState, Unloading, UnloadingShape};
 use crate::contact::strength::flow_curve::FlowError;
-use crate::numerics::curve::Curve;
-use crate::numerics::root::halved;
+use crate::numerics::curve::LoadingCurve;
+use crate::numerics::root::bisect;
 use crate::units::{four_digits, percent};
 
 /// The formulas of a law may exceed the approach, or the energy spent, by this fraction. Above it the law has no answer.
@@ -116,7 +116,7 @@ impl Limits {
 #[derive(Clone)]
 pub struct Loading {
     /// f(x).
-    pub curve: Arc<Curve>,
+    pub curve: Arc<LoadingCurve>,
     pub limits: Limits,
     /// a/a_Y at (x, f) of the loading curve.
     pub radius: RadiusRule,
@@ -127,9 +127,13 @@ pub type RadiusRule = Arc<dyn Fn(f64, f64) -> f64 + Send + Sync>;
 
 impl Loading {
     /// A loading curve that is Hertz's up to `elastic_until` and holds everywhere beyond.
-    pub fn new(curve: Curve, elastic_until: f64, radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static) -> Self {
+    pub fn new(
+        curve: LoadingCurve,
+        elastic_until: f64,
+        radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
+    ) -> Self {
         let limits = Limits::of(elastic_until, WIDEST_PARABOLOID);
-        let curve = if curve.has_formula() { curve.with_crossings() } else { curve };
+        let curve = if curve.has_polynomial_pieces() { curve.with_transit_series() } else { curve };
         Self { curve: Arc::new(curve), limits, radius: Arc::new(radius) }
     }
 }
@@ -254,5 +258,5 @@ pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Op
             return None;
         }
     }
-    (high > from).then(|| halved(high / GROWTH, high, |x| excess(x) > 0.0).1)
+    (high > from).then(|| bisect(high / GROWTH, high, |x| excess(x) > 0.0).1)
 }

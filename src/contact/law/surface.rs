@@ -21,16 +21,16 @@ use std::sync::Arc;
 
 use super::unloading::GRAZING;
 use super::{ContactState, Law, OutsideLaw, Unloading};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::curve::piece::Piece;
-use crate::numerics::power::max_or_nan;
+use crate::numerics::power::nan_max;
 
 /// The dent of a spot that was loaded before.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dent {
     /// The unloading branch from the largest state so far.
     pub unloading: Unloading,
-    way_in: Arc<Curve>,
+    way_in: Arc<LoadingCurve>,
     /// True if the branch was made at another rate of strain than that of the law.
     is_of_other_rate: bool,
 }
@@ -52,10 +52,11 @@ impl Law {
         let index = self.loading.index_at(start);
         let (cut, behind) = (&self.loading.pieces()[index], &self.loading.pieces()[index + 1..]);
         let (stored, spent) = (unloading.capacity(), cut.work_at(start));
-        let first = Piece { start, force, work: stored, is_joint: false, shape: cut.shape.later(start - cut.start) };
+        let first =
+            Piece { start, force, work: stored, is_subdivision: false, shape: cut.shape.shifted(start - cut.start) };
         let behind = behind.iter().map(|piece| Piece { work: stored + (piece.work - spent), ..piece.clone() });
         let pieces = [unloading.branch(), first].into_iter().chain(behind).collect();
-        Dent { unloading, way_in: Arc::new(Curve::new(pieces)), is_of_other_rate }
+        Dent { unloading, way_in: Arc::new(LoadingCurve::new(pieces)), is_of_other_rate }
     }
 }
 
@@ -64,7 +65,7 @@ impl Law {
 pub struct Ground<'a> {
     pub law: &'a Law,
     /// The force over x during loading or reloading, with the work from first contact.
-    pub way_in: &'a Curve,
+    pub way_in: &'a LoadingCurve,
     branch: Option<&'a Unloading>,
     is_of_other_rate: bool,
 }
@@ -166,7 +167,7 @@ impl<'a> Ground<'a> {
             0.0 => self.way_in.index_at_work(kinetic),
             _ => (1..self.way_in.pieces().len()).take_while(|index| remaining(*index) >= 0.0).last().unwrap_or(0),
         };
-        (last, self.piece(last).way_to_turn(max_or_nan(remaining(last), 0.0), weight))
+        (last, self.piece(last).turning_distance(nan_max(remaining(last), 0.0), weight))
     }
 
     /// The x at which the force during loading is `force` ≥ 0.

@@ -4,8 +4,8 @@
 use std::f64::consts::PI;
 
 use crate::numerics::curve::piece::{Piece, Shape};
-use crate::numerics::curve::unloading_curve::{Branch, Form};
-use crate::numerics::power::{power, turning_time, work_share};
+use crate::numerics::curve::unloading_curve::{UnloadingCurve, UnloadingCurveKind};
+use crate::numerics::power::{power, quarter_period_factor, work_factor};
 
 /// A state of the contact. The state of the largest indentation so far is the whole memory of the law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +80,7 @@ pub struct Unloading {
     /// law that gives back the same energy, f_m ε_m/(n + 1).
     pub exponent: f64,
     /// The curve of the branch from x_r on; `None` for a power law.
-    pub(super) curve: Option<Branch>,
+    pub(super) curve: Option<UnloadingCurve>,
 }
 
 /// The exponent of a branch that recovers no more energy than loading spent. This is the requested exponent `asked`. If a branch
@@ -116,16 +116,16 @@ impl Unloading {
             // not moved at all: Hertz itself
             UnloadingShape::ShiftedHertz if peak.residual() <= 0.0 => Self::power(peak, 1.5),
             UnloadingShape::UniformPressure => {
-                let form = Form::UniformPressure { force: peak.force };
-                let curve = Branch { form, length: peak.elastic_approach };
+                let form = UnloadingCurveKind::UniformPressure { force: peak.force };
+                let curve = UnloadingCurve { form, length: peak.elastic_approach };
                 // the power law that gives back as much
                 Self { peak, exponent: 0.75 * PI - 1.0, curve: Some(curve) }
             }
             UnloadingShape::ShiftedHertz => {
                 let residual = peak.residual().max(0.0);
                 let stiffness = peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5));
-                let form = Form::ShiftedHertz { stiffness, offset: residual };
-                Self::along(peak, Branch { form, length: peak.elastic_approach })
+                let form = UnloadingCurveKind::ShiftedHertz { stiffness, offset: residual };
+                Self::along(peak, UnloadingCurve { form, length: peak.elastic_approach })
             }
         }
     }
@@ -137,27 +137,27 @@ impl Unloading {
     }
 
     /// A branch along this curve, with the exponent f_m ε_m over its energy, less 1.
-    fn along(peak: ContactState, curve: Branch) -> Self {
-        let (_, energy) = curve.at(peak.elastic_approach);
+    fn along(peak: ContactState, curve: UnloadingCurve) -> Self {
+        let (_, energy) = curve.derivatives_and_work(peak.elastic_approach);
         Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
     }
 
     /// The time from the peak to x_r, times the speed there over ε_m.
     #[inline]
     pub(crate) fn turning_time(&self) -> f64 {
-        self.curve.as_ref().map_or_else(|| turning_time(self.exponent), |curve| self.quarter_period_of(curve))
+        self.curve.as_ref().map_or_else(|| quarter_period_factor(self.exponent), |curve| self.quarter_period_of(curve))
     }
 
     #[cold]
-    fn quarter_period_of(&self, curve: &Branch) -> f64 {
+    fn quarter_period_of(&self, curve: &UnloadingCurve) -> f64 {
         /// ∫₀¹ dd/√(1 − w(d)/w(1)), from integration with 60 digits.
         const UNIFORM: f64 = 1.493_167_350_244_138_5;
         let approach = self.peak.elastic_approach;
         // from the whole peak, and not from a lower point of its branch
-        if matches!(curve.form, Form::UniformPressure { .. }) && curve.length == approach {
+        if matches!(curve.form, UnloadingCurveKind::UniformPressure { .. }) && curve.length == approach {
             return UNIFORM;
         }
-        curve.time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
+        curve.travel_time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
     }
 
     /// Returns this branch with another end: the point where reloading turned on it, or a point beyond.
@@ -192,7 +192,7 @@ impl Unloading {
         match recovered {
             _ if recovered <= 0.0 => 0.0,
             _ if recovered == self.peak.elastic_approach => self.peak.force,
-            _ => self.branch().force_beyond(recovered),
+            _ => self.branch().force_at_distance(recovered),
         }
     }
 
@@ -207,7 +207,7 @@ impl Unloading {
         match recovered {
             _ if recovered <= 0.0 => 0.0,
             _ if recovered == self.peak.elastic_approach => self.capacity(),
-            _ => self.branch().work_beyond(recovered),
+            _ => self.branch().work_at_distance(recovered),
         }
     }
 
@@ -215,19 +215,20 @@ impl Unloading {
     /// goes beyond the peak.
     #[inline(always)]
     pub fn capacity(&self) -> f64 {
-        self.peak.force * self.peak.elastic_approach * work_share(self.exponent)
+        self.peak.force * self.peak.elastic_approach * work_factor(self.exponent)
     }
 
     /// df/dx at the distance `recovered` = x − x_r from the end of unloading; n f_m/ε_m where unloading begins.
     pub(crate) fn slope_of(&self, recovered: f64) -> f64 {
-        self.branch().slope_beyond(recovered)
+        self.branch().slope_at_distance(recovered)
     }
 
     /// Radius of the contact that friction acts on, in units of the radius at x = 1: f_m/ε_m where unloading begins, then in
     /// proportion to the stiffness.
     pub(crate) fn radius_ratio(&self, recovered: f64) -> f64 {
         let (ContactState { force, elastic_approach, .. }, branch) = (self.peak, self.branch());
-        force / elastic_approach * branch.slope_beyond(recovered.max(0.0)) / branch.slope_beyond(elastic_approach)
+        force / elastic_approach * branch.slope_at_distance(recovered.max(0.0))
+            / branch.slope_at_distance(elastic_approach)
     }
 
     /// Returns x − x_r where the force is `force`; from f_m on it is ε_m.
@@ -244,7 +245,7 @@ impl Unloading {
 
     /// The branch as a piece that begins at x_r without force: what reloading runs along.
     pub fn branch(&self) -> Piece {
-        let shape = self.curve.map_or_else(|| Shape::power(self.stiffness(), self.exponent), Shape::Branch);
-        Piece { start: self.peak.residual(), force: 0.0, work: 0.0, is_joint: false, shape }
+        let shape = self.curve.map_or_else(|| Shape::power(self.stiffness(), self.exponent), Shape::Unloading);
+        Piece { start: self.peak.residual(), force: 0.0, work: 0.0, is_subdivision: false, shape }
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use crate::numerics::functions::{exp, exp_m1, ln, ln_1p};
-use crate::numerics::root::fallen_from;
+use crate::numerics::root::newton_convex;
 use crate::units::{Dimension, describe, number};
 
 /// A point of a measured curve.
@@ -226,7 +226,7 @@ pub fn yield_strength_of_power(stress: f64, strain: f64, exponent: f64, youngs_m
     let elastic = youngs_modulus * strain;
     // with y = ln σ_Y: y + N ln(1 + E ε/exp(y)) = ln σ. The left side rises and is convex, so Newton's method from σ_Y
     // = σ converges downwards and does not pass the root
-    exp(fallen_from(ln(stress), |y| {
+    exp(newton_convex(ln(stress), |y| {
         let ratio = elastic * exp(-y);
         (y + exponent * ln_1p(ratio) - ln(stress)) / (1.0 - exponent * ratio / (1.0 + ratio))
     }))

@@ -22,8 +22,8 @@ use std::f64::consts::PI;
 
 use crate::contact::pair::sphere_volume;
 use crate::numerics::functions::{atan, exp, exp_m1, ln_1p, pow, sin_cos, tanh};
-use crate::numerics::quadrature::integrate;
-use crate::numerics::root::bracketed;
+use crate::numerics::quadrature::tanh_sinh;
+use crate::numerics::root::newton_bisection;
 
 /// The air around a sphere, as it is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,7 +90,7 @@ impl Flying {
                 let of_low = |v: f64| a * v + b * pow(v, 1.687);
                 let low = || {
                     let slope = |v: f64| -(a + 1.687 * b * pow(v, 0.687));
-                    bracketed((0.0, turn), (pull / a).min(turn), is_near, |v| (pull - of_low(v), slope(v)))
+                    newton_bisection((0.0, turn), (pull / a).min(turn), is_near, |v| (pull - of_low(v), slope(v)))
                 };
                 let terminal = if of_low(turn) >= pull { low() } else { (pull / c).sqrt().max(turn) };
                 Drag::Sphere { a, b, c, turn, terminal }
@@ -188,7 +188,7 @@ impl Flying {
             high *= 2.0;
         }
         let rate = |v: f64| (1.0 + v / self.landing_speed(self.rise(v))) / (self.pull + self.deceleration(v));
-        bracketed((0.0, high), first, is_near, |v| (time - whole(v), -rate(v)))
+        newton_bisection((0.0, high), first, is_near, |v| (time - whole(v), -rate(v)))
     }
 
     /// The upward speed \[m/s\] at a time \[s\] after a take-off with `speed`; negative during the fall.
@@ -203,12 +203,14 @@ impl Flying {
             }
             Drag::Sphere { .. } if to_top >= 0.0 => {
                 let slope = |v: f64| 1.0 / -(self.pull + self.deceleration(v));
-                bracketed((0.0, speed), self.pull * to_top, is_near, |v| (to_top - self.risen(v, |_| 1.0), slope(v)))
+                newton_bisection((0.0, speed), self.pull * to_top, is_near, |v| {
+                    (to_top - self.risen(v, |_| 1.0), slope(v))
+                })
             }
             Drag::Sphere { terminal, .. } => {
                 let rate = |depth: f64| -self.falling(depth.min(DEEPEST)).1;
                 let first = (-to_top * self.pull / terminal).min(DEEPEST);
-                let depth = bracketed((0.0, 50.0), first, is_near, |depth| {
+                let depth = newton_bisection((0.0, 50.0), first, is_near, |depth| {
                     (-to_top - self.fallen(depth, |_| 1.0), rate(depth))
                 });
                 terminal * exp_m1(-depth)
@@ -236,7 +238,7 @@ impl Flying {
     fn risen(&self, speed: f64, part: fn(f64) -> f64) -> f64 {
         let Drag::Sphere { turn, .. } = self.drag else { return f64::NAN };
         let between = |from: f64, to: f64| {
-            integrate(to - from, |below, _| part(from + below) / (self.pull + self.deceleration(from + below)))
+            tanh_sinh(to - from, |below, _| part(from + below) / (self.pull + self.deceleration(from + below)))
         };
         let middle = turn.min(speed);
         between(0.0, middle) + between(middle, speed)
@@ -261,7 +263,7 @@ impl Flying {
     fn fallen(&self, depth: f64, part: fn(f64) -> f64) -> f64 {
         let Drag::Sphere { turn, terminal, .. } = self.drag else { return f64::NAN };
         let between = |from: f64, to: f64| {
-            integrate(to - from, |below, _| {
+            tanh_sinh(to - from, |below, _| {
                 let (v, rate) = self.falling(from + below);
                 part(v) * rate
             })
@@ -279,7 +281,7 @@ impl Flying {
         // without drag the speed is √(2 g' h); at the terminal speed the height grows by v_t²/2g' to v_t²/g' a unit
         let first = -ln_1p(-((2.0 * self.pull * height).sqrt() / terminal).min(0.999));
         let most = DEEPEST + 2.0 * height * self.pull / (terminal * terminal);
-        bracketed((0.0, most), first, is_near, |depth| {
+        newton_bisection((0.0, most), first, is_near, |depth| {
             let (v, rate) = self.falling(depth.min(DEEPEST));
             (height - self.fallen(depth, |v| v), -v * rate)
         })

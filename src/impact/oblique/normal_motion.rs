@@ -12,8 +12,8 @@ use crate::impact::solve::recorder::{Point, Recorder, Track};
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::ode::IntegrationError;
 use crate::numerics::ode::rk8::Rk8;
-use crate::numerics::power::max_or_nan;
-use crate::numerics::root::halved;
+use crate::numerics::power::nan_max;
+use crate::numerics::root::bisect;
 
 /// The normal motion of an impact.
 #[derive(Debug)]
@@ -42,18 +42,18 @@ impl<'a> TangentialMotion<'a> {
         let outcome = motion::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
         let track = recorder.track(ground, outcome.unloading, forces.drag);
         let durations = [outcome.loading_time, outcome.contact_time];
-        let is_viscous = forces.drag.eta != 0.0;
+        let is_viscous = forces.drag.viscous != 0.0;
         let is_published = matches!(ground.law.rule, LoadingRule::Published(_));
         let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
         let ends = track.ends().collect();
         let (branch, peak) = (outcome.unloading.branch(), outcome.unloading.peak);
-        let radius_per_slope = peak.force / peak.elastic_approach / branch.slope_beyond(peak.elastic_approach);
+        let radius_per_slope = peak.force / peak.elastic_approach / branch.slope_at_distance(peak.elastic_approach);
         let (branch, forces) = ((branch, radius_per_slope), *forces);
         let mut motion = Self { track, branch, q, forces, ends, jumps: is_viscous, is_smooth_at_touch, durations };
         if is_published {
             motion.jumps |= motion.ends.iter().any(|&end| motion.jumps_at(end));
             // from the time on at which a dent begins to form, the stops have a kink
-            let (without_dent, _) = halved(0.0, durations[0], |time| motion.is_elastic_at(time));
+            let (without_dent, _) = bisect(0.0, durations[0], |time| motion.is_elastic_at(time));
             motion.ends.push(without_dent);
             motion.ends.sort_by(f64::total_cmp);
         }
@@ -95,12 +95,12 @@ impl<'a> TangentialMotion<'a> {
             (state.force, total_force, state.force / state.elastic_approach)
         } else {
             let (branch, radius_per_slope) = &self.branch;
-            let [force, slope, _] = if at.distance > 0.0 { branch.jet(at.distance) } else { [0.0; 3] };
+            let [force, slope, _] = if at.distance > 0.0 { branch.derivatives(at.distance) } else { [0.0; 3] };
             let drag = self.forces.drag.at(force, || slope / ACCELERATION).0 * at.speed;
-            (force, max_or_nan(force + drag, 0.0), radius_per_slope * slope)
+            (force, nan_max(force + drag, 0.0), radius_per_slope * slope)
         };
         // on a plate the sphere is faster than the approach
-        let speed = at.speed + ACCELERATION * self.forces.drag.theta * force;
+        let speed = at.speed + ACCELERATION * self.forces.drag.plate * force;
         rim.impulse = (self.q - speed) / ACCELERATION + self.forces.weight * time;
         if radius > 0.0 {
             (rim.square, rim.stop) = (radius * radius, 1.5 * total_force / radius);

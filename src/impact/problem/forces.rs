@@ -21,7 +21,7 @@ use crate::contact::law::unloading::GRAZING;
 use crate::contact::law::{Ground, Unloading};
 use crate::contact::pair::InvalidInput;
 use crate::impact::flight::free_flight::Flying;
-use crate::numerics::ode::{Drag, Rest};
+use crate::numerics::ode::{DampingCoefficients, RestCriterion};
 
 /// Damping on top of the contact law; the total contact force never pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,10 +35,10 @@ pub enum Damping {
 
 impl Damping {
     /// The resistance in the units of an impact whose unit of speed is `speed` \[m/s\].
-    pub fn drag(self, speed: f64) -> Drag {
+    pub fn drag(self, speed: f64) -> DampingCoefficients {
         match self {
-            Self::HuntCrossley(chi) => Drag { chi: chi * speed, ..Drag::NONE },
-            Self::Viscous(zeta) => Drag { eta: 2.0 * zeta, ..Drag::NONE },
+            Self::HuntCrossley(chi) => DampingCoefficients { hunt_crossley: chi * speed, ..DampingCoefficients::NONE },
+            Self::Viscous(zeta) => DampingCoefficients { viscous: 2.0 * zeta, ..DampingCoefficients::NONE },
         }
     }
 }
@@ -79,7 +79,7 @@ impl Forces {
 
     /// True if damping or a plate absorbs energy.
     pub(crate) fn have_drag(&self) -> bool {
-        self.plate.is_some() || self.damping.is_some_and(|damping| damping.drag(1.0) != Drag::NONE)
+        self.plate.is_some() || self.damping.is_some_and(|damping| damping.drag(1.0) != DampingCoefficients::NONE)
     }
 }
 
@@ -92,12 +92,12 @@ pub struct ScaledForces {
     /// w = m g/Φ; 0 without gravity.
     pub weight: f64,
     /// Damping in the contact, and the plate, which gives way by y f' u: θ = y/(5/4) with y = Y Φ/V.
-    pub drag: Drag,
+    pub drag: DampingCoefficients,
 }
 
 impl ScaledForces {
     /// No force but the law.
-    pub const NONE: Self = Self { weight: 0.0, drag: Drag::NONE };
+    pub const NONE: Self = Self { weight: 0.0, drag: DampingCoefficients::NONE };
 
     /// True if only the law acts.
     #[inline]
@@ -108,7 +108,7 @@ impl ScaledForces {
     /// True if there is no damping and no plate, so that only the dent absorbs energy.
     #[inline]
     pub(in crate::impact) fn is_conservative(&self) -> bool {
-        self.drag == Drag::NONE
+        self.drag == DampingCoefficients::NONE
     }
 
     /// True if a sphere that came at q = v/V stays in its dent. It is for impacts without damping.
@@ -158,16 +158,16 @@ impl ScaledForces {
     /// The criterion of rest for an overdamped sphere, at this distance of the leg: the sphere creeps up to the static point, and never
     /// passes it. `None` for a sphere that oscillates about this point. A run ends as soon as the sphere is near enough and slow
     /// enough: its speed is at most the faster of the two decay rates times the remaining distance.
-    pub(in crate::impact) fn rest(&self, point: &StaticPoint, distance: f64) -> Option<Rest> {
+    pub(in crate::impact) fn rest(&self, point: &StaticPoint, distance: f64) -> Option<RestCriterion> {
         let omega = (ACCELERATION * point.slope).sqrt();
-        let Drag { chi, eta, theta } = self.drag;
+        let DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta } = self.drag;
         // the fraction of critical damping of small oscillations
         let zeta = 0.5 * (ACCELERATION * self.weight * chi / omega + eta + theta * omega);
         let tolerance = NEAR * point.distance;
         // from ζ = 0.9 on every half oscillation is below e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
         let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
-        is_overdamped.then_some(Rest { distance, tolerance, largest_speed: fast * omega * tolerance })
+        is_overdamped.then_some(RestCriterion { distance, tolerance, largest_speed: fast * omega * tolerance })
     }
 }
 

@@ -8,7 +8,7 @@ use std::ops::Deref;
 
 use crate::contact::pair::{OutOfFloatRange, Pair, normal};
 use crate::numerics::functions::pow;
-use crate::numerics::power::power_turn;
+use crate::numerics::power::power_turning_distance;
 
 /// c of x'' = −c f.
 pub const ACCELERATION: f64 = 1.25;
@@ -79,7 +79,7 @@ impl Scales {
             // the root leaves the range of doubles only if the kinetic energy does
             0.0 if power.is_normal() => pow(power, 0.4),
             0.0 => pow(per_stiffness.sqrt() * speed, 0.8),
-            _ => power_turn(stiffness / mass, 1.5, 0.5 * square, gravity),
+            _ => power_turning_distance(stiffness / mass, 1.5, 0.5 * square, gravity),
         };
         let length = normal("peak indentation (m)", length)?;
         let force = normal("peak force (N)", stiffness * length * length.sqrt())?;

@@ -17,7 +17,7 @@ use crate::contact::law::{Ground, Unloading};
 use crate::contact::pair::{HalfSpace, OutOfFloatRange, normal};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::functions::{atan2, gamma, ln_1p};
-use crate::numerics::quadrature::over as integrate;
+use crate::numerics::quadrature::tanh_sinh_between as integrate;
 
 /// The radiation of a half-space under a changing normal force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,9 +85,9 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
             Shape::Power { exponent, offset: 0.0, .. } if next.is_none() => {
                 power_integral(piece.force_at(end), end - piece.start, *exponent)
             }
-            Shape::Straight { slope, .. } => straight_integral(*slope, piece.force_at(end), piece.force, entry, exit),
+            Shape::Linear { slope, .. } => straight_integral(*slope, piece.force_at(end), piece.force, entry, exit),
             // no closed form here
-            Shape::Power { .. } | Shape::Polynomial(_) | Shape::Branch(_) => {
+            Shape::Power { .. } | Shape::Polynomial(_) | Shape::Unloading(_) => {
                 integral_by_quadrature(piece, end, speed_at)
             }
         };

@@ -7,7 +7,7 @@ use crate::impact::problem::scales::ACCELERATION;
 use crate::impact::scaled_impact::Case;
 use crate::impact::solve::outcome::{Fate, Outcome};
 use crate::impact::solve::recorder::{Event, Point};
-use crate::numerics::ode::State;
+use crate::numerics::ode::MotionState;
 
 /// A row of the trace of an impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +65,7 @@ impl<'a> Ledger<'a> {
     pub(in crate::impact) fn at_end(&self) -> f64 {
         let Outcome { unloading, end_indentation: x, end_speed, loss, fate, .. } = *self.outcome;
         // at the bottom of the dent no energy is stored, but x has too few digits to show this
-        let is_at_dent = fate == Fate::Separated && !self.case.forces.drag.lifts_off();
+        let is_at_dent = fate == Fate::Separated && !self.case.forces.drag.can_lift_off();
         let stored = if is_at_dent { 0.0 } else { unloading.stored(x) };
         self.drift(end_speed, self.spent + stored, loss, x)
     }
@@ -89,7 +89,7 @@ impl<'a> Ledger<'a> {
 
     /// The row of the trace at a point of the motion.
     pub(in crate::impact) fn row(&self, point: &Point) -> TraceRow {
-        let Point { at: State { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
+        let Point { at: MotionState { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
         let ContactState { indentation: x, force, elastic_approach } = state;
         let Case { ground, scales, .. } = self.case;
         let potential = if is_unloading {

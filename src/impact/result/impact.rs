@@ -11,8 +11,8 @@ use crate::impact::problem::error::ImpactError;
 use crate::impact::scaled_impact::Case;
 use crate::impact::solve::Method;
 use crate::impact::solve::outcome::{Computed, Fate, FixedSteps, Outcome};
-use crate::numerics::ode::{Effort, IntegrationError};
-use crate::numerics::power::max_or_nan;
+use crate::numerics::ode::{IntegrationError, SolverStats};
+use crate::numerics::power::nan_max;
 
 /// The energies of an impact \[J\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,7 +106,7 @@ pub struct Impact {
     /// Radius of the rim of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     pub energy: Energy,
-    pub work: Effort,
+    pub work: SolverStats,
     /// Error against the closed form; NaN if there is no closed form.
     pub accuracy: Accuracy,
     /// End, losses and work under gravity or damping or on a plate, if the scene names them.
@@ -148,8 +148,7 @@ impl Impact {
         let ledger = Ledger::new(contact, case, outcome);
         let mut trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point)).collect();
         let rows = trace.iter().map(|row| row.energy_drift);
-        let drift =
-            rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| max_or_nan(worst, d.abs()));
+        let drift = rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| nan_max(worst, d.abs()));
         if !drift.is_finite() {
             // from the first row of the trace on, or from the end
             let row = trace.iter().find(|row| !row.energy_drift.is_finite());
@@ -164,7 +163,7 @@ impl Impact {
         let is_captured = outcome.fate == Fate::Captured;
         let energy = scales.energy();
         let under_forces = (!contact.forces().is_none()).then(|| {
-            let lifts_off = !is_captured && forces.drag.lifts_off();
+            let lifts_off = !is_captured && forces.drag.can_lift_off();
             let moved = essentials.on_plate.map_or(0.0, |plate| plate.displacement / scales.length);
             let sunk = outcome.end_indentation - ground.touch() + moved;
             ForcesResult {

@@ -5,7 +5,7 @@ use std::ops::Deref;
 use crate::impact::flight::free_flight::Flying;
 use crate::impact::flight::trajectory::Flight;
 use crate::impact::{Approach, Energy, Essentials, Fate, ForcesResult, Impact, Method, Oblique, Warning};
-use crate::numerics::power::max_or_nan;
+use crate::numerics::power::nan_max;
 use crate::strings::names::named_enum;
 
 named_enum! {
@@ -156,7 +156,7 @@ impl Hit {
 impl Sequence {
     /// The deepest dent \[m\].
     pub fn deepest_dent(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, max_or_nan)
+        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, nan_max)
     }
 
     /// The imprint of the first impact: `dent`, `flat`, or `dent and flat`.
@@ -171,7 +171,7 @@ impl Sequence {
 
     /// Largest error of the energy balances of the impacts.
     pub fn drift(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, max_or_nan)
+        self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, nan_max)
     }
 
     pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {

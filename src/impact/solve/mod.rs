@@ -11,9 +11,9 @@ use outcome::{Computed, Outcome};
 use recorder::{Recorder, even_times};
 
 use crate::contact::law::Ground;
-use crate::numerics::ode::ode_solvers::{Library, Scheme};
+use crate::numerics::ode::ode_solvers::{OdeSolvers, Scheme};
 use crate::numerics::ode::rk8::Rk8;
-use crate::numerics::ode::{Drag, Effort, IntegrationError, Integrator};
+use crate::numerics::ode::{DampingCoefficients, IntegrationError, Integrator, SolverStats};
 use crate::strings::names::named_enum;
 
 named_enum! {
@@ -75,8 +75,12 @@ pub(super) const FINEST: f64 = 1e-13;
 
 /// The contact time of an impact at q = v/V without damping and plate.
 pub(super) fn free_time(ground: Ground, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
-    let exact =
-        closed_form::solve_with(ground, q, &ScaledForces { drag: Drag::NONE, ..*forces }, Solver::AUTO.tolerance)?;
+    let exact = closed_form::solve_with(
+        ground,
+        q,
+        &ScaledForces { drag: DampingCoefficients::NONE, ..*forces },
+        Solver::AUTO.tolerance,
+    )?;
     Ok(exact.map_or(f64::NAN, |exact| exact.contact_time))
 }
 
@@ -100,7 +104,7 @@ fn along<I: Integrator>(
         let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
         recorder.points(ground, &outcome.unloading, forces.drag, times)
     });
-    Ok(Computed { points, ..Computed::new(outcome, integrator.work()) })
+    Ok(Computed { points, ..Computed::new(outcome, integrator.stats()) })
 }
 
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, if it exists. [`Method::Auto`] means rk8 here, and
@@ -120,13 +124,13 @@ pub fn run<'a>(
     let (case, trace) = ((ground, q, forces), samples.map(|samples| (samples, duration)));
     let tolerance = solver.tolerance;
     match (solver.method, exact) {
-        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, Effort::default())),
+        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, SolverStats::default())),
         (Method::ClosedForm, Some(_)) => {
-            Ok(Computed { work: Effort::default(), ..along(case, trace, Rk8::new(FINEST))? })
+            Ok(Computed { work: SolverStats::default(), ..along(case, trace, Rk8::new(FINEST))? })
         }
         (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(case, trace, Rk8::new(tolerance)),
-        (Method::Dopri5, _) => along(case, trace, Library::new(Scheme::Dopri5, given(tolerance, 100.0))),
-        (Method::Dop853, _) => along(case, trace, Library::new(Scheme::Dop853, given(tolerance, 25.0))),
+        (Method::Dopri5, _) => along(case, trace, OdeSolvers::new(Scheme::Dopri5, given(tolerance, 100.0))),
+        (Method::Dop853, _) => along(case, trace, OdeSolvers::new(Scheme::Dop853, given(tolerance, 25.0))),
         (Method::Verlet, _) => {
             let steps = solver.steps_per_contact.max(1);
             let step = free_time(ground, q, forces)? / f64::from(steps);

@@ -26,8 +26,10 @@ use super::recorder::{Event, Recorder};
 use crate::contact::law::Ground;
 use crate::impact::problem::forces::{ScaledForces, StaticPoint};
 use crate::impact::problem::scales::ACCELERATION;
-use crate::numerics::ode::{Arrival, Drag, IntegrationError, Integrator, Landing, Leg, Path, Sizes, State};
-use crate::numerics::power::max_or_nan;
+use crate::numerics::ode::{
+    DampingCoefficients, ErrorScales, IntegrationError, Integrator, Leg, LegEnd, LegProblem, LegResult, MotionState,
+};
+use crate::numerics::power::nan_max;
 
 /// Integrates an impact at q = v/V from first contact to its end.
 pub fn integrate<'a, I: Integrator>(
@@ -40,19 +42,26 @@ pub fn integrate<'a, I: Integrator>(
     let ground = ground.into();
     let distance = forces.way_to_turn(ground, 0.4 * q * q);
     let (pull, drag) = (ACCELERATION * forces.weight, forces.drag);
-    let sizes = Sizes { distance, speed: (q * q + pull * distance).sqrt() };
-    let mut path =
-        Path { piece: ground.piece(0), factor: ACCELERATION, leg: way_out(ground, 0), sizes, pull, drag, rest: None };
+    let sizes = ErrorScales { distance, speed: (q * q + pull * distance).sqrt() };
+    let mut path = LegProblem {
+        piece: ground.piece(0),
+        factor: ACCELERATION,
+        leg: way_out(ground, 0),
+        error_scales: sizes,
+        constant_acceleration: pull,
+        drag,
+        rest: None,
+    };
     // a sphere may come to rest without turning only under gravity and damping
-    let may_creep = pull > 0.0 && drag != Drag::NONE;
+    let may_creep = pull > 0.0 && drag != DampingCoefficients::NONE;
     let static_point = may_creep.then(|| forces.static_on_loading(ground));
-    let touch = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+    let touch = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
     let mut at = start(ground, touch, forces);
     let mut largest = 0.0;
-    let mut go = |path: &Path, at: &mut State, piece: Option<usize>, recorder: &mut Recorder| {
+    let mut go = |path: &LegProblem, at: &mut MotionState, piece: Option<usize>, recorder: &mut Recorder| {
         let track = recorder.begin(piece, &touch);
-        let Arrival { landing, largest_force } = integrator.traverse(path, at, track)?;
-        largest = max_or_nan(largest, largest_force / ACCELERATION);
+        let LegResult { end: landing, largest_force } = integrator.integrate_leg(path, at, track)?;
+        largest = nan_max(largest, largest_force / ACCELERATION);
         Ok(landing)
     };
 
@@ -60,7 +69,7 @@ pub fn integrate<'a, I: Integrator>(
     let is_at_rest = loop {
         (path.piece, path.leg) = (ground.piece(piece), way_out(ground, piece));
         if piece == 0 && ground.stays_on_branch(0.4 * q * q, forces.weight) {
-            path.leg = Leg::Outward(f64::INFINITY);
+            path.leg = Leg::Loading(f64::INFINITY);
         }
         let rest_of = |point: StaticPoint| {
             let is_here = ground.way_in.index_at(point.indentation) == piece;
@@ -69,12 +78,12 @@ pub fn integrate<'a, I: Integrator>(
         };
         path.rest = static_point.and_then(rest_of);
         let landing = go(&path, &mut at, Some(piece), recorder)?;
-        if landing != Landing::End {
-            break landing == Landing::Rest;
+        if landing != LegEnd::PieceEnd {
+            break landing == LegEnd::Rest;
         }
         piece += 1;
         give_way(&mut at, ground.fall_at_start(piece), drag);
-        if recorder.is_on() && !ground.piece(piece).is_joint {
+        if recorder.is_on() && !ground.piece(piece).is_subdivision {
             let is_yield = ground.piece(piece).start == ground.elastic_until();
             recorder.mark(if is_yield { Event::Yield } else { Event::Knot }, &at);
         }
@@ -89,40 +98,41 @@ pub fn integrate<'a, I: Integrator>(
     let mut fate = Fate::Captured;
     if !is_at_rest {
         at.speed = 0.0;
-        path.sizes = Sizes { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
+        path.error_scales =
+            ErrorScales { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
         path.piece = &branch;
         // a sphere that arrived without speed does not separate
         let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
         let stops = is_captured && forces.is_conservative();
         let end = if stops { unloading.recovered_at(forces.weight) } else { 0.0 };
-        path.leg = Leg::Back(end);
+        path.leg = Leg::Unloading(end);
         let static_point = may_creep.then(|| forces.static_on_unloading(ground, &unloading));
         path.rest = static_point.and_then(|point| forces.rest(&point, point.distance));
         let step = ground.step(&unloading);
         give_way(&mut at, step, drag);
         let relaxed = at;
-        let mut landing = Landing::Turning;
+        let mut landing = LegEnd::Turning;
         if at.speed > 0.0 {
-            path.leg = Leg::Outward(f64::INFINITY);
+            path.leg = Leg::Loading(f64::INFINITY);
             landing = go(&path, &mut at, None, recorder)?;
             if step > 0.0 {
                 recorder.mark(Event::Relaxation, &relaxed);
             }
             at.speed = 0.0;
-            path.leg = Leg::Back(end);
+            path.leg = Leg::Unloading(end);
         }
-        if landing == Landing::Turning {
+        if landing == LegEnd::Turning {
             landing = go(&path, &mut at, None, recorder)?;
         }
         if step > 0.0 && relaxed.speed == 0.0 {
             recorder.mark(Event::Relaxation, &relaxed);
         }
-        if matches!(landing, Landing::End | Landing::LiftOff) && !is_captured {
+        if matches!(landing, LegEnd::PieceEnd | LegEnd::LiftOff) && !is_captured {
             fate = Fate::Separated;
         }
         recorder.mark(if fate == Fate::Separated { Event::Separation } else { Event::Captured }, &at);
     }
-    let State { time, distance, speed, loss } = at;
+    let MotionState { time, distance, speed, loss } = at;
     // an excess above 1 is the error of the run
     let limit = if forces.is_even(ground, &unloading) { 1.0 } else { f64::INFINITY };
     Ok(Outcome {
@@ -130,7 +140,7 @@ pub fn integrate<'a, I: Integrator>(
         loading_time,
         contact_time: time,
         fate,
-        largest_force: ground.reported_force(&unloading, drag.is_in_contact().then_some(largest)),
+        largest_force: ground.reported_force(&unloading, drag.acts_in_contact().then_some(largest)),
         end_indentation: distance + ground.dent(&unloading.peak).residual(),
         end_speed: speed,
         loss: loss / ACCELERATION,
@@ -140,19 +150,19 @@ pub fn integrate<'a, I: Integrator>(
 
 /// The first state: first contact. A sphere without speed starts a very small distance further in, where the force of the law is
 /// still negligible compared with the weight.
-fn start(ground: Ground, touch: State, forces: &ScaledForces) -> State {
+fn start(ground: Ground, touch: MotionState, forces: &ScaledForces) -> MotionState {
     if touch.speed != 0.0 {
         return touch;
     }
     let pull = ACCELERATION * forces.weight;
     let distance = 1e-22 * forces.static_on_loading(ground).distance;
     let speed = (2.0 * distance * pull).sqrt();
-    State { time: speed / pull, distance, speed, loss: 0.0 }
+    MotionState { time: speed / pull, distance, speed, loss: 0.0 }
 }
 
 /// The speed and the loss after the force drops by `fall`. Only a plate gives way.
-fn give_way(at: &mut State, fall: f64, drag: Drag) {
-    let gained = ACCELERATION * drag.theta * fall;
+fn give_way(at: &mut MotionState, fall: f64, drag: DampingCoefficients) {
+    let gained = ACCELERATION * drag.plate * fall;
     if gained != 0.0 {
         at.loss -= gained * (at.speed + 0.5 * gained);
         at.speed += gained;
@@ -164,10 +174,10 @@ fn give_way(at: &mut State, fall: f64, drag: Drag) {
 fn way_out(ground: Ground, index: usize) -> Leg {
     let is_last = index + 1 == ground.way_in.pieces().len();
     let end = if is_last { f64::INFINITY } else { ground.piece(index + 1).start - ground.piece(index).start };
-    Leg::Outward(end + entry_of(ground, index))
+    Leg::Loading(end + entry_of(ground, index))
 }
 
 /// The distance of the integrator at the start of a piece.
 fn entry_of(ground: Ground, index: usize) -> f64 {
-    ground.piece(index).shape.offset()
+    ground.piece(index).shape.zero_offset()
 }

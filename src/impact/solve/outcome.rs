@@ -2,7 +2,7 @@
 
 use super::recorder::Point;
 use crate::contact::law::Unloading;
-use crate::numerics::ode::Effort;
+use crate::numerics::ode::SolverStats;
 use crate::strings::names::named_enum;
 
 named_enum! {
@@ -60,7 +60,7 @@ pub struct Outcome {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Computed {
     pub outcome: Outcome,
-    pub work: Effort,
+    pub work: SolverStats,
     /// The times in fixed steps; `None` for other methods.
     pub fixed_steps: Option<FixedSteps>,
     /// The trace, in order of time; empty if no trace is requested.
@@ -69,7 +69,7 @@ pub struct Computed {
 
 impl Computed {
     /// An outcome without fixed steps and trace.
-    pub(crate) fn new(outcome: Outcome, work: Effort) -> Self {
+    pub(crate) fn new(outcome: Outcome, work: SolverStats) -> Self {
         Self { outcome, work, fixed_steps: None, points: Vec::new() }
     }
 }

@@ -3,9 +3,9 @@
 
 use crate::contact::law::{ContactState, Ground, Unloading};
 use crate::impact::problem::scales::ACCELERATION;
-use crate::numerics::ode::{Drag, Segment, State};
-use crate::numerics::power::max_or_nan;
-use crate::numerics::root::falls_through;
+use crate::numerics::ode::{DampingCoefficients, DenseOutput, MotionState};
+use crate::numerics::power::nan_max;
+use crate::numerics::root::illinois;
 
 /// The events of an impact that a trace marks, in their order of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,7 +28,7 @@ pub enum Event {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// τ, u and the energy absorbed by drag; the distance is the distance of the leg.
-    pub at: State,
+    pub at: MotionState,
     /// The state of the law: x, its force, and ε, the part of x that unloading from here recovers.
     pub state: ContactState,
     pub total_force: f64,
@@ -42,18 +42,23 @@ impl Point {
     pub(in crate::impact) fn loading(
         state: ContactState,
         slope: impl FnOnce() -> f64,
-        drag: Drag,
-        at: &State,
+        drag: DampingCoefficients,
+        at: &MotionState,
         event: Option<Event>,
     ) -> Self {
         let of_drag = || drag.at(state.force, || slope() / ACCELERATION).0 * at.speed;
         // at separation the total force is zero, except for rounding
-        let total_force = if drag.is_in_contact() { max_or_nan(state.force + of_drag(), 0.0) } else { state.force };
+        let total_force = if drag.acts_in_contact() { nan_max(state.force + of_drag(), 0.0) } else { state.force };
         Self { at: *at, state, total_force, is_unloading: false, event }
     }
 
     /// A point of a motion on the unloading branch; distances are measured from the residual indentation.
-    pub(in crate::impact) fn unloading(unloading: &Unloading, drag: Drag, at: &State, event: Option<Event>) -> Self {
+    pub(in crate::impact) fn unloading(
+        unloading: &Unloading,
+        drag: DampingCoefficients,
+        at: &MotionState,
+        event: Option<Event>,
+    ) -> Self {
         let recovered = at.distance.max(0.0);
         let state = ContactState {
             indentation: unloading.peak.residual() + at.distance,
@@ -70,9 +75,9 @@ struct Recorded {
     /// The piece of the loading curve; `None` on the unloading branch.
     piece: Option<usize>,
     /// Its continuous solution.
-    track: Vec<Segment>,
+    track: Vec<DenseOutput>,
     /// Events at its start, on it and at its end, in order of time.
-    events: Vec<(Event, State)>,
+    events: Vec<(Event, MotionState)>,
 }
 
 /// Records the continuous solution and the events of every leg of a motion, if it is switched on.
@@ -93,20 +98,29 @@ impl Recorder {
 
     /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first leg begins with first contact.
     #[inline]
-    pub(in crate::impact) fn begin(&mut self, piece: Option<usize>, touch: &State) -> Option<&mut Vec<Segment>> {
+    pub(in crate::impact) fn begin(
+        &mut self,
+        piece: Option<usize>,
+        touch: &MotionState,
+    ) -> Option<&mut Vec<DenseOutput>> {
         self.legs.as_mut().and_then(|legs| begin(legs, piece, touch))
     }
 
     /// Records an event of the last leg.
     #[inline]
-    pub(in crate::impact) fn mark(&mut self, event: Event, at: &State) {
+    pub(in crate::impact) fn mark(&mut self, event: Event, at: &MotionState) {
         if let Some(legs) = &mut self.legs {
             mark(legs, event, at);
         }
     }
 
     /// Returns the recorded motion on this surface.
-    pub(in crate::impact) fn track(self, ground: Ground<'_>, unloading: Unloading, drag: Drag) -> Track<'_> {
+    pub(in crate::impact) fn track(
+        self,
+        ground: Ground<'_>,
+        unloading: Unloading,
+        drag: DampingCoefficients,
+    ) -> Track<'_> {
         Track { ground, unloading, drag, legs: self.legs.unwrap_or_default() }
     }
 
@@ -115,12 +129,12 @@ impl Recorder {
         self,
         ground: Ground,
         unloading: &Unloading,
-        drag: Drag,
+        drag: DampingCoefficients,
         times: impl Iterator<Item = f64>,
     ) -> Vec<Point> {
         let (mut points, mut times, mut begun) = (Vec::new(), times.peekable(), 0.0);
         for Recorded { piece, track, mut events } in self.legs.into_iter().flatten() {
-            let point = |at: &State, event: Option<Event>| point_of(ground, unloading, drag, piece, at, event);
+            let point = |at: &MotionState, event: Option<Event>| point_of(ground, unloading, drag, piece, at, event);
             if let Some(state) = piece.and_then(|index| yielding(ground, index, begun, &track)) {
                 let place = events.partition_point(|(_, at)| at.time <= state.time);
                 events.insert(place, (Event::Yield, state));
@@ -146,16 +160,16 @@ impl Recorder {
 fn point_of(
     ground: Ground,
     unloading: &Unloading,
-    drag: Drag,
+    drag: DampingCoefficients,
     piece: Option<usize>,
-    at: &State,
+    at: &MotionState,
     event: Option<Event>,
 ) -> Point {
     let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
     let piece = ground.piece(index);
     // distances are measured from the zero of a power law, otherwise from the start of the piece
-    let distance = at.distance - piece.shape.offset();
-    Point::loading(ground.state_at(index, distance), || piece.slope_beyond(distance), drag, at, event)
+    let distance = at.distance - piece.shape.zero_offset();
+    Point::loading(ground.state_at(index, distance), || piece.slope_at_distance(distance), drag, at, event)
 }
 
 /// A recorded motion, which can be evaluated at any time.
@@ -163,7 +177,7 @@ fn point_of(
 pub struct Track<'a> {
     ground: Ground<'a>,
     unloading: Unloading,
-    drag: Drag,
+    drag: DampingCoefficients,
     legs: Vec<Recorded>,
 }
 
@@ -171,7 +185,7 @@ impl Track<'_> {
     /// The times at which the motion passes from one formula of the force to the next, in order, and the time of its end.
     pub(in crate::impact) fn ends(&self) -> impl Iterator<Item = f64> {
         let goes_on = |leg: Option<&Recorded>| {
-            leg.and_then(|leg| leg.piece).is_some_and(|piece| self.ground.piece(piece).is_joint)
+            leg.and_then(|leg| leg.piece).is_some_and(|piece| self.ground.piece(piece).is_subdivision)
         };
         let ends = self.legs.iter().enumerate().filter(move |(i, _)| !goes_on(self.legs.get(i + 1)));
         ends.filter_map(|(_, leg)| leg.track.last()).map(|segment| segment.end)
@@ -179,7 +193,7 @@ impl Track<'_> {
 
     /// The state at a time, or at the nearest end of the motion for a time outside of it; and the piece of the loading curve of this
     /// state, `None` on the unloading branch.
-    pub(in crate::impact) fn state(&self, time: f64) -> (State, Option<usize>) {
+    pub(in crate::impact) fn state(&self, time: f64) -> (MotionState, Option<usize>) {
         let ends_before = |leg: &Recorded| leg.track.last().is_none_or(|segment| segment.end < time);
         let leg = self.legs.partition_point(ends_before).min(self.legs.len() - 1);
         let Recorded { piece, track, .. } = &self.legs[leg];
@@ -188,20 +202,24 @@ impl Track<'_> {
     }
 
     /// The point of the motion at a state on this piece of the loading curve.
-    pub(in crate::impact) fn loading_point(&self, piece: usize, at: &State) -> Point {
+    pub(in crate::impact) fn loading_point(&self, piece: usize, at: &MotionState) -> Point {
         point_of(self.ground, &self.unloading, self.drag, Some(piece), at, None)
     }
 }
 
 #[cold] // a run without a trace is faster without this code in it
-fn begin<'a>(legs: &'a mut Vec<Recorded>, piece: Option<usize>, touch: &State) -> Option<&'a mut Vec<Segment>> {
+fn begin<'a>(
+    legs: &'a mut Vec<Recorded>,
+    piece: Option<usize>,
+    touch: &MotionState,
+) -> Option<&'a mut Vec<DenseOutput>> {
     let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
     legs.push(Recorded { piece, track: Vec::new(), events });
     legs.last_mut().map(|leg| &mut leg.track)
 }
 
 #[cold]
-fn mark(legs: &mut [Recorded], event: Event, at: &State) {
+fn mark(legs: &mut [Recorded], event: Event, at: &MotionState) {
     if let Some(leg) = legs.last_mut() {
         leg.events.push((event, *at));
     }
@@ -209,15 +227,15 @@ fn mark(legs: &mut [Recorded], event: Event, at: &State) {
 
 /// The state of first yield on a leg that begins at this time, if the leg passes it. First yield ends no leg, because a trace must
 /// not change the steps.
-fn yielding(ground: Ground, index: usize, begun: f64, track: &[Segment]) -> Option<State> {
+fn yielding(ground: Ground, index: usize, begun: f64, track: &[DenseOutput]) -> Option<MotionState> {
     let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
-    let distance = yields_at - piece.start + piece.shape.offset();
+    let distance = yields_at - piece.start + piece.shape.zero_offset();
     let number = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
     let begun = number.checked_sub(1).map_or(begun, |before| track[before].end);
     let ahead = |time: f64| distance - track[number].at(time).distance;
     let is_inside = index == ground.way_in.index_at(yields_at) && piece.start < yields_at;
     let is_passed = is_inside && ahead(begun) > 0.0;
-    is_passed.then(|| State { distance, ..track[number].at(falls_through((begun, track[number].end), ahead)) })
+    is_passed.then(|| MotionState { distance, ..track[number].at(illinois((begun, track[number].end), ahead)) })
 }
 
 /// The times of `samples` points evenly spaced over a motion of this length, without both ends, which are events.

@@ -12,15 +12,15 @@ use crate::contact::law::{ContactState, Ground, Unloading};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::ACCELERATION;
 use crate::numerics::curve::piece::Piece;
-use crate::numerics::ode::{Drag, Effort, IntegrationError, Segment, State};
-use crate::numerics::power::max_or_nan;
-use crate::numerics::root::halved;
+use crate::numerics::ode::{DampingCoefficients, DenseOutput, IntegrationError, MotionState, SolverStats};
+use crate::numerics::power::nan_max;
+use crate::numerics::root::bisect;
 
 /// The law as a code with fixed steps evaluates it: its memory is the largest indentation so far. Distances are measured from first
 /// contact.
 struct Remembering<'a> {
     ground: Ground<'a>,
-    drag: Drag,
+    drag: DampingCoefficients,
     touch: f64,
     deepest: f64,
     unloading: Option<Unloading>,
@@ -37,7 +37,7 @@ enum AfterRelaxation {
 }
 
 impl<'a> Remembering<'a> {
-    fn of(ground: Ground<'a>, drag: Drag) -> Self {
+    fn of(ground: Ground<'a>, drag: DampingCoefficients) -> Self {
         let deepest = ground.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
         let unloading = ground.branch().copied();
         Self { ground, drag, touch: ground.touch(), deepest, unloading, after_relaxation: AfterRelaxation::NotYet }
@@ -46,7 +46,7 @@ impl<'a> Remembering<'a> {
     /// The speed that the sphere gains when the metal relaxes on a plate: the force falls, and the momentum stays (`motion.rs`).
     /// `speed` is the speed against the plate.
     fn relaxed(&mut self, speed: f64) -> f64 {
-        if speed >= 0.0 || self.drag.theta == 0.0 || self.ground.law.relaxed.is_none() {
+        if speed >= 0.0 || self.drag.plate == 0.0 || self.ground.law.relaxed.is_none() {
             return 0.0;
         }
         if self.after_relaxation != AfterRelaxation::NotYet {
@@ -58,7 +58,7 @@ impl<'a> Remembering<'a> {
         if fall > 0.0 {
             (self.unloading, self.after_relaxation) = (Some(unloading), AfterRelaxation::Approaching);
         }
-        ACCELERATION * self.drag.theta * fall
+        ACCELERATION * self.drag.plate * fall
     }
 
     /// The unloading branch from the deepest step. After a relaxation it is the branch of the relaxed metal.
@@ -103,8 +103,15 @@ impl<'a> Remembering<'a> {
     /// its free flight is followed backwards: to the depth of the dent or, under viscous damping, to the zero of the total force.
     /// If the damping exceeds the force only because the step is coarse, there is no such zero, and the separation is at the end
     /// of the step.
-    fn left_at(&mut self, before: &State, end: &State, step: f64, gravity: f64, residual: f64) -> State {
-        let flown_back = |since: f64| State {
+    fn left_at(
+        &mut self,
+        before: &MotionState,
+        end: &MotionState,
+        step: f64,
+        gravity: f64,
+        residual: f64,
+    ) -> MotionState {
+        let flown_back = |since: f64| MotionState {
             time: end.time - since,
             distance: end.distance - since * (end.speed - 0.5 * gravity * since),
             speed: end.speed - gravity * since,
@@ -114,26 +121,26 @@ impl<'a> Remembering<'a> {
         let speed_at_dent = (end.speed * end.speed + 2.0 * gravity * gap).sqrt();
         let is_past_dent = gap > 0.0;
         let since_dent = if is_past_dent { (2.0 * gap / (speed_at_dent - end.speed)).min(step) } else { 0.0 };
-        if !self.drag.lifts_off() {
+        if !self.drag.can_lift_off() {
             let at_dent = flown_back(since_dent);
             let loss = before.loss;
-            return if is_past_dent { State { distance: residual, loss, ..at_dent } } else { at_dent };
+            return if is_past_dent { MotionState { distance: residual, loss, ..at_dent } } else { at_dent };
         }
         let mut is_pushed = |since: f64| {
-            let State { distance, speed, .. } = flown_back(since);
+            let MotionState { distance, speed, .. } = flown_back(since);
             let (force, of_damping, _) = self.at(distance, speed);
             force + of_damping > 0.0
         };
-        let (gone, _) = halved(since_dent, step, |since| !is_pushed(since));
+        let (gone, _) = bisect(since_dent, step, |since| !is_pushed(since));
         let separated = flown_back(gone);
         let (force, of_damping, _) = self.at(separated.distance, separated.speed);
-        let of_damping = max_or_nan(of_damping, -force);
-        State { loss: before.loss + ACCELERATION * of_damping * separated.speed * (step - gone), ..separated }
+        let of_damping = nan_max(of_damping, -force);
+        MotionState { loss: before.loss + ACCELERATION * of_damping * separated.speed * (step - gone), ..separated }
     }
 }
 
 /// A force of the law with the drag on it, see [`Remembering::at`].
-fn resisted(drag: Drag, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
+fn resisted(drag: DampingCoefficients, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
     // the drag is that of the deceleration g = c f
     let (in_contact, on_motion) = drag.at(ACCELERATION * force, || ACCELERATION * slope());
     (force, in_contact * speed / ACCELERATION, on_motion * speed)
@@ -146,14 +153,14 @@ struct VerletMotion<'a> {
     step: f64,
     /// Steps so far.
     count: u64,
-    state: State,
+    state: MotionState,
     acceleration: f64,
 }
 
 impl<'a> VerletMotion<'a> {
     /// At first touch.
     fn new(ground: Ground<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
-        let state = State { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
+        let state = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
         let (contact, weight) = (Remembering::of(ground, forces.drag), forces.weight);
         Self { contact, weight, step, count: 0, state, acceleration: ACCELERATION * weight }
     }
@@ -169,13 +176,13 @@ impl<'a> VerletMotion<'a> {
         }
         let distance = from.distance + step * half;
         let (force, of_damping, on_motion) = self.contact.at(distance, half);
-        let total = max_or_nan(force + of_damping, 0.0);
+        let total = nan_max(force + of_damping, 0.0);
         self.acceleration = ACCELERATION * (self.weight - total) - on_motion;
         self.count += 1;
         #[allow(clippy::cast_precision_loss)] // counts below 2^53
         let time = step * self.count as f64;
         let loss = from.loss + (ACCELERATION * (total - force) + on_motion) * half * step;
-        self.state = State { time, distance, speed: half + 0.5 * step * self.acceleration, loss };
+        self.state = MotionState { time, distance, speed: half + 0.5 * step * self.acceleration, loss };
         (force, total)
     }
 }
@@ -210,7 +217,7 @@ pub(crate) fn march(
         if trace.is_some() {
             track.push(parabola(before, acceleration, motion.state.time));
         }
-        largest_force = max_or_nan(largest_force, total);
+        largest_force = nan_max(largest_force, total);
         let mut state = motion.state;
         let time = state.time;
         if state.distance > peak.distance && motion.contact.after_relaxation == AfterRelaxation::NotYet {
@@ -224,7 +231,7 @@ pub(crate) fn march(
         }
         let is_back = time > peak.time;
         // the total force of Hunt and Crossley vanishes before the force of the law only through rounding or a coarse step
-        let pushes = if forces.drag.lifts_off() { total } else { force };
+        let pushes = if forces.drag.can_lift_off() { total } else { force };
         let lifts_off = is_back && pushes == 0.0 && state.speed < 0.0;
         let is_slower =
             is_back && state.speed >= 0.0 && motion.contact.after_relaxation != AfterRelaxation::Approaching;
@@ -263,7 +270,7 @@ pub(crate) fn march(
             loss: state.loss / ACCELERATION,
         };
         // one evaluation a step, and one at first touch
-        let work = Effort { steps: n, rejected: 0, force_evaluations: n + 1 };
+        let work = SolverStats { steps: n, rejected: 0, force_evaluations: n + 1 };
         let separation_time = separates.then_some(time);
         let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });
         let of_samples = |(samples, duration): (usize, Option<f64>)| {
@@ -284,11 +291,11 @@ fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -
 }
 
 /// The motion in a step that begins in this state and ends at this time.
-fn parabola(from: State, acceleration: f64, end: f64) -> Segment {
-    Segment::new(end, move |time| {
+fn parabola(from: MotionState, acceleration: f64, end: f64) -> DenseOutput {
+    DenseOutput::new(end, move |time| {
         let t = time - from.time;
         let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
-        State { time, distance, speed: from.speed + acceleration * t, loss: from.loss }
+        MotionState { time, distance, speed: from.speed + acceleration * t, loss: from.loss }
     })
 }
 
@@ -297,8 +304,8 @@ impl Remembering<'_> {
     fn points(
         &self,
         outcome: &Outcome,
-        peak: &State,
-        track: &[Segment],
+        peak: &MotionState,
+        track: &[DenseOutput],
         times: impl Iterator<Item = f64>,
     ) -> Vec<Point> {
         let mut times = times.take_while(|time| *time < outcome.contact_time).peekable();
@@ -309,8 +316,8 @@ impl Remembering<'_> {
             }
         }
         let touch = track.first().map_or(*peak, |first| first.at(0.0));
-        let turning = State { time: outcome.loading_time, speed: 0.0, ..*peak };
-        let end = State {
+        let turning = MotionState { time: outcome.loading_time, speed: 0.0, ..*peak };
+        let end = MotionState {
             time: outcome.contact_time,
             distance: outcome.end_indentation - self.touch,
             speed: outcome.end_speed,
@@ -325,12 +332,12 @@ impl Remembering<'_> {
         states.insert(0, (touch, Some(Event::Touch)));
         states.push((end, Some(of_end)));
         let residual = self.ground.dent(&outcome.unloading.peak).residual() - self.touch;
-        let point = |(state, event): (State, Option<Event>)| {
+        let point = |(state, event): (MotionState, Option<Event>)| {
             if state.time <= outcome.loading_time && event != Some(Event::Relaxation) {
                 let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);
                 Point::loading(self.loaded_to(state.distance), slope, self.drag, &state, event)
             } else {
-                let at = State { distance: state.distance - residual, ..state };
+                let at = MotionState { distance: state.distance - residual, ..state };
                 Point::unloading(&outcome.unloading, self.drag, &at, event)
             }
         };

@@ -15,7 +15,7 @@ use super::result::warning::{Warning, WarningKind};
 use super::solve::{Method, Solver};
 use crate::contact::law::{ContactState, Ground, Raised, Unloading};
 use crate::contact::strength::strain_rate_hardening::Form as RateForm;
-use crate::numerics::root::halved;
+use crate::numerics::root::bisect;
 use crate::units::{Dimension, four_digits, human, percent};
 use bodies::{of_half_space, of_sphere};
 pub use restitution::Bias;
@@ -73,7 +73,7 @@ impl Contact {
             !is_wide && of_peak(law.into(), &peak).all(is_harmless)
         };
         let far = radius / scales.length;
-        if reaches(far) { f64::INFINITY } else { halved(0.0, far, reaches).0 * scales.length }
+        if reaches(far) { f64::INFINITY } else { bisect(0.0, far, reaches).0 * scales.length }
     }
 }
 

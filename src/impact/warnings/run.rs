@@ -4,7 +4,7 @@ use crate::impact::problem::contact::Contact;
 use crate::impact::result::impact::Impact;
 use crate::impact::result::warning::{Warning, WarningKind};
 use crate::impact::solve::{Method, Solver};
-use crate::numerics::power::max_or_nan;
+use crate::numerics::power::nan_max;
 
 /// A restitution above this one is shown as more than 1 by a number with three digits.
 const LARGEST: f64 = 1.0005;
@@ -48,7 +48,7 @@ pub(super) fn of_gain(contact: &Contact, impact: &Impact) -> Option<Warning> {
 /// that has lost energy. Damping is not smooth at first touch, which costs the methods of `ode_solvers` up to three digits.
 pub(super) fn of_run(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
     let drift = impact.energy.drift;
-    let error = max_or_nan(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
+    let error = nan_max(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
     let way_out = "tighten the tolerance or use another method";
     if method == Method::Verlet {
         Warning::when(drift > LARGEST_DRIFT || drift.is_nan(), WarningKind::OpenLedger, drift, || {

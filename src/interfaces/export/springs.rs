@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::impact::{Contact, Solver};
 use crate::numerics::functions::{cos, exp, ln, sin};
-use crate::numerics::root::halved;
+use crate::numerics::root::bisect;
 
 /// Largest relative error of a constant e within its range of speeds.
 pub const E_WITHIN: f64 = 0.02;
@@ -27,7 +27,7 @@ pub fn damped_spring(mass: f64, e: f64, time: f64) -> f64 {
 /// force. `None` if no such spring below critical damping has this e.
 pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
     let loss = -ln(e);
-    let (angle, _) = halved(0.0, 0.5 * PI, |angle| sin(angle) / cos(angle) * (PI - 2.0 * angle) < loss);
+    let (angle, _) = bisect(0.0, 0.5 * PI, |angle| sin(angle) / cos(angle) * (PI - 2.0 * angle) < loss);
     let frequency = (PI - 2.0 * angle) / (time * cos(angle));
     (loss < 2.0).then(|| (mass * frequency * frequency, 2.0 * mass * frequency * sin(angle)))
 }
@@ -41,7 +41,7 @@ pub fn range_of_constant(contact: &Contact, speed: f64, e: f64) -> [Option<f64>;
     };
     [-1.0, 1.0].map(|sign| {
         let end = ln(1000.0);
-        let log = (!is_near(exp(sign * end))).then(|| halved(0.0, end, |log| is_near(exp(sign * log))).0);
+        let log = (!is_near(exp(sign * end))).then(|| bisect(0.0, end, |log| is_near(exp(sign * log))).0);
         log.map(|log| speed * exp(sign * log))
     })
 }

@@ -13,77 +13,77 @@ use std::sync::{Arc, OnceLock};
 
 use crate::numerics::functions::{ln, pow};
 use crate::numerics::power::power;
-use piece::{Piece, Shape, along};
-use polynomial::Poly;
-use transit::{Crossings, Reached};
+use piece::{Piece, Shape, linear_force_and_work};
+use polynomial::FittedPolynomial;
+use transit::{Transit, TransitSeries};
 
 /// An increasing and continuous loading curve from (0, 0) on; its last piece has no end.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
+pub struct LoadingCurve {
     pub(crate) pieces: Vec<Piece>,
     /// Knots with a series for the time to them; none but on a curve of many pieces. They are made when the first closed form asks
     /// for them; a contact that is integrated needs none.
-    crossings: Option<Once<Crossings>>,
+    transit_series: Option<Cached<TransitSeries>>,
 }
 
 /// A value that follows from the other fields of its struct. It is computed when it is first needed.
 #[derive(Debug, Clone)]
-pub struct Once<T>(pub(crate) OnceLock<T>);
+pub struct Cached<T>(pub(crate) OnceLock<T>);
 
-impl<T> Default for Once<T> {
+impl<T> Default for Cached<T> {
     fn default() -> Self {
         Self(OnceLock::new())
     }
 }
 
-impl<T> PartialEq for Once<T> {
+impl<T> PartialEq for Cached<T> {
     /// It makes no difference whether it is made already.
     fn eq(&self, _: &Self) -> bool {
         true
     }
 }
 
-impl Curve {
+impl LoadingCurve {
     /// f = x^1.5 without end (Hertz in units of any point of the curve).
     pub fn hertz() -> Self {
-        Self::new(Vec::new()).then(0.0, 0.0, Shape::power(1.0, 1.5))
+        Self::new(Vec::new()).push_piece(0.0, 0.0, Shape::power(1.0, 1.5))
     }
 
     /// f = s x without end.
-    pub fn straight(slope: f64) -> Self {
-        Self::new(Vec::new()).then_straight(0.0, slope)
+    pub fn linear(slope: f64) -> Self {
+        Self::new(Vec::new()).then_line(0.0, slope)
     }
 
     pub(crate) fn new(pieces: Vec<Piece>) -> Self {
-        Self { pieces, crossings: None }
+        Self { pieces, transit_series: None }
     }
 
     /// Lets the curve go on from `start` (beyond all starts so far) as a straight line.
-    pub fn then_straight(self, start: f64, slope: f64) -> Self {
-        self.then_straights([(start, slope)].into_iter())
+    pub fn then_line(self, start: f64, slope: f64) -> Self {
+        self.then_lines([(start, slope)].into_iter())
     }
 
     /// Lets the curve go on as straight lines, each from its start on with its slope.
-    pub fn then_straights(mut self, lines: impl Iterator<Item = (f64, f64)>) -> Self {
+    pub fn then_lines(mut self, lines: impl Iterator<Item = (f64, f64)>) -> Self {
         self.pieces.reserve(lines.size_hint().0);
         let [mut force, mut work, mut from] = [0.0; 3];
         let mut before = None;
         for (start, slope) in lines {
             let distance = start - from;
             [force, work] = match (before, self.pieces.last()) {
-                (Some(slope), _) => along(slope, [force, work], distance),
+                (Some(slope), _) => linear_force_and_work(slope, [force, work], distance),
                 (None, Some(last)) => [last.force_at(start), last.work_at(start)],
                 (None, None) => [0.0; 2],
             };
-            self.pieces.push(Piece { start, force, work, is_joint: false, shape: Shape::straight(slope) });
+            self.pieces.push(Piece { start, force, work, is_subdivision: false, shape: Shape::linear(slope) });
             (before, from) = (Some(slope), start);
         }
         self
     }
 
     /// Lets the curve go on from a point (x, f) in straight lines through others.
-    pub fn then_through(self, [mut start, mut force]: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Self {
-        self.then_straights(points.map(|[x, to]| {
+    pub fn then_points(self, [mut start, mut force]: [f64; 2], points: impl Iterator<Item = [f64; 2]>) -> Self {
+        self.then_lines(points.map(|[x, to]| {
             let line = (start, (to - force) / (x - start));
             [start, force] = [x, to];
             line
@@ -92,23 +92,23 @@ impl Curve {
 
     /// Lets the curve go on from `start` as k x^n.
     pub fn then_power(self, start: f64, stiffness: f64, exponent: f64) -> Self {
-        self.then(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).later(start))
+        self.push_piece(start, stiffness * power(start, exponent), Shape::power(stiffness, exponent).shifted(start))
     }
 
     /// Lets the curve go on from `start` to `end` as a formula says that is singular at `pole` < `start` and nowhere nearer:
     /// a piece for every octave of the distance from there. The formula is also asked 3 % of that distance outside of both.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a few octaves
-    pub fn then_formula(mut self, start: f64, end: f64, pole: f64, formula: impl Fn(f64) -> f64) -> Self {
+    pub fn then_fitted(mut self, start: f64, end: f64, pole: f64, formula: impl Fn(f64) -> f64) -> Self {
         let whole = (end - pole) / (start - pole);
         let count = (ln(whole) / std::f64::consts::LN_2).ceil().clamp(1.0, 2048.0);
         let ratio = pow(whole, 1.0 / count);
         let mut from = start;
         for number in 1..=count as usize {
             let to = if number == count as usize { end } else { pole + (from - pole) * ratio };
-            let poly = Poly::fit(&formula, from, to, pole);
-            self = self.then(from, poly.force(0.0), Shape::Polynomial(Arc::new(poly)));
+            let poly = FittedPolynomial::fit(&formula, from, to, pole);
+            self = self.push_piece(from, poly.force(0.0), Shape::Polynomial(Arc::new(poly)));
             if let Some(piece) = self.pieces.last_mut() {
-                piece.is_joint = number > 1;
+                piece.is_subdivision = number > 1;
             }
             from = to;
         }
@@ -116,26 +116,26 @@ impl Curve {
     }
 
     /// Gives the curve series for the time to its knots (see [`transit`]).
-    pub(crate) fn with_crossings(mut self) -> Self {
-        self.crossings = Some(Once::default());
+    pub(crate) fn with_transit_series(mut self) -> Self {
+        self.transit_series = Some(Cached::default());
         self
     }
 
     /// True if pieces of it stand for a formula.
-    pub(crate) fn has_formula(&self) -> bool {
+    pub(crate) fn has_polynomial_pieces(&self) -> bool {
         self.pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_)))
     }
 
-    fn then(mut self, start: f64, force: f64, shape: Shape) -> Self {
+    fn push_piece(mut self, start: f64, force: f64, shape: Shape) -> Self {
         let work = self.pieces.last().map_or(0.0, |last| last.work_at(start));
-        self.pieces.push(Piece { start, force, work, is_joint: false, shape });
+        self.pieces.push(Piece { start, force, work, is_subdivision: false, shape });
         self
     }
 
     /// Lets the curve go on from `start` along its tangent there.
     pub fn then_tangent(self, start: f64) -> Self {
         let slope = self.pieces.last().map_or(1.0, |last| last.slope_at(start));
-        self.then_straight(start, slope)
+        self.then_line(start, slope)
     }
 
     /// The pieces in order; never empty.
@@ -172,10 +172,10 @@ impl Curve {
     /// The last place that a sphere of this energy and speed reaches fast enough for its series. Without one, the start of
     /// the curve.
     #[inline(always)]
-    pub(crate) fn crossed(&self, kinetic: f64, speed: f64) -> Reached {
-        let start = Reached { piece: 0, work: 0.0, time: 0.0 };
-        let Some(Once(series)) = &self.crossings else { return start };
-        let crossings = series.get_or_init(|| Crossings::of(&self.pieces));
-        crossings.last(&self.pieces, kinetic).map_or(start, |knot| knot.reached(kinetic, speed))
+    pub(crate) fn transit(&self, kinetic: f64, speed: f64) -> Transit {
+        let start = Transit { piece: 0, work: 0.0, time: 0.0 };
+        let Some(Cached(series)) = &self.transit_series else { return start };
+        let crossings = series.get_or_init(|| TransitSeries::new(&self.pieces));
+        crossings.last_knot(&self.pieces, kinetic).map_or(start, |knot| knot.transit(kinetic, speed))
     }
 }

@@ -4,11 +4,11 @@
 
 use std::sync::Arc;
 
-use super::polynomial::Poly;
-use super::unloading_curve::Branch;
+use super::polynomial::FittedPolynomial;
+use super::unloading_curve::UnloadingCurve;
 use crate::numerics::functions::{exp_m1, ln_1p, pow};
-use crate::numerics::power::{power, power_turn, work_share};
-use crate::numerics::root::fallen_from;
+use crate::numerics::power::{power, power_turning_distance, work_factor};
+use crate::numerics::root::newton_convex;
 
 /// How the force continues from the start of a piece.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,16 +24,16 @@ pub enum Shape {
         offset: f64,
     },
     /// f = f_i + s d from the start (x_i, f_i) of the piece.
-    Straight {
+    Linear {
         /// s > 0.
         slope: f64,
         /// 1/√s, for the times on the piece.
         inverse_root: f64,
     },
     /// Anything else that is smooth and increases, on a stretch.
-    Polynomial(Arc<Poly>),
+    Polynomial(Arc<FittedPolynomial>),
     /// An unloading branch, from its zero on.
-    Branch(Branch),
+    Unloading(UnloadingCurve),
 }
 
 impl Shape {
@@ -44,31 +44,31 @@ impl Shape {
 
     /// f = f_i + s d.
     #[inline]
-    pub(super) fn straight(slope: f64) -> Self {
-        Self::Straight { slope, inverse_root: 1.0 / slope.sqrt() }
+    pub(super) fn linear(slope: f64) -> Self {
+        Self::Linear { slope, inverse_root: 1.0 / slope.sqrt() }
     }
 
     /// Returns this force on a piece that starts so much later; a branch is not cut, as it begins at first touch.
-    pub(crate) fn later(&self, by: f64) -> Self {
+    pub(crate) fn shifted(&self, by: f64) -> Self {
         match self {
             Self::Power { stiffness, exponent, offset } => {
                 Self::Power { stiffness: *stiffness, exponent: *exponent, offset: offset + by }
             }
-            Self::Polynomial(poly) => Self::Polynomial(Arc::new(poly.later(by))),
-            same @ (Self::Straight { .. } | Self::Branch(_)) => same.clone(),
+            Self::Polynomial(poly) => Self::Polynomial(Arc::new(poly.shifted(by))),
+            same @ (Self::Linear { .. } | Self::Unloading(_)) => same.clone(),
         }
     }
 
     /// l: how far the zero of a power law lies before the start of its piece.
     #[inline]
-    pub fn offset(&self) -> f64 {
+    pub fn zero_offset(&self) -> f64 {
         if let Self::Power { offset, .. } = self { *offset } else { 0.0 }
     }
 }
 
 /// Force and work on a straight line, at a distance from where they are these.
 #[inline(always)]
-pub(super) fn along(slope: f64, [force, work]: [f64; 2], distance: f64) -> [f64; 2] {
+pub(super) fn linear_force_and_work(slope: f64, [force, work]: [f64; 2], distance: f64) -> [f64; 2] {
     [force + slope * distance, work + distance * (force + 0.5 * slope * distance)]
 }
 
@@ -82,76 +82,76 @@ pub struct Piece {
     /// w(x_i), the work from first touch to here.
     pub work: f64,
     /// True if the formula of the piece before continues here, so that the start is no knot of the law.
-    pub is_joint: bool,
+    pub is_subdivision: bool,
     pub shape: Shape,
 }
 
 impl Piece {
     #[inline]
     pub fn force_at(&self, x: f64) -> f64 {
-        self.force_beyond(x - self.start)
+        self.force_at_distance(x - self.start)
     }
 
     /// The force at a distance from the start of the piece.
     #[inline(always)]
-    pub fn force_beyond(&self, distance: f64) -> f64 {
+    pub fn force_at_distance(&self, distance: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, offset } => stiffness * power(distance + offset, *exponent),
-            Shape::Straight { slope, .. } => along(*slope, [self.force, self.work], distance)[0],
+            Shape::Linear { slope, .. } => linear_force_and_work(*slope, [self.force, self.work], distance)[0],
             Shape::Polynomial(poly) => poly.force(distance),
-            Shape::Branch(branch) => branch.at(distance).0[0],
+            Shape::Unloading(branch) => branch.derivatives_and_work(distance).0[0],
         }
     }
 
     /// f, df/dx and d²f/dx² at a distance from the start of the piece.
     #[inline]
-    pub fn jet(&self, distance: f64) -> [f64; 3] {
+    pub fn derivatives(&self, distance: f64) -> [f64; 3] {
         match &self.shape {
             Shape::Power { exponent: n, offset, .. } => {
-                let (force, from_zero) = (self.force_beyond(distance), distance + offset);
+                let (force, from_zero) = (self.force_at_distance(distance), distance + offset);
                 [force, n * force / from_zero, n * (n - 1.0) * force / from_zero / from_zero]
             }
-            Shape::Straight { slope, .. } => [self.force_beyond(distance), *slope, 0.0],
-            Shape::Polynomial(poly) => poly.jet(distance),
-            Shape::Branch(branch) => branch.at(distance).0,
+            Shape::Linear { slope, .. } => [self.force_at_distance(distance), *slope, 0.0],
+            Shape::Polynomial(poly) => poly.derivatives(distance),
+            Shape::Unloading(branch) => branch.derivatives_and_work(distance).0,
         }
     }
 
     /// df/dx at x, the tangent stiffness.
     pub fn slope_at(&self, x: f64) -> f64 {
-        self.slope_beyond(x - self.start)
+        self.slope_at_distance(x - self.start)
     }
 
     /// df/dx at a distance from the start of the piece.
     #[inline]
-    pub fn slope_beyond(&self, distance: f64) -> f64 {
+    pub fn slope_at_distance(&self, distance: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, offset } => {
                 stiffness * exponent * power(distance + offset, exponent - 1.0)
             }
-            Shape::Straight { slope, .. } => *slope,
-            Shape::Polynomial(_) | Shape::Branch(_) => self.jet(distance)[1],
+            Shape::Linear { slope, .. } => *slope,
+            Shape::Polynomial(_) | Shape::Unloading(_) => self.derivatives(distance)[1],
         }
     }
 
     /// Work from first touch to x.
     #[inline]
     pub fn work_at(&self, x: f64) -> f64 {
-        self.work_beyond(x - self.start)
+        self.work_at_distance(x - self.start)
     }
 
     /// Work from first touch to a distance from the start of the piece.
     #[inline]
-    pub fn work_beyond(&self, distance: f64) -> f64 {
+    pub fn work_at_distance(&self, distance: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, offset } => {
-                let from_zero = |d: f64| stiffness * power(d, *exponent) * d * work_share(*exponent);
+                let from_zero = |d: f64| stiffness * power(d, *exponent) * d * work_factor(*exponent);
                 let before = if *offset == 0.0 { 0.0 } else { from_zero(*offset) };
                 self.work + (from_zero(distance + offset) - before)
             }
-            Shape::Straight { slope, .. } => along(*slope, [self.force, self.work], distance)[1],
+            Shape::Linear { slope, .. } => linear_force_and_work(*slope, [self.force, self.work], distance)[1],
             Shape::Polynomial(poly) => self.work + poly.work(distance),
-            Shape::Branch(branch) => self.work + branch.at(distance).1,
+            Shape::Unloading(branch) => self.work + branch.derivatives_and_work(distance).1,
         }
     }
 
@@ -164,40 +164,44 @@ impl Piece {
     pub fn distance_at_force(&self, force: f64) -> f64 {
         match &self.shape {
             Shape::Power { stiffness, exponent, offset } => pow(force / stiffness, 1.0 / exponent) - offset,
-            Shape::Straight { slope, .. } => (force - self.force) / slope,
+            Shape::Linear { slope, .. } => (force - self.force) / slope,
             Shape::Polynomial(poly) => poly.distance_at_force(force),
-            Shape::Branch(branch) => branch.distance_at_force(force),
+            Shape::Unloading(branch) => branch.distance_at_force(force),
         }
     }
 
     /// The x at which the work reaches `work` (≥ the work at the start): the inverse of [`Piece::work_at`].
     #[inline]
     pub fn indentation_at_work(&self, work: f64) -> f64 {
-        self.start + self.way_to_turn(work - self.work, 0.0)
+        self.start + self.turning_distance(work - self.work, 0.0)
     }
 
     /// The distance from the start of the piece to where a motion turns that begins there with the energy `rest` ≥ 0, pulled by
     /// a constant force `pull` ≥ 0.
     #[inline(always)]
-    pub(crate) fn way_to_turn(&self, rest: f64, pull: f64) -> f64 {
+    pub(crate) fn turning_distance(&self, rest: f64, pull: f64) -> f64 {
         match &self.shape {
-            Shape::Power { stiffness, exponent, offset: 0.0 } => power_turn(*stiffness, *exponent, rest, pull),
+            Shape::Power { stiffness, exponent, offset: 0.0 } => {
+                power_turning_distance(*stiffness, *exponent, rest, pull)
+            }
             // the root of ½ s d² + (f_i − w) d = rest, in the form that does not cancel
-            Shape::Straight { slope, .. } => {
+            Shape::Linear { slope, .. } => {
                 let net = self.force - pull;
                 let root = (net * net + 2.0 * slope * rest).sqrt();
                 if net > 0.0 || pull == 0.0 { 2.0 * rest / (net + root) } else { (root - net) / slope }
             }
-            Shape::Polynomial(poly) => poly.turn(rest, pull),
-            Shape::Branch(branch) => branch.turn(rest, pull),
-            Shape::Power { stiffness, exponent, offset } => late_turn(*stiffness, *exponent, *offset, rest, pull),
+            Shape::Polynomial(poly) => poly.turning_distance(rest, pull),
+            Shape::Unloading(branch) => branch.turning_distance(rest, pull),
+            Shape::Power { stiffness, exponent, offset } => {
+                offset_power_turning_distance(*stiffness, *exponent, *offset, rest, pull)
+            }
         }
     }
 }
 
-/// [`Piece::way_to_turn`] of a power law whose zero lies `offset` before the start.
+/// [`Piece::turning_distance`] of a power law whose zero lies `offset` before the start.
 #[cold]
-fn late_turn(stiffness: f64, exponent: f64, offset: f64, rest: f64, pull: f64) -> f64 {
+fn offset_power_turning_distance(stiffness: f64, exponent: f64, offset: f64, rest: f64, pull: f64) -> f64 {
     let p = exponent + 1.0;
     let before = stiffness * power(offset, exponent) * offset / p;
     if pull == 0.0 {
@@ -206,8 +210,8 @@ fn late_turn(stiffness: f64, exponent: f64, offset: f64, rest: f64, pull: f64) -
     }
     let from_zero = rest + before - pull * offset;
     // where the pull far exceeds the force at the start of the piece, this has lost digits, which Newton's method mends
-    let above = power_turn(stiffness, exponent, from_zero.max(0.0), pull);
-    let d = fallen_from(above, |d| {
+    let above = power_turning_distance(stiffness, exponent, from_zero.max(0.0), pull);
+    let d = newton_convex(above, |d| {
         let force = stiffness * power(d, exponent);
         (force * d / p - from_zero - pull * d) / (force - pull)
     });

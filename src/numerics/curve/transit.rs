@@ -14,23 +14,23 @@
 use std::sync::OnceLock;
 
 use super::piece::{Piece, Shape};
-use crate::numerics::quadrature::gauss;
+use crate::numerics::quadrature::gauss_legendre;
 
-const TERMS: usize = 14;
+const SERIES_TERMS: usize = 14;
 /// The largest w_i/E that the series is used for.
-const LARGEST_SHARE: f64 = 0.1;
+const MAX_WORK_RATIO: f64 = 0.1;
 /// Every fourth knot of a curve of straight pieces has a series. Series for all knots would need four times the memory and
 /// would save little time.
-const EVERY: usize = 4;
+const KNOT_STRIDE: usize = 4;
 
 /// A knot with more work than this has no series: the powers of the work would leave double precision.
-const LARGEST_WORK: f64 = 1e20;
+const MAX_WORK: f64 = 1e20;
 
 /// (2k)!/(4^k k!²) over its value for k − 1, 1/(2k + 1), and k times the product of both, for k from 1 on.
 #[allow(clippy::cast_precision_loss)] // fourteen terms
-const CONSTANTS: [[f64; 3]; TERMS - 1] = {
-    let (mut constants, mut term) = ([[0.0; 3]; TERMS - 1], 1);
-    while term < TERMS {
+const SERIES_FACTORS: [[f64; 3]; SERIES_TERMS - 1] = {
+    let (mut constants, mut term) = ([[0.0; 3]; SERIES_TERMS - 1], 1);
+    while term < SERIES_TERMS {
         let k = term as f64;
         constants[term - 1] = [(k - 0.5) / k, 1.0 / (2.0 * k + 1.0), (k - 0.5) / (2.0 * k + 1.0)];
         term += 1;
@@ -40,24 +40,25 @@ const CONSTANTS: [[f64; 3]; TERMS - 1] = {
 
 /// The series of a curve.
 #[derive(Debug, Clone)]
-pub(super) struct Crossings {
+pub(super) struct TransitSeries {
     /// Number of pieces from one knot with a series to the next.
     every: usize,
-    knots: Vec<OnceLock<Crossing>>,
+    knots: Vec<OnceLock<TransitKnot>>,
 }
 
-impl Crossings {
+impl TransitSeries {
     /// The series of a curve that begins with a power law from zero. No series is computed yet. The knots behind the first piece that
     /// is neither straight nor a formula have no series.
-    pub(super) fn of(pieces: &[Piece]) -> Self {
-        let every = if pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_))) { 1 } else { EVERY };
+    pub(super) fn new(pieces: &[Piece]) -> Self {
+        let every =
+            if pieces.iter().any(|piece| matches!(piece.shape, Shape::Polynomial(_))) { 1 } else { KNOT_STRIDE };
         let is_covered = |pair: &&[Piece]| {
             let has_series = match pair[0].shape {
                 Shape::Power { offset, .. } => offset == 0.0,
-                Shape::Branch(_) => false,
-                Shape::Straight { .. } | Shape::Polynomial(_) => true,
+                Shape::Unloading(_) => false,
+                Shape::Linear { .. } | Shape::Polynomial(_) => true,
             };
-            has_series && pair[1].work < LARGEST_WORK
+            has_series && pair[1].work < MAX_WORK
         };
         let count = pieces.windows(2).take_while(is_covered).count() / every;
         Self { every, knots: (0..count).map(|_| OnceLock::new()).collect() }
@@ -65,54 +66,54 @@ impl Crossings {
 
     /// The last knot that a sphere of this energy reaches fast enough for its series.
     #[inline(always)]
-    pub(super) fn last(&self, pieces: &[Piece], kinetic: f64) -> Option<&Crossing> {
-        let slow_from = pieces.partition_point(|piece| piece.work <= LARGEST_SHARE * kinetic);
+    pub(super) fn last_knot(&self, pieces: &[Piece], kinetic: f64) -> Option<&TransitKnot> {
+        let slow_from = pieces.partition_point(|piece| piece.work <= MAX_WORK_RATIO * kinetic);
         let count = (slow_from.saturating_sub(1) / self.every).min(self.knots.len());
         let last = self.knots.get(count.checked_sub(1)?)?;
-        last.get().or_else(|| self.computed(pieces, count))
+        last.get().or_else(|| self.knot_with_series(pieces, count))
     }
 
     /// The series of knot number `count`; computes the series of the knots before it too.
     #[cold]
-    fn computed(&self, pieces: &[Piece], count: usize) -> Option<&Crossing> {
+    fn knot_with_series(&self, pieces: &[Piece], count: usize) -> Option<&TransitKnot> {
         self.knots[..count].iter().enumerate().fold(None, |before, (index, knot)| {
             let first = index * self.every;
-            Some(knot.get_or_init(|| Crossing::behind(before, &pieces[first..=first + self.every])))
+            Some(knot.get_or_init(|| TransitKnot::next_knot(before, &pieces[first..=first + self.every])))
         })
     }
 }
 
 /// A knot with the series of the time to it.
 #[derive(Debug, Clone)]
-pub(super) struct Crossing {
+pub(super) struct TransitKnot {
     /// Index of the piece that begins there.
     piece: usize,
     /// w_i.
     work: f64,
     /// c_k.
-    coefficients: [f64; TERMS],
+    coefficients: [f64; SERIES_TERMS],
 }
 
-impl Crossing {
+impl TransitKnot {
     /// The knot at the start of the last of these pieces. The first begins at the knot `before`.
-    fn behind(before: Option<&Self>, pieces: &[Piece]) -> Self {
-        let mut knot = before.cloned().unwrap_or(Self { piece: 0, work: 0.0, coefficients: [0.0; TERMS] });
-        let mut straight = Straight::default();
+    fn next_knot(before: Option<&Self>, pieces: &[Piece]) -> Self {
+        let mut knot = before.cloned().unwrap_or(Self { piece: 0, work: 0.0, coefficients: [0.0; SERIES_TERMS] });
+        let mut straight = StraightLanes::default();
         for (lane, pair) in pieces.windows(2).enumerate() {
             let (piece, next) = (&pair[0], &pair[1]);
             match &piece.shape {
-                Shape::Straight { slope, .. } => straight.put(lane, piece, next, *slope),
-                _ => add(&mut knot.coefficients, piece, next),
+                Shape::Linear { slope, .. } => straight.set_lane(lane, piece, next, *slope),
+                _ => accumulate_piece(&mut knot.coefficients, piece, next),
             }
             (knot.piece, knot.work) = (knot.piece + 1, next.work);
         }
-        straight.add_to(&mut knot.coefficients);
+        straight.accumulate(&mut knot.coefficients);
         knot
     }
 
     /// The knot, and when it is passed.
     #[inline]
-    pub(super) fn reached(&self, kinetic: f64, speed: f64) -> Reached {
+    pub(super) fn transit(&self, kinetic: f64, speed: f64) -> Transit {
         let inverse = 1.0 / kinetic;
         let square = inverse * inverse;
         // even and odd terms apart, so that neither waits for the other
@@ -121,13 +122,13 @@ impl Crossing {
             .chunks_exact(2)
             .rev()
             .fold((0.0, 0.0), |(even, odd), pair| (even * square + pair[0], odd * square + pair[1]));
-        Reached { piece: self.piece, work: self.work, time: (even + inverse * odd) / speed }
+        Transit { piece: self.piece, work: self.work, time: (even + inverse * odd) / speed }
     }
 }
 
 /// A position during loading.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Reached {
+pub(crate) struct Transit {
     pub piece: usize,
     pub work: f64,
     /// The time since first touch.
@@ -136,18 +137,18 @@ pub(crate) struct Reached {
 
 /// The straight pieces between two knots with a series, side by side: a processor computes with several of them at once.
 #[derive(Default)]
-struct Straight {
-    length: [f64; EVERY],
+struct StraightLanes {
+    length: [f64; KNOT_STRIDE],
     /// w at the starts and at the ends.
-    work: [[f64; EVERY]; 2],
+    work: [[f64; KNOT_STRIDE]; 2],
     /// f/s there.
-    reach: [[f64; EVERY]; 2],
+    reach: [[f64; KNOT_STRIDE]; 2],
     /// 2w − f²/s, which is the same all along a piece.
-    excess: [f64; EVERY],
+    excess: [f64; KNOT_STRIDE],
 }
 
-impl Straight {
-    fn put(&mut self, lane: usize, piece: &Piece, next: &Piece, slope: f64) {
+impl StraightLanes {
+    fn set_lane(&mut self, lane: usize, piece: &Piece, next: &Piece, slope: f64) {
         let (length, reach) = (next.start - piece.start, piece.force / slope);
         self.length[lane] = length;
         (self.work[0][lane], self.work[1][lane]) = (piece.work, next.work);
@@ -156,12 +157,12 @@ impl Straight {
     }
 
     /// Adds what they bring to the c_k, by parts: (2k + 1) ∫ w^k dx = [f w^k]/s + k (2w − f²/s) ∫ w^(k−1) dx.
-    fn add_to(self, coefficients: &mut [f64; TERMS]) {
+    fn accumulate(self, coefficients: &mut [f64; SERIES_TERMS]) {
         let Self { length: mut integral, work: [from, to], reach: [mut before, mut after], excess } = self;
         let [first, others @ ..] = coefficients;
         *first += integral.iter().sum::<f64>();
-        for (coefficient, [growth, of_ends, of_rest]) in others.iter_mut().zip(&CONSTANTS) {
-            for lane in 0..EVERY {
+        for (coefficient, [growth, of_ends, of_rest]) in others.iter_mut().zip(&SERIES_FACTORS) {
+            for lane in 0..KNOT_STRIDE {
                 before[lane] *= from[lane] * growth;
                 after[lane] *= to[lane] * growth;
                 integral[lane] = (after[lane] - before[lane]) * of_ends + of_rest * excess[lane] * integral[lane];
@@ -172,30 +173,30 @@ impl Straight {
 }
 
 /// Adds what a piece brings to the c_k.
-fn add(coefficients: &mut [f64; TERMS], piece: &Piece, next: &Piece) {
+fn accumulate_piece(coefficients: &mut [f64; SERIES_TERMS], piece: &Piece, next: &Piece) {
     let length = next.start - piece.start;
     let [first, others @ ..] = coefficients;
     match &piece.shape {
         Shape::Power { exponent, .. } => {
             let (mut term, mut power) = (length, 1.0);
             *first += length;
-            for (coefficient, [growth, ..]) in others.iter_mut().zip(&CONSTANTS) {
+            for (coefficient, [growth, ..]) in others.iter_mut().zip(&SERIES_FACTORS) {
                 term *= next.work * growth;
                 power += exponent + 1.0;
                 *coefficient += term / power;
             }
         }
         Shape::Polynomial(poly) => {
-            let (nodes, weights) = gauss();
+            let (nodes, weights) = gauss_legendre();
             for (node, weight) in nodes.iter().zip(weights) {
                 let (mut term, work) = (weight * length, piece.work + poly.work(node * length));
                 *first += term;
-                for (coefficient, [growth, ..]) in others.iter_mut().zip(&CONSTANTS) {
+                for (coefficient, [growth, ..]) in others.iter_mut().zip(&SERIES_FACTORS) {
                     term *= work * growth;
                     *coefficient += term;
                 }
             }
         }
-        Shape::Straight { .. } | Shape::Branch(_) => {}
+        Shape::Linear { .. } | Shape::Unloading(_) => {}
     }
 }

@@ -3,14 +3,14 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use super::polynomial::NEAR;
+use super::polynomial::NEAR_END_SHARE;
 use crate::numerics::functions::atan2;
-use crate::numerics::quadrature::gauss;
-use crate::numerics::root::fallen_from;
+use crate::numerics::quadrature::gauss_legendre;
+use crate::numerics::root::newton_convex;
 
 /// How the force goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Form {
+pub enum UnloadingCurveKind {
     /// f = (2 f_m/π)(θ − sin θ cos θ), 1 − cos θ = d/ε: unloading from uniform pressure (Mesarovic and Johnson 2000).
     UniformPressure {
         /// f_m.
@@ -27,21 +27,21 @@ pub enum Form {
 
 /// A branch up to its whole length ε.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Branch {
-    pub form: Form,
+pub struct UnloadingCurve {
+    pub form: UnloadingCurveKind,
     pub length: f64,
 }
 
-impl Branch {
+impl UnloadingCurve {
     /// f, f', f'' and the work from zero; continued as an odd function, as a power from zero is.
-    pub fn at(&self, d: f64) -> ([f64; 3], f64) {
+    pub fn derivatives_and_work(&self, d: f64) -> ([f64; 3], f64) {
         match self.form {
             _ if d < 0.0 => {
-                let ([f, slope, curvature], work) = self.at(-d);
+                let ([f, slope, curvature], work) = self.derivatives_and_work(-d);
                 ([-f, slope, -curvature], work)
             }
-            Form::UniformPressure { .. } if d == 0.0 => ([0.0; 3], 0.0),
-            Form::UniformPressure { force } => {
+            UnloadingCurveKind::UniformPressure { .. } if d == 0.0 => ([0.0; 3], 0.0),
+            UnloadingCurveKind::UniformPressure { force } => {
                 let (s, unit) = (d / self.length, 4.0 / PI * force);
                 let (sine, cosine) = ((s * (2.0 - s)).sqrt(), 1.0 - s);
                 let (f, work) = if s < 0.25 {
@@ -61,7 +61,7 @@ impl Branch {
                 let per = unit / self.length;
                 ([unit * f, per * sine, per / self.length * cosine / sine], unit * self.length * work)
             }
-            Form::ShiftedHertz { stiffness: k, offset } => {
+            UnloadingCurveKind::ShiftedHertz { stiffness: k, offset } => {
                 // a³ − b³ with a = √x and b = √l; only a − b = d/(a + b) cancels, which is not formed
                 let (a, b) = ((d + offset).sqrt(), offset.sqrt());
                 let above = d / (a + b);
@@ -73,17 +73,17 @@ impl Branch {
 
     /// The distance at which a motion turns that begins at zero with the energy `rest` against a constant `pull`. Work and force
     /// are convex: Newton's method falls from the end.
-    pub fn turn(&self, rest: f64, pull: f64) -> f64 {
-        fallen_from(self.length, |d| {
-            let ([f, ..], work) = self.at(d);
+    pub fn turning_distance(&self, rest: f64, pull: f64) -> f64 {
+        newton_convex(self.length, |d| {
+            let ([f, ..], work) = self.derivatives_and_work(d);
             (work - pull * d - rest) / (f - pull)
         })
     }
 
     /// The distance at which the force is `force`, at most the length.
     pub fn distance_at_force(&self, force: f64) -> f64 {
-        fallen_from(self.length, |d| {
-            let ([f, slope, _], _) = self.at(d);
+        newton_convex(self.length, |d| {
+            let ([f, slope, _], _) = self.derivatives_and_work(d);
             (f - force) / slope
         })
     }
@@ -92,25 +92,29 @@ impl Branch {
     ///
     /// In y, d = y (y + 2 b) with b = √l, the work of the shifted Hertz curve is a polynomial however shallow the dent; with
     /// y = Y − ζ (ζ + 2 z) the root in u² = exit² + 2 c (w(to) − w) loses its singularity.
-    pub fn time(&self, distance: f64, to: f64, exit: f64, c: f64) -> f64 {
+    pub fn travel_time(&self, distance: f64, to: f64, exit: f64, c: f64) -> f64 {
         if distance == 0.0 {
             return 0.0;
         }
-        let b = if let Form::ShiftedHertz { offset, .. } = self.form { offset.sqrt() } else { 0.0 };
+        let b = if let UnloadingCurveKind::ShiftedHertz { offset, .. } = self.form { offset.sqrt() } else { 0.0 };
         let y_at = |d: f64| d / (b + (d + b * b).sqrt());
-        let ([f, slope, curvature], whole) = self.at(to);
+        let ([f, slope, curvature], whole) = self.derivatives_and_work(to);
         let (end, more) = (y_at(to), 0.5 * exit * exit / c);
-        let (nodes, weights) = gauss();
+        let (nodes, weights) = gauss_legendre();
         // Y − y of the whole way, (d_2 − d_1)/(y_1 + y_2 + 2 b)
         let most = distance / (end + 2.0 * b + if distance < to { y_at(to - distance) } else { 0.0 });
         let behind = 0.5 * more / ((end + b) * f);
-        if behind > 0.0 && behind < NEAR * most {
+        if behind > 0.0 && behind < NEAR_END_SHARE * most {
             // the time to the turn, less the rest, which is short
             let mean = |rest: f64| {
-                nodes.iter().zip(weights).map(|(node, weight)| weight * self.at(to + rest * node).0[0]).sum::<f64>()
+                nodes
+                    .iter()
+                    .zip(weights)
+                    .map(|(node, weight)| weight * self.derivatives_and_work(to + rest * node).0[0])
+                    .sum::<f64>()
             };
             let rest = (0..30).fold(more / f, |rest, _| more / mean(rest));
-            return self.time(distance + rest, to + rest, 0.0, c) - self.time(rest, to + rest, 0.0, c);
+            return self.travel_time(distance + rest, to + rest, 0.0, c) - self.travel_time(rest, to + rest, 0.0, c);
         }
         let z = behind.sqrt();
         let far = most / ((most + behind).sqrt() + z);
@@ -121,7 +125,7 @@ impl Branch {
             let work = if before < 1e-4 * to {
                 before * (f - before * (slope / 2.0 - before * curvature / 6.0))
             } else {
-                whole - self.at(y * (y + 2.0 * b)).1
+                whole - self.derivatives_and_work(y * (y + 2.0 * b)).1
             };
             weight * 2.0 * (y + b) * (far * node + z) / (more + work).sqrt()
         };

@@ -32,7 +32,7 @@ pub fn powi(x: f64, n: i32) -> f64 {
 }
 
 /// The share of the normal distribution, with mean 0 and standard deviation 1, that lies below z.
-pub fn normal_below(z: f64) -> f64 {
+pub fn normal_cdf(z: f64) -> f64 {
     0.5 * libm::erfc(-z * FRAC_1_SQRT_2)
 }
 
@@ -48,7 +48,7 @@ pub fn normal_quantile(p: f64) -> f64 {
     let wanted = ln(share);
     let mut z = -(-2.0 * ln(2.0 * share)).max(0.0).sqrt();
     for _ in 0..20 {
-        let below = normal_below(z);
+        let below = normal_cdf(z);
         let step = (wanted - ln(below)) * below / (DENSITY * exp(-0.5 * z * z));
         z += step;
         // the next step would be its square
@@ -121,10 +121,10 @@ mod tests {
     fn quantiles_are_the_inverse_of_the_distribution() {
         for z in [-37.0, -20.0, -8.0, -5.5, -3.0, -1.5, -1.0, -0.3, 0.0, 0.5, 1.0, 1.4, 2.0, 3.0] {
             // beside 1, p has lost the digits of z
-            let lost = if z > 0.0 { f64::EPSILON / normal_below(-z) } else { 0.0 };
+            let lost = if z > 0.0 { f64::EPSILON / normal_cdf(-z) } else { 0.0 };
             // the error function takes the rounded z/√2, and near the mean p has no more than absolute digits
             let epsilon = 4.0 * f64::EPSILON * z.abs().max(1.0) + lost;
-            approx::assert_abs_diff_eq!(normal_quantile(normal_below(z)), z, epsilon = epsilon);
+            approx::assert_abs_diff_eq!(normal_quantile(normal_cdf(z)), z, epsilon = epsilon);
         }
         assert_eq!((normal_quantile(0.0), normal_quantile(1.0)), (f64::NEG_INFINITY, f64::INFINITY));
     }

@@ -6,20 +6,20 @@
 //! the program is compiled.
 
 /// A number as a sum of two doubles, good to about 31 digits.
-type Sum = (f64, f64);
+type DoubleDouble = (f64, f64);
 
-const ENTRIES: usize = 128;
+const TABLE_SIZE: usize = 128;
 /// 1/c are multiples of 1/PARTS, so that z/c − 1 has no rounding where z has few bits.
-const PARTS: f64 = 256.0;
+const INVERSE_DENOMINATOR: f64 = 256.0;
 /// The bits of the smallest z, 0.70703125; an interval of the table begins at 1.
-const SMALLEST: u64 = 0x3fe6_a000_0000_0000;
+const MIN_MANTISSA_BITS: u64 = 0x3fe6_a000_0000_0000;
 /// ln 2.
-const LN_2: Sum = (std::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
+const LN_2: DoubleDouble = (std::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 /// Beyond this an exponential comes near to the ends of the doubles.
-const LARGEST_EXPONENT: f64 = 700.0;
+const MAX_EXPONENT: f64 = 700.0;
 
 /// ln x on a grid of 2^-42, and the rest: whole multiples of the first have no rounding.
-const fn on_grid((high, low): Sum) -> Sum {
+const fn on_grid((high, low): DoubleDouble) -> DoubleDouble {
     /// Numbers beside it are 2^-42 apart.
     const GRID: f64 = 1536.0;
     let first = (high + GRID) - GRID;
@@ -27,48 +27,48 @@ const fn on_grid((high, low): Sum) -> Sum {
 }
 
 /// a + b as a sum.
-const fn sum(a: f64, b: f64) -> Sum {
+const fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let total = a + b;
     let rest = total - a;
     (total, (a - (total - rest)) + (b - rest))
 }
 
 /// The first 26 bits of a number, and the rest.
-const fn halves(a: f64) -> Sum {
+const fn split(a: f64) -> DoubleDouble {
     let high = f64::from_bits(a.to_bits() & (u64::MAX << 27));
     (high, a - high)
 }
 
 /// a b as a sum.
-const fn product(a: f64, b: f64) -> Sum {
-    let (whole, (a, rest_of_a), (b, rest_of_b)) = (a * b, halves(a), halves(b));
+const fn two_product(a: f64, b: f64) -> DoubleDouble {
+    let (whole, (a, rest_of_a), (b, rest_of_b)) = (a * b, split(a), split(b));
     (whole, ((a * b - whole) + a * rest_of_b + rest_of_a * b) + rest_of_a * rest_of_b)
 }
 
-const fn plus(a: Sum, b: Sum) -> Sum {
-    let (high, low) = sum(a.0, b.0);
-    sum(high, low + a.1 + b.1)
+const fn add(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let (high, low) = two_sum(a.0, b.0);
+    two_sum(high, low + a.1 + b.1)
 }
 
-const fn times(a: Sum, b: Sum) -> Sum {
-    let (high, low) = product(a.0, b.0);
-    sum(high, low + a.0 * b.1 + a.1 * b.0)
+const fn mul(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble {
+    let (high, low) = two_product(a.0, b.0);
+    two_sum(high, low + a.0 * b.1 + a.1 * b.0)
 }
 
 /// a/b for a whole number b.
-const fn over(a: Sum, b: f64) -> Sum {
+const fn div(a: DoubleDouble, b: f64) -> DoubleDouble {
     let quotient = a.0 / b;
-    let (whole, rest) = product(quotient, b);
-    sum(quotient, ((a.0 - whole) - rest + a.1) / b)
+    let (whole, rest) = two_product(quotient, b);
+    two_sum(quotient, ((a.0 - whole) - rest + a.1) / b)
 }
 
 /// ln((k + 1)/k) = 2 artanh(1/(2k + 1)).
-const fn step_of_logarithm(k: f64) -> Sum {
+const fn log_increment(k: f64) -> DoubleDouble {
     let odd = 2.0 * k + 1.0;
-    let (mut total, mut term, mut j) = ((0.0, 0.0), over((2.0, 0.0), odd), 1.0);
+    let (mut total, mut term, mut j) = ((0.0, 0.0), div((2.0, 0.0), odd), 1.0);
     while j < 16.0 {
-        total = plus(total, over(term, j));
-        term = over(over(term, odd), odd);
+        total = add(total, div(term, j));
+        term = div(div(term, odd), odd);
         j += 2.0;
     }
     total
@@ -77,35 +77,35 @@ const fn step_of_logarithm(k: f64) -> Sum {
 /// The constants of an interval of z: 1/c for a number c in its middle (c = 1 near 1), and ln c as a number on the grid plus a
 /// rest.
 #[derive(Clone, Copy)]
-struct Near {
+struct LogTableEntry {
     inverse: f64,
     logarithm: f64,
     rest: f64,
 }
 
-const LOGARITHMS: [Near; ENTRIES] = {
-    let mut table = [Near { inverse: 1.0, logarithm: 0.0, rest: 0.0 }; ENTRIES];
+const LOG_TABLE: [LogTableEntry; TABLE_SIZE] = {
+    let mut table = [LogTableEntry { inverse: 1.0, logarithm: 0.0, rest: 0.0 }; TABLE_SIZE];
     let mut i = 0;
-    while i < ENTRIES {
-        let begin = SMALLEST + ((i as u64) << 45);
+    while i < TABLE_SIZE {
+        let begin = MIN_MANTISSA_BITS + ((i as u64) << 45);
         let ends_at_one = begin + (1 << 45) == 1.0_f64.to_bits();
         if begin != 1.0_f64.to_bits() && !ends_at_one {
             // 256/c to the nearest whole number, and from 256 there in steps of one
             #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             // 128 to 512
-            let parts = (PARTS / f64::from_bits(begin + (1 << 44)) + 0.5) as u64 as f64;
-            let (mut k, mut logarithm) = (PARTS, (0.0, 0.0));
+            let parts = (INVERSE_DENOMINATOR / f64::from_bits(begin + (1 << 44)) + 0.5) as u64 as f64;
+            let (mut k, mut logarithm) = (INVERSE_DENOMINATOR, (0.0, 0.0));
             while k < parts {
-                let (high, low) = step_of_logarithm(k);
-                logarithm = plus(logarithm, (-high, -low));
+                let (high, low) = log_increment(k);
+                logarithm = add(logarithm, (-high, -low));
                 k += 1.0;
             }
             while k > parts {
                 k -= 1.0;
-                logarithm = plus(logarithm, step_of_logarithm(k));
+                logarithm = add(logarithm, log_increment(k));
             }
             let (logarithm, rest) = on_grid(logarithm);
-            table[i] = Near { inverse: parts / PARTS, logarithm, rest };
+            table[i] = LogTableEntry { inverse: parts / INVERSE_DENOMINATOR, logarithm, rest };
         }
         i += 1;
     }
@@ -113,17 +113,17 @@ const LOGARITHMS: [Near; ENTRIES] = {
 };
 
 /// 2^(i/128): its bits less i 2^45, to which the whole exponent is added, and what is missing over the number.
-const POWERS: [(u64, f64); ENTRIES] = {
+const EXP2_TABLE: [(u64, f64); TABLE_SIZE] = {
     // 2^(1/128) by the series of the exponential, from its last term inwards
-    let (step, mut root, mut j) = (over(LN_2, 128.0), (1.0, 0.0), 14.0);
+    let (step, mut root, mut j) = (div(LN_2, 128.0), (1.0, 0.0), 14.0);
     while j > 0.0 {
-        root = plus((1.0, 0.0), over(times(root, step), j));
+        root = add((1.0, 0.0), div(mul(root, step), j));
         j -= 1.0;
     }
-    let (mut table, mut power, mut i): (_, Sum, _) = ([(0, 0.0); ENTRIES], (1.0, 0.0), 0);
-    while i < ENTRIES {
+    let (mut table, mut power, mut i): (_, DoubleDouble, _) = ([(0, 0.0); TABLE_SIZE], (1.0, 0.0), 0);
+    while i < TABLE_SIZE {
         table[i] = (power.0.to_bits() - ((i as u64) << 45), power.1 / power.0);
-        power = times(power, root);
+        power = mul(power, root);
         i += 1;
     }
     table
@@ -132,10 +132,10 @@ const POWERS: [(u64, f64); ENTRIES] = {
 /// ln x as a sum; x must be positive and normal.
 #[inline(always)]
 #[allow(clippy::cast_possible_wrap, clippy::cast_precision_loss)] // k has eleven bits
-fn logarithm(x: f64) -> Sum {
-    const LN_2_PARTS: Sum = on_grid(LN_2);
-    let bits = x.to_bits().wrapping_sub(SMALLEST);
-    let near = &LOGARITHMS[(bits >> 45) as usize % ENTRIES];
+fn logarithm(x: f64) -> DoubleDouble {
+    const LN_2_PARTS: DoubleDouble = on_grid(LN_2);
+    let bits = x.to_bits().wrapping_sub(MIN_MANTISSA_BITS);
+    let near = &LOG_TABLE[(bits >> 45) as usize % TABLE_SIZE];
     let k = ((bits as i64) >> 52) as f64;
     let z = x.to_bits().wrapping_sub(bits & (0xfff << 52));
     // r in two parts of which the first and its square have no rounding
@@ -159,18 +159,18 @@ fn logarithm(x: f64) -> Sum {
     (total, high - total + low)
 }
 
-/// e^(x + rest) for |x| ≤ [`LARGEST_EXPONENT`] and a small rest.
+/// e^(x + rest) for |x| ≤ [`MAX_EXPONENT`] and a small rest.
 #[inline(always)]
 fn exponential(x: f64, rest: f64) -> f64 {
     /// Whole numbers are apart by one here.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
-    const STEP: Sum = on_grid(over(LN_2, 128.0));
+    const STEP: DoubleDouble = on_grid(div(LN_2, 128.0));
     let shifted = x * (128.0 / std::f64::consts::LN_2) + WHOLE;
     let count = shifted - WHOLE;
     let whole = shifted.to_bits();
     let r = x - count * STEP.0 - count * STEP.1 + rest;
     #[allow(clippy::cast_possible_truncation)] // only the lowest bits count
-    let (bits, missing) = POWERS[whole as usize % ENTRIES];
+    let (bits, missing) = EXP2_TABLE[whole as usize % TABLE_SIZE];
     let power = f64::from_bits(bits.wrapping_add(whole << 45));
     let square = r * r;
     let series = missing + r + square * (0.5 + r * (1.0 / 6.0)) + square * square * (1.0 / 24.0 + r * (1.0 / 120.0));
@@ -187,25 +187,25 @@ fn is_normal_and_positive(x: f64) -> bool {
 pub fn pow(x: f64, y: f64) -> f64 {
     if is_normal_and_positive(x) {
         let (high, low) = logarithm(x);
-        let (y_high, y_low) = halves(y);
-        let (log_high, log_low) = halves(high);
+        let (y_high, y_low) = split(y);
+        let (log_high, log_low) = split(high);
         let product = y_high * log_high;
-        if product.abs() < LARGEST_EXPONENT {
+        if product.abs() < MAX_EXPONENT {
             return exponential(product, y_low * log_high + y * (log_low + low));
         }
     }
-    at_the_ends(x, y)
+    special_cases(x, y)
 }
 
 /// x^y for the special cases: zeros, infinities, subnormal numbers and negative x.
 #[cold]
 #[inline(never)]
-fn at_the_ends(x: f64, y: f64) -> f64 {
+fn special_cases(x: f64, y: f64) -> f64 {
     libm::pow(x, y)
 }
 
 /// e^x.
 #[inline]
 pub fn exp(x: f64) -> f64 {
-    if x.abs() < LARGEST_EXPONENT { exponential(x, 0.0) } else { libm::exp(x) }
+    if x.abs() < MAX_EXPONENT { exponential(x, 0.0) } else { libm::exp(x) }
 }

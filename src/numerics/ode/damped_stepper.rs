@@ -7,32 +7,35 @@
 //! whose error vanishes at both ends of the step with the square of the distance. If it lies well inside, a step that ends
 //! a little behind it is taken in place of this one.
 
-use super::damped_oscillator::Oscillation;
-use super::dop853::{self, CONTINUOUS_EVALUATIONS, Continuous, EVALUATIONS};
-use super::equations::linear::DraggedStraight;
-use super::equations::power::DraggedHertz;
-use super::equations::{AnyDragged, Dragged, DraggedState};
-use super::event::{DenseStep, Landed, has_crested};
-use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, MOST_STEPS, Path, Segment, State};
+use super::damped_oscillator::DampedOscillator;
+use super::dop853::{self, ContinuousExtension, DENSE_OUTPUT_EVALUATIONS, EVALUATIONS};
+use super::equations::linear::DampedLinearEquation;
+use super::equations::power::DampedHertzEquation;
+use super::equations::{DampedEquation, DampedPieceEquation, DampedState};
+use super::event::{DenseStep, LocatedEnd, is_past_force_maximum};
+use super::{
+    DampingCoefficients, DenseOutput, IntegrationError, Integrator, LegEnd, LegProblem, LegResult, MAX_STEPS,
+    MotionState, SolverStats,
+};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
-use crate::numerics::root::bracketed;
+use crate::numerics::root::newton_bisection;
 
 /// The part of the tolerance that one step may take: with it the ledger of a whole impact closes to ten times the tolerance.
-const PART: f64 = 0.05;
+const STEP_TOLERANCE_SHARE: f64 = 0.05;
 
 /// The first step on a leg is this times tolerance^(1/8) in units of 1/ω.
 const FIRST_STEP: f64 = 2.0;
 
 /// The longest step of the rebound under gravity, in units of 1/ω: half an oscillation takes π.
-const LONGEST: f64 = 2.0;
+const MAX_STEP: f64 = 2.0;
 
 /// A step to the predicted end of a leg is longer by this factor.
-const BEYOND: f64 = 1.005;
+const OVERSHOOT: f64 = 1.005;
 /// Up to here in a step (0 ≤ θ ≤ 1) its continuous solution may have a larger error than the step.
-pub(super) const WELL_INSIDE: f64 = 0.98;
+pub(super) const RESTEP_BELOW_THETA: f64 = 0.98;
 /// How often the step to an event is taken again.
-pub(super) const MOST_ROUNDS: u32 = 3;
+pub(super) const MAX_RESTEPS: u32 = 3;
 
 /// The least share of the error of order 5 that counts as the error of a step.
 ///
@@ -40,40 +43,41 @@ pub(super) const MOST_ROUNDS: u32 = 3;
 /// not hold: a weak pull or drag enters with a low power of r, which order 3 misses, and the force with the ninth power,
 /// which both miss. This share goes with the square of the step, as e5²/e3 does on a smooth motion, so that the steps
 /// of smooth motions stay as they are.
-fn least_share(tolerance: f64) -> f64 {
-    2.0 * (PART * tolerance).sqrt().sqrt()
+fn min_error_share(tolerance: f64) -> f64 {
+    2.0 * (STEP_TOLERANCE_SHARE * tolerance).sqrt().sqrt()
 }
 
 #[derive(Debug, Clone)]
-pub struct DragStepper {
+pub struct DampedStepper {
     tolerance: f64,
-    work: Effort,
+    work: SolverStats,
 }
 
-impl DragStepper {
+impl DampedStepper {
     pub fn new(tolerance: f64) -> Self {
-        Self { tolerance, work: Effort::default() }
+        Self { tolerance, work: SolverStats::default() }
     }
 
     /// Along a piece in its own variables.
-    pub(super) fn run<P: Dragged>(
+    pub(super) fn integrate_piece<P: DampedEquation>(
         &mut self,
         piece: P,
-        path: &Path,
-        state: &mut State,
-        mut track: Option<&mut Vec<Segment>>,
-    ) -> Result<Arrival, IntegrationError> {
+        path: &LegProblem,
+        state: &mut MotionState,
+        mut track: Option<&mut Vec<DenseOutput>>,
+    ) -> Result<LegResult, IntegrationError> {
         let sign = path.leg.direction();
         let end = P::y_at(path.leg.end());
         let begun = *state;
         self.work.force_evaluations += 1;
-        if let Some(arrival) = path.turned_already(state) {
+        if let Some(arrival) = path.immediate_turn(state) {
             return Ok(arrival);
         }
-        let size = P::y_at(path.sizes.distance);
-        let speed = path.sizes.speed;
-        let inverse_sizes = [size, speed, speed * speed].map(|size| 1.0 / (PART * self.tolerance * size));
-        let least = least_share(self.tolerance);
+        let size = P::y_at(path.error_scales.distance);
+        let speed = path.error_scales.speed;
+        let inverse_sizes =
+            [size, speed, speed * speed].map(|size| 1.0 / (STEP_TOLERANCE_SHARE * self.tolerance * size));
+        let least = min_error_share(self.tolerance);
         let mut node = [P::y_at(begun.distance), begun.speed, begun.time, begun.loss];
         let mut rates = piece.rates(node[0], node[1]);
         // the error control may still shrink the first step; on a short leg the force may be too weak to limit it
@@ -83,17 +87,21 @@ impl DragStepper {
             h = h.min((far - node[0]) / node[1]);
         }
         // where the pull nearly balances the force, a swing may be smaller than the error of a step, and no step may pass it whole
-        let longest = if path.pull > 0.0 && sign < 0.0 { LONGEST / P::frequency(path, node[0]) } else { f64::INFINITY };
+        let longest = if path.constant_acceleration > 0.0 && sign < 0.0 {
+            MAX_STEP / P::frequency(path, node[0])
+        } else {
+            f64::INFINITY
+        };
         let mut largest = f64::NEG_INFINITY;
         // without drag in the contact, its force is largest at an end of the leg
-        let mut is_falling = sign < 0.0 || !path.drag.is_in_contact() || has_crested::<P>(path, &node);
-        let most = self.work.steps + self.work.rejected + MOST_STEPS;
+        let mut is_falling = sign < 0.0 || !path.drag.acts_in_contact() || is_past_force_maximum::<P>(path, &node);
+        let most = self.work.steps + self.work.rejected + MAX_STEPS;
         let mut rounds = 0;
         loop {
             if self.work.steps + self.work.rejected >= most {
-                return Err(out_of_steps(path));
+                return Err(too_many_steps_error(path));
             }
-            let last = step_to(sign * (end - node[0]), sign * rates[0], sign * rates[1]);
+            let last = step_to_distance(sign * (end - node[0]), sign * rates[0], sign * rates[1]);
             // no tiny step for the end
             let is_half = h < last && 2.0 * h > last && rounds == 0;
             h = if is_half { 0.5 * last } else { h.min(last) };
@@ -103,47 +111,47 @@ impl DragStepper {
             let pace = 0.9 * pow(error, -0.125);
             // NaN where a stage left the range of a formula: a shorter step may stay inside
             if error > 1.0 || error.is_nan() {
-                h = self.rejected(h * pace.max(0.2), &node, &rates)?;
+                h = self.reject_step(h * pace.max(0.2), &node, &rates)?;
                 continue;
             }
-            let mut solved: Option<Continuous> = None;
+            let mut solved: Option<ContinuousExtension> = None;
             let solve = || next.continuous(piece, &node, h);
             let mut landed = None;
-            if may_end::<P>(path, end, &node, &next.node) {
+            if may_contain_event::<P>(path, end, &node, &next.node) {
                 let solution = *solved.get_or_insert_with(solve);
-                landed = DenseStep { path, end, solution }.landed::<P>();
+                landed = DenseStep { path, end, solution }.locate_end::<P>();
             }
             // an event well inside of the step is located again, on a step that ends a little behind it
-            if let Some(Landed { theta, .. }) = landed
-                && theta < WELL_INSIDE
-                && rounds < MOST_ROUNDS
+            if let Some(LocatedEnd { theta, .. }) = landed
+                && theta < RESTEP_BELOW_THETA
+                && rounds < MAX_RESTEPS
             {
                 rounds += 1;
-                self.work.force_evaluations += CONTINUOUS_EVALUATIONS;
-                h = step_beyond(h * theta);
+                self.work.force_evaluations += DENSE_OUTPUT_EVALUATIONS;
+                h = overshooting_step(h * theta);
                 continue;
             }
-            if landed.is_some_and(|landed| is_false_turn(piece, path, &landed)) {
-                self.work.force_evaluations += CONTINUOUS_EVALUATIONS;
+            if landed.is_some_and(|landed| is_spurious_turning_point(piece, path, &landed)) {
+                self.work.force_evaluations += DENSE_OUTPUT_EVALUATIONS;
                 self.work.rejected += 1;
                 h *= 0.5;
                 continue;
             }
             (self.work.steps, rounds) = (self.work.steps + 1, 0);
             let to = landed.map_or(next.node, |landed| landed.node);
-            if !is_falling && has_crested::<P>(path, &to) {
+            if !is_falling && is_past_force_maximum::<P>(path, &to) {
                 is_falling = true;
                 let limit = landed.map_or(1.0, |landed| landed.theta);
                 let solution = *solved.get_or_insert_with(solve);
-                largest = DenseStep { path, end, solution }.crest::<P>(limit);
+                largest = DenseStep { path, end, solution }.max_contact_force::<P>(limit);
             }
-            self.work.force_evaluations += if solved.is_some() { CONTINUOUS_EVALUATIONS } else { 0 };
+            self.work.force_evaluations += if solved.is_some() { DENSE_OUTPUT_EVALUATIONS } else { 0 };
             if let Some(track) = track.as_deref_mut() {
-                track.push(segment(solved.unwrap_or_else(solve), to[2], P::distance_at));
+                track.push(dense_output(solved.unwrap_or_else(solve), to[2], P::distance_at));
             }
-            if let Some(Landed { landing, .. }) = landed {
-                let at = State { time: to[2], distance: P::distance_at(to[0]), speed: to[1], loss: to[3] };
-                return Ok(path.arrive(landing, at, state, largest));
+            if let Some(LocatedEnd { landing, .. }) = landed {
+                let at = MotionState { time: to[2], distance: P::distance_at(to[0]), speed: to[1], loss: to[3] };
+                return Ok(path.finish(landing, at, state, largest));
             }
             (node, rates) = (next.node, next.rates);
             h = (h * pace.min(5.0)).min(longest);
@@ -151,7 +159,7 @@ impl DragStepper {
     }
 
     /// Notes a rejected step; `h` is the length of the next one, which has to move something.
-    fn rejected(&mut self, h: f64, node: &DraggedState, rates: &DraggedState) -> Result<f64, IntegrationError> {
+    fn reject_step(&mut self, h: f64, node: &DampedState, rates: &DampedState) -> Result<f64, IntegrationError> {
         self.work.rejected += 1;
         let time = node[2];
         match () {
@@ -164,35 +172,37 @@ impl DragStepper {
     }
 
     /// Along any piece. On curves that begin without force r = d^(1/M): M = 4 where the drag goes with the stiffness, else 2.
-    fn in_root<const M: u8>(
+    fn with_regularised_variable<const M: u8>(
         &mut self,
-        path: &Path,
-        state: &mut State,
-        track: Option<&mut Vec<Segment>>,
-    ) -> Result<Arrival, IntegrationError> {
+        path: &LegProblem,
+        state: &mut MotionState,
+        track: Option<&mut Vec<DenseOutput>>,
+    ) -> Result<LegResult, IntegrationError> {
         let c = path.factor;
         match path.piece.shape {
-            Shape::Straight { slope, .. } => {
-                let piece = DraggedStraight::along(c * path.piece.force, c * slope, path);
-                let Some(closed) = Oscillation::along(&piece, path.leg, *state) else {
-                    return self.run(piece, path, state, track);
+            Shape::Linear { slope, .. } => {
+                let piece = DampedLinearEquation::from_leg(c * path.piece.force, c * slope, path);
+                let Some(closed) = DampedOscillator::try_new(&piece, path.leg, *state) else {
+                    return self.integrate_piece(piece, path, state, track);
                 };
-                self.work = self.work + Effort { steps: 1, rejected: 0, force_evaluations: 1 };
-                Ok(closed.land(path, state, track))
+                self.work = self.work + SolverStats { steps: 1, rejected: 0, force_evaluations: 1 };
+                Ok(closed.finish_leg(path, state, track))
             }
             Shape::Power { stiffness, exponent: 1.5, .. } => {
-                self.run(DraggedHertz::<M>::along(c * stiffness, path), path, state, track)
+                self.integrate_piece(DampedHertzEquation::<M>::from_leg(c * stiffness, path), path, state, track)
             }
-            Shape::Polynomial(_) => self.run(AnyDragged::<1>(*path), path, state, track),
-            Shape::Power { .. } | Shape::Branch(_) => self.run(AnyDragged::<M>(*path), path, state, track),
+            Shape::Polynomial(_) => self.integrate_piece(DampedPieceEquation::<1>(*path), path, state, track),
+            Shape::Power { .. } | Shape::Unloading(_) => {
+                self.integrate_piece(DampedPieceEquation::<M>(*path), path, state, track)
+            }
         }
     }
 }
 
 /// Why a leg did not end.
-pub(super) fn out_of_steps(path: &Path) -> IntegrationError {
-    let steps = MOST_STEPS;
-    if path.drag == Drag::NONE {
+pub(super) fn too_many_steps_error(path: &LegProblem) -> IntegrationError {
+    let steps = MAX_STEPS;
+    if path.drag == DampingCoefficients::NONE {
         IntegrationError::TooManySteps { steps }
     } else {
         IntegrationError::Creeping { steps }
@@ -200,24 +210,24 @@ pub(super) fn out_of_steps(path: &Path) -> IntegrationError {
 }
 
 /// A step that ends a little behind this one.
-pub(super) fn step_beyond(step: f64) -> f64 {
-    BEYOND * step
+pub(super) fn overshooting_step(step: f64) -> f64 {
+    OVERSHOOT * step
 }
 
 /// True if a sphere at rest at this state would be pushed on in the direction of the leg. Under strong drag the creep may be
 /// slower than the error of a loose tolerance, so that a step ends with a speed of the wrong sign.
-pub(super) fn is_false_turn<P: Dragged>(motion: P, path: &Path, landed: &Landed) -> bool {
-    let (Landed { landing, node, .. }, sign) = (landed, path.leg.direction());
-    let is_turn = *landing == Landing::Turning || *landing == Landing::End && sign * node[1] <= 0.0;
+pub(super) fn is_spurious_turning_point<P: DampedEquation>(motion: P, path: &LegProblem, landed: &LocatedEnd) -> bool {
+    let (LocatedEnd { landing, node, .. }, sign) = (landed, path.leg.direction());
+    let is_turn = *landing == LegEnd::Turning || *landing == LegEnd::PieceEnd && sign * node[1] <= 0.0;
     is_turn && sign * motion.rates(node[0], 0.0)[1] > 0.0
 }
 
 /// The step that goes a little beyond this distance, for a speed and its rate of change; infinite if they do not lead there.
-pub(super) fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
+pub(super) fn step_to_distance(distance: f64, speed: f64, rate: f64) -> f64 {
     let square = speed * speed + 2.0 * rate * distance;
     let pace = speed + square.sqrt();
     if distance > 0.0 && distance.is_finite() && square >= 0.0 && pace > 0.0 {
-        step_beyond(2.0 * distance / pace)
+        overshooting_step(2.0 * distance / pace)
     } else {
         f64::INFINITY
     }
@@ -225,42 +235,51 @@ pub(super) fn step_to(distance: f64, speed: f64, rate: f64) -> f64 {
 
 /// True if a step to this node may have passed an event.
 #[inline]
-pub(super) fn may_end<P: Dragged>(path: &Path, end: f64, from: &DraggedState, to: &DraggedState) -> bool {
+pub(super) fn may_contain_event<P: DampedEquation>(
+    path: &LegProblem,
+    end: f64,
+    from: &DampedState,
+    to: &DampedState,
+) -> bool {
     let sign = path.leg.direction();
     if sign * to[1] <= 0.0 || sign * (end - to[0]) <= 0.0 || path.is_at_rest(P::distance_at(to[0]), to[1]) {
         return true;
     }
     // under a pull the force may vanish and come again within the step
-    let growth = |node: &DraggedState| path.growth_of_force(P::distance_at(node[0]), node[1]);
-    let may_dip = || path.pull > 0.0 && growth(from) < 0.0 && growth(to) > 0.0;
+    let growth = |node: &DampedState| path.contact_force_rate(P::distance_at(node[0]), node[1]);
+    let may_dip = || path.constant_acceleration > 0.0 && growth(from) < 0.0 && growth(to) > 0.0;
     path.can_lift_off() && (path.contact_force(P::distance_at(to[0]), to[1]) <= 0.0 || may_dip())
 }
 
 /// The continuous solution of a step as a function of the time.
-pub(super) fn segment(solution: Continuous, end: f64, distance_at: fn(f64) -> f64) -> Segment {
-    Segment::new(end, move |time| {
+pub(super) fn dense_output(solution: ContinuousExtension, end: f64, distance_at: fn(f64) -> f64) -> DenseOutput {
+    DenseOutput::new(end, move |time| {
         let miss = |theta| {
-            let (at, rate) = solution.part(2, theta);
+            let (at, rate) = solution.component(2, theta);
             (time - at, -rate)
         };
         let is_near = |last: f64, next: f64| (next - last).abs() <= f64::EPSILON;
-        let theta = bracketed((0.0, 1.0), 1.0, is_near, miss);
+        let theta = newton_bisection((0.0, 1.0), 1.0, is_near, miss);
         let [y, speed, _, loss] = solution.at(theta);
-        State { time, distance: distance_at(y), speed, loss }
+        MotionState { time, distance: distance_at(y), speed, loss }
     })
 }
 
-impl Integrator for DragStepper {
-    fn traverse(
+impl Integrator for DampedStepper {
+    fn integrate_leg(
         &mut self,
-        path: &Path,
-        state: &mut State,
-        track: Option<&mut Vec<Segment>>,
-    ) -> Result<Arrival, IntegrationError> {
-        if path.drag.eta == 0.0 { self.in_root::<2>(path, state, track) } else { self.in_root::<4>(path, state, track) }
+        path: &LegProblem,
+        state: &mut MotionState,
+        track: Option<&mut Vec<DenseOutput>>,
+    ) -> Result<LegResult, IntegrationError> {
+        if path.drag.viscous == 0.0 {
+            self.with_regularised_variable::<2>(path, state, track)
+        } else {
+            self.with_regularised_variable::<4>(path, state, track)
+        }
     }
 
-    fn work(&self) -> Effort {
+    fn stats(&self) -> SolverStats {
         self.work
     }
 }

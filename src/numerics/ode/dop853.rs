@@ -3,7 +3,7 @@
 //! Hairer, Nørsett, Wanner (1993), Solving Ordinary Differential Equations I, section II.10: order 8 is propagated, orders
 //! 5 and 3 estimate the error, twelve stages. Only position and speed feed back; time and loss are quadratures beside them.
 
-use super::equations::{Dragged, DraggedState};
+use super::equations::{DampedEquation, DampedState};
 use crate::numerics::functions::hypot;
 
 const A2: [f64; 1] = [0.052_600_151_958_767_73];
@@ -175,29 +175,29 @@ const D: [[f64; 12]; 4] = [
 /// Evaluations of the rates a step costs: stages 2 … 12 and the first of the next step.
 pub(super) const EVALUATIONS: u64 = 12;
 /// Evaluations that its continuous solution costs besides.
-pub(super) const CONTINUOUS_EVALUATIONS: u64 = 3;
+pub(super) const DENSE_OUTPUT_EVALUATIONS: u64 = 3;
 
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step {
-    pub(super) node: DraggedState,
+pub(super) struct Dop853Step {
+    pub(super) node: DampedState,
     /// Rates at the end: the first stage of the next step.
-    pub(super) rates: DraggedState,
+    pub(super) rates: DampedState,
     /// Largest relative error of order 5, per length of the step.
     pub(super) fifth: f64,
     /// Largest relative error of order 3, per length of the step.
     pub(super) third: f64,
     /// Stages 1, 6 … 12.
-    stages: [DraggedState; 8],
+    stages: [DampedState; 8],
 }
 
 /// The continuous solution of a step, of order 7: a polynomial on 0 ≤ θ ≤ 1 with the right values and rates at both ends.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Continuous([DraggedState; 8]);
+pub(super) struct ContinuousExtension([DampedState; 8]);
 
-impl Continuous {
+impl ContinuousExtension {
     /// A part of the node at θ, and its derivative.
     #[inline]
-    pub(super) fn part(&self, part: usize, theta: f64) -> (f64, f64) {
+    pub(super) fn component(&self, part: usize, theta: f64) -> (f64, f64) {
         let (mut value, mut slope) = (self.0[7][part], 0.0);
         for k in (0..7).rev() {
             let (x, dx) = if k % 2 == 0 { (theta, 1.0) } else { (1.0 - theta, -1.0) };
@@ -210,25 +210,25 @@ impl Continuous {
     /// A part of the node at θ alone.
     #[inline]
     pub(super) fn value(&self, part: usize, theta: f64) -> f64 {
-        self.part(part, theta).0
+        self.component(part, theta).0
     }
 
-    pub(super) fn at(&self, theta: f64) -> DraggedState {
+    pub(super) fn at(&self, theta: f64) -> DampedState {
         [self.value(0, theta), self.value(1, theta), self.value(2, theta), self.value(3, theta)]
     }
 }
 
-impl Step {
+impl Dop853Step {
     /// The step with another node at its end, at which the motion has these rates.
-    pub(super) fn ending_at(self, node: DraggedState, rates: DraggedState) -> Self {
+    pub(super) fn with_end(self, node: DampedState, rates: DampedState) -> Self {
         Self { node, rates, ..self }
     }
 
     /// The continuous solution of this step of length h from `node`.
-    pub(super) fn continuous<P: Dragged>(&self, motion: P, node: &DraggedState, h: f64) -> Continuous {
+    pub(super) fn continuous<P: DampedEquation>(&self, motion: P, node: &DampedState, h: f64) -> ContinuousExtension {
         let [k1, k6, k7, k8, k9, k10, k11, k12] = &self.stages;
         let k13 = &self.rates;
-        let rates = |weights: [f64; 8], stages: [&DraggedState; 8]| {
+        let rates = |weights: [f64; 8], stages: [&DampedState; 8]| {
             motion.rates(node[0] + h * sum(weights, stages, 0), node[1] + h * sum(weights, stages, 1))
         };
         let k14 = &rates(A14, [k1, k7, k8, k9, k10, k11, k12, k13]);
@@ -245,7 +245,7 @@ impl Step {
                 term[part] = h * sum(weights, [k1, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16], part);
             }
         }
-        Continuous(terms)
+        ContinuousExtension(terms)
     }
 
     /// Estimated error of this step of length h relative to the sizes, `least` times that of order 5 at least.
@@ -265,7 +265,7 @@ impl Step {
 }
 
 #[inline(always)]
-fn sum<const N: usize>(weights: [f64; N], stages: [&DraggedState; N], part: usize) -> f64 {
+fn sum<const N: usize>(weights: [f64; N], stages: [&DampedState; N], part: usize) -> f64 {
     let mut total = stages[0][part] * weights[0];
     for i in 1..N {
         total += stages[i][part] * weights[i];
@@ -275,13 +275,13 @@ fn sum<const N: usize>(weights: [f64; N], stages: [&DraggedState; N], part: usiz
 
 /// One step of length h from `node` with its `rates`; errors are measured against 1/`inverse_sizes` of y, u and loss.
 #[inline(always)]
-pub(super) fn step<P: Dragged>(
+pub(super) fn step<P: DampedEquation>(
     motion: P,
-    node: &DraggedState,
-    rates: &DraggedState,
+    node: &DampedState,
+    rates: &DampedState,
     h: f64,
     inverse_sizes: &[f64; 3],
-) -> Step {
+) -> Dop853Step {
     macro_rules! stage {
         ($weights:ident, $($stage:ident),*) => {
             motion.rates(
@@ -318,7 +318,7 @@ pub(super) fn step<P: Dragged>(
         third = third.max(of_third);
     }
     let stages = [k1, k6, k7, k8, k9, k10, k11, k12];
-    Step { node: to, rates: motion.rates(to[0], to[1]), fifth, third, stages }
+    Dop853Step { node: to, rates: motion.rates(to[0], to[1]), fifth, third, stages }
 }
 
 #[cfg(test)]
@@ -331,9 +331,9 @@ mod tests {
     fn a_damped_oscillator_converges_with_order_eight() {
         #[derive(Clone, Copy)]
         struct Damped;
-        impl Dragged for Damped {
-            const ROOT: i32 = 1;
-            fn rates(&self, y: f64, u: f64) -> DraggedState {
+        impl DampedEquation for Damped {
+            const VARIABLE_ROOT: i32 = 1;
+            fn rates(&self, y: f64, u: f64) -> DampedState {
                 [u, -y * y * y - 0.2 * u, 1.0, 0.2 * u * u]
             }
         }

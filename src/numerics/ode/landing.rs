@@ -1,11 +1,11 @@
 //! Landing of an rk8 step on the end of a leg: predicted before the step, corrected after it.
 
-use super::equations::Field;
-use super::{Landing, Leg};
+use super::equations::NystromEquation;
+use super::{Leg, LegEnd};
 
 /// A state on a piece in its own variables.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Node {
+pub(super) struct NystromState {
     pub(super) y: f64,
     pub(super) u: f64,
     /// g(y).
@@ -15,7 +15,7 @@ pub(super) struct Node {
 
 /// Where a leg will end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Target {
+pub(super) struct PredictedEnd {
     /// End of the piece in y: infinite for the last one.
     pub(super) end: f64,
     /// y of the predicted end of the leg.
@@ -28,32 +28,32 @@ pub(super) struct Target {
 }
 
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Landed {
+pub(super) struct LandedState {
     /// The landed state; its g is that of the step, not that of the corrected y.
-    pub(super) node: Node,
+    pub(super) node: NystromState,
     /// The landing added this to the step.
     pub(super) correction: f64,
     /// Square of the first term left out of the series. If it is small, the landing is good.
     pub(super) left_out_squared: f64,
     /// At the end of the piece or at a turning point.
-    pub(super) landing: Landing,
+    pub(super) landing: LegEnd,
 }
 
-impl Target {
+impl PredictedEnd {
     /// The end of a leg: energy gives whether an outward leg reaches the end of its piece, and how fast.
     #[inline(always)]
-    pub(super) fn predict<F: Field>(field: F, leg: Leg, y: f64, u: f64) -> Self {
+    pub(super) fn predict<F: NystromEquation>(field: F, leg: Leg, y: f64, u: f64) -> Self {
         let energy = 0.5 * u * u + field.potential(y);
         let (end, direction) = match leg {
-            Leg::Outward(end) => (field.y_at(end), 1.0),
+            Leg::Loading(end) => (field.y_at(end), 1.0),
             // a rebound leg with another end is left to the stepper with drag
-            Leg::Back(_) => (0.0, -1.0),
+            Leg::Unloading(_) => (0.0, -1.0),
         };
         let kinetic_at_end = if end.is_finite() { energy - field.potential(end) } else { -1.0 };
         let (y, u) = if kinetic_at_end > 0.0 {
             (end, direction * (2.0 * kinetic_at_end).sqrt())
         } else {
-            (field.at_potential(energy), 0.0)
+            (field.y_at_potential(energy), 0.0)
         };
         Self { end, y, u, g: field.g(y), direction }
     }
@@ -61,15 +61,15 @@ impl Target {
     /// 2 h times the largest speed still ahead. If that is shorter than the way to the target, the step ends before it and
     /// the landing need not be predicted.
     #[inline(always)]
-    pub(super) fn reach(&self, now: &Node, h: f64) -> f64 {
+    pub(super) fn max_advance(&self, now: &NystromState, h: f64) -> f64 {
         h * 2.0 * now.u.abs().max(self.u.abs())
     }
 
     /// The step to take, and the way to the target: that way if it is no longer than `h`, half of it if `h` would leave a
     /// tiny step for the end, else `h`.
     #[inline(always)]
-    pub(super) fn limit(&self, now: &Node, h: f64) -> (f64, f64) {
-        let last = self.step_from(now);
+    pub(super) fn controlled_step(&self, now: &NystromState, h: f64) -> (f64, f64) {
+        let last = self.step_to_end(now);
         let shorter = if last < h * 2.0 { last * 0.5 } else { h };
         (if h < last { shorter } else { last }, last)
     }
@@ -77,7 +77,7 @@ impl Target {
     /// The step that leads from `now` to the target, by the two-point Taylor formula (error of order h⁵); negative if the
     /// target lies behind.
     #[inline(always)]
-    fn step_from(&self, now: &Node) -> f64 {
+    fn step_to_end(&self, now: &NystromState) -> f64 {
         let gap = self.direction * (self.y - now.y);
         let mean = self.direction * (now.u + self.u) * 0.5;
         if mean > 0.0 {
@@ -92,10 +92,10 @@ impl Target {
 
     /// Moves `node`, the result of a step that should have landed, onto the end by its Taylor series.
     #[inline(always)]
-    pub(super) fn land<F: Field>(&self, field: F, node: &Node) -> Landed {
+    pub(super) fn land<F: NystromEquation>(&self, field: F, node: &NystromState) -> LandedState {
         let (slope, curvature) = field.derivatives(node.y);
-        let Node { y, u, g, t } = *node;
-        let series = Series { y, u, g, j: slope * u, k: curvature * u * u + slope * g };
+        let NystromState { y, u, g, t } = *node;
+        let series = TaylorSeries { y, u, g, j: slope * u, k: curvature * u * u + slope * g };
         let gap = self.end - y;
         // if the turning point of an outward leg is about as near as the end, the series goes to the turning point first
         // (with u < 0 the sphere has turned already and rebounds)
@@ -111,20 +111,20 @@ impl Target {
                 let square = (beyond * 2.0 / pull).max(0.0);
                 let tau = (square * (1.0 - slope * square * (1.0 / 12.0))).sqrt();
                 let slow = pull * tau * (1.0 + slope * tau * tau * (1.0 / 6.0));
-                (d - tau, self.end, slow, Landing::End)
+                (d - tau, self.end, slow, LegEnd::PieceEnd)
             } else {
-                (d, y_turn, 0.0, Landing::Turning)
+                (d, y_turn, 0.0, LegEnd::Turning)
             }
         } else {
             let d = gap / u;
             let d = d - (series.position(d) - self.end) / series.velocity(d);
-            (d, self.end, series.velocity(d), Landing::End)
+            (d, self.end, series.velocity(d), LegEnd::PieceEnd)
         };
         let square = d * d;
         let left_out = series.k * square * square * d * (1.0 / 120.0);
         let mean = y + d * (u * 0.5 + d * (g * (1.0 / 6.0) + d * series.j * (1.0 / 24.0)));
-        Landed {
-            node: Node { y: y_end, u: speed, g, t: t + field.duration(d, mean) },
+        LandedState {
+            node: NystromState { y: y_end, u: speed, g, t: t + field.duration(d, mean) },
             correction: d,
             // the fifth derivative is about ω = √−g' times the fourth
             left_out_squared: left_out * left_out * slope.abs(),
@@ -135,7 +135,7 @@ impl Target {
 
 /// The Taylor series of y at a node, to the fourth derivative.
 #[derive(Clone, Copy)]
-struct Series {
+struct TaylorSeries {
     y: f64,
     u: f64,
     g: f64,
@@ -143,7 +143,7 @@ struct Series {
     k: f64,
 }
 
-impl Series {
+impl TaylorSeries {
     #[inline(always)]
     fn position(&self, d: f64) -> f64 {
         self.y + d * (self.u + d * (self.g * 0.5 + d * (self.j * (1.0 / 6.0) + d * self.k * (1.0 / 24.0))))

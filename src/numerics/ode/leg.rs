@@ -2,11 +2,11 @@
 //! the motion, and a pull.
 
 use crate::numerics::curve::piece::{Piece, Shape};
-use crate::numerics::power::{max_or_nan, power};
+use crate::numerics::power::{nan_max, power};
 
 /// A state on the way along a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
+pub struct MotionState {
     /// Time since first touch.
     pub time: f64,
     /// d, from the zero of a power law, or from the start of any other piece.
@@ -22,27 +22,27 @@ pub struct State {
 pub enum Leg {
     /// Outward with positive speed, until the turning point or this distance, where the piece ends (infinite for the last
     /// one).
-    Outward(f64),
+    Loading(f64),
     /// Back from rest to this distance.
-    Back(f64),
+    Unloading(f64),
 }
 
 impl Leg {
     /// Where it ends at the latest.
     pub(crate) fn end(self) -> f64 {
-        let (Self::Outward(end) | Self::Back(end)) = self;
+        let (Self::Loading(end) | Self::Unloading(end)) = self;
         end
     }
 
     /// +1 outward, −1 back.
     pub(super) fn direction(self) -> f64 {
-        if matches!(self, Self::Outward(_)) { 1.0 } else { -1.0 }
+        if matches!(self, Self::Loading(_)) { 1.0 } else { -1.0 }
     }
 }
 
 /// Sizes of the variables, so that one relative tolerance serves all of them: an error is measured against these.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sizes {
+pub struct ErrorScales {
     pub distance: f64,
     pub speed: f64,
 }
@@ -52,56 +52,56 @@ pub struct Sizes {
 /// The first two terms are in the contact: they are a part of its force, and so they count where it vanishes and where it is
 /// largest. The third acts on the motion alone, as where the ground gives way at a speed in proportion to the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drag {
+pub struct DampingCoefficients {
     /// χ: drag in proportion to the force.
-    pub chi: f64,
+    pub hunt_crossley: f64,
     /// η: drag in proportion to the root of the stiffness; twice the fraction of critical damping.
-    pub eta: f64,
+    pub viscous: f64,
     /// θ: drag in proportion to the stiffness, which is no part of the contact force.
-    pub theta: f64,
+    pub plate: f64,
 }
 
-impl Drag {
-    pub const NONE: Self = Self { chi: 0.0, eta: 0.0, theta: 0.0 };
+impl DampingCoefficients {
+    pub const NONE: Self = Self { hunt_crossley: 0.0, viscous: 0.0, plate: 0.0 };
 
     /// True if any part of the drag is a part of the contact force.
-    pub(crate) fn is_in_contact(self) -> bool {
-        self.chi != 0.0 || self.eta != 0.0
+    pub(crate) fn acts_in_contact(self) -> bool {
+        self.hunt_crossley != 0.0 || self.viscous != 0.0
     }
 
     /// True if the contact force can vanish before the restoring force does.
-    pub(crate) fn lifts_off(self) -> bool {
-        self.eta > 0.0
+    pub(crate) fn can_lift_off(self) -> bool {
+        self.viscous > 0.0
     }
 
     /// True if the drag depends on the stiffness g'.
     pub(super) fn needs_slope(self) -> bool {
-        self.eta != 0.0 || self.theta != 0.0
+        self.viscous != 0.0 || self.plate != 0.0
     }
 
     /// The drags per speed, in the contact and on the motion, where the force is `force`; its slope is asked for only if it
     /// counts.
     #[inline]
     pub fn at(self, force: f64, slope: impl FnOnce() -> f64) -> (f64, f64) {
-        self.per_speed(force, if self.needs_slope() { root_of(slope()) } else { 0.0 })
+        self.per_speed(force, if self.needs_slope() { sqrt_slope(slope()) } else { 0.0 })
     }
 
     /// χ g + η √g' and θ g', the drags per speed in the contact and on the motion.
     #[inline(always)]
     pub fn per_speed(self, force: f64, root_of_slope: f64) -> (f64, f64) {
-        (force * self.chi + self.eta * root_of_slope, self.theta * root_of_slope * root_of_slope)
+        (force * self.hunt_crossley + self.viscous * root_of_slope, self.plate * root_of_slope * root_of_slope)
     }
 }
 
 /// √g' for a slope g'. By rounding, a formula may give a slope below 0 where it should be 0; it counts as 0.
 #[inline]
-fn root_of(slope: f64) -> f64 {
-    max_or_nan(slope, 0.0).sqrt()
+fn sqrt_slope(slope: f64) -> f64 {
+    nan_max(slope, 0.0).sqrt()
 }
 
 /// A place where a damped motion may come to rest. It does so where it is both near and slow enough.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rest {
+pub struct RestCriterion {
     /// Its distance along the piece.
     pub distance: f64,
     /// How far from there still counts as rest.
@@ -110,46 +110,46 @@ pub struct Rest {
     pub largest_speed: f64,
 }
 
-impl Rest {
+impl RestCriterion {
     /// How much of the distance or of the speed is left until a state counts as rest; 0 or less where it does.
     pub(crate) fn excess(&self, distance: f64, speed: f64) -> f64 {
-        max_or_nan((distance - self.distance).abs() / self.tolerance, speed.abs() / self.largest_speed) - 1.0
+        nan_max((distance - self.distance).abs() / self.tolerance, speed.abs() / self.largest_speed) - 1.0
     }
 }
 
 /// One smooth piece, the way along it, and what acts there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Path<'a> {
+pub struct LegProblem<'a> {
     /// The force f of the piece.
     pub piece: &'a Piece,
     /// c: the deceleration is g = c f.
     pub factor: f64,
     pub leg: Leg,
     /// The sizes that errors are measured against.
-    pub sizes: Sizes,
+    pub error_scales: ErrorScales,
     /// γ ≥ 0: a constant acceleration outward.
-    pub pull: f64,
-    pub drag: Drag,
+    pub constant_acceleration: f64,
+    pub drag: DampingCoefficients,
     /// Where the motion may end without an event.
-    pub rest: Option<Rest>,
+    pub rest: Option<RestCriterion>,
 }
 
-impl Path<'_> {
+impl LegProblem<'_> {
     /// g(d), continued smoothly a little beyond both ends of the piece.
     #[inline]
     pub(super) fn restoring(&self, distance: f64) -> f64 {
-        self.factor * self.piece.force_beyond(distance - self.piece.shape.offset())
+        self.factor * self.piece.force_at_distance(distance - self.piece.shape.zero_offset())
     }
 
     /// g, g' and g'' at d.
     #[inline]
-    pub(super) fn jet(&self, distance: f64) -> [f64; 3] {
-        self.piece.jet(distance - self.piece.shape.offset()).map(|part| self.factor * part)
+    pub(super) fn derivatives(&self, distance: f64) -> [f64; 3] {
+        self.piece.derivatives(distance - self.piece.shape.zero_offset()).map(|part| self.factor * part)
     }
 
     /// √g'(d).
     #[inline]
-    pub(super) fn root_of_slope(&self, distance: f64) -> f64 {
+    pub(super) fn sqrt_slope(&self, distance: f64) -> f64 {
         match self.piece.shape {
             Shape::Power { stiffness, exponent: 1.5, .. } => {
                 (1.5 * (self.factor * stiffness)).sqrt() * distance.abs().sqrt().sqrt()
@@ -157,15 +157,15 @@ impl Path<'_> {
             Shape::Power { stiffness, exponent, .. } => {
                 (self.factor * stiffness * exponent).sqrt() * power(distance.abs(), 0.5 * (exponent - 1.0))
             }
-            Shape::Straight { slope, .. } => (self.factor * slope).sqrt(),
-            Shape::Polynomial(_) | Shape::Branch(_) => root_of(self.jet(distance)[1]),
+            Shape::Linear { slope, .. } => (self.factor * slope).sqrt(),
+            Shape::Polynomial(_) | Shape::Unloading(_) => sqrt_slope(self.derivatives(distance)[1]),
         }
     }
 
     /// g(d), and the drags at this speed: in the contact and on the motion.
     pub fn forces(&self, distance: f64, speed: f64) -> (f64, f64, f64) {
         let force = self.restoring(distance);
-        let root = if self.drag.needs_slope() { self.root_of_slope(distance) } else { 0.0 };
+        let root = if self.drag.needs_slope() { self.sqrt_slope(distance) } else { 0.0 };
         let (in_contact, on_motion) = self.drag.per_speed(force, root);
         (force, in_contact * speed, on_motion * speed)
     }
@@ -181,28 +181,28 @@ impl Path<'_> {
     /// ```text
     /// g' u (1 + χ u) + χ g u' + η (√g' u' + g'' u²/(2 √g'))
     /// ```
-    pub(super) fn growth_of_force(&self, distance: f64, speed: f64) -> f64 {
-        let [force, slope, curvature] = self.jet(distance);
-        let Drag { chi, eta, theta } = self.drag;
-        let acceleration = self.pull - self.contact_force(distance, speed) - theta * slope * speed;
+    pub(super) fn contact_force_rate(&self, distance: f64, speed: f64) -> f64 {
+        let [force, slope, curvature] = self.derivatives(distance);
+        let DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta } = self.drag;
+        let acceleration = self.constant_acceleration - self.contact_force(distance, speed) - theta * slope * speed;
         let of_law = slope * speed * (1.0 + chi * speed) + chi * force * acceleration;
         if eta == 0.0 {
             return of_law;
         }
-        let root = root_of(slope);
+        let root = sqrt_slope(slope);
         let of_root = if curvature == 0.0 { 0.0 } else { 0.5 * curvature * speed * speed / root };
         of_law + eta * (root * acceleration + of_root)
     }
 
     /// The larger one of the contact forces at both ends of a leg.
-    pub(super) fn larger_force(&self, begun: &State, end: &State) -> f64 {
-        let at = |state: &State| self.contact_force(state.distance, state.speed);
-        max_or_nan(at(begun), at(end))
+    pub(super) fn max_end_force(&self, begun: &MotionState, end: &MotionState) -> f64 {
+        let at = |state: &MotionState| self.contact_force(state.distance, state.speed);
+        nan_max(at(begun), at(end))
     }
 
     /// True if the contact force can vanish before the restoring force does.
     pub(crate) fn can_lift_off(&self) -> bool {
-        matches!(self.leg, Leg::Back(_)) && self.drag.lifts_off()
+        matches!(self.leg, Leg::Unloading(_)) && self.drag.can_lift_off()
     }
 
     /// True if the sphere counts as at rest in this state.
@@ -211,35 +211,35 @@ impl Path<'_> {
     }
 
     /// The arrival of a leg outward that begins without a speed outward: it has turned already.
-    pub(super) fn turned_already(&self, state: &mut State) -> Option<Arrival> {
+    pub(super) fn immediate_turn(&self, state: &mut MotionState) -> Option<LegResult> {
         let has_turned = self.leg.direction() > 0.0 && state.speed <= 0.0;
-        let at = State { speed: 0.0, ..*state };
-        has_turned.then(|| self.arrive(Landing::Turning, at, state, f64::NEG_INFINITY))
+        let at = MotionState { speed: 0.0, ..*state };
+        has_turned.then(|| self.finish(LegEnd::Turning, at, state, f64::NEG_INFINITY))
     }
 
     /// Ends a leg in the state `at`; inside of it the contact force was `largest` at most.
-    pub(super) fn arrive(&self, landing: Landing, at: State, state: &mut State, largest: f64) -> Arrival {
+    pub(super) fn finish(&self, landing: LegEnd, at: MotionState, state: &mut MotionState, largest: f64) -> LegResult {
         // at the end of the leg exactly, or where the motion came to
-        let distance = if landing == Landing::End { self.leg.end() } else { at.distance };
-        let landed = State { distance, ..at };
+        let distance = if landing == LegEnd::PieceEnd { self.leg.end() } else { at.distance };
+        let landed = MotionState { distance, ..at };
         let begun = std::mem::replace(state, landed);
-        Arrival { landing, largest_force: max_or_nan(largest, self.larger_force(&begun, state)) }
+        LegResult { end: landing, largest_force: nan_max(largest, self.max_end_force(&begun, state)) }
     }
 }
 
 /// How a leg went.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Arrival {
-    pub landing: Landing,
+pub struct LegResult {
+    pub end: LegEnd,
     /// The largest contact force on the leg, in units of the deceleration g.
     pub largest_force: f64,
 }
 
 /// Where a leg ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Landing {
+pub enum LegEnd {
     /// At the end of the piece, exactly.
-    End,
+    PieceEnd,
     /// At speed zero, exactly.
     Turning,
     /// Where the contact force vanishes during the rebound, before the restoring force does.
@@ -254,7 +254,7 @@ mod tests {
 
     #[test]
     fn sqrt_slope_clamps_rounding_and_propagates_nan() {
-        let both = Drag { eta: 0.2, theta: 3.0, ..Drag::NONE };
+        let both = DampingCoefficients { viscous: 0.2, plate: 3.0, ..DampingCoefficients::NONE };
         assert_eq!(both.at(1.0, || -1e-17), (0.0, 0.0));
         assert!(both.at(1.0, || f64::NAN).0.is_nan());
         // η √g' and θ g'

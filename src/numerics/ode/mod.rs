@@ -2,7 +2,7 @@
 //!
 //! Nothing here knows bodies, laws or units. Of contact mechanics only this is used: a force grows along a piece, and drag
 //! depends on that force or on its slope. A piece is a power law g = k d^n measured from its zero, a straight line, or any
-//! other smooth force. A [`Path`] is the way along a piece, with the pull γ and the drag that act there. An [`Integrator`]
+//! other smooth force. A [`LegProblem`] is the way along a piece, with the pull γ and the drag that act there. An [`Integrator`]
 //! carries a state to the end of the path: to a given distance, to zero speed, to zero contact force, or near to rest. The
 //! state lands *on* the end, so that no step crosses a kink.
 
@@ -20,17 +20,17 @@ pub mod rk8;
 
 use thiserror::Error;
 
-pub use leg::{Arrival, Drag, Landing, Leg, Path, Rest, Sizes, State};
+pub use leg::{DampingCoefficients, ErrorScales, Leg, LegEnd, LegProblem, LegResult, MotionState, RestCriterion};
 
 /// The cost of an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Effort {
+pub struct SolverStats {
     pub steps: u64,
     pub rejected: u64,
     pub force_evaluations: u64,
 }
 
-impl std::ops::Add for Effort {
+impl std::ops::Add for SolverStats {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self {
@@ -44,7 +44,7 @@ impl std::ops::Add for Effort {
 /// Most steps of a leg, accepted and rejected. Only with a drag of hundreds of times the critical one are more needed: explicit
 /// steps are then no longer than the fast decay, and the creep lasts as long as the slow decay. The ratio of the two grows
 /// with the square of the drag.
-pub(crate) const MOST_STEPS: u64 = 100_000;
+pub(crate) const MAX_STEPS: u64 = 100_000;
 
 /// Why an integration stopped. Times and steps are dimensionless.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -93,23 +93,23 @@ pub enum IntegrationError {
 
 /// A stretch of a motion with its continuous solution: the state at any time of the stretch. Times are absolute, distances
 /// those of the leg.
-pub struct Segment {
+pub struct DenseOutput {
     pub end: f64,
-    at: Box<dyn Fn(f64) -> State + Send + Sync>,
+    at: Box<dyn Fn(f64) -> MotionState + Send + Sync>,
 }
 
-impl Segment {
-    pub(crate) fn new(end: f64, at: impl Fn(f64) -> State + Send + Sync + 'static) -> Self {
+impl DenseOutput {
+    pub(crate) fn new(end: f64, at: impl Fn(f64) -> MotionState + Send + Sync + 'static) -> Self {
         Self { end, at: Box::new(at) }
     }
 
     /// The state at a time of the stretch.
-    pub fn at(&self, time: f64) -> State {
+    pub fn at(&self, time: f64) -> MotionState {
         (self.at)(time)
     }
 }
 
-impl std::fmt::Debug for Segment {
+impl std::fmt::Debug for DenseOutput {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Segment").field("end", &self.end).finish_non_exhaustive()
     }
@@ -118,16 +118,16 @@ impl std::fmt::Debug for Segment {
 /// Carries a state along smooth pieces.
 pub trait Integrator {
     /// From `state` to where the path ends; `state` is then that landing: distance equal to the end, or speed zero, exactly.
-    /// The continuous solution is appended to `track`; it changes neither the steps nor the [`Effort`].
+    /// The continuous solution is appended to `track`; it changes neither the steps nor the [`SolverStats`].
     ///
     /// # Errors
     /// [`IntegrationError`] if the step underflows, the steps run out, or the state is not finite.
-    fn traverse(
+    fn integrate_leg(
         &mut self,
-        path: &Path,
-        state: &mut State,
-        track: Option<&mut Vec<Segment>>,
-    ) -> Result<Arrival, IntegrationError>;
+        path: &LegProblem,
+        state: &mut MotionState,
+        track: Option<&mut Vec<DenseOutput>>,
+    ) -> Result<LegResult, IntegrationError>;
 
-    fn work(&self) -> Effort;
+    fn stats(&self) -> SolverStats;
 }

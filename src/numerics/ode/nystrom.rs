@@ -5,7 +5,7 @@
 //! conservative impact is a Nyström problem on every piece, so one stage sum serves position and velocity: eight
 //! evaluations a step against twelve for Dormand-Prince 8(5,3), and a third of its arithmetic.
 
-use super::equations::Field;
+use super::equations::NystromEquation;
 
 /// c_2 … c_8 (c_1 = 0, c_9 = 1).
 const C: [f64; 7] = [0.05, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0];
@@ -80,7 +80,7 @@ pub const EVALUATIONS: u64 = 8;
 
 /// The results of a step of length h.
 #[derive(Debug, Clone, Copy)]
-pub struct Step {
+pub struct NystromStep {
     /// y at the end.
     pub position: f64,
     /// h y' at the end.
@@ -98,7 +98,7 @@ pub struct Step {
 /// w_1 s_1 + … + w_N s_N. The newest stage is added last: the sum of the others is ready by then, which halves the chain of
 /// dependent operations in a step.
 #[inline(always)]
-fn sum<const N: usize>(start: f64, weights: [f64; N], stages: [f64; N]) -> f64 {
+fn weighted_sum<const N: usize>(start: f64, weights: [f64; N], stages: [f64; N]) -> f64 {
     let mut total = start;
     for i in 0..N {
         total += stages[i] * weights[i];
@@ -108,29 +108,29 @@ fn sum<const N: usize>(start: f64, weights: [f64; N], stages: [f64; N]) -> f64 {
 
 /// One step of length h from (y, u), where `g1` = h² g(y) and `field` gives h² g.
 #[inline(always)]
-pub(super) fn step<F: Field>(y: f64, hu: f64, g1: f64, field: F) -> Step {
-    let g2 = field.g(sum(y + hu * C[0], A2, [g1]));
-    let y3 = sum(y + hu * C[1], A3, [g1, g2]);
+pub(super) fn step<F: NystromEquation>(y: f64, hu: f64, g1: f64, field: F) -> NystromStep {
+    let g2 = field.g(weighted_sum(y + hu * C[0], A2, [g1]));
+    let y3 = weighted_sum(y + hu * C[1], A3, [g1, g2]);
     let g3 = field.g(y3);
-    let y4 = sum(y + hu * C[2], A4, [g1, g2, g3]);
+    let y4 = weighted_sum(y + hu * C[2], A4, [g1, g2, g3]);
     let g4 = field.g(y4);
-    let y5 = sum(y + hu * C[3], A5, [g1, g2, g3, g4]);
+    let y5 = weighted_sum(y + hu * C[3], A5, [g1, g2, g3, g4]);
     let g5 = field.g(y5);
-    let y6 = sum(y + hu * C[4], A6, [g1, g2, g3, g4, g5]);
+    let y6 = weighted_sum(y + hu * C[4], A6, [g1, g2, g3, g4, g5]);
     let g6 = field.g(y6);
-    let y7 = sum(y + hu * C[5], A7, [g1, g2, g3, g4, g5, g6]);
+    let y7 = weighted_sum(y + hu * C[5], A7, [g1, g2, g3, g4, g5, g6]);
     let g7 = field.g(y7);
-    let y8 = sum(y + hu * C[6], A8, [g1, g2, g3, g4, g5, g6, g7]);
+    let y8 = weighted_sum(y + hu * C[6], A8, [g1, g2, g3, g4, g5, g6, g7]);
     let g8 = field.g(y8);
-    let position = sum(y + hu, B, [g1, g3, g4, g5, g6, g7]);
+    let position = weighted_sum(y + hu, B, [g1, g3, g4, g5, g6, g7]);
     let acceleration = field.g(position);
-    Step {
+    NystromStep {
         position,
-        velocity: sum(hu, V, [g1, g3, g4, g5, g6, g7, g8]),
+        velocity: weighted_sum(hu, V, [g1, g3, g4, g5, g6, g7, g8]),
         acceleration,
-        mean: sum(y * V[0], V_REST, [y3, y4, y5, y6, y7, y8]),
-        position_error: sum(g1 * EB[0], EB_REST, [g3, g4, g5, g6, g7]),
-        velocity_error: sum(g1 * EV[0], EV_REST, [g3, g4, g5, g6, g7, g8, acceleration]),
+        mean: weighted_sum(y * V[0], V_REST, [y3, y4, y5, y6, y7, y8]),
+        position_error: weighted_sum(g1 * EB[0], EB_REST, [g3, g4, g5, g6, g7]),
+        velocity_error: weighted_sum(g1 * EV[0], EV_REST, [g3, g4, g5, g6, g7, g8, acceleration]),
     }
 }
 
@@ -166,9 +166,9 @@ mod tests {
         /// −h² y³.
         #[derive(Clone, Copy)]
         struct Cubic(f64);
-        impl Field for Cubic {
-            const IS_TIME: bool = true;
-            const IS_POLYNOMIAL: bool = true;
+        impl NystromEquation for Cubic {
+            const USES_PLAIN_VARIABLES: bool = true;
+            const IS_SMOOTH_AT_ZERO: bool = true;
             fn scaled(self, factor: f64) -> Self {
                 Self(self.0 * factor)
             }
@@ -182,7 +182,7 @@ mod tests {
             fn potential(self, _: f64) -> f64 {
                 unreachable!()
             }
-            fn at_potential(self, _: f64) -> f64 {
+            fn y_at_potential(self, _: f64) -> f64 {
                 unreachable!()
             }
         }

@@ -15,12 +15,15 @@ use ode_solvers::dop_shared::{IntegrationError as Failure, OutputType};
 use ode_solvers::{Dop853, Dopri5, System};
 
 use super::damped_stepper::{
-    MOST_ROUNDS, WELL_INSIDE, is_false_turn, may_end, out_of_steps, segment, step_beyond, step_to,
+    MAX_RESTEPS, RESTEP_BELOW_THETA, dense_output, is_spurious_turning_point, may_contain_event, overshooting_step,
+    step_to_distance, too_many_steps_error,
 };
-use super::dop853::{self, Continuous};
-use super::equations::{AnyDragged, Dragged, DraggedState};
-use super::event::{DenseStep, Landed, has_crested};
-use super::{Arrival, Effort, IntegrationError, Integrator, MOST_STEPS, Path, Segment, Sizes, State};
+use super::dop853::{self, ContinuousExtension};
+use super::equations::{DampedEquation, DampedPieceEquation, DampedState};
+use super::event::{DenseStep, LocatedEnd, is_past_force_maximum};
+use super::{
+    DenseOutput, ErrorScales, IntegrationError, Integrator, LegProblem, LegResult, MAX_STEPS, MotionState, SolverStats,
+};
 
 /// Which of the crate's two adaptive methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,26 +36,26 @@ pub enum Scheme {
 
 /// `ode_solvers` with landing.
 #[derive(Debug, Clone)]
-pub struct Library {
+pub struct OdeSolvers {
     scheme: Scheme,
     tolerance: f64,
-    work: Effort,
+    work: SolverStats,
 }
 
 /// A piece in plain variables: y = d, u = d'.
-type Plain<'a> = AnyDragged<'a, 1>;
+type PlainVariables<'a> = DampedPieceEquation<'a, 1>;
 
 /// The equations in variables of size one, y = (d, u, loss), up to the first step that passes an event.
-struct Equations<'a> {
-    path: &'a Path<'a>,
+struct LegSystem<'a> {
+    path: &'a LegProblem<'a>,
     /// The node at which they begin, and those of the steps from there.
-    nodes: &'a mut Vec<DraggedState>,
+    nodes: &'a mut Vec<DampedState>,
 }
 
-impl System<f64, Vector3<f64>> for Equations<'_> {
+impl System<f64, Vector3<f64>> for LegSystem<'_> {
     fn system(&self, _time: f64, y: &Vector3<f64>, dy: &mut Vector3<f64>) {
-        let Sizes { distance, speed } = self.path.sizes;
-        let [_, acceleration, _, loss] = AnyDragged::<1>(*self.path).rates(y[0] * distance, y[1] * speed);
+        let ErrorScales { distance, speed } = self.path.error_scales;
+        let [_, acceleration, _, loss] = DampedPieceEquation::<1>(*self.path).rates(y[0] * distance, y[1] * speed);
         let unit = distance / (speed * speed);
         *dy = Vector3::new(y[1], acceleration * unit, loss * unit / speed);
     }
@@ -66,59 +69,60 @@ impl System<f64, Vector3<f64>> for Equations<'_> {
         if time <= 0.0 {
             return false;
         }
-        let Sizes { distance, speed } = self.path.sizes;
+        let ErrorScales { distance, speed } = self.path.error_scales;
         let to = [y[0] * distance, y[1] * speed, begun[2] + time * distance / speed, y[2] * speed * speed];
-        let may_end = may_end::<Plain>(self.path, self.path.leg.end(), from, &to);
+        let may_end = may_contain_event::<PlainVariables>(self.path, self.path.leg.end(), from, &to);
         self.nodes.push(to);
         may_end
     }
 }
 
 /// The time to a little behind the end of a short leg; `None` if it is long or the motion does not seem to lead there.
-fn time_to_end(path: &Path, from: &DraggedState) -> Option<f64> {
+fn time_to_end(path: &LegProblem, from: &DampedState) -> Option<f64> {
     /// In units of size one. A longer step may be accepted by mistake where the force begins with a root.
-    const SHORT: f64 = 0.1;
+    const SHORT_LEG: f64 = 0.1;
     let sign = path.leg.direction();
-    let rate = AnyDragged::<1>(*path).rates(from[0], from[1])[1];
-    let time = step_to(sign * (path.leg.end() - from[0]), sign * from[1], sign * rate);
-    (time * path.sizes.speed < SHORT * path.sizes.distance).then_some(time)
+    let rate = DampedPieceEquation::<1>(*path).rates(from[0], from[1])[1];
+    let time = step_to_distance(sign * (path.leg.end() - from[0]), sign * from[1], sign * rate);
+    (time * path.error_scales.speed < SHORT_LEG * path.error_scales.distance).then_some(time)
 }
 
 /// The continuous solution of the step between two nodes.
-fn between(path: &Path, from: &DraggedState, to: &DraggedState) -> Continuous {
-    let motion = AnyDragged::<1>(*path);
+fn dense_output_between(path: &LegProblem, from: &DampedState, to: &DampedState) -> ContinuousExtension {
+    let motion = DampedPieceEquation::<1>(*path);
     let h = to[2] - from[2];
     let step = dop853::step(motion, from, &motion.rates(from[0], from[1]), h, &[1.0; 3]);
-    step.ending_at(*to, motion.rates(to[0], to[1])).continuous(motion, from, h)
+    step.with_end(*to, motion.rates(to[0], to[1])).continuous(motion, from, h)
 }
 
-impl Library {
+impl OdeSolvers {
     /// An integrator with this relative tolerance.
     pub fn new(scheme: Scheme, tolerance: f64) -> Self {
-        Self { scheme, tolerance, work: Effort::default() }
+        Self { scheme, tolerance, work: SolverStats::default() }
     }
 
     /// The nodes from `start` on, up to the first one past an event, or for this time if it is given; `start` is the first.
     fn nodes(
         &mut self,
-        path: &Path,
-        start: DraggedState,
+        path: &LegProblem,
+        start: DampedState,
         time: Option<f64>,
-    ) -> Result<Vec<DraggedState>, IntegrationError> {
+    ) -> Result<Vec<DampedState>, IntegrationError> {
         /// Longer than [`MOST_STEPS`] of the largest steps, in units of size one.
-        const LONG: f64 = 1e6;
+        const MAX_TIME: f64 = 1e6;
         /// Largest step in units of size one: no step may jump over a turning point (a quarter period is about 1.5).
-        const LARGEST_STEP: f64 = 0.5;
+        const MAX_STEP: f64 = 0.5;
         /// The crate then chooses the first step.
-        const CHOSEN: f64 = 0.0;
-        let Sizes { distance, speed } = path.sizes;
-        let (until, first) = time.map_or((LONG, CHOSEN), |time| (time * speed / distance, time * speed / distance));
+        const AUTOMATIC_STEP: f64 = 0.0;
+        let ErrorScales { distance, speed } = path.error_scales;
+        let (until, first) =
+            time.map_or((MAX_TIME, AUTOMATIC_STEP), |time| (time * speed / distance, time * speed / distance));
         let y = Vector3::new(start[0] / distance, start[1] / speed, start[3] / (speed * speed));
         let mut nodes = vec![start];
         macro_rules! integrate {
             ($stepper:ident, $beta:expr, $shrink:expr, $grow:expr) => {
                 $stepper::from_param(
-                    Equations { path, nodes: &mut nodes },
+                    LegSystem { path, nodes: &mut nodes },
                     0.0,
                     until,
                     until,
@@ -129,9 +133,9 @@ impl Library {
                     $beta,
                     $shrink,
                     $grow,
-                    LARGEST_STEP,
+                    MAX_STEP,
                     first,
-                    u32::try_from(MOST_STEPS).unwrap_or(u32::MAX),
+                    u32::try_from(MAX_STEPS).unwrap_or(u32::MAX),
                     u32::MAX,
                     OutputType::Sparse,
                 )
@@ -143,12 +147,12 @@ impl Library {
             Scheme::Dop853 => integrate!(Dop853, 0.0, 0.333, 6.0),
         };
         let stats = result.map_err(|error| match error {
-            Failure::MaxNumStepReached { .. } => out_of_steps(path),
+            Failure::MaxNumStepReached { .. } => too_many_steps_error(path),
             Failure::StepSizeUnderflow { x } | Failure::StiffnessDetected { x } => {
                 IntegrationError::StepUnderflow { time: start[2] + x * distance / speed, step: 0.0 }
             }
         })?;
-        let effort = Effort {
+        let effort = SolverStats {
             steps: u64::from(stats.accepted_steps),
             rejected: u64::from(stats.rejected_steps),
             force_evaluations: u64::from(stats.num_eval),
@@ -159,66 +163,66 @@ impl Library {
     }
 }
 
-impl Integrator for Library {
-    fn traverse(
+impl Integrator for OdeSolvers {
+    fn integrate_leg(
         &mut self,
-        path: &Path,
-        state: &mut State,
-        mut track: Option<&mut Vec<Segment>>,
-    ) -> Result<Arrival, IntegrationError> {
+        path: &LegProblem,
+        state: &mut MotionState,
+        mut track: Option<&mut Vec<DenseOutput>>,
+    ) -> Result<LegResult, IntegrationError> {
         let (begun, end) = (*state, path.leg.end());
-        if let Some(arrival) = path.turned_already(state) {
+        if let Some(arrival) = path.immediate_turn(state) {
             return Ok(arrival);
         }
         let mut from = [begun.distance, begun.speed, begun.time, begun.loss];
-        let mut is_falling = !path.drag.is_in_contact() || has_crested::<Plain>(path, &from);
+        let mut is_falling = !path.drag.acts_in_contact() || is_past_force_maximum::<PlainVariables>(path, &from);
         let mut largest = f64::NEG_INFINITY;
         let (mut again, mut rounds) = (None, 0);
-        let most = self.work.steps + self.work.rejected + MOST_STEPS;
+        let most = self.work.steps + self.work.rejected + MAX_STEPS;
         loop {
             if self.work.steps + self.work.rejected >= most {
-                return Err(out_of_steps(path));
+                return Err(too_many_steps_error(path));
             }
             // a step to just behind the predicted end of a piece needs no second step
             let time = again.take().or_else(|| time_to_end(path, &from));
             let nodes = self.nodes(path, from, time)?;
             for mut to in nodes.into_iter().skip(1) {
-                let crests = !is_falling && has_crested::<Plain>(path, &to);
-                let may_end = may_end::<Plain>(path, end, &from, &to);
+                let crests = !is_falling && is_past_force_maximum::<PlainVariables>(path, &to);
+                let may_end = may_contain_event::<PlainVariables>(path, end, &from, &to);
                 let mut landed = None;
                 if may_end || crests || track.is_some() {
-                    let step = DenseStep { path, end, solution: between(path, &from, &to) };
-                    landed = if may_end { step.landed::<Plain>() } else { None };
+                    let step = DenseStep { path, end, solution: dense_output_between(path, &from, &to) };
+                    landed = if may_end { step.locate_end::<PlainVariables>() } else { None };
                     if let Some(landed) = &landed {
                         let length = to[2] - from[2];
-                        if landed.theta < WELL_INSIDE && rounds < MOST_ROUNDS {
-                            (again, rounds) = (Some(step_beyond(landed.theta * length)), rounds + 1);
+                        if landed.theta < RESTEP_BELOW_THETA && rounds < MAX_RESTEPS {
+                            (again, rounds) = (Some(overshooting_step(landed.theta * length)), rounds + 1);
                             break;
                         }
-                        if is_false_turn(AnyDragged::<1>(*path), path, landed) {
+                        if is_spurious_turning_point(DampedPieceEquation::<1>(*path), path, landed) {
                             again = Some(0.5 * length);
                             break;
                         }
                         to = landed.node;
                     }
                     if crests {
-                        largest = step.crest::<Plain>(landed.map_or(1.0, |landed| landed.theta));
+                        largest = step.max_contact_force::<PlainVariables>(landed.map_or(1.0, |landed| landed.theta));
                         is_falling = true;
                     }
                     if let Some(track) = track.as_deref_mut() {
-                        track.push(segment(step.solution, to[2], |distance| distance));
+                        track.push(dense_output(step.solution, to[2], |distance| distance));
                     }
                 }
                 (from, rounds) = (to, 0);
-                if let Some(Landed { landing, .. }) = landed {
-                    let at = State { time: to[2], distance: to[0], speed: to[1], loss: to[3] };
-                    return Ok(path.arrive(landing, at, state, largest));
+                if let Some(LocatedEnd { landing, .. }) = landed {
+                    let at = MotionState { time: to[2], distance: to[0], speed: to[1], loss: to[3] };
+                    return Ok(path.finish(landing, at, state, largest));
                 }
             }
         }
     }
 
-    fn work(&self) -> Effort {
+    fn stats(&self) -> SolverStats {
         self.work
     }
 }

@@ -23,15 +23,18 @@
 //! rejected less often than the step of the piece before. Impacts do not share SIMD lanes: tables of undamped impacts have
 //! closed forms, and damped impacts would gain less than a factor of two.
 
-use super::damped_stepper::DragStepper;
-use super::dense_output::segment;
-use super::equations::Field;
-use super::equations::general::{Polynomial, Root};
-use super::equations::linear::Straight;
-use super::equations::power::Power;
-use super::landing::{Node, Target};
+use super::damped_stepper::DampedStepper;
+use super::dense_output::dense_output;
+use super::equations::NystromEquation;
+use super::equations::general::{PolynomialEquation, SqrtBranchEquation};
+use super::equations::linear::LinearEquation;
+use super::equations::power::PowerEquation;
+use super::landing::{NystromState, PredictedEnd};
 use super::nystrom::{self, EVALUATIONS};
-use super::{Arrival, Drag, Effort, IntegrationError, Integrator, Landing, Leg, MOST_STEPS, Path, Segment, State};
+use super::{
+    DampingCoefficients, DenseOutput, IntegrationError, Integrator, Leg, LegEnd, LegProblem, LegResult, MAX_STEPS,
+    MotionState, SolverStats,
+};
 use crate::numerics::curve::piece::Shape;
 use crate::numerics::functions::pow;
 
@@ -42,8 +45,8 @@ pub struct Rk8 {
     estimate_limit: f64,
     /// First step in units of 1/ω.
     first_step: f64,
-    work: Effort,
-    damped: DragStepper,
+    work: SolverStats,
+    damped: DampedStepper,
 }
 
 /// FIRST_STEP × tolerance^(1/8) / ω is about the step that the error control settles on for an oscillator of frequency ω.
@@ -55,60 +58,61 @@ impl Rk8 {
             tolerance,
             estimate_limit: pow(tolerance, 0.875),
             first_step: FIRST_STEP * pow(tolerance, 0.125),
-            work: Effort::default(),
-            damped: DragStepper::new(tolerance),
+            work: SolverStats::default(),
+            damped: DampedStepper::new(tolerance),
         }
     }
 
     /// Integrates a leg without drag, with or without a pull; `None` if the leg is left to the stepper with drag.
     #[inline(always)]
-    fn conservative<const PULLED: bool>(
+    fn integrate_undamped<const PULLED: bool>(
         &mut self,
-        path: &Path,
-        state: &mut State,
-        track: Option<&mut Vec<Segment>>,
-    ) -> Option<Result<Arrival, IntegrationError>> {
+        path: &LegProblem,
+        state: &mut MotionState,
+        track: Option<&mut Vec<DenseOutput>>,
+    ) -> Option<Result<LegResult, IntegrationError>> {
         macro_rules! traverse {
             ($field:expr) => {{
                 let field = $field;
-                (!PULLED || comes_back(field, path, state)).then(|| self.traverse_field(field, path, state, track))
+                (!PULLED || returns_to_zero_force(field, path, state))
+                    .then(|| self.integrate_equation(field, path, state, track))
             }};
         }
         let c = path.factor;
         match &path.piece.shape {
-            Shape::Straight { slope, .. } => {
-                traverse!(Straight::<PULLED>::new(c * path.piece.force, c * slope, path.pull))
+            Shape::Linear { slope, .. } => {
+                traverse!(LinearEquation::<PULLED>::new(c * path.piece.force, c * slope, path.constant_acceleration))
             }
             Shape::Power { stiffness, exponent: 1.5, .. } => {
-                traverse!(Power::<true, PULLED>::new(c * stiffness, 1.5, path.pull))
+                traverse!(PowerEquation::<true, PULLED>::new(c * stiffness, 1.5, path.constant_acceleration))
             }
             Shape::Power { stiffness, exponent, .. } => {
-                traverse!(Power::<false, PULLED>::new(c * stiffness, *exponent, path.pull))
+                traverse!(PowerEquation::<false, PULLED>::new(c * stiffness, *exponent, path.constant_acceleration))
             }
-            Shape::Polynomial(_) | Shape::Branch(_) if PULLED => None,
-            Shape::Polynomial(poly) => traverse!(Polynomial { force: **poly, c }),
-            Shape::Branch(branch) => traverse!(Root { branch: *branch, c: 2.0 * c }),
+            Shape::Polynomial(_) | Shape::Unloading(_) if PULLED => None,
+            Shape::Polynomial(poly) => traverse!(PolynomialEquation { force: **poly, c }),
+            Shape::Unloading(branch) => traverse!(SqrtBranchEquation { branch: *branch, c: 2.0 * c }),
         }
     }
 
-    fn traverse_field<F: Field>(
+    fn integrate_equation<F: NystromEquation>(
         &mut self,
         field: F,
-        path: &Path,
-        state: &mut State,
-        mut track: Option<&mut Vec<Segment>>,
-    ) -> Result<Arrival, IntegrationError> {
-        let (leg, mut now, mut h) = self.begin(field, path, state);
+        path: &LegProblem,
+        state: &mut MotionState,
+        mut track: Option<&mut Vec<DenseOutput>>,
+    ) -> Result<LegResult, IntegrationError> {
+        let (leg, mut now, mut h) = self.start_leg(field, path, state);
         self.work.force_evaluations += 1;
-        for _ in 0..MOST_STEPS {
-            let is_far = leg.target.reach(&now, h) < (leg.target.y - now.y).abs();
-            let (this, last) = if is_far { (h, f64::INFINITY) } else { leg.target.limit(&now, h) };
+        for _ in 0..MAX_STEPS {
+            let is_far = leg.target.max_advance(&now, h) < (leg.target.y - now.y).abs();
+            let (this, last) = if is_far { (h, f64::INFINITY) } else { leg.target.controlled_step(&now, h) };
             let (mut next, error) = leg.step(field, &now, this);
             self.work.force_evaluations += EVALUATIONS;
             // NaN where a stage left the range of a formula: a shorter step may stay inside
             if error > 1.0 || error.is_nan() {
                 self.work.rejected += 1;
-                h = if error.is_nan() { 0.5 * this.abs() } else { resized(this, error) };
+                h = if error.is_nan() { 0.5 * this.abs() } else { next_step_size(this, error) };
                 if !(now.u.is_finite() && now.g.is_finite() && h.is_finite()) {
                     return Err(IntegrationError::NotFinite { time: now.t });
                 }
@@ -123,47 +127,52 @@ impl Rk8 {
             if last <= h {
                 let landed = leg.target.land(field, &next);
                 // while the net force still speeds the sphere up, a zero of the speed nearby lies in the past
-                let is_turn = landed.landing == Landing::Turning;
-                let is_behind = path.pull > 0.0 && is_turn && next.g * leg.target.direction > 0.0;
+                let is_turn = landed.landing == LegEnd::Turning;
+                let is_behind = path.constant_acceleration > 0.0 && is_turn && next.g * leg.target.direction > 0.0;
                 if landed.left_out_squared < leg.left_out_squared && !is_behind {
                     length += landed.correction;
-                    next = Node { g: field.g(landed.node.y), ..landed.node };
+                    next = NystromState { g: field.g(landed.node.y), ..landed.node };
                     landing = Some(landed.landing);
                 }
             }
             if let Some(track) = track.as_deref_mut() {
-                track.push(segment(field, now, next, length, state.loss));
+                track.push(dense_output(field, now, next, length, state.loss));
             }
             now = next;
             if let Some(landing) = landing {
-                let at = State { time: now.t, distance: field.distance_at(now.y), speed: now.u, ..*state };
-                return Ok(path.arrive(landing, at, state, f64::NEG_INFINITY));
+                let at = MotionState { time: now.t, distance: field.distance_at(now.y), speed: now.u, ..*state };
+                return Ok(path.finish(landing, at, state, f64::NEG_INFINITY));
             }
-            h = resized(this, error);
+            h = next_step_size(this, error);
         }
-        Err(IntegrationError::TooManySteps { steps: MOST_STEPS })
+        Err(IntegrationError::TooManySteps { steps: MAX_STEPS })
     }
 
     /// The constants of a leg, its first node and its first step.
     #[inline(always)]
-    fn begin<F: Field>(&self, field: F, path: &Path, state: &State) -> (Constants, Node, f64) {
+    fn start_leg<F: NystromEquation>(
+        &self,
+        field: F,
+        path: &LegProblem,
+        state: &MotionState,
+    ) -> (LegConstants, NystromState, f64) {
         let y = field.y_at(state.distance);
-        let node = Node { y, u: state.speed, g: field.g(y), t: state.time };
-        let target = Target::predict(field, path.leg, y, state.speed);
-        let size = field.y_at(path.sizes.distance);
+        let node = NystromState { y, u: state.speed, g: field.g(y), t: state.time };
+        let target = PredictedEnd::predict(field, path.leg, y, state.speed);
+        let size = field.y_at(path.error_scales.distance);
         let inverse_y = 1.0 / (self.estimate_limit * size);
-        let inverse_u = 1.0 / (self.estimate_limit * path.sizes.speed);
+        let inverse_u = 1.0 / (self.estimate_limit * path.error_scales.speed);
         // −g' is largest at the far end during loading, at the start during the rebound
-        let fastest = if matches!(path.leg, Leg::Back(_)) { y } else { target.y };
+        let fastest = if matches!(path.leg, Leg::Unloading(_)) { y } else { target.y };
         let h = self.first_step / field.stiffness(fastest).sqrt();
         let left_out = 0.1 * self.tolerance * size;
-        (Constants { target, inverse_y, inverse_u, left_out_squared: left_out * left_out }, node, h)
+        (LegConstants { target, inverse_y, inverse_u, left_out_squared: left_out * left_out }, node, h)
     }
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Constants {
-    target: Target,
+struct LegConstants {
+    target: PredictedEnd,
     /// 1/(estimate limit × size of y).
     inverse_y: f64,
     inverse_u: f64,
@@ -171,15 +180,15 @@ struct Constants {
     left_out_squared: f64,
 }
 
-impl Constants {
+impl LegConstants {
     /// One step of length h: its end, and its error relative to the limit.
     #[inline(always)]
-    fn step<F: Field>(&self, field: F, now: &Node, h: f64) -> (Node, f64) {
+    fn step<F: NystromEquation>(&self, field: F, now: &NystromState, h: f64) -> (NystromState, f64) {
         let square = h * h;
         let scaled = field.scaled(square);
         let step = nystrom::step(now.y, h * now.u, square * now.g, scaled);
         let inverse = 1.0 / h;
-        let node = Node {
+        let node = NystromState {
             y: step.position,
             u: step.velocity * inverse,
             g: step.acceleration * (inverse * inverse),
@@ -193,7 +202,7 @@ impl Constants {
 
 /// The next step after one with this error: × 0.9 error^(−1/8), at least × 0.2 and at most × 5.
 #[inline(always)]
-fn resized(h: f64, error: f64) -> f64 {
+fn next_step_size(h: f64, error: f64) -> f64 {
     h.abs() * (inverse_eighth_root(error) * 0.9).clamp(0.2, 5.0)
 }
 
@@ -208,35 +217,36 @@ fn inverse_eighth_root(x: f64) -> f64 {
 
 /// True if the energy suffices for the sphere to come back to the zero of the force. Where just all of the energy is needed,
 /// rounding may make this false.
-fn comes_back<F: Field>(field: F, path: &Path, state: &State) -> bool {
+fn returns_to_zero_force<F: NystromEquation>(field: F, path: &LegProblem, state: &MotionState) -> bool {
     /// A share of the depth of the potential.
-    const LEAST: f64 = 1e-10;
+    const MIN_ENERGY_SHARE: f64 = 1e-10;
     let y = field.y_at(state.distance);
     let energy = 0.5 * state.speed * state.speed + field.potential(y);
-    path.leg != Leg::Back(0.0) || (state.speed == 0.0 && energy > LEAST * path.sizes.speed * path.sizes.speed)
+    path.leg != Leg::Unloading(0.0)
+        || (state.speed == 0.0 && energy > MIN_ENERGY_SHARE * path.error_scales.speed * path.error_scales.speed)
 }
 
 impl Integrator for Rk8 {
-    fn traverse(
+    fn integrate_leg(
         &mut self,
-        path: &Path,
-        state: &mut State,
-        mut track: Option<&mut Vec<Segment>>,
-    ) -> Result<Arrival, IntegrationError> {
-        if path.drag == Drag::NONE && matches!(path.leg, Leg::Outward(_) | Leg::Back(0.0)) {
-            let landed = if path.pull == 0.0 {
-                self.conservative::<false>(path, state, track.as_deref_mut())
+        path: &LegProblem,
+        state: &mut MotionState,
+        mut track: Option<&mut Vec<DenseOutput>>,
+    ) -> Result<LegResult, IntegrationError> {
+        if path.drag == DampingCoefficients::NONE && matches!(path.leg, Leg::Loading(_) | Leg::Unloading(0.0)) {
+            let landed = if path.constant_acceleration == 0.0 {
+                self.integrate_undamped::<false>(path, state, track.as_deref_mut())
             } else {
-                self.conservative::<true>(path, state, track.as_deref_mut())
+                self.integrate_undamped::<true>(path, state, track.as_deref_mut())
             };
             if let Some(landed) = landed {
                 return landed;
             }
         }
-        self.damped.traverse(path, state, track)
+        self.damped.integrate_leg(path, state, track)
     }
 
-    fn work(&self) -> Effort {
-        self.work + self.damped.work()
+    fn stats(&self) -> SolverStats {
+        self.work + self.damped.stats()
     }
 }

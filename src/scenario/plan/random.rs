@@ -7,7 +7,7 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-use crate::numerics::functions::{exp, ln, ln_1p, normal_below, normal_quantile, powi};
+use crate::numerics::functions::{exp, ln, ln_1p, normal_cdf, normal_quantile, powi};
 use crate::scenario::input::Key;
 
 /// A distribution of a key's values, in SI.
@@ -95,11 +95,11 @@ impl Distribution {
                     ((x - from) / (to - from)).clamp(0.0, 1.0)
                 }
             }
-            Self::Normal { mean, sd } => normal_below((x - mean) / sd),
+            Self::Normal { mean, sd } => normal_cdf((x - mean) / sd),
             Self::Lognormal { .. } if x <= 0.0 => 0.0,
             Self::Lognormal { mean, sd } => {
                 let (sigma, mu) = Self::logarithmic(mean, sd);
-                normal_below((ln(x) - mu) / sigma)
+                normal_cdf((ln(x) - mu) / sigma)
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use plm_impact::impact::solve::closed_form;
 
-use plm_impact::numerics::power::turning_time;
+use plm_impact::numerics::power::quarter_period_factor;
 
 use crate::common::prelude::*;
 
@@ -54,7 +54,7 @@ fn slow_reloads_keep_their_digits() {
                 let allowed = factor * 1e-10 + 1e-13;
                 assert!(off(hit.elastic_approach, distance) < allowed, "{share} {}", method.name());
                 assert!(off(hit.peak_force, first.peak_force * (distance / first.elastic_approach).powf(n)) < allowed);
-                assert!(off(hit.contact_time, 2.0 * turning_time(n) * distance / speed) < allowed);
+                assert!(off(hit.contact_time, 2.0 * quarter_period_factor(n) * distance / speed) < allowed);
                 // a ∝ dF/dδ on an unchanged dent (Sneddon 1965), so a ∝ d^(n − 1)
                 let radius = first.peak_contact_radius * (distance / first.elastic_approach).powf(n - 1.0);
                 assert!(off(hit.peak_contact_radius, radius) < allowed);

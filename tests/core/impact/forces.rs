@@ -7,7 +7,7 @@ pub mod exact_solutions;
 mod peak_force;
 
 use crate::common::prelude::*;
-use plm_impact::numerics::ode::Drag;
+use plm_impact::numerics::ode::DampingCoefficients;
 
 const GRAVITY: f64 = 9.81;
 
@@ -21,7 +21,7 @@ fn hunt_crossley(chi: f64) -> Forces {
 
 /// Damping of Hunt and Crossley with this χ in units of 1/V.
 pub fn damped(chi: f64) -> ScaledForces {
-    ScaledForces { drag: Drag { chi, ..Drag::NONE }, ..ScaledForces::NONE }
+    ScaledForces { drag: DampingCoefficients { hunt_crossley: chi, ..DampingCoefficients::NONE }, ..ScaledForces::NONE }
 }
 
 fn viscous(zeta: f64) -> Forces {

@@ -1,7 +1,7 @@
 //! A half-space that hardens, in every kind of scene: traces, indentations, series, gravity and damping, tables.
 
 use plm_impact::impact::solve::closed_form::solve;
-use plm_impact::numerics::curve::Curve;
+use plm_impact::numerics::curve::LoadingCurve;
 use plm_impact::numerics::curve::piece::{Piece, Shape};
 
 use crate::common::prelude::*;
@@ -28,11 +28,11 @@ fn contact_time_is_sum_over_pieces() {
         for k in 0..200 {
             let speed = 0.02 * 1.05_f64.powi(k);
             let (_, law, q) = contact.scaled(speed).unwrap();
-            let straight = |curve: Curve, piece: &Piece| match piece.shape {
-                Shape::Straight { slope, .. } => curve.then_straight(piece.start, slope),
+            let straight = |curve: LoadingCurve, piece: &Piece| match piece.shape {
+                Shape::Linear { slope, .. } => curve.then_line(piece.start, slope),
                 _ => panic!("{piece:?}"),
             };
-            let loading = law.loading.pieces()[1..].iter().fold(Curve::hertz(), straight);
+            let loading = law.loading.pieces()[1..].iter().fold(LoadingCurve::hertz(), straight);
             let (by_series, by_pieces) = (solve(law, q), solve(&Law::new(loading, law.limits, law.rule.clone()), q));
             assert!(off(by_series.loading_time, by_pieces.loading_time) < 2e-15, "{flow} {speed}");
             assert_eq!(by_series.restitution, by_pieces.restitution, "{flow} {speed}");

@@ -46,7 +46,7 @@ proptest! {
                 off(impact.peak_mean_pressure, force / (std::f64::consts::PI * scene.radius * indentation)),
                 off(impact.peak_sphere_indentation, compliance(scene.sphere) * e_star * indentation),
                 impact.energy.drift,
-            ].into_iter().fold(0.0, max_or_nan);
+            ].into_iter().fold(0.0, nan_max);
             prop_assert!(error <= 2.0 * factor * TOLERANCE, "{}: {error:e}", method.name());
             prop_assert_eq!(impact.residual_indentation, 0.0);
             prop_assert_eq!((impact.dent_radius, impact.residual_radius), (None, None));

@@ -36,7 +36,7 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
     let mut worst: f64 = 0.0;
     let mut touch = 0.0;
     for hit in &sequence.hits {
-        worst = max_or_nan(worst, ((hit.kinetic_in - weight * touch + spent) / first - 1.0).abs());
+        worst = nan_max(worst, ((hit.kinetic_in - weight * touch + spent) / first - 1.0).abs());
         spent += [
             hit.energy.plastic,
             hit.forced(|forces| forces.damping_loss),
@@ -46,10 +46,8 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
         .flatten()
         .sum::<f64>();
         if !hit.is_captured() {
-            worst = max_or_nan(
-                worst,
-                ((hit.energy.recovered - weight * hit.end_indentation() + spent) / first - 1.0).abs(),
-            );
+            worst =
+                nan_max(worst, ((hit.energy.recovered - weight * hit.end_indentation() + spent) / first - 1.0).abs());
         }
         touch = if place == Place::Same { hit.residual_indentation } else { 0.0 };
     }

@@ -68,7 +68,7 @@ fn every_method_meets_its_tolerance_on_all_cases() {
                     let spent = law.loading.work(peak.indentation);
                     let lost = spent - outcome.unloading.stored(peak.indentation);
                     let at_separation = outcome.restitution.powi(2) + lost / kinetic - 1.0;
-                    let drift = max_or_nan((spent / kinetic - 1.0).abs(), at_separation.abs());
+                    let drift = nan_max((spent / kinetic - 1.0).abs(), at_separation.abs());
                     assert!(drift <= 10.0 * tolerance + rounding, "{at}: {drift:e}");
                 }
             }

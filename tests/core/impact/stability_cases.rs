@@ -6,7 +6,7 @@
 use plm_impact::impact::solve::closed_form;
 
 use plm_impact::bench::problems::{Problem, kinked_law, steel_speed_ratio, stiff_law};
-use plm_impact::numerics::curve::Curve;
+use plm_impact::numerics::curve::LoadingCurve;
 use plm_impact::numerics::functions::{pow, powi};
 
 use crate::common::prelude::*;
@@ -64,7 +64,7 @@ fn balanced(name: &'static str, law: Law, speed: f64) -> Problem {
 /// A law of `count` straight pieces, the knots spaced by the factor `ratio`, close to f = x^1.2 beyond x = 1.7.
 fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
     let knots = (0..count).map(|i| 1.7 * powi(ratio, i));
-    let loading = knots.fold(Curve::hertz(), |curve, start| curve.then_straight(start, 2.0 * pow(start / 1.7, 0.2)));
+    let loading = knots.fold(LoadingCurve::hertz(), |curve, start| curve.then_line(start, 2.0 * pow(start / 1.7, 0.2)));
     Law::new(loading, law.limits, law.rule.clone())
 }
 

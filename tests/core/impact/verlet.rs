@@ -79,7 +79,7 @@ fn damped_times_converge_with_first_order() {
         let exact = scene.contact().with_forces(forces).impact(0.5, &solver(Method::Rk8, 1e-12), None).unwrap();
         let worst = |time: fn(&Impact) -> f64, steps: [u32; 3]| {
             let error = |steps| off(time(&by_steps(&scene, forces, steps)), time(&exact));
-            steps.map(error).into_iter().fold(0.0, plm_impact::numerics::power::max_or_nan)
+            steps.map(error).into_iter().fold(0.0, plm_impact::numerics::power::nan_max)
         };
         for time in [(|impact| impact.contact_time) as fn(&Impact) -> f64, |impact| impact.loading_time] {
             let (coarse, fine) = (worst(time, [97, 100, 109]), worst(time, [9700, 10_000, 10_900]));

@@ -3,9 +3,9 @@
 use plm_impact::impact::solve::motion;
 
 use crate::common::prelude::*;
-use plm_impact::numerics::curve::Curve;
-use plm_impact::numerics::ode::ode_solvers::{Library, Scheme};
-use plm_impact::numerics::ode::{Drag, Landing, Leg, Path, Sizes, State};
+use plm_impact::numerics::curve::LoadingCurve;
+use plm_impact::numerics::ode::ode_solvers::{OdeSolvers, Scheme};
+use plm_impact::numerics::ode::{DampingCoefficients, ErrorScales, Leg, LegEnd, LegProblem, MotionState};
 
 #[test]
 fn damped_oscillator_follows_closed_form() {
@@ -24,10 +24,18 @@ fn damped_oscillator_follows_closed_form() {
         (10.0, 0.0),
         (0.1, 0.05),
     ] {
-        let curve = Curve::straight(omega * omega);
-        let drag = Drag { eta: 2.0 * zeta, theta, ..Drag::NONE };
-        let sizes = Sizes { distance: u / omega, speed: u };
-        let path = |leg| Path { piece: &curve.pieces()[0], factor: 1.0, leg, sizes, pull: 0.0, drag, rest: None };
+        let curve = LoadingCurve::linear(omega * omega);
+        let drag = DampingCoefficients { viscous: 2.0 * zeta, plate: theta, ..DampingCoefficients::NONE };
+        let sizes = ErrorScales { distance: u / omega, speed: u };
+        let path = |leg| LegProblem {
+            piece: &curve.pieces()[0],
+            factor: 1.0,
+            leg,
+            error_scales: sizes,
+            constant_acceleration: 0.0,
+            drag,
+            rest: None,
+        };
         let both: f64 = zeta + 0.5 * theta * omega;
         // beyond critical damping the functions are the hyperbolic ones
         let time = match both {
@@ -37,20 +45,20 @@ fn damped_oscillator_follows_closed_form() {
         };
         let left = (-both * time).exp();
         let all: [Box<dyn Integrator>; 4] = [
-            Box::new(DragStepper::new(1e-12)),
+            Box::new(DampedStepper::new(1e-12)),
             Box::new(Rk8::new(1e-12)),
-            Box::new(Library::new(Scheme::Dopri5, 1e-12)),
-            Box::new(Library::new(Scheme::Dop853, 1e-12)),
+            Box::new(OdeSolvers::new(Scheme::Dopri5, 1e-12)),
+            Box::new(OdeSolvers::new(Scheme::Dop853, 1e-12)),
         ];
         // the methods of ode_solvers are not for such a drag
         for mut integrator in all.into_iter().take(if both < 1.0 { 4 } else { 2 }) {
-            let mut state = State { time: 0.0, distance: 0.0, speed: u, loss: 0.0 };
-            let out = integrator.traverse(&path(Leg::Outward(f64::INFINITY)), &mut state, None).unwrap();
-            assert_eq!(out.landing, Landing::Turning);
+            let mut state = MotionState { time: 0.0, distance: 0.0, speed: u, loss: 0.0 };
+            let out = integrator.integrate_leg(&path(Leg::Loading(f64::INFINITY)), &mut state, None).unwrap();
+            assert_eq!(out.end, LegEnd::Turning);
             assert!(near(state.distance, u / omega * left) && near(state.time, time / omega), "{zeta}");
-            let back = integrator.traverse(&path(Leg::Back(0.0)), &mut state, None).unwrap();
-            assert_eq!(back.landing, Landing::LiftOff);
-            let State { distance: d, speed: v, loss, .. } = state;
+            let back = integrator.integrate_leg(&path(Leg::Unloading(0.0)), &mut state, None).unwrap();
+            assert_eq!(back.end, LegEnd::LiftOff);
+            let MotionState { distance: d, speed: v, loss, .. } = state;
             // each way multiplies the speed alike where there is no plate
             assert!(theta > 0.0 || near(v, -u * left * left) && near(state.time, 2.0 * time / omega), "{zeta}");
             assert!((omega * d + 2.0 * zeta * v).abs() < 1e-9 * u, "{zeta}");
@@ -71,7 +79,7 @@ fn weakly_damped_hertz_contact_separates_at_zero_force() {
         let want = 2.943_275_184_324_704_7 - distance;
         for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13] {
             let outcome =
-                motion::integrate(&law, 1.0, &forces, &mut DragStepper::new(tolerance), &mut Recorder::default())
+                motion::integrate(&law, 1.0, &forces, &mut DampedStepper::new(tolerance), &mut Recorder::default())
                     .unwrap();
             let miss = (outcome.contact_time / want - 1.0).abs();
             // the loss by damping is of order ζ

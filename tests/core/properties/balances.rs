@@ -16,7 +16,7 @@ pub fn near(name: &str, got: f64, want: f64, allowed: f64) -> Result<(), TestCas
 /// The run sees no error of its energy above its tolerance, at the end and on any row of the trace.
 pub fn the_ledger_closes(run: &Run) -> Judged {
     let energy = &run.impact.energy;
-    let rows = run.impact.trace.iter().fold(0.0, |worst, row| max_or_nan(worst, row.energy_drift.abs()));
+    let rows = run.impact.trace.iter().fold(0.0, |worst, row| nan_max(worst, row.energy_drift.abs()));
     prop_assert!(rows <= energy.drift && energy.drift_at_end.abs() <= energy.drift, "{:?}", energy);
     if run.is_adaptive() {
         near("drift", energy.drift, 0.0, run.slack())?;

@@ -124,7 +124,7 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
     prop_assert!(of(Event::Touch).len() == 1 && of(Event::Peak).len() <= 1 && yields.len() <= 1);
     prop_assert!(knots.is_sorted_by(|one, next| one < next), "{:?}", knots);
     // a formula that takes several pieces continues where they meet
-    let starts = law.loading.pieces()[1..].iter().filter(|piece| !piece.is_joint).map(|piece| piece.start);
+    let starts = law.loading.pieces()[1..].iter().filter(|piece| !piece.is_subdivision).map(|piece| piece.start);
     let starts: Vec<f64> = starts.collect();
     let is_known = |knot: &f64| starts.iter().any(|start| off(*knot, *start) <= 2e-15);
     prop_assert!(knots.iter().all(is_known), "{:?} of {:?}", knots, starts);

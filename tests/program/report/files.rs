@@ -1,7 +1,7 @@
 //! The files of an impact agree with the computed impact: keys, values, rows.
 
 use plm_impact::files::provenance::FORMAT;
-use plm_impact::numerics::ode::Effort;
+use plm_impact::numerics::ode::SolverStats;
 
 use serde_json::json;
 
@@ -42,7 +42,7 @@ fn summary_numbers_read_back_to_same_bits() {
     ] {
         assert_eq!(summary.pointer(key).and_then(Value::as_f64), Some(value), "{key}");
     }
-    let Effort { steps, rejected, force_evaluations } = impact.work;
+    let SolverStats { steps, rejected, force_evaluations } = impact.work;
     assert_eq!(
         summary["work"],
         json!({ "steps": steps, "rejected": rejected, "force_evaluations": force_evaluations })

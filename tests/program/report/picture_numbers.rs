@@ -105,8 +105,7 @@ fn fault(desk: &Desk, Shown { picture, panel, form, rows, .. }: &Shown) -> Optio
     let is_in = drawn.is_in(panel);
     let seen = |points: Points| points.into_iter().filter(|at| is_in(*at)).collect::<Points>();
     let rows = seen(rows(desk).into_iter().map(|(x, y)| (scales[0].place(x), scales[1].place(y))).collect());
-    let far =
-        |points: &Points, from: &dyn Fn((f64, f64)) -> f64| points.iter().map(|at| from(*at)).fold(0.0, max_or_nan);
+    let far = |points: &Points, from: &dyn Fn((f64, f64)) -> f64| points.iter().map(|at| from(*at)).fold(0.0, nan_max);
     let (drawn, off) = match *form {
         Line(color) | Through(color) => {
             let line = seen(drawn.lines(color).concat());

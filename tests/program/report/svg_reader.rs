@@ -194,8 +194,7 @@ impl Scale {
         let labels: Vec<(f64, f64)> = labels.iter().map(|(at, label)| (*at, value(label) * factor(unit))).collect();
         let with = |is_logarithmic| Self { ends: [labels[0], *labels.last().unwrap()], is_logarithmic };
         // every label stands where one of the two says
-        let off =
-            |scale: &Self| labels.iter().map(|(at, value)| (scale.place(*value) - at).abs()).fold(0.0, max_or_nan);
+        let off = |scale: &Self| labels.iter().map(|(at, value)| (scale.place(*value) - at).abs()).fold(0.0, nan_max);
         let chosen = [false, true].map(with).into_iter().find(|scale| off(scale) < UNITS);
         assert!(labels.len() > 2, "{title}: {labels:?}");
         chosen.unwrap_or_else(|| panic!("{title}: {labels:?}"))

@@ -60,7 +60,7 @@ fn force_slopes_follow_from_curves() {
         fitted += matrix.cholesky().unwrap().solve(&right);
     }
     let off_by = points.iter().map(|(known, integrals, _, law)| off(*law, known + fitted.dot(integrals)));
-    let largest = off_by.fold(0.0, max_or_nan);
+    let largest = off_by.fold(0.0, nan_max);
     assert!(points.len() > 280 && largest < 0.005, "{largest} {fitted}");
 }
 

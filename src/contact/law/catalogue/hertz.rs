@@ -3,7 +3,7 @@
 use crate::contact::law::Law;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, OutsideLaw, hertzian};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 
 use crate::numerics::functions::pow;
 
@@ -26,7 +26,7 @@ pub struct Hertz;
 
 impl ContactLaw for Hertz {
     fn rules(&self, _: &Bodies) -> LawParts {
-        let loading = Loading::new(Curve::hertz(), f64::INFINITY, |x, _| x.sqrt());
+        let loading = Loading::new(LoadingCurve::hertz(), f64::INFINITY, |x, _| x.sqrt());
         LawParts::of(loading, hertzian(|peak| pow(peak.force, 2.0 / 3.0)))
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, crossing, hertzian};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{cos, exp, pow};
 use crate::strings::names::named_enum;
 
@@ -90,9 +90,9 @@ impl ContactLaw for JacksonGreen {
         // from the printed limit, or from first yield if the fit has fallen below Hertz before that limit
         let starts = crossing(excess, TRANSITION, end).or_else(|| crossing(excess, 1.0, TRANSITION));
         let starts = starts.filter(|starts| strain <= LARGEST_STRAIN && end > 2.0 * starts);
-        let curve = starts.map_or_else(Curve::hertz, |starts| {
+        let curve = starts.map_or_else(LoadingCurve::hertz, |starts| {
             // beyond a = R, where the law is refused, only so that the impact ends somewhere
-            Curve::hertz().then_formula(starts * s, end * s, 0.0, fit).then_tangent(end * s)
+            LoadingCurve::hertz().then_fitted(starts * s, end * s, 0.0, fit).then_tangent(end * s)
         });
         let from = pow(TRANSITION, -b);
         let mut loading = Loading::new(curve, s, move |x, _| {

@@ -2,7 +2,7 @@
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, hertzian};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 
 /// The impact of Johnson, with its closed-form restitution.
 ///
@@ -31,7 +31,7 @@ impl ContactLaw for Johnson {
     fn rules(&self, bodies: &Bodies) -> LawParts {
         let pressure = self.dynamic_pressure.map_or(3.0, |pressure| pressure / bodies.yield_point.strength);
         let slope = bodies.slope_of_pressure(2.0, pressure);
-        let loading = Loading::new(Curve::straight(slope), 0.0, |x, _| (2.0 * x).sqrt());
+        let loading = Loading::new(LoadingCurve::linear(slope), 0.0, |x, _| (2.0 * x).sqrt());
         LawParts::of(loading, hertzian(|peak| peak.force / peak.radius))
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::pow;
 
 /// The law of Kogut and Etsion.
@@ -60,7 +60,7 @@ impl ContactLaw for KogutEtsion {
             () => plastic * plastic,
         };
         let is_whole = third >= 1.0;
-        let mut curve = Curve::hertz();
+        let mut curve = LoadingCurve::hertz();
         for (from, k, p) in [(first, k1, p1), (second, k2, p2)] {
             if from < third {
                 // k s^1.5 (x/s)^p
@@ -68,7 +68,7 @@ impl ContactLaw for KogutEtsion {
             }
         }
         if is_whole {
-            curve = curve.then_straight(third * s, plastic * s.sqrt());
+            curve = curve.then_line(third * s, plastic * s.sqrt());
         }
         let mut loading = Loading::new(curve, s, move |x, _| {
             let own = x / s;

@@ -3,7 +3,7 @@
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::plm::Plm;
 use crate::contact::law::published::{LawParts, Loading, crossing};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{ln, pow};
 
 /// The loading of Kogut and Komvopoulos, with the unloading of Xie et al. (2024).
@@ -60,11 +60,11 @@ impl ContactLaw for KogutKomvopoulos {
         let first = crossing(|x| mixed(x) - pow(x, 1.5), yields, 2.0 * yields);
         let second = crossing(|x| fully(x) - mixed(x), plastic, 2.0 * plastic);
         let starts = first.zip(second);
-        let mut curve = Curve::hertz();
+        let mut curve = LoadingCurve::hertz();
         if let Some((first, second)) = starts.filter(|(first, _)| *first < end) {
-            curve = curve.then_formula(first, second.min(end), 0.0, mixed);
+            curve = curve.then_fitted(first, second.min(end), 0.0, mixed);
             if second < end {
-                curve = curve.then_formula(second, end, 0.0, fully);
+                curve = curve.then_fitted(second, end, 0.0, fully);
             }
             curve = curve.then_tangent(end);
         }

@@ -3,7 +3,7 @@
 use super::thornton;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, hertzian};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{cbrt, ln, powi};
 
 /// The law of Ma and Liu, written from memory.
@@ -52,7 +52,7 @@ impl ContactLaw for MaLiu {
             let at = force.min(plastic);
             thornton::elastic_approach(at) * powi(cbrt(force / at), 2)
         };
-        let curve = Curve::hertz().then_formula(1.0, end, 0.0, mixed).then_straight(end, slope);
+        let curve = LoadingCurve::hertz().then_fitted(1.0, end, 0.0, mixed).then_line(end, slope);
         // the radius of the Hertz contact at the start of unloading
         let loading = Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force));
         LawParts::of(loading, hertzian(move |peak| elastic_approach(peak.force)))

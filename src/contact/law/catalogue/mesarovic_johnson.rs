@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 
 /// The law of Storåkers, Mesarovic and Johnson.
 ///
@@ -45,7 +45,7 @@ impl Default for MesarovicJohnson {
 impl ContactLaw for MesarovicJohnson {
     fn rules(&self, bodies: &Bodies) -> LawParts {
         let factor = self.area_factor;
-        let curve = Curve::straight(bodies.slope_of_pressure(factor, 6.0));
+        let curve = LoadingCurve::linear(bodies.slope_of_pressure(factor, 6.0));
         let mut loading = Loading::new(curve, 0.0, move |x, _| (2.0 * factor * x).sqrt());
         // a/a_Y of E* a/(σ_Y R) = 50
         let plastic = 50.0 * bodies.yield_strain() / bodies.yield_radius_ratio();

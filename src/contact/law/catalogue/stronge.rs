@@ -2,7 +2,7 @@
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, hertzian};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{ln, pow};
 
 /// The law of Stronge.
@@ -53,9 +53,9 @@ impl ContactLaw for Stronge {
             let area = 2.0 * x / s - 1.0;
             unit * area * pressure(area)
         };
-        let curve = Curve::hertz()
-            .then_formula(s, end, 0.5 * s, middle)
-            .then_straight(end, 2.0 * s.sqrt() * pressure(2.0 * FULLY_PLASTIC - 1.0));
+        let curve = LoadingCurve::hertz()
+            .then_fitted(s, end, 0.5 * s, middle)
+            .then_line(end, 2.0 * s.sqrt() * pressure(2.0 * FULLY_PLASTIC - 1.0));
         let factor = s * pow(self.unloading_factor, 0.25);
         let recovery = hertzian(move |peak| factor * (peak.force / unit).sqrt());
         LawParts::of(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()), recovery)

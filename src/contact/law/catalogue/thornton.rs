@@ -2,7 +2,7 @@
 
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, hertzian};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 
 /// The law of Thornton.
 ///
@@ -39,7 +39,7 @@ impl ContactLaw for Thornton {
         let yields =
             self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_point.strength));
         let unit = yields * yields.sqrt();
-        let loading = Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt());
+        let loading = Loading::new(LoadingCurve::hertz().then_tangent(yields), yields, |x, _| x.sqrt());
         LawParts::of(loading, hertzian(move |peak| yields * elastic_approach(peak.force / unit)))
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, Recovered};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 
 /// The hysteretic spring.
 ///
@@ -36,7 +36,7 @@ impl Default for WaltonBraun {
 
 impl ContactLaw for WaltonBraun {
     fn rules(&self, _: &Bodies) -> LawParts {
-        let mut loading = Loading::new(Curve::straight(self.loading_stiffness), 0.0, |x, _| x.sqrt());
+        let mut loading = Loading::new(LoadingCurve::linear(self.loading_stiffness), 0.0, |x, _| x.sqrt());
         // a spring has no geometry
         loading.limits.widest = f64::INFINITY;
         let k2 = self.loading_stiffness / self.stiffness_ratio;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::contact::law::UnloadingShape;
 use crate::contact::law::contact_law::{Bodies, ContactLaw};
 use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::cbrt;
 
 /// The law of Yigit and Christoforou.
@@ -51,6 +51,6 @@ impl ContactLaw for YigitChristoforou {
             };
             Recovered { elastic_approach, shape: UnloadingShape::ShiftedHertz }
         });
-        LawParts::of(Loading::new(Curve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
+        LawParts::of(Loading::new(LoadingCurve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
     }
 }

@@ -11,7 +11,7 @@ use super::contact_radius::RadiusTable;
 use super::unloading_rule::PlmRule;
 use crate::contact::law::{Law, OutsideLaw, UnloadingExponent};
 use crate::contact::pair::Pair;
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 
 /// Where a set of coefficients comes from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -37,10 +37,10 @@ pub struct ForceTable {
 }
 
 impl ForceTable {
-    pub fn curve(&self, kappa_squared: f64) -> Curve {
+    pub fn curve(&self, kappa_squared: f64) -> LoadingCurve {
         let pieces = self.from.iter().zip(&self.slope).zip(&self.slope_kappa_squared);
         let lines = pieces.map(|((from, slope), per_kappa)| (*from, slope + per_kappa * kappa_squared));
-        Curve::hertz().then_straights(lines).with_crossings()
+        LoadingCurve::hertz().then_lines(lines).with_transit_series()
     }
 }
 

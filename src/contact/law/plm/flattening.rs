@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 use super::hardening::{RATIO, between};
 use crate::contact::pair::{Ball, Pair};
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 
 /// The constants 5 and 0.8 of the formulas above: the flat is softer, and recovers less.
 const SOFTENING: f64 = 5.0;
@@ -32,7 +32,7 @@ const WIDEST: f64 = 0.6;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flattening {
     /// f_P.
-    pub(super) plain: Arc<Curve>,
+    pub(super) plain: Arc<LoadingCurve>,
     /// 0.8 Σ β_i (E*/E_i*) a_Y/R_i.
     recovery: f64,
     /// Largest a/R of the finite elements behind it.
@@ -47,10 +47,10 @@ impl Flattening {
         pair: &Pair,
         yield_radius_ratio: f64,
         plastic_from: f64,
-        plain: Arc<Curve>,
+        plain: Arc<LoadingCurve>,
         mut equivalents: impl FnMut(f64, f64) -> [f64; 2],
         radius: impl Fn(f64, f64) -> f64,
-    ) -> (Curve, Self) {
+    ) -> (LoadingCurve, Self) {
         let (mut softening, mut recovery) = (0.0, 0.0);
         for Ball { share, compliance, curvature } in pair.balls {
             softening += SOFTENING * share * (curvature * curvature);
@@ -92,13 +92,13 @@ impl Flattening {
             points.push([x, force / factor]);
         }
         let (from, [to, _]) = (points[0], points[points.len() - 1]);
-        let curve = Curve::hertz().then_through(from, points[1..].iter().copied());
-        let curve = curve.then_straight(to, last.slope_at(to) / factor);
+        let curve = LoadingCurve::hertz().then_points(from, points[1..].iter().copied());
+        let curve = curve.then_line(to, last.slope_at(to) / factor);
         let widest = match pair.yield_point.map(|point| point.flow) {
             Some(flow) if flow.is_of_both() => 0.2,
             _ => 0.3,
         };
-        (curve.with_crossings(), Self { plain, recovery: recovery * yield_radius_ratio, widest })
+        (curve.with_transit_series(), Self { plain, recovery: recovery * yield_radius_ratio, widest })
     }
 
     /// The fraction of ε_line that is recovered at x > 1, where the strength is σ_rep = r σ_Y. Beyond δ = R, where no law holds, it

@@ -20,7 +20,7 @@ use std::iter::successors;
 
 use super::approach::LineSlopes;
 use crate::contact::strength::flow_curve::Rise;
-use crate::numerics::curve::Curve;
+use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{exp, ln};
 
 /// The plastic strains that stand for the strain field, divided by s.
@@ -87,7 +87,7 @@ impl Hardening {
 
     /// Hertz up to the first knot of the perfectly plastic curve, then straight through points at most 10 % apart: its
     /// knots, points between them in equal ratios, and points beyond the last knot until δ = R.
-    pub(super) fn loading(&self, perfect: &Curve) -> Curve {
+    pub(super) fn loading(&self, perfect: &LoadingCurve) -> LoadingCurve {
         let knots = perfect.pieces().get(1..).unwrap_or_default();
         let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return perfect.clone() };
         let first = first.start;
@@ -104,7 +104,7 @@ impl Hardening {
             before = [x, force(x).max(from * (1.0 + LEAST_GROWTH * (x - start) / start))];
             before
         });
-        Curve::hertz().then_through([first, force(first)], hardened).with_crossings()
+        LoadingCurve::hertz().then_points([first, force(first)], hardened).with_transit_series()
     }
 }
 

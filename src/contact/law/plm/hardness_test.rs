@@ -19,7 +19,7 @@ use crate::contact::law::unloading::UnloadingExponent;
 use crate::contact::pair::{HalfSpace, Material, Pair, Sphere};
 use crate::contact::strength::flow_curve::{FlowCurve, yield_strength_of_power};
 use crate::contact::strength::hardness::STRAIN;
-use crate::numerics::root::falls_through;
+use crate::numerics::root::illinois;
 
 const DIAMOND: Material = Material { youngs_modulus: 1140e9, poissons_ratio: 0.07 };
 
@@ -47,7 +47,7 @@ pub fn flow_stress(mean_pressure: f64, material: &Material) -> f64 {
     if !(short_of(high) <= 0.0 && high.is_finite()) {
         return f64::NAN;
     }
-    falls_through((low, high), short_of)
+    illinois((low, high), short_of)
 }
 
 /// The hardness, as mean pressure \[Pa\], of a body of this material with a constant flow stress \[Pa\]; NaN if they are not
@@ -62,7 +62,7 @@ pub fn pressure(flow_stress: f64, material: &Material) -> f64 {
     let width = |x: f64| ratio * law.contact_radius(&law.loaded_to(x));
     // an elastic contact is as wide at δ = a²/R, a plastic one at no less than a fifth of that
     let elastic = (WIDTH / ratio) * (WIDTH / ratio);
-    let x = falls_through((0.1 * elastic, 2.0 * elastic), |x| WIDTH - width(x));
+    let x = illinois((0.1 * elastic, 2.0 * elastic), |x| WIDTH - width(x));
     point.force * law.loading.force(x) / (std::f64::consts::PI * WIDTH * WIDTH)
 }
 

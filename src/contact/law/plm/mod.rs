@@ -28,7 +28,7 @@ use super::published::{LawParts, Loading, PeakState};
 use super::{Law, OutsideLaw, UnloadingExponent};
 use crate::contact::pair::Pair;
 use crate::contact::strength::flow_curve::FlowCurve;
-use crate::numerics::curve::{Curve, Once};
+use crate::numerics::curve::{Cached, LoadingCurve};
 pub use approach::ElasticLine;
 pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients};
 pub use flattening::Flattening;
@@ -50,7 +50,7 @@ pub struct Plm {
     /// By how much the rate of strain raises the whole flow curve of the body that yields; its strength has it already.
     pub rate_factor: f64,
     /// The curve of the first pair, with the coefficients and the κ² that it was made of: pairs of the same share it.
-    pub first: Once<(Arc<PlmCoefficients>, f64, Arc<Curve>)>,
+    pub first: Cached<(Arc<PlmCoefficients>, f64, Arc<LoadingCurve>)>,
 }
 
 impl Default for Plm {
@@ -60,7 +60,7 @@ impl Default for Plm {
             exponent: UnloadingExponent::Paper,
             flow: [None, None],
             rate_factor: 1.0,
-            first: Once::default(),
+            first: Cached::default(),
         }
     }
 }
@@ -118,7 +118,7 @@ impl Plm {
     }
 
     /// The curve of a half-space that does not harden.
-    fn perfect(&self, pair: &Pair) -> Arc<Curve> {
+    fn perfect(&self, pair: &Pair) -> Arc<LoadingCurve> {
         let [kappa, _] = pair.shares();
         let square = kappa * kappa;
         let curve = || Arc::new(self.coefficients.force.curve(square));
@@ -127,7 +127,7 @@ impl Plm {
         if *square_of_first == square && Arc::ptr_eq(table, &self.coefficients) { Arc::clone(first) } else { curve() }
     }
 
-    fn halves(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
+    fn halves(&self, bodies: &Bodies) -> (Arc<LoadingCurve>, PlmRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
         let (perfect, rule) = (self.perfect(pair), self.coefficients.rule(pair, ratio, self.exponent));
         let [sphere, half_space] = &self.flow;
@@ -140,7 +140,7 @@ impl Plm {
     }
 
     /// The halves with the flats of balls that flow.
-    fn flattened(&self, bodies: &Bodies) -> (Arc<Curve>, PlmRule) {
+    fn flattened(&self, bodies: &Bodies) -> (Arc<LoadingCurve>, PlmRule) {
         let (plain, rule) = self.halves(bodies);
         let pair = &bodies.pair;
         if pair.balls.iter().all(|ball| ball.share * ball.curvature == 0.0) {

@@ -12,7 +12,7 @@ use crate::contact::law::{Ground, Unloading};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::ACCELERATION;
 use crate::numerics::curve::piece::{Piece, Shape};
-use crate::numerics::curve::transit::Reached;
+use crate::numerics::curve::transit::Transit;
 use crate::numerics::functions::atan;
 use crate::numerics::ode::IntegrationError;
 use crate::numerics::power::{arctangent, power_time};
@@ -68,7 +68,7 @@ pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Balance 
 pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
     let ground = ground.into();
     let Balance { unloading, restitution, kinetic, last, distance } = energy_balance(ground, speed);
-    let Reached { piece: first, work, time: mut loading_time } = ground.way_in.crossed(kinetic, speed);
+    let Transit { piece: first, work, time: mut loading_time } = ground.way_in.transit(kinetic, speed);
     let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
     let pieces = ground.way_in.pieces();
     for pair in pieces[first..=last].windows(2) {
@@ -102,7 +102,7 @@ const ROOT_ACCELERATION: f64 = 1.118_033_988_749_895;
 #[inline(always)]
 fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
     match &piece.shape {
-        Shape::Straight { slope, inverse_root } => {
+        Shape::Linear { slope, inverse_root } => {
             let omega = ROOT_ACCELERATION * slope * inverse_root;
             let by_root = inverse_root * (1.0 / ROOT_ACCELERATION);
             if exit == 0.0 {
@@ -118,7 +118,7 @@ fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
             let whole = (entry * entry + begun).sqrt();
             power_time(*exponent, offset + distance, whole, exit) - power_time(*exponent, *offset, whole, entry)
         }
-        Shape::Polynomial(poly) => poly.time(distance, distance, exit, ACCELERATION),
-        Shape::Branch(branch) => branch.time(distance, distance, exit, ACCELERATION),
+        Shape::Polynomial(poly) => poly.travel_time(distance, distance, exit, ACCELERATION),
+        Shape::Unloading(branch) => branch.travel_time(distance, distance, exit, ACCELERATION),
     }
 }

@@ -1,19 +1,19 @@
 //! Pieces without drag that are neither powers nor straight lines.
 
-use super::Field;
-use crate::numerics::curve::polynomial::Poly;
-use crate::numerics::curve::unloading_curve::Branch;
+use super::NystromEquation;
+use crate::numerics::curve::polynomial::FittedPolynomial;
+use crate::numerics::curve::unloading_curve::UnloadingCurve;
 
 /// A polynomial: y = d and g = −c f.
 #[derive(Debug, Clone, Copy)]
-pub struct Polynomial {
-    pub force: Poly,
+pub struct PolynomialEquation {
+    pub force: FittedPolynomial,
     pub c: f64,
 }
 
-impl Field for Polynomial {
-    const IS_TIME: bool = true;
-    const IS_POLYNOMIAL: bool = false;
+impl NystromEquation for PolynomialEquation {
+    const USES_PLAIN_VARIABLES: bool = true;
+    const IS_SMOOTH_AT_ZERO: bool = false;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
@@ -23,35 +23,35 @@ impl Field for Polynomial {
         -self.c * self.force.force(y)
     }
     fn derivatives(self, y: f64) -> (f64, f64) {
-        let [_, slope, curvature] = self.force.jet(y);
+        let [_, slope, curvature] = self.force.derivatives(y);
         (-self.c * slope, -self.c * curvature)
     }
     fn potential(self, y: f64) -> f64 {
         self.c * self.force.work(y)
     }
-    fn at_potential(self, potential: f64) -> f64 {
-        self.force.turn(potential / self.c, 0.0)
+    fn y_at_potential(self, potential: f64) -> f64 {
+        self.force.turning_distance(potential / self.c, 0.0)
     }
 }
 
 /// An unloading branch, smooth in y = √d: g = −c |y| f, with c twice its factor.
 #[derive(Debug, Clone, Copy)]
-pub struct Root {
-    pub branch: Branch,
+pub struct SqrtBranchEquation {
+    pub branch: UnloadingCurve,
     pub c: f64,
 }
 
-impl Field for Root {
-    const IS_TIME: bool = false;
-    const IS_POLYNOMIAL: bool = true;
+impl NystromEquation for SqrtBranchEquation {
+    const USES_PLAIN_VARIABLES: bool = false;
+    const IS_SMOOTH_AT_ZERO: bool = true;
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, ..self }
     }
     fn g(self, y: f64) -> f64 {
-        -self.c * y.abs() * self.branch.at(y * y).0[0]
+        -self.c * y.abs() * self.branch.derivatives_and_work(y * y).0[0]
     }
     fn derivatives(self, y: f64) -> (f64, f64) {
-        let ([f, slope, curvature], square) = (self.branch.at(y * y).0, y * y);
+        let ([f, slope, curvature], square) = (self.branch.derivatives_and_work(y * y).0, y * y);
         if square == 0.0 {
             return (0.0, 0.0);
         }
@@ -61,9 +61,9 @@ impl Field for Root {
         )
     }
     fn potential(self, y: f64) -> f64 {
-        0.5 * self.c * self.branch.at(y * y).1
+        0.5 * self.c * self.branch.derivatives_and_work(y * y).1
     }
-    fn at_potential(self, potential: f64) -> f64 {
-        self.branch.turn(2.0 * potential / self.c, 0.0).sqrt()
+    fn y_at_potential(self, potential: f64) -> f64 {
+        self.branch.turning_distance(2.0 * potential / self.c, 0.0).sqrt()
     }
 }

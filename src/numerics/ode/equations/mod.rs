@@ -1,7 +1,7 @@
 //! The smooth pieces of a motion, each in variables in which it is smooth. Each kind of piece has a file of its own, where it
 //! is written once without drag and once with it.
 //!
-//! **Without drag** a piece is a Nyström problem y'' = g(y) ([`Field`]), also under a constant pull γ.
+//! **Without drag** a piece is a Nyström problem y'' = g(y) ([`NystromEquation`]), also under a constant pull γ.
 //! On a power law d'' = γ − k d^n the force is not smooth at d = 0, which costs any method its order. With s = √d and
 //! dσ = dt/(2 s)
 //!
@@ -11,7 +11,7 @@
 //!
 //! which for n = 3/2 is a polynomial and again of the form y'' = g(y). On straight and other smooth pieces y = d and σ = t.
 //!
-//! **With drag** it is given by its rates ([`Dragged`]), with d = r^m and dσ = dt/(m r^(m−1)):
+//! **With drag** it is given by its rates ([`DampedEquation`]), with d = r^m and dσ = dt/(m r^(m−1)):
 //!
 //! ```text
 //! r' = u,   u' = m r^(m−1) (γ − k r^(mn) − drag),   t' = m r^(m−1)
@@ -24,15 +24,15 @@ pub(super) mod general;
 pub(super) mod linear;
 pub(super) mod power;
 
-use super::Path;
+use super::LegProblem;
 use crate::numerics::functions::powi;
 
 /// g(y) of one smooth piece without drag, with what stepping, landing and dense output need.
-pub(super) trait Field: Copy + Send + Sync + 'static {
+pub(super) trait NystromEquation: Copy + Send + Sync + 'static {
     /// True for y = d and σ = t; false for y = √d and dσ = dt/(2 y).
-    const IS_TIME: bool;
+    const USES_PLAIN_VARIABLES: bool;
     /// True if g is a polynomial, or as smooth as one, also at y = 0.
-    const IS_POLYNOMIAL: bool;
+    const IS_SMOOTH_AT_ZERO: bool;
     fn scaled(self, factor: f64) -> Self;
     /// g(y).
     fn g(self, y: f64) -> f64;
@@ -41,21 +41,21 @@ pub(super) trait Field: Copy + Send + Sync + 'static {
     /// The time that a stretch h of σ with this mean of y takes.
     #[inline(always)]
     fn duration(self, h: f64, mean: f64) -> f64 {
-        if Self::IS_TIME { h } else { mean * 2.0 * h }
+        if Self::USES_PLAIN_VARIABLES { h } else { mean * 2.0 * h }
     }
     #[inline(always)]
     fn y_at(self, distance: f64) -> f64 {
-        if Self::IS_TIME { distance } else { distance.sqrt() }
+        if Self::USES_PLAIN_VARIABLES { distance } else { distance.sqrt() }
     }
     /// d for y.
     #[inline(always)]
     fn distance_at(self, y: f64) -> f64 {
-        if Self::IS_TIME { y } else { y * y }
+        if Self::USES_PLAIN_VARIABLES { y } else { y * y }
     }
     /// Potential −∫ g.
     fn potential(self, y: f64) -> f64;
     /// The y > 0 of a given potential.
-    fn at_potential(self, potential: f64) -> f64;
+    fn y_at_potential(self, potential: f64) -> f64;
     /// −g' at y, for the first step.
     #[inline(always)]
     fn stiffness(self, y: f64) -> f64 {
@@ -64,16 +64,16 @@ pub(super) trait Field: Copy + Send + Sync + 'static {
 }
 
 /// A point of a motion with drag: \[y, u, t, loss\]; and its rate along the independent variable.
-pub(super) type DraggedState = [f64; 4];
+pub(super) type DampedState = [f64; 4];
 
 /// A motion with drag in its own variables.
-pub(super) trait Dragged: Copy {
+pub(super) trait DampedEquation: Copy {
     /// m.
-    const ROOT: i32;
-    fn rates(&self, y: f64, u: f64) -> DraggedState;
+    const VARIABLE_ROOT: i32;
+    fn rates(&self, y: f64, u: f64) -> DampedState;
 
     fn y_at(distance: f64) -> f64 {
-        match Self::ROOT {
+        match Self::VARIABLE_ROOT {
             1 => distance,
             2 => distance.sqrt(),
             _ => distance.sqrt().sqrt(),
@@ -81,30 +81,30 @@ pub(super) trait Dragged: Copy {
     }
     /// d for y.
     fn distance_at(y: f64) -> f64 {
-        powi(y, Self::ROOT)
+        powi(y, Self::VARIABLE_ROOT)
     }
     /// √ of about −du'/dr at y on this path, for the first step.
-    fn frequency(path: &Path, y: f64) -> f64 {
-        if Self::ROOT == 1 {
-            return path.root_of_slope(y).max(f64::MIN_POSITIVE);
+    fn frequency(path: &LegProblem, y: f64) -> f64 {
+        if Self::VARIABLE_ROOT == 1 {
+            return path.sqrt_slope(y).max(f64::MIN_POSITIVE);
         }
-        let (m, distance) = (f64::from(Self::ROOT), Self::distance_at(y));
-        let [force, slope, _] = path.jet(distance);
-        (m * powi(y, Self::ROOT - 2) * ((m - 1.0) * force + m * distance * slope)).sqrt()
+        let (m, distance) = (f64::from(Self::VARIABLE_ROOT), Self::distance_at(y));
+        let [force, slope, _] = path.derivatives(distance);
+        (m * powi(y, Self::VARIABLE_ROOT - 2) * ((m - 1.0) * force + m * distance * slope)).sqrt()
     }
 }
 
 /// Any piece with drag, by the forces of its path.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct AnyDragged<'a, const M: u8>(pub Path<'a>);
+pub(super) struct DampedPieceEquation<'a, const M: u8>(pub LegProblem<'a>);
 
-impl<const M: u8> Dragged for AnyDragged<'_, M> {
-    const ROOT: i32 = M as i32;
-    fn rates(&self, y: f64, u: f64) -> DraggedState {
+impl<const M: u8> DampedEquation for DampedPieceEquation<'_, M> {
+    const VARIABLE_ROOT: i32 = M as i32;
+    fn rates(&self, y: f64, u: f64) -> DampedState {
         // dd/dr, which is also dt/dσ
         let clock = f64::from(M) * powi(y, i32::from(M) - 1);
         let (force, in_contact, on_motion) = self.0.forces(Self::distance_at(y), u);
         let drag = in_contact + on_motion;
-        [u, clock * (self.0.pull - force - drag), clock, clock * drag * u]
+        [u, clock * (self.0.constant_acceleration - force - drag), clock, clock * drag * u]
     }
 }

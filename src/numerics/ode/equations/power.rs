@@ -1,21 +1,21 @@
 //! A power law from its zero: g = k d^n. Hertz, n = 3/2, is a polynomial in its variables and needs no `powf`; with drag it
 //! alone has its own rates.
 
-use super::{Dragged, DraggedState, Field};
+use super::{DampedEquation, DampedState, NystromEquation};
 use crate::numerics::functions::pow;
-use crate::numerics::ode::{Drag, Path};
-use crate::numerics::power::power_turn;
+use crate::numerics::ode::{DampingCoefficients, LegProblem};
+use crate::numerics::power::power_turning_distance;
 
 /// Without drag, y = √d: g = 2 γ y − c y^m with c = 2 k, m = 2 n + 1; m = 4 for Hertz.
 #[derive(Debug, Clone, Copy)]
-pub struct Power<const HERTZ: bool, const PULLED: bool> {
+pub struct PowerEquation<const HERTZ: bool, const PULLED: bool> {
     pub c: f64,
     m: f64,
     /// γ; not used without gravity.
     pull: f64,
 }
 
-impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
+impl<const HERTZ: bool, const PULLED: bool> PowerEquation<HERTZ, PULLED> {
     #[inline(always)]
     pub fn new(k: f64, n: f64, pull: f64) -> Self {
         Self { c: 2.0 * k, m: 2.0 * n + 1.0, pull }
@@ -28,9 +28,9 @@ impl<const HERTZ: bool, const PULLED: bool> Power<HERTZ, PULLED> {
     }
 }
 
-impl<const HERTZ: bool, const PULLED: bool> Field for Power<HERTZ, PULLED> {
-    const IS_TIME: bool = false;
-    const IS_POLYNOMIAL: bool = HERTZ;
+impl<const HERTZ: bool, const PULLED: bool> NystromEquation for PowerEquation<HERTZ, PULLED> {
+    const USES_PLAIN_VARIABLES: bool = false;
+    const IS_SMOOTH_AT_ZERO: bool = HERTZ;
     #[inline(always)]
     fn scaled(self, factor: f64) -> Self {
         Self { c: self.c * factor, pull: self.pull * factor, ..self }
@@ -65,11 +65,11 @@ impl<const HERTZ: bool, const PULLED: bool> Field for Power<HERTZ, PULLED> {
         if PULLED { of_force - self.pull * y * y } else { of_force }
     }
     #[inline(always)]
-    fn at_potential(self, potential: f64) -> f64 {
+    fn y_at_potential(self, potential: f64) -> f64 {
         if PULLED {
             // potential = k d^(n+1)/(n+1) − γ d
             let (n, k) = (0.5 * (self.m() - 1.0), 0.5 * self.c);
-            power_turn(k, n, potential.max(0.0), self.pull).sqrt()
+            power_turning_distance(k, n, potential.max(0.0), self.pull).sqrt()
         } else {
             let q = self.m() + 1.0;
             pow(q * potential / self.c, 1.0 / q)
@@ -85,39 +85,43 @@ impl<const HERTZ: bool, const PULLED: bool> Field for Power<HERTZ, PULLED> {
 
 /// Hertz's law with drag, r = d^(1/m); the drag holds χ, η √(k n) and θ k n.
 #[derive(Debug, Clone, Copy)]
-pub struct DraggedHertz<const M: u8> {
+pub struct DampedHertzEquation<const M: u8> {
     pub k: f64,
-    pub drag: Drag,
+    pub drag: DampingCoefficients,
     pub pull: f64,
 }
 
-impl<const M: u8> DraggedHertz<M> {
+impl<const M: u8> DampedHertzEquation<M> {
     /// The piece k d^1.5 with the pull and the drag of a path.
-    pub fn along(k: f64, path: &Path) -> Self {
-        let (Drag { chi, eta, theta }, slope) = (path.drag, 1.5 * k);
-        Self { k, drag: Drag { chi, eta: eta * slope.sqrt(), theta: theta * slope }, pull: path.pull }
+    pub fn from_leg(k: f64, path: &LegProblem) -> Self {
+        let (DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta }, slope) = (path.drag, 1.5 * k);
+        Self {
+            k,
+            drag: DampingCoefficients { hunt_crossley: chi, viscous: eta * slope.sqrt(), plate: theta * slope },
+            pull: path.constant_acceleration,
+        }
     }
 }
 
-impl<const M: u8> Dragged for DraggedHertz<M> {
-    const ROOT: i32 = M as i32;
+impl<const M: u8> DampedEquation for DampedHertzEquation<M> {
+    const VARIABLE_ROOT: i32 = M as i32;
     #[inline(always)]
-    fn rates(&self, y: f64, u: f64) -> DraggedState {
+    fn rates(&self, y: f64, u: f64) -> DampedState {
         let square = y * y;
         if M == 2 {
             // per 2 s: k s³, and θ k n s; η would need the root of s
             let (clock, force) = (y * 2.0, self.k * 2.0 * square * square);
-            let mut drag = force * self.drag.chi * u;
-            if self.drag.theta != 0.0 {
-                drag += 2.0 * self.drag.theta * square * u;
+            let mut drag = force * self.drag.hunt_crossley * u;
+            if self.drag.plate != 0.0 {
+                drag += 2.0 * self.drag.plate * square * u;
             }
             [u, clock * self.pull - force - drag, clock, drag * u]
         } else {
             let clock = square * 4.0 * y;
             let force = clock * self.k * square * square * square;
-            let mut drag = (force * self.drag.chi + clock * self.drag.eta * y) * u;
-            if self.drag.theta != 0.0 {
-                drag += clock * self.drag.theta * square * u;
+            let mut drag = (force * self.drag.hunt_crossley + clock * self.drag.viscous * y) * u;
+            if self.drag.plate != 0.0 {
+                drag += clock * self.drag.plate * square * u;
             }
             [u, clock * self.pull - force - drag, clock, drag * u]
         }

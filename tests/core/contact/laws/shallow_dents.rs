@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use plm_impact::contact::law::published::{LawParts, Loading, PeakState};
-use plm_impact::numerics::curve::Curve;
+use plm_impact::numerics::curve::LoadingCurve;
 
 use crate::common::prelude::*;
 
@@ -19,7 +19,7 @@ impl ContactLaw for Dented {
             elastic_approach: recovered * peak.indentation,
             shape: UnloadingShape::ShiftedHertz,
         };
-        LawParts::of(Loading::new(Curve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
+        LawParts::of(Loading::new(LoadingCurve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
     }
 }
 
@@ -38,7 +38,7 @@ fn a_dent_however_shallow_is_landed_on() {
             for (method, factor) in STEPPING {
                 for tolerance in [1e-3, 1e-6, 1e-10, 1e-13] {
                     let impact = contact.impact(speed, &solver(method, tolerance), None).unwrap();
-                    let error = plm_impact::numerics::power::max_or_nan(
+                    let error = plm_impact::numerics::power::nan_max(
                         off(impact.restitution, exact.restitution),
                         off(impact.contact_time, exact.contact_time),
                     );

@@ -4,7 +4,7 @@ use plm_impact::impact::solve::motion;
 
 use super::{gravity, under, viscous};
 use crate::common::prelude::*;
-use plm_impact::numerics::ode::Drag;
+use plm_impact::numerics::ode::DampingCoefficients;
 
 /// The cases were found on bodies so soft that the sphere sank in whole. Moduli that are larger by a power of two, and speeds
 /// and gravity that are smaller by its square, are the same motion to the last bit, and a shallow dent.
@@ -111,7 +111,7 @@ fn undamped_step_limit_does_not_advise_less_damping() {
     let is_of_steps = |error: &IntegrationError| {
         matches!(error, IntegrationError::StepUnderflow { .. } | IntegrationError::TooManySteps { .. })
     };
-    let [free, falling] = [0.0, 0.1].map(|weight| run(weight, Drag::NONE));
+    let [free, falling] = [0.0, 0.1].map(|weight| run(weight, DampingCoefficients::NONE));
     assert!(is_of_steps(&free) && is_of_steps(&falling), "{free} {falling}");
     let damped = run(0.0, Damping::Viscous(0.1).drag(1.0));
     assert!(is_of_steps(&damped) || damped.to_string().contains("lower the damping"), "{damped}");

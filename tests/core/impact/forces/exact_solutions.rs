@@ -12,7 +12,7 @@
 
 use plm_impact::numerics::curve::piece::{Piece, Shape};
 use plm_impact::numerics::quadrature;
-use plm_impact::numerics::root::halved;
+use plm_impact::numerics::root::bisect;
 
 use crate::common::prelude::*;
 
@@ -70,8 +70,10 @@ fn excess(v: f64) -> f64 {
 /// The outcome of a sphere that leaves, or stays without damping.
 pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -> Outcome {
     let ground = ground.into();
-    let (speeds, weight) = (Speeds { chi: forces.drag.chi }, forces.weight);
-    assert!(forces.drag.eta == 0.0 && forces.drag.theta == 0.0 && (weight == 0.0 || forces.drag.chi == 0.0));
+    let (speeds, weight) = (Speeds { chi: forces.drag.hunt_crossley }, forces.weight);
+    assert!(
+        forces.drag.viscous == 0.0 && forces.drag.plate == 0.0 && (weight == 0.0 || forces.drag.hunt_crossley == 0.0)
+    );
     let touch = ground.touch();
     let pieces = ground.way_in.pieces();
     let kinetic = speeds.energy(q) / C;
@@ -92,7 +94,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
     while spent(far) < 0.0 {
         far *= 2.0;
     }
-    let distance = halved(0.0, far, |d| spent(d) < 0.0 || piece.force_at(piece.start + d) < weight).1;
+    let distance = bisect(0.0, far, |d| spent(d) < 0.0 || piece.force_at(piece.start + d) < weight).1;
     // on the branch of a dent the distance has digits that the indentation has lost
     let on_branch = ground.branch().filter(|branch| last == 0 && distance < branch.peak.elastic_approach);
     let unloading = match on_branch {
@@ -111,7 +113,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
     let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
     let branch = unloading.branch();
     let carries = |d: f64| unloading.force(unloading.peak.residual() + d) < weight;
-    let at_rest = if is_captured { halved(0.0, unloading.peak.elastic_approach, carries).1 } else { 0.0 };
+    let at_rest = if is_captured { bisect(0.0, unloading.peak.elastic_approach, carries).1 } else { 0.0 };
     let length = (unloading.peak.elastic_approach - at_rest).max(0.0);
     let at_end = C * (work_between(&branch, at_rest, length) - weight * length);
     let at_end = if is_elastic && !is_captured { speeds.energy(-q) } else { at_end };
@@ -143,7 +145,7 @@ fn largest_force(pieces: &[Piece], last: usize, distance: f64, energy: f64, spee
         };
         largest = largest.max(force(0.0)).max(force(end));
         if grows(0.0) && !grows(end) {
-            largest = largest.max(force(halved(0.0, end, grows).1));
+            largest = largest.max(force(bisect(0.0, end, grows).1));
         }
     }
     largest
@@ -174,7 +176,7 @@ fn time_between(
     speeds: Speeds,
     sign: f64,
 ) -> f64 {
-    quadrature::integrate(length, |below, above| {
+    quadrature::tanh_sinh(length, |below, above| {
         // from the nearer end, where nothing cancels
         let near = if below < above {
             at_start - C * (work_between(piece, from, below) - weight * below)
@@ -188,11 +190,11 @@ fn time_between(
 /// Work on a piece between the distances `distance` and `distance + by` from its start, without cancellation.
 fn work_between(piece: &Piece, distance: f64, by: f64) -> f64 {
     match &piece.shape {
-        Shape::Straight { slope, .. } => by * (piece.force + slope * (distance + 0.5 * by)),
+        Shape::Linear { slope, .. } => by * (piece.force + slope * (distance + 0.5 * by)),
         Shape::Power { stiffness, exponent, offset } => {
             let (p, end) = (exponent + 1.0, offset + distance + by);
             stiffness * end.powf(p) / p * -(p * (-by / end).ln_1p()).exp_m1()
         }
-        Shape::Polynomial(_) | Shape::Branch(_) => panic!("no formulas here"),
+        Shape::Polynomial(_) | Shape::Unloading(_) => panic!("no formulas here"),
     }
 }
