@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use super::measure::timed;
 use crate::error::Error;
-use crate::files::Counter;
+use crate::files::Progress;
 use crate::report::run::table;
 use crate::scenario::plan::Plan;
 use crate::table::Rows;
@@ -22,6 +22,6 @@ pub fn throughput(plan: &Plan, rounds: u32) -> Result<[f64; 2], Error> {
 }
 
 fn rate<P: Send>(plan: &Plan, make: impl Fn(&Rows) -> P + Sync + Send) -> Result<f64, Error> {
-    let (tally, ns) = timed(|| table::rows(plan, &Counter::default(), make, |piece| drop(black_box(piece))));
+    let (tally, ns) = timed(|| table::rows(plan, &Progress::default(), make, |piece| drop(black_box(piece))));
     Ok(1e9 * tally?.rows as f64 / ns)
 }

@@ -28,7 +28,7 @@ pub mod statistics;
 
 use crate::contact::law::LawChoice;
 use crate::error::{Error, ErrorKind};
-use crate::files::Counter;
+use crate::files::Progress;
 use crate::numerics::functions::hypot;
 use crate::scenario::input::Measured;
 use crate::scenario::kinds::calibration::{Source, Wanted};
@@ -164,7 +164,7 @@ impl Measurements {
     }
 
     /// The best keys under a law.
-    fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Counter) -> Result<Result<Fit<'a>, NoAnswer>, Error> {
+    fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Progress) -> Result<Result<Fit<'a>, NoAnswer>, Error> {
         let noise = self.noise()?;
         let deviations = noise.deviations(&self.data.sizes());
         let mut input = self.wanted.input.clone();
@@ -174,11 +174,11 @@ impl Measurements {
     }
 
     /// The fits of all laws that were asked for, the best first.
-    fn ranked<'a>(&'a self, progress: &'a Counter) -> Result<Vec<LawFit<'a>>, Error> {
+    fn ranked<'a>(&'a self, progress: &'a Progress) -> Result<Vec<LawFit<'a>>, Error> {
         let mut laws = Vec::new();
         for law in &self.wanted.laws {
             laws.push((law.name(), self.fit(law, progress)?));
-            progress.step();
+            progress.advance();
         }
         let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
         laws.sort_by(|a, b| aic(&a.1).total_cmp(&aic(&b.1)));
@@ -189,12 +189,12 @@ impl Measurements {
     ///
     /// # Errors
     /// [`Error`] of the kind `Stopped` if `progress` is asked to stop; others if there is no answer.
-    pub fn calibrate<'a>(&'a self, progress: &'a Counter) -> Result<Calibration<'a>, Error> {
-        progress.expect((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
+    pub fn calibrate<'a>(&'a self, progress: &'a Progress) -> Result<Calibration<'a>, Error> {
+        progress.add_total((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
         let laws = self.ranked(progress)?;
         let no_answer = |reason: NoAnswer| self.no_answer(&reason);
         let fit = self.fit(&self.wanted.input.named_law, progress)?.map_err(no_answer)?;
-        progress.step();
+        progress.advance();
         let (problem, shares) = (&fit.problem, &fit.best().shares);
         let predicted = problem.predict(shares).map_err(no_answer)?;
         let residuals = problem.residuals(shares).map_err(no_answer)?;
@@ -203,7 +203,7 @@ impl Measurements {
         let refusal = refusal(&fit, identifiability.as_ref());
         let keys = (0..problem.free.len()).map(|key| {
             let found = found(&fit, key, refusal.is_none());
-            progress.step();
+            progress.advance();
             found
         });
         let keys: Vec<KeyEstimate> = keys.collect();

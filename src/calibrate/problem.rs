@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::data::{Data, Row, Value};
 use crate::contact::pair::Sphere;
-use crate::files::Counter;
+use crate::files::Progress;
 use crate::impact::ImpactError;
 use crate::impact::flight::free_flight::Flying;
 use crate::impact::indentation::{IndentationError, StaticContact, Target};
@@ -58,7 +58,7 @@ pub struct Problem<'a> {
     /// For every row, the range of its values.
     ranges: Vec<std::ops::Range<usize>>,
     /// Says when the result is no longer wanted.
-    progress: Option<&'a Counter>,
+    progress: Option<&'a Progress>,
 }
 
 impl<'a> Problem<'a> {
@@ -80,7 +80,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Returns this problem, which stops with an error when `progress` is asked to stop.
-    pub fn watched(self, progress: &'a Counter) -> Self {
+    pub fn watched(self, progress: &'a Progress) -> Self {
         Self { progress: Some(progress), ..self }
     }
 
@@ -162,7 +162,7 @@ impl<'a> Problem<'a> {
 
     /// Refuses to go on after the calibration was stopped.
     fn go_on(&self) -> Result<(), NoAnswer> {
-        if self.progress.is_some_and(Counter::is_stopped) { Err(NoAnswer::Stopped) } else { Ok(()) }
+        if self.progress.is_some_and(Progress::is_stopped) { Err(NoAnswer::Stopped) } else { Ok(()) }
     }
 
     /// The impact speed of every row \[m/s\]; NaN for a row without one.

@@ -11,22 +11,22 @@ use std::time::Duration;
 use super::unfinished;
 
 /// The end of a temporary name.
-const PART: &str = ".part";
+const TEMPORARY_SUFFIX: &str = ".part";
 /// A temporary file that nobody has written to for so long was left by a killed run.
-const STALE: Duration = Duration::from_secs(3600);
+const STALE_AGE: Duration = Duration::from_secs(3600);
 
 /// It is called after every change of the disk.
-static AFTER_CHANGES: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
+static ON_DISK_CHANGE: OnceLock<Box<dyn Fn() + Send + Sync>> = OnceLock::new();
 
 /// Has a function called after every step of writing: a file begun, some of its bytes written, synchronised, renamed or
 /// removed. Tests have signals come there. Only the first call counts.
-pub fn after_changes(then: impl Fn() + Send + Sync + 'static) {
-    AFTER_CHANGES.get_or_init(|| Box::new(then));
+pub fn on_disk_change(then: impl Fn() + Send + Sync + 'static) {
+    ON_DISK_CHANGE.get_or_init(|| Box::new(then));
 }
 
 /// Notes that the disk has changed.
-fn changed<T>(done: T) -> T {
-    if let Some(then) = AFTER_CHANGES.get() {
+fn notify_disk_change<T>(done: T) -> T {
+    if let Some(then) = ON_DISK_CHANGE.get() {
         then();
     }
     done
@@ -34,45 +34,45 @@ fn changed<T>(done: T) -> T {
 
 /// A file that is not in its place yet. It is removed unless it is put there.
 #[derive(Debug)]
-pub struct NewFile {
+pub struct AtomicFile {
     file: File,
     temporary: PathBuf,
-    place: PathBuf,
-    is_put: bool,
+    target: PathBuf,
+    is_persisted: bool,
 }
 
-impl NewFile {
+impl AtomicFile {
     /// Begins a file under a random name beside its place. Follows no link and overwrites nothing.
     pub fn create(place: &Path) -> io::Result<Self> {
         refuse_special(place)?;
-        let temporary = temporary(place)?;
-        let file = unfinished::begin(&temporary).map(changed)?;
-        Ok(Self { file, temporary, place: place.to_owned(), is_put: false })
+        let temporary = temporary_path(place)?;
+        let file = unfinished::begin(&temporary).map(notify_disk_change)?;
+        Ok(Self { file, temporary, target: place.to_owned(), is_persisted: false })
     }
 
     /// Appends the rest of another file, copied inside the system.
     pub fn append(&mut self, other: &mut File) -> io::Result<()> {
-        io::copy(other, &mut self.file).map(changed).map(drop)
+        io::copy(other, &mut self.file).map(notify_disk_change).map(drop)
     }
 
     /// Synchronises it to the disk. After that, closing the file cannot fail.
     pub fn sync(&self) -> io::Result<()> {
-        self.file.sync_all().map(changed)
+        self.file.sync_all().map(notify_disk_change)
     }
 
     /// Puts it in its place, over an older file.
-    pub fn put(mut self) -> io::Result<()> {
-        refuse_special(&self.place)?;
-        fs::rename(&self.temporary, &self.place).map(changed)?;
-        self.is_put = true;
+    pub fn persist(mut self) -> io::Result<()> {
+        refuse_special(&self.target)?;
+        fs::rename(&self.temporary, &self.target).map(notify_disk_change)?;
+        self.is_persisted = true;
         unfinished::end(&self.temporary);
-        sync_folder(folder(&self.place))
+        sync_folder(parent_folder(&self.target))
     }
 }
 
-impl Write for NewFile {
+impl Write for AtomicFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes).map(changed)
+        self.file.write(bytes).map(notify_disk_change)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -80,9 +80,9 @@ impl Write for NewFile {
     }
 }
 
-impl Drop for NewFile {
+impl Drop for AtomicFile {
     fn drop(&mut self) {
-        if !self.is_put {
+        if !self.is_persisted {
             drop(fs::remove_file(&self.temporary));
             unfinished::end(&self.temporary);
         }
@@ -91,11 +91,11 @@ impl Drop for NewFile {
 
 /// Writes a single file, in place of an older one: complete and on the disk, or not at all. Makes its folder.
 pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
-    fs::create_dir_all(folder(place))?;
-    let mut file = NewFile::create(place)?;
+    fs::create_dir_all(parent_folder(place))?;
+    let mut file = AtomicFile::create(place)?;
     file.write_all(bytes)?;
     file.sync()?;
-    file.put()
+    file.persist()
 }
 
 /// Writes a single file that does not exist yet: complete and on the disk, or not at all.
@@ -103,35 +103,35 @@ pub fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// [`io::ErrorKind::AlreadyExists`] if there is one, even if another process has made it just now.
 pub fn create(place: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = NewFile::create(place)?;
+    let mut file = AtomicFile::create(place)?;
     file.write_all(bytes)?;
     file.sync()?;
     match fs::hard_link(&file.temporary, place) {
         // some file systems have no links
-        Err(error) if error.kind() != io::ErrorKind::AlreadyExists && !place.exists() => file.put(),
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists && !place.exists() => file.persist(),
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
             Err(io::Error::from(io::ErrorKind::AlreadyExists))
         }
-        linked => linked.map(changed).and_then(|()| sync_folder(folder(place))),
+        linked => linked.map(notify_disk_change).and_then(|()| sync_folder(parent_folder(place))),
     }
 }
 
 /// Removes a file of the program, also from the disk.
 pub fn remove(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path).map(changed) {
+    match fs::remove_file(path).map(notify_disk_change) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         Err(error) => Err(error),
-        Ok(()) => sync_folder(folder(path)),
+        Ok(()) => sync_folder(parent_folder(path)),
     }
 }
 
 /// Removes a folder of the program with all its files. It is renamed first, so that other processes see all of it or nothing.
 pub fn remove_folder(path: &Path) -> io::Result<()> {
-    let away = temporary(path)?;
-    match fs::rename(path, &away).map(changed) {
+    let away = temporary_path(path)?;
+    match fs::rename(path, &away).map(notify_disk_change) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         Err(error) => Err(error),
-        Ok(()) => fs::remove_dir_all(&away).map(changed),
+        Ok(()) => fs::remove_dir_all(&away).map(notify_disk_change),
     }
 }
 
@@ -144,11 +144,11 @@ pub fn sync_folder(path: &Path) -> io::Result<()> {
     match File::open(path)?.sync_all() {
         // some network file systems have nothing to sync in a folder
         Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => Ok(()),
-        result => result.map(changed),
+        result => result.map(notify_disk_change),
     }
 }
 
-pub fn folder(path: &Path) -> &Path {
+pub fn parent_folder(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
@@ -168,36 +168,36 @@ pub fn refuse_special(path: &Path) -> io::Result<()> {
 }
 
 /// 64 random bits from the operating system, so that processes on all machines have different ones.
-fn random() -> u64 {
+fn random_u64() -> u64 {
     RandomState::new().hash_one(std::process::id())
 }
 
-fn name(place: &Path) -> io::Result<OsString> {
+fn file_name(place: &Path) -> io::Result<OsString> {
     let nameless = || io::Error::new(io::ErrorKind::InvalidInput, "it is not the name of a file");
     place.file_name().map(OsString::from).ok_or_else(nameless)
 }
 
 /// A name beside `place` that nobody else has.
-pub(super) fn temporary(place: &Path) -> io::Result<PathBuf> {
+pub(super) fn temporary_path(place: &Path) -> io::Result<PathBuf> {
     let mut hidden = OsString::from(".");
-    hidden.push(name(place)?);
-    hidden.push(format!(".{:016x}{PART}", random()));
-    Ok(folder(place).join(hidden))
+    hidden.push(file_name(place)?);
+    hidden.push(format!(".{:016x}{TEMPORARY_SUFFIX}", random_u64()));
+    Ok(parent_folder(place).join(hidden))
 }
 
 /// Removes what killed runs left of this output an hour ago or more. Younger files may be those of a run at work.
 pub fn remove_stale(place: &Path) -> io::Result<()> {
     let mut before = OsString::from(".");
-    before.push(name(place)?);
+    before.push(file_name(place)?);
     before.push(".");
-    for entry in fs::read_dir(folder(place))? {
+    for entry in fs::read_dir(parent_folder(place))? {
         let entry = entry?;
         let name = entry.file_name();
         let number = name.as_encoded_bytes().strip_prefix(before.as_encoded_bytes());
-        let number = number.and_then(|rest| rest.strip_suffix(PART.as_bytes()));
+        let number = number.and_then(|rest| rest.strip_suffix(TEMPORARY_SUFFIX.as_bytes()));
         let is_temporary = number.is_some_and(|digits| !digits.is_empty() && digits.iter().all(u8::is_ascii_hexdigit));
         let age = || entry.metadata().and_then(|data| data.modified()).map(|time| time.elapsed().unwrap_or_default());
-        if !is_temporary || age().is_ok_and(|age| age < STALE) {
+        if !is_temporary || age().is_ok_and(|age| age < STALE_AGE) {
             continue;
         }
         let is_directory = entry.file_type()?.is_dir();

@@ -1,6 +1,6 @@
 //! How the program writes files. Every file goes through these steps:
 //!
-//! 1. It is made under a random name beside its place; no link is followed ([`NewFile`]).
+//! 1. It is made under a random name beside its place; no link is followed ([`AtomicFile`]).
 //! 2. It is written and synchronised to the disk, so that all errors come before anything is replaced.
 //! 3. It is renamed, and the folder is synchronised to the disk. The summary, which names the scenario of the results, comes last.
 //!
@@ -26,15 +26,18 @@ use serde_json::Value;
 
 use crate::error::{Error, ErrorKind};
 pub use atomic_file::{
-    NewFile, after_changes, create, folder, refuse_special, remove, remove_folder, remove_stale, replace, sync_folder,
+    AtomicFile, create, on_disk_change, parent_folder, refuse_special, remove, remove_folder, remove_stale, replace,
+    sync_folder,
 };
-pub use progress::Counter;
-pub use provenance::{FORMAT, LawOf, MethodOf, NUMBERS, PROGRAM, Provenance, VERSION, hex};
+pub use progress::Progress;
+pub use provenance::{
+    FORMAT_VERSION, LawProvenance, MethodProvenance, PROGRAM, Provenance, RESULTS_VERSION, VERSION, hex,
+};
 pub use signature::begins_like;
 pub use unfinished::abandon;
 
 /// The name of the summary of any run.
-pub const SUMMARY: &str = "summary.json";
+pub const SUMMARY_FILE: &str = "summary.json";
 
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,7 +48,7 @@ pub struct OutputFile {
 
 /// Makes the error of a place that cannot be written from that of the file system, for `map_err`. A full disk is a failure,
 /// all else has to change.
-pub fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
+pub fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
     use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
     move |reason| {
         let is_full = matches!(reason.kind(), FileTooLarge | QuotaExceeded | StorageFull);
@@ -55,7 +58,7 @@ pub fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
 }
 
 /// The error of a file that another program wrote.
-pub fn foreign(path: &Path) -> Error {
+pub fn foreign_file_error(path: &Path) -> Error {
     let reason = "exists, and is no result of this program; move it, name another --out, or replace it with --force";
     Error::for_file(ErrorKind::Input, &path.display().to_string(), reason)
 }
@@ -68,7 +71,7 @@ fn input_error(path: &Path) -> Error {
 
 /// The origin of results.
 #[derive(Debug, Clone, Copy)]
-pub enum Origin<'a> {
+pub enum ResultOrigin<'a> {
     /// A scenario.
     File {
         path: &'a Path,
@@ -99,8 +102,8 @@ struct EarlierResults {
 pub struct OutputDirectory {
     path: PathBuf,
     /// Made for this run, the deepest first.
-    made: Vec<PathBuf>,
-    before: Option<EarlierResults>,
+    created: Vec<PathBuf>,
+    earlier_results: Option<EarlierResults>,
     /// The files that the scenario is, or reads. They are never removed or replaced.
     inputs: Vec<PathBuf>,
     /// Set once the older results are removed.
@@ -116,45 +119,52 @@ impl OutputDirectory {
     /// # Errors
     /// [`Error`] if it cannot be made, is a file, or takes no files; if it holds results of another scenario or with other
     /// overrides, or a summary of another program.
-    pub fn prepare(path: &Path, origin: Origin, is_forced: bool) -> Result<Self, Error> {
-        let refuse = unwritable(path);
+    pub fn prepare(path: &Path, origin: ResultOrigin, is_forced: bool) -> Result<Self, Error> {
+        let refuse = unwritable_error(path);
         let is_missing = |parent: &&Path| !parent.as_os_str().is_empty() && parent.symlink_metadata().is_err();
         let made: Vec<PathBuf> = path.ancestors().take_while(is_missing).map(Path::to_owned).collect();
         let inputs = match origin {
-            Origin::File { path, reads, .. } => {
+            ResultOrigin::File { path, reads, .. } => {
                 reads.iter().chain([&path]).filter_map(|file| file.canonicalize().ok()).collect()
             }
-            Origin::Command(_) => Vec::new(),
+            ResultOrigin::Command(_) => Vec::new(),
         };
-        let mut directory =
-            Self { path: path.to_owned(), made, before: None, inputs, is_cleared: AtomicBool::new(false), is_forced };
-        unfinished::add_folders(&directory.made);
+        let mut directory = Self {
+            path: path.to_owned(),
+            created: made,
+            earlier_results: None,
+            inputs,
+            is_cleared: AtomicBool::new(false),
+            is_forced,
+        };
+        unfinished::add_folders(&directory.created);
         fs::create_dir_all(path).map_err(&refuse)?;
-        directory.made.iter().try_for_each(|made| sync_folder(folder(made))).map_err(&refuse)?;
-        drop(NewFile::create(&path.join("trial")).map_err(&refuse)?);
-        directory.before = directory.find(origin)?;
+        directory.created.iter().try_for_each(|made| sync_folder(parent_folder(made))).map_err(&refuse)?;
+        drop(AtomicFile::create(&path.join("trial")).map_err(&refuse)?);
+        directory.earlier_results = directory.read_earlier_results(origin)?;
         Ok(directory)
     }
 
     /// Reads the summary of the results that are there.
-    fn find(&self, origin: Origin) -> Result<Option<EarlierResults>, Error> {
-        let path = self.path.join(SUMMARY);
-        refuse_special(&path).map_err(unwritable(&path))?;
+    fn read_earlier_results(&self, origin: ResultOrigin) -> Result<Option<EarlierResults>, Error> {
+        let path = self.path.join(SUMMARY_FILE);
+        refuse_special(&path).map_err(unwritable_error(&path))?;
         let text = match fs::read(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-            text => text.map_err(unwritable(&path))?,
+            text => text.map_err(unwritable_error(&path))?,
         };
         let summary: Value = serde_json::from_slice(&text).unwrap_or_default();
         let noted = |key: &str| summary["provenance"][key].as_str();
         let (Some(hash), Some(other)) = (noted("scenario_sha256"), noted("scenario_file")) else {
-            return if self.is_forced { Ok(None) } else { Err(foreign(&path)) };
+            return if self.is_forced { Ok(None) } else { Err(foreign_file_error(&path)) };
         };
         let numbers = summary["provenance"]["numbers_version"].as_u64();
-        let is_of_this_version = noted("version") == Some(VERSION) && numbers == Some(NUMBERS);
-        let before = |replaced| Ok(Some(EarlierResults { files: listed(&summary), replaced, is_of_this_version }));
+        let is_of_this_version = noted("version") == Some(VERSION) && numbers == Some(RESULTS_VERSION);
+        let before =
+            |replaced| Ok(Some(EarlierResults { files: listed_files(&summary), replaced, is_of_this_version }));
         let (own, is_other_text) = match origin {
-            Origin::File { sha256, .. } if sha256 == hash => return before(None),
-            Origin::File { path, overrides_sha256, .. } => {
+            ResultOrigin::File { sha256, .. } if sha256 == hash => return before(None),
+            ResultOrigin::File { path, overrides_sha256, .. } => {
                 let is_same_file =
                     self.relative_path(path).is_some_and(|seen| Some(&*seen) == noted(RELATIVE_SCENARIO));
                 if is_same_file && noted(OVERRIDES) == overrides_sha256 {
@@ -165,7 +175,7 @@ impl OutputDirectory {
                 }
                 (path.display().to_string(), other == path.display().to_string())
             }
-            Origin::Command(name) => (name.to_owned(), false),
+            ResultOrigin::Command(name) => (name.to_owned(), false),
         };
         if self.is_forced {
             return before(Some(format!("the results of {other}")));
@@ -210,14 +220,15 @@ impl OutputDirectory {
     }
 
     /// The older results that give way to the new ones, in words.
-    pub fn replaces(&self) -> Option<&str> {
-        self.before.as_ref()?.replaced.as_deref()
+    pub fn replaced_results(&self) -> Option<&str> {
+        self.earlier_results.as_ref()?.replaced.as_deref()
     }
 
     /// The files of the results that are there, if they are of the same scenario and overrides, and of this version of the
     /// program. They are still right.
     pub fn same_results(&self) -> &[String] {
-        let same = self.before.as_ref().filter(|before| before.replaced.is_none() && before.is_of_this_version);
+        let same =
+            self.earlier_results.as_ref().filter(|before| before.replaced.is_none() && before.is_of_this_version);
         same.map_or(&[], |before| &before.files)
     }
 
@@ -225,15 +236,15 @@ impl OutputDirectory {
     /// if `is_own` knows it by its content: a run that was killed leaves results without a summary.
     pub fn check_replaceable(&self, name: &str, is_own: impl FnOnce(&Path) -> io::Result<bool>) -> Result<(), Error> {
         let place = self.path.join(name);
-        refuse_special(&place).map_err(unwritable(&place))?;
+        refuse_special(&place).map_err(unwritable_error(&place))?;
         if self.is_input(&place) {
             return Err(input_error(&place));
         }
-        let is_listed = || self.before.iter().flat_map(|before| &before.files).any(|listed| listed == name);
-        if self.is_forced || is_listed() || !place.exists() || name == SUMMARY {
+        let is_listed = || self.earlier_results.iter().flat_map(|before| &before.files).any(|listed| listed == name);
+        if self.is_forced || is_listed() || !place.exists() || name == SUMMARY_FILE {
             return Ok(());
         }
-        if is_own(&place).map_err(unwritable(&place))? { Ok(()) } else { Err(foreign(&place)) }
+        if is_own(&place).map_err(unwritable_error(&place))? { Ok(()) } else { Err(foreign_file_error(&place)) }
     }
 
     /// Refuses to remove a folder of results that holds a file of the scenario.
@@ -262,39 +273,39 @@ impl OutputDirectory {
         let mut new = Vec::new();
         for file in files {
             let place = self.path.join(&file.name);
-            let begun = remove_stale(&place).and_then(|()| NewFile::create(&place));
+            let begun = remove_stale(&place).and_then(|()| AtomicFile::create(&place));
             let written = begun.and_then(|mut begun| {
                 begun.write_all(&file.bytes)?;
                 begun.sync()?;
                 Ok(begun)
             });
-            new.push((file.name == SUMMARY, written.map_err(unwritable(&place))?));
+            new.push((file.name == SUMMARY_FILE, written.map_err(unwritable_error(&place))?));
         }
-        let summary = files.iter().find(|file| file.name == SUMMARY);
+        let summary = files.iter().find(|file| file.name == SUMMARY_FILE);
         let summary: Value = serde_json::from_slice(summary.map_or(&[][..], |file| &file.bytes)).unwrap_or_default();
-        let listed = listed(&summary);
+        let listed = listed_files(&summary);
         let names: Vec<&str> = files.iter().map(|file| &file.name).chain(&listed).map(String::as_str).collect();
-        self.remove_older(&names)?;
+        self.remove_earlier_results(&names)?;
         let removed = self.remove_listed(&names)?;
         new.sort_by_key(|(is_summary, _)| *is_summary);
-        new.into_iter().try_for_each(|(_, file)| file.put()).map_err(unwritable(&self.path))?;
-        Ok(if self.replaces().is_some() { Vec::new() } else { removed })
+        new.into_iter().try_for_each(|(_, file)| file.persist()).map_err(unwritable_error(&self.path))?;
+        Ok(if self.replaced_results().is_some() { Vec::new() } else { removed })
     }
 
     /// Removes the results of another text or other overrides: first their summary, so that it never stands beside newer files,
     /// then all but those of these names. Does nothing when it is called again.
-    pub fn remove_older(&self, keep: &[&str]) -> Result<(), Error> {
-        if self.replaces().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
+    pub fn remove_earlier_results(&self, keep: &[&str]) -> Result<(), Error> {
+        if self.replaced_results().is_none() || self.is_cleared.swap(true, Ordering::Relaxed) {
             return Ok(());
         }
-        self.remove_file(SUMMARY)?;
+        self.remove_file(SUMMARY_FILE)?;
         self.remove_listed(keep).map(drop)
     }
 
     /// Removes the files that the summary before this run lists, apart from those of these names. Returns the names of the files
     /// that were there.
     fn remove_listed(&self, keep: &[&str]) -> Result<Vec<String>, Error> {
-        let listed = self.before.iter().flat_map(|before| &before.files);
+        let listed = self.earlier_results.iter().flat_map(|before| &before.files);
         let mut removed = Vec::new();
         for name in listed.filter(|name| !keep.contains(&name.as_str())) {
             if self.remove_file(name)? {
@@ -310,7 +321,7 @@ impl OutputDirectory {
         let place = self.path.join(name);
         let is_removed = place.symlink_metadata().is_ok_and(|data| data.is_file()) && !self.is_input(&place);
         if is_removed {
-            remove(&place).map_err(unwritable(&place))?;
+            remove(&place).map_err(unwritable_error(&place))?;
         }
         Ok(is_removed)
     }
@@ -322,7 +333,7 @@ const RELATIVE_SCENARIO: &str = "scenario_from_here";
 const OVERRIDES: &str = "overrides_sha256";
 
 /// The files that a summary lists. This program never writes a name with a folder in it, so such a name is left out.
-fn listed(summary: &Value) -> Vec<String> {
+fn listed_files(summary: &Value) -> Vec<String> {
     let names = summary["provenance"]["files"].as_array().into_iter().flatten().filter_map(Value::as_str);
     names.filter(|name| Path::new(name).file_name().is_some_and(|own| own == *name)).map(str::to_owned).collect()
 }
@@ -330,6 +341,6 @@ fn listed(summary: &Value) -> Vec<String> {
 impl Drop for OutputDirectory {
     fn drop(&mut self) {
         // only empty ones go
-        self.made.iter().for_each(|directory| drop(fs::remove_dir(directory)));
+        self.created.iter().for_each(|directory| drop(fs::remove_dir(directory)));
     }
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// How far a computation is, in pieces of work, and whether it has to stop.
 #[derive(Debug, Default)]
-pub struct Counter {
+pub struct Progress {
     done: AtomicU64,
     /// All of them; 0 where that is not known.
     total: AtomicU64,
@@ -14,19 +14,19 @@ pub struct Counter {
     stop: Arc<AtomicBool>,
 }
 
-impl Counter {
+impl Progress {
     /// Nothing is done yet. The flag, which a handler of signals may set, stops the computation.
-    pub fn stopped_by(stop: Arc<AtomicBool>) -> Self {
+    pub fn with_stop_flag(stop: Arc<AtomicBool>) -> Self {
         Self { stop, ..Self::default() }
     }
 
     /// Adds pieces that are to be done.
-    pub fn expect(&self, pieces: u64) {
+    pub fn add_total(&self, pieces: u64) {
         self.total.fetch_add(pieces, Ordering::Relaxed);
     }
 
     /// Counts a piece as done.
-    pub fn step(&self) {
+    pub fn advance(&self) {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 
@@ -46,7 +46,7 @@ impl Counter {
     }
 
     /// How many are done, and how many there are; 0 where that is not known.
-    pub fn read(&self) -> (u64, u64) {
+    pub fn counts(&self) -> (u64, u64) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
     }
 }

@@ -12,11 +12,11 @@ pub const PROGRAM: &str = concat!("plm-impact ", env!("CARGO_PKG_VERSION"));
 
 /// Version of the form of all outputs. Raise it when a key or a column is renamed, removed or put elsewhere, or changes its
 /// unit or meaning; a new key beside the others needs no new version.
-pub const FORMAT: u64 = 2;
+pub const FORMAT_VERSION: u64 = 2;
 
 /// Version of the numbers in tables. Raise it when any number of a table changes, even in its last digit, or when rows are
 /// dealt out to shards in another way: rows of different versions are not put into one table.
-pub const NUMBERS: u64 = 8;
+pub const RESULTS_VERSION: u64 = 8;
 
 /// A hash in hexadecimal.
 pub fn hex(bytes: &[u8]) -> String {
@@ -29,11 +29,11 @@ pub fn hex(bytes: &[u8]) -> String {
 /// Where a result comes from.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Provenance {
-    /// Version of the form of the output: [`FORMAT`].
+    /// Version of the form of the output: [`FORMAT_VERSION`].
     pub format_version: u64,
     /// Version of the program.
     pub version: &'static str,
-    /// Version of the numbers in tables: [`NUMBERS`].
+    /// Version of the numbers in tables: [`RESULTS_VERSION`].
     pub numbers_version: u64,
     /// The scenario as the command line names it.
     pub scenario_file: String,
@@ -52,15 +52,15 @@ pub struct Provenance {
     pub files: Vec<String>,
     /// How the motion was computed; `None` without a motion, or if the method varies.
     #[serde(flatten)]
-    pub method: Option<MethodOf>,
+    pub method: Option<MethodProvenance>,
     /// The law of the results; `None` if laws vary.
     #[serde(flatten)]
-    pub law: Option<LawOf>,
+    pub law: Option<LawProvenance>,
 }
 
 /// How a motion was computed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct MethodOf {
+pub struct MethodProvenance {
     /// The integration method, as a scenario spells it.
     pub method: &'static str,
     /// Relative tolerance on the dimensionless state.
@@ -69,7 +69,7 @@ pub struct MethodOf {
 
 /// A law and its sources.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LawOf {
+pub struct LawProvenance {
     /// The law, as a scenario spells it.
     pub law: String,
     /// Where it was published; `None` for the PLM, whose coefficients say it, and for an elastic contact.

@@ -9,7 +9,7 @@ use sha2::{Digest, Sha256};
 use super::keys::at;
 use super::{DATA, Scenario};
 use crate::error::Error;
-use crate::files::{FORMAT, NUMBERS, Provenance, VERSION, hex};
+use crate::files::{FORMAT_VERSION, Provenance, RESULTS_VERSION, VERSION, hex};
 
 /// All that a result depends on, as text: it is hashed, and kept beside tables so that another machine reads the same plan again.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -77,9 +77,9 @@ impl Scenario {
     /// The provenance of results of this scenario, which the command made.
     pub fn provenance(&self, command: &str) -> Provenance {
         Provenance {
-            format_version: FORMAT,
+            format_version: FORMAT_VERSION,
             version: VERSION,
-            numbers_version: NUMBERS,
+            numbers_version: RESULTS_VERSION,
             scenario_file: self.document.name().to_owned(),
             scenario_from_here: self.from_results.clone(),
             scenario_sha256: self.sha256(),

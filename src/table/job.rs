@@ -15,7 +15,7 @@ use super::shard::Shard;
 use super::tally::Count;
 use super::{Evaluator, Layout, Rows, Tally, count, file, unwritable};
 use crate::error::{Error, ErrorKind};
-use crate::files::{Counter, NewFile, OutputDirectory, remove, remove_stale};
+use crate::files::{AtomicFile, OutputDirectory, Progress, remove, remove_stale};
 use crate::scenario::Source;
 use crate::scenario::plan::Plan;
 
@@ -33,7 +33,7 @@ pub struct Job<'a> {
     pub source: &'a Source,
     /// Counts the rows that are computed or found. If asked to stop, the job ends within a fraction of a second, unless a
     /// single row takes longer.
-    pub progress: &'a Counter,
+    pub progress: &'a Progress,
 }
 
 /// A finished table or shard.
@@ -134,7 +134,7 @@ impl<F: Form> Table<'_, F> {
         // CSV becomes one file in the end
         let is_joined = job.format == Format::Csv && layout.rows <= JOINED;
         if !is_begun {
-            job.directory.remove_older(&[])?;
+            job.directory.remove_earlier_results(&[])?;
             remove(&table).map_err(file("cannot be removed", &table))?;
             identity.create(job.directory)?;
         } else if is_joined && table.exists() {
@@ -158,7 +158,7 @@ impl<F: Form> Table<'_, F> {
     fn join(&self) -> Result<(), Error> {
         let (table, header) = (self.path(&self.name), self.form.header());
         let unwritable = unwritable(&table);
-        let mut whole = NewFile::create(&table).map_err(&unwritable)?;
+        let mut whole = AtomicFile::create(&table).map_err(&unwritable)?;
         whole.write_all(header).map_err(&unwritable)?;
         for part in 0..self.layout.parts() {
             let path = self.part(part);
@@ -166,7 +166,7 @@ impl<F: Form> Table<'_, F> {
             part.seek(SeekFrom::Start(header.len() as u64)).map_err(file("cannot be read", &path))?;
             whole.append(&mut part).map_err(&unwritable)?;
         }
-        whole.sync().and_then(|()| whole.put()).map_err(&unwritable)?;
+        whole.sync().and_then(|()| whole.persist()).map_err(&unwritable)?;
         remove_parts(self.job.directory)
     }
 
@@ -238,7 +238,7 @@ impl<F: Form> Table<'_, F> {
             let part = cases.start / layout.rows_per_part;
             let (of_part, path) = (layout.cases(part), path(part));
             let unwritable = unwritable(&path);
-            let begin = || NewFile::create(&path).and_then(|file| self.form.begin(file));
+            let begin = || AtomicFile::create(&path).and_then(|file| self.form.begin(file));
             let mut writer = open.take().map_or_else(begin, Ok).map_err(&unwritable)?;
             self.form.append(&mut writer, piece).map_err(&unwritable)?;
             if cases.end < of_part.end {
@@ -248,9 +248,9 @@ impl<F: Form> Table<'_, F> {
             // the part is whole: it is put in its place
             let file = self.form.end(writer).and_then(|file| file.sync().map(|()| file)).map_err(&unwritable)?;
             if is_one_file {
-                job.directory.remove_older(&[&self.name])?;
+                job.directory.remove_earlier_results(&[&self.name])?;
             }
-            file.put().map_err(&unwritable)
+            file.persist().map_err(&unwritable)
         };
         let take = |many: Vec<Made<F::Piece>>| {
             for Made { cases, piece, counts } in many {

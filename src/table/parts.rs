@@ -12,7 +12,7 @@ use super::format::Format;
 use super::shard::Shard;
 use super::{file, refused};
 use crate::error::Error;
-use crate::files::{FORMAT, NUMBERS, OutputDirectory, VERSION, create, remove, remove_folder};
+use crate::files::{FORMAT_VERSION, OutputDirectory, RESULTS_VERSION, VERSION, create, remove, remove_folder};
 use crate::scenario::Source;
 use crate::scenario::plan::Plan;
 
@@ -125,9 +125,9 @@ impl Identity {
     /// The table that was read from `scenario`.
     pub fn new(scenario: &Source, format: Format, layout: Layout) -> Self {
         Self {
-            format_version: FORMAT,
+            format_version: FORMAT_VERSION,
             version: VERSION.to_owned(),
-            numbers: NUMBERS,
+            numbers: RESULTS_VERSION,
             format,
             rows: layout.rows,
             rows_per_part: layout.rows_per_part,

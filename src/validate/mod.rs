@@ -21,7 +21,7 @@ mod yielding;
 
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
-use crate::files::Counter;
+use crate::files::Progress;
 pub use comparison::{Comparison, Group};
 pub use pictures::pictures;
 
@@ -44,9 +44,9 @@ const SOURCES: &[Source] = &[
 ];
 
 /// All comparisons of a law with these coefficients. `progress` counts the kinds of references.
-pub fn comparisons(coefficients: &PlmCoefficients, progress: &Counter) -> Result<Vec<Comparison>, Error> {
+pub fn comparisons(coefficients: &PlmCoefficients, progress: &Progress) -> Result<Vec<Comparison>, Error> {
     let (mut all, built_in) = (Vec::new(), PlmCoefficients::built_in());
-    progress.expect(SOURCES.len() as u64);
+    progress.add_total(SOURCES.len() as u64);
     for source in SOURCES {
         let mut compared = source(coefficients)?;
         if coefficients != built_in {
@@ -55,7 +55,7 @@ pub fn comparisons(coefficients: &PlmCoefficients, progress: &Counter) -> Result
             }
         }
         all.extend(compared);
-        progress.step();
+        progress.advance();
     }
     Ok(all)
 }

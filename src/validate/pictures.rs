@@ -13,7 +13,7 @@ use super::quasi_static::restitution;
 use super::yielding::compared;
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
-use crate::files::{Counter, OutputFile};
+use crate::files::{OutputFile, Progress};
 use crate::impact::oblique::normal_motion::TangentialMotion;
 use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
@@ -33,7 +33,7 @@ fn log_sampled(high: f64, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> 
 pub fn pictures(
     coefficients: &PlmCoefficients,
     format: Pictures,
-    progress: &Counter,
+    progress: &Progress,
 ) -> Result<Vec<OutputFile>, Error> {
     if format == Pictures::None {
         return Ok(Vec::new());
@@ -49,8 +49,8 @@ pub fn pictures(
     pictures.push(yielding(coefficients, &cases)?);
     pictures.push(leeb(coefficients)?);
     pictures.push(oblique()?);
-    progress.expect(pictures.len() as u64);
-    let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.step());
+    progress.add_total(pictures.len() as u64);
+    let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.advance());
     let drawn: Result<Vec<Option<OutputFile>>, Error> = pictures.par_iter().map(file).collect();
     Ok(drawn?.into_iter().flatten().collect())
 }

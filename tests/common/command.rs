@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-use plm_impact::files::progress::Counter;
+use plm_impact::files::progress::Progress;
 use plm_impact::report::chart::Pictures;
 use plm_impact::report::run::{Outcome, RunOptions, at_once};
 use plm_impact::report::text::Detail;
@@ -100,7 +100,7 @@ pub fn outcome(scenario: &Scenario) -> Outcome {
         command: "plm-impact run",
         detail: Detail::Whole,
         pictures: Pictures::None,
-        progress: &Counter::default(),
+        progress: &Progress::default(),
     };
     at_once(scenario, Some(&order)).unwrap().unwrap()
 }

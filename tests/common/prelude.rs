@@ -17,7 +17,7 @@ pub use plm_impact::contact::law::catalogue::walton_braun::WaltonBraun;
 pub use plm_impact::contact::law::published::Recovered;
 pub use plm_impact::contact::strength::flow_curve::FlowCurve;
 pub use plm_impact::error::Error;
-pub use plm_impact::files::progress::Counter;
+pub use plm_impact::files::progress::Progress;
 pub use plm_impact::impact::indentation::{Indentation, IndentationError, StaticContact};
 pub use plm_impact::impact::series::{Drive, Place, Repeat};
 pub use plm_impact::materials::{Property, all, find};

@@ -19,7 +19,7 @@ pub mod spot;
 
 use super::flight::free_flight::Flying;
 use super::flight::trajectory::Flight;
-use crate::files::progress::Counter;
+use crate::files::progress::Progress;
 use crate::impact::{Approach, Contact, Impact, ImpactError, Method, Solver, Spot};
 use crate::strings::names::named_enum;
 pub use result::{End, Hit, Sequence};
@@ -79,11 +79,11 @@ impl Repeat {
         contact: &Contact,
         solver: &Solver,
         samples: usize,
-        progress: Option<&Counter>,
+        progress: Option<&Progress>,
     ) -> Result<Sequence, ImpactError> {
-        let unwatched = Counter::default();
+        let unwatched = Progress::default();
         let progress = progress.unwrap_or(&unwatched);
-        progress.expect(match &self.drive {
+        progress.add_total(match &self.drive {
             Drive::Bouncing { most, .. } => *most,
             Drive::Shots(speeds) => speeds.len() as u64,
         });
@@ -110,7 +110,7 @@ impl Repeat {
             sequence.method = impact.method;
             sequence.warn(number, &impact.warnings);
             sequence.hits.push(hit);
-            progress.step();
+            progress.advance();
             if samples.is_some() {
                 sequence.traced.push(impact);
             }

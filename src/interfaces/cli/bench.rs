@@ -7,7 +7,7 @@ use clap::Args;
 use plm_impact::bench::throughput::throughput;
 use plm_impact::bench::{laws, measure, problems, report};
 use plm_impact::error::Error;
-use plm_impact::files::{Origin, OutputDirectory, OutputFile};
+use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin};
 use plm_impact::scenario::Scenario;
 
 use super::output::note_replaced;
@@ -36,7 +36,7 @@ const PAGE: &str = "README.md";
 
 pub fn bench(arguments: &Arguments) -> Result<(), Error> {
     let signals = Signals::listen()?;
-    let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("bench"), arguments.force)?;
+    let directory = OutputDirectory::prepare(&arguments.out, ResultOrigin::Command("bench"), arguments.force)?;
     let is_quick = arguments.quick;
     // a bar would disturb the measurement
     let (text, files) = Watch::without_files(true).watch(signals, move |_| measured(is_quick))?;

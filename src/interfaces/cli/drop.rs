@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
 use plm_impact::error::Error;
-use plm_impact::files::Counter;
+use plm_impact::files::Progress;
 use plm_impact::materials::{Property, find};
 use plm_impact::report::chart::Pictures;
 use plm_impact::report::run::{RunOptions, refuse_warnings};
@@ -82,7 +82,7 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
         command: &super::output::command_line(),
         detail: Detail::Brief,
         pictures: Pictures::None,
-        progress: &Counter::default(),
+        progress: &Progress::default(),
     };
     let outcome = super::output::outcome(&scenario, &options).map_err(at_options)?;
     let warnings: Vec<String> = outcome.warnings.iter().map(|text| with_options(text)).collect();

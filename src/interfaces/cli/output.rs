@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
-use plm_impact::files::{Origin, OutputDirectory, OutputFile, SUMMARY, hex};
+use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin, SUMMARY_FILE, hex};
 use plm_impact::report::chart::Pictures;
 use plm_impact::report::run::{Outcome, RunOptions, at_once, refuse_warnings};
 use plm_impact::report::text::Detail;
@@ -45,7 +45,7 @@ pub struct Output {
 
 /// Prints the summary among these files.
 pub fn print_summary(files: &[OutputFile]) -> Result<(), Error> {
-    let summary = files.iter().find(|file| file.name == SUMMARY).map_or(&[][..], |file| &file.bytes);
+    let summary = files.iter().find(|file| file.name == SUMMARY_FILE).map_or(&[][..], |file| &file.bytes);
     super::terminal::print_json(&String::from_utf8_lossy(summary))
 }
 
@@ -110,8 +110,12 @@ impl Output {
     pub fn prepare(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
         let reads: Vec<&Path> = scenario.files().map(|(_, path)| path).collect();
         let (sha256, overrides_sha256) = (scenario.sha256(), scenario.overrides_sha256());
-        let origin =
-            Origin::File { path: file, sha256: &sha256, overrides_sha256: overrides_sha256.as_deref(), reads: &reads };
+        let origin = ResultOrigin::File {
+            path: file,
+            sha256: &sha256,
+            overrides_sha256: overrides_sha256.as_deref(),
+            reads: &reads,
+        };
         let path = self.directory(file, &scenario.document.overrides());
         let directory = OutputDirectory::prepare(&path, origin, self.force)?;
         scenario.from_results = directory.relative_path(file);
@@ -159,7 +163,7 @@ pub fn outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Err
 /// Notes which older results are gone, once the new ones are there.
 pub fn note_replaced(directory: &OutputDirectory, removed: &[String]) {
     let path = directory.path().display();
-    if let Some(older) = directory.replaces() {
+    if let Some(older) = directory.replaced_results() {
         super::terminal::note(format_args!("{path}: replaced {older}"));
     }
     if !removed.is_empty() {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use plm_impact::contact::law::PlmCoefficients;
 use plm_impact::error::{Error, ErrorKind};
-use plm_impact::files::{Origin, OutputDirectory, OutputFile};
+use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin};
 use plm_impact::report::chart::Pictures;
 use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
 use plm_impact::validate;
@@ -40,7 +40,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let is_built_in = own.is_none();
     let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());
     let signals = Signals::listen()?;
-    let directory = OutputDirectory::prepare(&arguments.out, Origin::Command("validate"), arguments.force)?;
+    let directory = OutputDirectory::prepare(&arguments.out, ResultOrigin::Command("validate"), arguments.force)?;
     let name = coefficients.provenance.name.clone();
     let format = arguments.pictures.format;
     let (compared, laws, pictures) = Watch::without_files(false).watch(signals, move |progress| {

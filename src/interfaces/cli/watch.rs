@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use plm_impact::error::{Error, ErrorKind};
-use plm_impact::files::{Counter, abandon, after_changes};
+use plm_impact::files::{Progress, abandon, on_disk_change};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use signal_hook::low_level::raise;
@@ -98,10 +98,10 @@ impl Watch {
     pub fn watch<T: Send + 'static>(
         &self,
         signals: &Signals,
-        work: impl FnOnce(&Counter) -> Result<T, Error> + Send + 'static,
+        work: impl FnOnce(&Progress) -> Result<T, Error> + Send + 'static,
     ) -> Result<T, Error> {
         signals.is_off.store(false, Ordering::Relaxed);
-        let progress = Arc::new(Counter::stopped_by(Arc::clone(&signals.is_set)));
+        let progress = Arc::new(Progress::with_stop_flag(Arc::clone(&signals.is_set)));
         let (sender, receiver) = channel();
         let counter = Arc::clone(&progress);
         let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
@@ -129,7 +129,7 @@ impl Watch {
     }
 
     /// The result of the work; `None` if the worker ended without a result (it panicked).
-    fn wait<T>(&self, receiver: &Receiver<Result<T, Error>>, progress: &Counter) -> Option<Result<T, Error>> {
+    fn wait<T>(&self, receiver: &Receiver<Result<T, Error>>, progress: &Progress) -> Option<Result<T, Error>> {
         let (begun, mut signalled) = (Instant::now(), None);
         let bar = self.bar();
         let (bar_delay, log_interval) =
@@ -143,7 +143,7 @@ impl Watch {
                 break Some(Err(Error::new(ErrorKind::Stopped(0), self.interrupted())));
             }
             let received = receiver.recv_timeout(LOOK);
-            let (done, total) = progress.read();
+            let (done, total) = progress.counts();
             if total > 1 {
                 pace.add(begun.elapsed(), done);
                 if begun.elapsed() >= bar_delay {
@@ -191,7 +191,7 @@ fn duration(variable: &str, default: Duration) -> Duration {
 pub fn when_signalled() {
     let Some((signal, change)) = std::env::var(SIGNAL).ok().and_then(|text| parse(&text)) else { return };
     let changes = AtomicU64::new(0);
-    after_changes(move || {
+    on_disk_change(move || {
         if changes.fetch_add(1, Ordering::Relaxed) + 1 == change {
             // a system without this signal continues
             drop(raise(signal));

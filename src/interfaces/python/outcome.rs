@@ -11,7 +11,7 @@ use super::convert::{exception, overrides, python, source_of, unreadable, warn};
 use super::rows::{failures, of_plan, values};
 use super::table::{of_values, table as table_of};
 use super::workers::{append, interruptible, reserved};
-use crate::files::{Counter, OutputFile};
+use crate::files::{OutputFile, Progress};
 use crate::report::chart::Pictures;
 use crate::report::run::{Outcome, RunOptions, at_once, table};
 use crate::report::text::Detail;
@@ -111,7 +111,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
     outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
 }
 
-fn options<'a>(command: &'a str, pictures: bool, progress: &'a Counter) -> RunOptions<'a> {
+fn options<'a>(command: &'a str, pictures: bool, progress: &'a Progress) -> RunOptions<'a> {
     let pictures = if pictures { Pictures::Png } else { Pictures::None };
     RunOptions { command, detail: Detail::Usual, pictures, progress }
 }

@@ -12,7 +12,7 @@ use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::files::Counter;
+use crate::files::Progress;
 use crate::table::job::in_order;
 
 /// Number of rows that a thread computes at a time: of usual rows, and of slow ones. Ctrl-C stops a computation between them.
@@ -43,9 +43,9 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
 
 /// Runs `work` and returns its result. When Python receives a signal such as Ctrl-C, the counter given to `work` asks it to
 /// stop.
-pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Counter) -> T + Send) -> PyResult<T> {
+pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Progress) -> T + Send) -> PyResult<T> {
     let pool = py.detach(pool)?;
-    let progress = Counter::default();
+    let progress = Progress::default();
     let (sender, receiver) = channel();
     let receiver = Mutex::new(receiver);
     pool.in_place_scope(|scope| {

@@ -9,7 +9,7 @@ use crate::calibrate::fit::NO_SCATTER;
 use crate::calibrate::{Calibration, KeyEstimate, Measurements};
 use crate::contact::strength::kind::StrengthKind;
 use crate::error::{Error, ErrorKind};
-use crate::files::{Counter, OutputFile, PROGRAM};
+use crate::files::{OutputFile, PROGRAM, Progress};
 use crate::materials::Property;
 use crate::report::pictures::calibrate::pictures;
 use crate::report::text::calibrate as report;
@@ -24,7 +24,7 @@ use crate::units::{Dimension, exact, four_digits};
 
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let measured = Measurements::new(scenario)?;
-    let unwatched = Counter::default();
+    let unwatched = Progress::default();
     let found = measured.calibrate(options.map_or(&unwatched, |options| options.progress))?;
     let contradiction = found.verdict().contradiction();
     let Some(options) = options else {

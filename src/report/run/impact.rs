@@ -2,7 +2,7 @@
 
 use super::outcome::{self, Outcome, RunOptions, file, no_result, texts, with_summary};
 use crate::error::Error;
-use crate::files::{MethodOf, Provenance};
+use crate::files::{MethodProvenance, Provenance};
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::report::pictures;
 use crate::report::pictures::{caption, captioned};
@@ -46,7 +46,7 @@ pub(super) fn can_be_traced(scenario: &Scenario, input: &Input) -> Result<(), Er
 
 /// The provenance of results that were computed by this method.
 pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, command: &str) -> Provenance {
-    let method = Some(MethodOf { method: method.name(), tolerance: input.solver().tolerance });
+    let method = Some(MethodProvenance { method: method.name(), tolerance: input.solver().tolerance });
     Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
 }
 

@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 
 use crate::contact::law::{LawChoice, OutsideLaw};
 use crate::error::{Error, ErrorKind};
-use crate::files::{Counter, LawOf, OutputFile, Provenance, SUMMARY};
+use crate::files::{LawProvenance, OutputFile, Progress, Provenance, SUMMARY_FILE};
 use crate::impact::{ImpactError, Warning};
 use crate::numerics::ode::IntegrationError;
 use crate::report::chart::Pictures;
@@ -24,7 +24,7 @@ pub struct RunOptions<'a> {
     pub detail: Detail,
     pub pictures: Pictures,
     /// Counts how far the run is.
-    pub progress: &'a Counter,
+    pub progress: &'a Progress,
 }
 
 /// The outcome of a scenario.
@@ -77,7 +77,7 @@ pub(super) fn with_summary(
     inputs: &Inputs,
 ) -> Result<Vec<OutputFile>, Error> {
     provenance.files.extend(files.iter().map(|file| file.name.clone()));
-    let mut all = vec![file(SUMMARY, summary(results, inputs, &provenance)?)];
+    let mut all = vec![file(SUMMARY_FILE, summary(results, inputs, &provenance)?)];
     all.extend(files);
     Ok(all)
 }
@@ -88,7 +88,7 @@ pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, 
         LawChoice::Plm(plm) if can_yield => Some(&plm.coefficients.provenance),
         _ => None,
     };
-    let law = LawOf {
+    let law = LawProvenance {
         law: if can_yield { law.name() } else { "hertz".to_owned() },
         law_source: (can_yield && coefficients.is_none()).then(|| law.source()),
         coefficients: coefficients.map(|table| table.name.clone()),

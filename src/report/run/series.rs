@@ -3,7 +3,7 @@
 use super::impact::{can_be_traced, prepare, provenance};
 use super::outcome::{Outcome, RunOptions, file, no_result, put_notes, texts, with_summary};
 use crate::error::{Error, ErrorKind};
-use crate::files::Counter;
+use crate::files::Progress;
 use crate::impact::series::Repeat;
 use crate::impact::{Contact, Method};
 use crate::report::pictures;
@@ -30,7 +30,7 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), E
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, repeat) = prepare_repeat(scenario)?;
     can_be_traced(scenario, &input)?;
-    let unwatched = Counter::default();
+    let unwatched = Progress::default();
     let progress = options.map_or(&unwatched, |options| options.progress);
     let sequence = repeat.run(&contact, &input.solver(), input.samples(), Some(progress));
     let sequence = sequence.map_err(|reason| no_result(scenario, &reason))?;

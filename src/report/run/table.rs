@@ -2,7 +2,7 @@
 
 use super::outcome::{Outcome, RunOptions, no_result, put_notes, texts, with_summary};
 use crate::error::{Error, ErrorKind};
-use crate::files::{Counter, OutputFile, Provenance};
+use crate::files::{OutputFile, Progress, Provenance};
 use crate::impact::Contact;
 use crate::report::chart::Pictures;
 use crate::report::pictures::sweep::pictures;
@@ -33,7 +33,7 @@ pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
 /// [`Error`] of the kind `Stopped` if the progress is asked to stop.
 pub fn rows<P: Send>(
     plan: &Plan,
-    progress: &Counter,
+    progress: &Progress,
     encode: impl Fn(&Rows) -> P + Sync + Send,
     mut take: impl FnMut(P) + Send,
 ) -> Result<Tally, Error> {

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::Form;
 use super::column::{Column, columns};
-use crate::files::{NewFile, begins_like};
+use crate::files::{AtomicFile, begins_like};
 use crate::results::Column as ResultColumn;
 use crate::scenario::plan::{Plan, Values};
 use crate::table::Rows;
@@ -103,7 +103,7 @@ impl Csv {
 
 impl Form for Csv {
     type Piece = Vec<u8>;
-    type Writer = NewFile;
+    type Writer = AtomicFile;
 
     /// This number of rows fits into the cache. Its text is shorter than 128 KiB, from which on `malloc` uses `mmap`: such memory returns
     /// to the system when it is freed, and a new allocation costs a quarter of the time of a row.
@@ -121,16 +121,16 @@ impl Form for Csv {
         Ok(self.lines(rows))
     }
 
-    fn begin(&self, mut file: NewFile) -> io::Result<NewFile> {
+    fn begin(&self, mut file: AtomicFile) -> io::Result<AtomicFile> {
         file.write_all(&self.header)?;
         Ok(file)
     }
 
-    fn append(&self, writer: &mut NewFile, piece: &Vec<u8>) -> io::Result<()> {
+    fn append(&self, writer: &mut AtomicFile, piece: &Vec<u8>) -> io::Result<()> {
         writer.write_all(piece)
     }
 
-    fn end(&self, writer: NewFile) -> io::Result<NewFile> {
+    fn end(&self, writer: AtomicFile) -> io::Result<AtomicFile> {
         Ok(writer)
     }
 

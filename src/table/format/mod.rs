@@ -15,7 +15,7 @@ use serde::Serialize;
 
 use super::Rows;
 use super::tally::Count;
-use crate::files::NewFile;
+use crate::files::AtomicFile;
 use crate::strings::named_enum;
 
 named_enum! {
@@ -49,13 +49,13 @@ pub(super) trait Form: Sync + Send {
     /// Encodes rows; many threads do so at a time.
     fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
 
-    fn begin(&self, file: NewFile) -> io::Result<Self::Writer>;
+    fn begin(&self, file: AtomicFile) -> io::Result<Self::Writer>;
 
     /// Appends the next rows.
     fn append(&self, writer: &mut Self::Writer, piece: &Self::Piece) -> io::Result<()>;
 
     /// Ends the file, which is then complete but not yet in its place.
-    fn end(&self, writer: Self::Writer) -> io::Result<NewFile>;
+    fn end(&self, writer: Self::Writer) -> io::Result<AtomicFile>;
 
     /// Reads a file that should have `rows` rows, and counts them. Returns false as soon as it finds that the file is not whole.
     fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<bool>;

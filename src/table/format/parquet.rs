@@ -19,7 +19,7 @@ use parquet::schema::types::ColumnPath;
 use super::Form;
 use super::arrow;
 use super::column::{Column, columns};
-use crate::files::{NewFile, PROGRAM};
+use crate::files::{AtomicFile, PROGRAM};
 use crate::scenario::plan::Plan;
 use crate::table::Rows;
 use crate::table::tally::{Count, written};
@@ -113,7 +113,7 @@ fn count_rows(file: File, names: &[&str], rows: u64, count: &mut dyn FnMut(Count
 
 impl Form for Parquet {
     type Piece = RecordBatch;
-    type Writer = ArrowWriter<BufWriter<NewFile>>;
+    type Writer = ArrowWriter<BufWriter<AtomicFile>>;
 
     const BATCH: u64 = BATCH as u64;
 
@@ -134,7 +134,7 @@ impl Form for Parquet {
         RecordBatch::try_new(self.schema.clone(), arrays).map_err(io::Error::other)
     }
 
-    fn begin(&self, file: NewFile) -> io::Result<Self::Writer> {
+    fn begin(&self, file: AtomicFile) -> io::Result<Self::Writer> {
         // the columns of words are plain strings to those who read the file
         let options = ArrowWriterOptions::new().with_properties(self.properties()).with_skip_arrow_metadata(true);
         let file = BufWriter::with_capacity(WRITE, file);
@@ -145,7 +145,7 @@ impl Form for Parquet {
         writer.write(piece).map_err(error)
     }
 
-    fn end(&self, writer: Self::Writer) -> io::Result<NewFile> {
+    fn end(&self, writer: Self::Writer) -> io::Result<AtomicFile> {
         writer.into_inner().map_err(error)?.into_inner().map_err(io::IntoInnerError::into_error)
     }
 

@@ -190,7 +190,7 @@ fn table_tennis_bounces_need_air_for_one_restitution() {
         drops.last_mut().unwrap().1.push(interval.parse().unwrap());
     }
     assert_eq!(drops.iter().map(|drop| drop.1.len()).collect::<Vec<_>>(), [8; 5]);
-    let rows = validate::comparisons(PlmCoefficients::built_in(), &Counter::default()).unwrap();
+    let rows = validate::comparisons(PlmCoefficients::built_in(), &Progress::default()).unwrap();
     let spread = |ending: &str, density: f64| {
         // k = rho C_d pi R^2/(2 m), g' = g (1 - rho V/m); without air k is so small that it changes no digit in question
         let (radius, mass) = (0.02_f64, 2.7e-3);

@@ -114,7 +114,7 @@ fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
     let text = scenario(&request).replace("208 GPa", "210 GPa");
     let scenario = read(&text, NONE).with_data(format!("speed_m_per_s,restitution\n{lines}"));
     let measured = Measurements::new(&scenario).unwrap();
-    let progress = Counter::default();
+    let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
     let grid = |i: i32| fit.problem.sum(&[fit.best().shares[0] + f64::from(i) * 1e-5]);
@@ -141,7 +141,7 @@ fn estimate_is_minimum_behind_kink() {
 fn region_of_two_keys_matches_plane_of_sums() {
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = {{ restitution = 0.01 }}", super::fits::BOTH));
     let measured = Measurements::new(&read(&text, NONE).with_data(super::fits::MADE.to_owned())).unwrap();
-    let progress = Counter::default();
+    let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
     let outline = fit.region(0.95).remove(0);
@@ -171,7 +171,7 @@ fn region_of_two_keys_reflects_few_values() {
     let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n".to_owned();
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::fits::BOTH));
     let measured = Measurements::new(&read(&text, NONE).with_data(data)).unwrap();
-    let progress = Counter::default();
+    let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
     let rise = |place: &[f64; 2]| found.fit.problem.sum(place) - found.fit.best().sum;
     let outline = found.fit.region(0.95).remove(0);

@@ -1,6 +1,6 @@
 //! The files of an impact agree with the computed impact: keys, values, rows.
 
-use plm_impact::files::provenance::FORMAT;
+use plm_impact::files::provenance::FORMAT_VERSION;
 use plm_impact::numerics::ode::SolverStats;
 
 use serde_json::json;
@@ -47,7 +47,7 @@ fn summary_numbers_read_back_to_same_bits() {
         summary["work"],
         json!({ "steps": steps, "rejected": rejected, "force_evaluations": force_evaluations })
     );
-    assert_eq!(summary["provenance"]["format_version"], FORMAT);
+    assert_eq!(summary["provenance"]["format_version"], FORMAT_VERSION);
 }
 
 /// A half-space without a yield strength says nothing plastic.

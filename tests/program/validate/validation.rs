@@ -155,7 +155,7 @@ fn nan_is_the_largest_deviation() {
 }
 
 static COMPARED: LazyLock<Vec<Comparison>> =
-    LazyLock::new(|| validate::comparisons(PlmCoefficients::built_in(), &Counter::default()).unwrap());
+    LazyLock::new(|| validate::comparisons(PlmCoefficients::built_in(), &Progress::default()).unwrap());
 
 #[test]
 fn load_cycle_rows_match_independent_law() {
