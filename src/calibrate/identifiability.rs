@@ -10,7 +10,7 @@ use super::minimise::ParameterPoint;
 use super::problem::Problem;
 use crate::numerics::functions::{exp, ln};
 use crate::scenario::input::Measured;
-use crate::units::{four_digits, percent};
+use crate::units::{format_four_digits, format_percent};
 
 /// Usual error of a law, as a share of a prediction.
 pub const LAW: f64 = 0.02;
@@ -96,18 +96,18 @@ fn size(problem: &Problem, quantity: Measured) -> f64 {
 
 fn refusal(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, change: f64) -> String {
     let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
-    let off = percent(LAW);
+    let off = format_percent(LAW);
     let statement = if let [name] = names[..] {
         format!(
             "twice the {name} changes what was measured by {} only, and the law itself is off by {off}",
-            percent(change)
+            format_percent(change)
         )
     } else {
         let step = doubling(direction);
         let factors: Vec<String> = names
             .iter()
             .zip(direction.iter())
-            .map(|(name, part)| (name, four_digits(exp(step * part))))
+            .map(|(name, part)| (name, format_four_digits(exp(step * part))))
             // a key that does not change has no part in it
             .filter(|(_, factor)| factor != "1")
             .map(|(name, factor)| format!("{name} times {factor}"))
@@ -115,12 +115,13 @@ fn refusal(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, 
         format!(
             "these measurements do not tell the keys apart: {} changes what was measured by {} only, and the law itself is off by {off}",
             factors.join(" with "),
-            percent(change)
+            format_percent(change)
         )
     };
     let mut helpful = helpful(problem, place, direction);
     helpful.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let helpful: Vec<String> = helpful.iter().map(|(name, change)| format!("{name} ({})", percent(*change))).collect();
+    let helpful: Vec<String> =
+        helpful.iter().map(|(name, change)| format!("{name} ({})", format_percent(*change))).collect();
     let way_out = if problem.data.is_curve() {
         "; measure the unloading too, or give one of the keys its known value".to_owned()
     } else if helpful.is_empty() {

@@ -34,7 +34,7 @@ use crate::scenario::input::Measured;
 use crate::scenario::kinds::calibration::{Source, Wanted};
 use crate::scenario::{Scenario, Source as Text};
 use crate::strings::csv::csv_file_error;
-use crate::units::{four_digits, human};
+use crate::units::{format_four_digits, format_input};
 use data::Data;
 pub use fit::{Fit, Noise};
 use fit::{NoiseModel, in_order, shifts};
@@ -97,7 +97,8 @@ impl Measurements {
         let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
         match self.problem().beyond_elastic() {
             Some((value, limit)) if !self.wanted.free.iter().any(|free| is_open(free.key.path)) => {
-                let shown = [value.value, limit].map(|value_of| human(value_of, value.quantity.quantity().dimension));
+                let shown =
+                    [value.value, limit].map(|value_of| format_input(value_of, value.quantity.quantity().dimension));
                 let [found, limit] = shown.map(|text| text.trim_end().to_owned());
                 let message = format!(
                     "the {} of {found} is more than a rebound without any loss gives, {limit}: check columns and units",
@@ -136,8 +137,8 @@ impl Measurements {
             } else if whole < LEAST_DEVIATION * size {
                 format!(
                     "the standard deviation of this {name} is {}, less than {} of the value: no instrument is so exact; give what the readings scatter by",
-                    four_digits(whole),
-                    four_digits(LEAST_DEVIATION)
+                    format_four_digits(whole),
+                    format_four_digits(LEAST_DEVIATION)
                 )
             } else {
                 return Ok(sd.unwrap_or(0.0));

@@ -9,7 +9,7 @@ use super::profile::Ends;
 use super::statistics::{Runs, p_of_chi_square};
 use crate::scenario::input::Input;
 use crate::scenario::plan::Free;
-use crate::units::{four_digits, percent};
+use crate::units::{format_four_digits, format_percent};
 
 /// With `robust`, residuals of more than this many standard deviations are outliers.
 pub(super) const OUTLIER: f64 = 3.0;
@@ -126,7 +126,7 @@ impl Calibration<'_> {
                 let freedom = self.freedom.max(1);
                 let p = p_of_chi_square(self.chi_square, freedom).unwrap_or(1.0);
                 if p < REJECTED {
-                    let chi_square = four_digits(self.chi_square);
+                    let chi_square = format_four_digits(self.chi_square);
                     return rejected(&law, &format!("chi-square is {chi_square} on {freedom} degrees of freedom"), p);
                 }
                 if self.freedom > 0 { Verdict::Fits } else { Verdict::NotJudged }
@@ -138,7 +138,11 @@ impl Calibration<'_> {
     /// Why as many keys as values do not meet the values; `None` if they do.
     fn unreached(&self, law: &str) -> Option<String> {
         let unreached = self.residuals.iter().map(|residual| residual.abs()).fold(0.0, f64::max);
-        let off = if unreached < 10.0 { percent(unreached) } else { four_digits(unreached) + " times the value" };
+        let off = if unreached < 10.0 {
+            format_percent(unreached)
+        } else {
+            format_four_digits(unreached) + " times the value"
+        };
         let keys = self.keys.iter().map(|key| key.free.key.path).collect::<Vec<_>>().join(", ");
         (unreached > 1e-6).then(|| {
             format!(
@@ -149,7 +153,7 @@ impl Calibration<'_> {
 
     /// The verdict of the test of runs, where the law is off by more than the usual error of laws.
     fn by_signs(&self, law: &str) -> Verdict {
-        let off = percent(self.misfit);
+        let off = format_percent(self.misfit);
         match self.runs.filter(|_| self.misfit > LAW) {
             Some(runs) if runs.p < REJECTED => {
                 let reason = format!("it is off by {off}, and the residuals keep their signs for too long");
@@ -158,7 +162,7 @@ impl Calibration<'_> {
             Some(runs) if runs.least >= REJECTED => Verdict::Undecided(format!(
                 "whether the law fits cannot be judged: it is off by {off}, but with {} values any noise explains that (the test of runs cannot fall below p = {}); give calibrate.noise, or measure more",
                 self.residuals.len(),
-                four_digits(runs.least)
+                format_four_digits(runs.least)
             )),
             _ if self.freedom > 0 => Verdict::Fits,
             _ => Verdict::NotJudged,
@@ -180,6 +184,6 @@ impl Calibration<'_> {
 fn rejected(law: &str, reason: &str, p: f64) -> Verdict {
     Verdict::Contradicted(format!(
         "the law {law} does not fit these data within their noise: {reason}, p = {}; look at the residuals, and at other laws with --all-laws",
-        four_digits(p)
+        format_four_digits(p)
     ))
 }

@@ -6,7 +6,7 @@ use thiserror::Error;
 use crate::error::ErrorKind;
 use crate::numerics::functions::{atan, exp};
 use crate::numerics::root::illinois;
-use crate::units::{Dimension, human, number};
+use crate::units::{Dimension, format_input, format_number};
 
 /// An isotropic elastic material.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,7 +145,7 @@ impl YieldPoint {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
     "{quantity} = {} cannot be held in double precision; choose a less extreme radius, modulus, density, strength or speed",
-    number(*.value)
+    format_number(*.value)
 )]
 pub struct OutOfFloatRange {
     pub quantity: &'static str,
@@ -157,7 +157,7 @@ pub struct OutOfFloatRange {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
     "half_space.radius = {} is the radius of a hollow, and a sphere of radius {} touches it at a point only if the hollow has at least twice that radius: give at most {}, or a positive radius for a convex wall",
-    human(*.radius, Dimension::Length), human(*.sphere, Dimension::Length), human(-2.0 * *.sphere, Dimension::Length)
+    format_input(*.radius, Dimension::Length), format_input(*.sphere, Dimension::Length), format_input(-2.0 * *.sphere, Dimension::Length)
 )]
 pub struct Hollow {
     /// R_h \[m\].
@@ -433,7 +433,7 @@ fn computed_yield_factor(poissons_ratio: f64) -> f64 {
 
 /// A number of a body, of gravity or of damping outside of its possible range.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error("{quantity} = {} is not allowed: {rule}", number(*.value))]
+#[error("{quantity} = {} is not allowed: {rule}", format_number(*.value))]
 pub struct InvalidInput {
     /// The name of the number, with its unit.
     pub quantity: &'static str,

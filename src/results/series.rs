@@ -4,7 +4,7 @@ use super::{Reported, results};
 use crate::impact::Contact;
 use crate::impact::series::{Drive, End, Hit, Repeat, Sequence};
 use crate::numerics::power::nan_max;
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, format_result};
 
 /// A series of impacts.
 #[derive(Debug, Clone, Copy)]
@@ -140,7 +140,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
 /// Why the series ended, for a person.
 fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
     let until = match repeat.drive {
-        Drive::Bouncing { until: Some(until), .. } => quantity(until, Dimension::Speed),
+        Drive::Bouncing { until: Some(until), .. } => format_result(until, Dimension::Speed),
         _ => String::new(),
     };
     match sequence.end {

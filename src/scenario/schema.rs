@@ -129,7 +129,7 @@ fn quantity_of(quantity: &Quantity) -> Value {
     fn alternatives<'u>(units: impl Iterator<Item = &'u str>) -> String {
         units.map(|unit| unit.replace('^', "\\^")).collect::<Vec<_>>().join("|")
     }
-    let (own, others) = (quantity.dimension.unit_names(), quantity.dimension.units_of_others());
+    let (own, others) = (quantity.dimension.unit_names(), quantity.dimension.units_of_other_dimensions());
     let (own, others) = (alternatives(own), alternatives(others));
     let number = "\\s*[+\u{2212}-]?[0-9.]";
     let with_own = format!("{number}[0-9.eE+\u{2212}-]*\\s*({own})\\s*$");

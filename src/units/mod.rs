@@ -13,6 +13,9 @@ pub(crate) mod prefix;
 mod table;
 
 pub use dimension::Dimension;
-pub use format::{describe, exact, four_digits, human, number, percent, quantities, quantity, si};
+pub use format::{
+    format_exact, format_four_digits, format_input, format_number, format_percent, format_result, format_si,
+    format_si_and_short, quantities,
+};
 
-pub use parse::{parse, parse_as};
+pub use parse::{parse, parse_named};

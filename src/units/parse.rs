@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::Dimension;
-use super::table::{Scale, UNITS, Unit};
+use super::table::{UNITS, Unit, UnitScale};
 use crate::error::Error;
 use crate::strings::capital;
 use crate::strings::names::did_you_mean;
@@ -35,9 +35,9 @@ fn unknown_unit_hint(unit: &str, dimension: Dimension) -> String {
     };
     let rest = format!("units of {} are {all}", dimension.name());
     // "m/sec" and "m s^-1" are near to no name letter by letter
-    let joined = plain_spelling(unit).replace(' ', "").replace("sec", "s");
+    let joined = normalise_unit(unit).replace(' ', "").replace("sec", "s");
     let guess = joined.replace("s-", "/s").replace("m-", "/m").replace("/s1", "/s");
-    let same = dimension.unit_names().find(|name| plain_spelling(name).replace(' ', "").eq_ignore_ascii_case(&guess));
+    let same = dimension.unit_names().find(|name| normalise_unit(name).replace(' ', "").eq_ignore_ascii_case(&guess));
     let likely = || {
         let lower = guess.to_lowercase();
         let meant = LIKELY.iter().find(|(written, _)| *written == lower || format!("{written}s") == lower);
@@ -59,18 +59,18 @@ const MAX_SHORT: usize = 3;
 /// # Errors
 /// The text, what is wrong, and what would be understood.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Error> {
-    parse_as(text, dimension, dimension.name(), dimension.example()).map_err(Error::input)
+    parse_named(text, dimension, dimension.name(), dimension.example()).map_err(Error::input)
 }
 
 /// Reads a quantity that messages call by this name, and for which they give this example.
-pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> Result<f64, String> {
+pub fn parse_named(text: &str, dimension: Dimension, name: &str, example: &str) -> Result<f64, String> {
     let no_number = || format!("\"{text}\" does not begin with a number; write {name} such as {example}");
     // printed text, which tables and pages have, has another minus than a keyboard
     let mut plain = text.trim().replace('\u{2212}', "-");
     for (sign, fraction) in FRACTIONS {
         plain = plain.replace(sign, fraction);
     }
-    let (number, unit) = split(plain.trim());
+    let (number, unit) = split_number_and_unit(plain.trim());
     if !number.bytes().any(|byte| byte.is_ascii_digit()) {
         return Err(no_number());
     }
@@ -91,15 +91,15 @@ pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> 
         ));
     }
     if let Some((fraction, unit)) = split_fraction(number, unit) {
-        let inch = SPELLINGS.get(&plain_spelling(unit)).filter(|unit| ["in", "inch"].contains(&unit.name));
+        let inch = SPELLINGS.get(&normalise_unit(unit)).filter(|unit| ["in", "inch"].contains(&unit.name));
         let of_inches =
             inch.filter(|unit| unit.dimension == dimension).and_then(|unit| unit.scale.apply_to_fraction(fraction));
         let no_inches =
             || format!("\"{text}\" has a fraction, which only inches have; write a decimal number, such as {example}");
         return of_inches.ok_or_else(no_inches);
     }
-    match SPELLINGS.get(&plain_spelling(unit)) {
-        Some(unit) if unit.dimension == dimension => unit.scale.apply(number).ok_or_else(no_number),
+    match SPELLINGS.get(&normalise_unit(unit)) {
+        Some(unit) if unit.dimension == dimension => unit.scale.to_si(number).ok_or_else(no_number),
         Some(other) => {
             let found = other.dimension.name();
             Err(format!("\"{text}\" is {found}, but {} is needed, such as {}", dimension.name(), dimension.example()))
@@ -110,13 +110,13 @@ pub fn parse_as(text: &str, dimension: Dimension, name: &str, example: &str) -> 
 
 /// The units by their plain spelling.
 static SPELLINGS: LazyLock<HashMap<String, &Unit>> =
-    LazyLock::new(|| UNITS.iter().map(|unit| (plain_spelling(unit.name), unit)).collect());
+    LazyLock::new(|| UNITS.iter().map(|unit| (normalise_unit(unit.name), unit)).collect());
 
-impl Scale {
+impl UnitScale {
     /// The number in SI, rounded once.
-    fn apply(self, number: &str) -> Option<f64> {
+    fn to_si(self, number: &str) -> Option<f64> {
         match self {
-            Self::Ten(power) => {
+            Self::PowerOfTen(power) => {
                 let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
                 match exponent.parse::<i32>() {
                     Ok(exponent) => format!("{digits}e{}", exponent.saturating_add(power)).parse().ok(),
@@ -127,8 +127,8 @@ impl Scale {
             Self::Decimal(factor) => {
                 product(number, factor).or_else(|| Some(number.parse::<f64>().ok()? * factor.parse::<f64>().ok()?))
             }
-            Self::Times(factor) => number.parse::<f64>().ok().map(|value| value * factor),
-            Self::Over(divisor) => number.parse::<f64>().ok().map(|value| value / divisor),
+            Self::Factor(factor) => number.parse::<f64>().ok().map(|value| value * factor),
+            Self::Divisor(divisor) => number.parse::<f64>().ok().map(|value| value / divisor),
         }
     }
 
@@ -157,7 +157,7 @@ fn integer_and_power(number: &str) -> Option<(i128, i32)> {
 }
 
 /// Splits "5e3 mm" into "5e3" and "mm".
-fn split(text: &str) -> (&str, &str) {
+fn split_number_and_unit(text: &str) -> (&str, &str) {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {
         while bytes.get(at).is_some_and(u8::is_ascii_digit) {
@@ -202,7 +202,7 @@ fn split_fraction<'t>(number: &str, rest: &'t str) -> Option<([i64; 2], &'t str)
 }
 
 /// One spelling for all of "kg/m^3", "kg / m³", "kg/m**3", "kg/m3"; "Pa·s", "Pa*s"; "µm" with either sign, "um"; 1" and 1″.
-fn plain_spelling(unit: &str) -> String {
+fn normalise_unit(unit: &str) -> String {
     let plain = |c: char| match c {
         '\u{b5}' | '\u{3bc}' => Some('u'),
         '²' => Some('2'),

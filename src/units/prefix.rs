@@ -22,8 +22,8 @@ impl Prefix {
             .ok()
             .filter(|_| exponent >= FIRST_EXPONENT)
             .and_then(|index| SYMBOLS.get(index))
-            .map_or_else(|| format!("{} ", power_of_ten(exponent)), ToString::to_string);
-        Self { factor: ten_to(exponent), symbol }
+            .map_or_else(|| format!("{} ", power_of_ten_text(exponent)), ToString::to_string);
+        Self { factor: power_of_ten(exponent), symbol }
     }
 }
 
@@ -33,12 +33,12 @@ fn exponent(value: f64) -> i32 {
 }
 
 /// 10^k, correctly rounded (`powi` is not).
-pub fn ten_to(exponent: i32) -> f64 {
+pub fn power_of_ten(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::INFINITY)
 }
 
 /// "10⁻³".
-pub fn power_of_ten(exponent: i32) -> String {
+pub fn power_of_ten_text(exponent: i32) -> String {
     let superscript = |c: char| match c {
         '-' => '⁻',
         '1' => '¹',

@@ -4,29 +4,29 @@ use super::Dimension;
 
 /// The size of a unit in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Scale {
-    Ten(i32),
+pub(super) enum UnitScale {
+    PowerOfTen(i32),
     /// A factor in decimal digits: a value is multiplied in decimal, and rounded once.
     Decimal(&'static str),
-    Times(f64),
+    Factor(f64),
     /// A divisor, which is exact where the factor is not.
-    Over(f64),
+    Divisor(f64),
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unit {
     pub(super) name: &'static str,
     pub(super) dimension: Dimension,
-    pub(super) scale: Scale,
-    pub(super) is_shown: bool,
+    pub(super) scale: UnitScale,
+    pub(super) is_display_unit: bool,
 }
 
-const fn shown(name: &'static str, dimension: Dimension, power: i32) -> Unit {
-    Unit { name, dimension, scale: Scale::Ten(power), is_shown: true }
+const fn display_unit(name: &'static str, dimension: Dimension, power: i32) -> Unit {
+    Unit { name, dimension, scale: UnitScale::PowerOfTen(power), is_display_unit: true }
 }
 
-const fn read(name: &'static str, dimension: Dimension, scale: Scale) -> Unit {
-    Unit { name, dimension, scale, is_shown: false }
+const fn input_unit(name: &'static str, dimension: Dimension, scale: UnitScale) -> Unit {
+    Unit { name, dimension, scale, is_display_unit: false }
 }
 
 use Dimension::{
@@ -35,108 +35,108 @@ use Dimension::{
 };
 
 pub(super) const UNITS: &[Unit] = &[
-    shown("nm", Length, -9),
-    shown("µm", Length, -6),
-    read("micron", Length, Scale::Ten(-6)),
-    read("mil", Length, Scale::Decimal("2.54e-5")), // a thousandth of an inch
-    shown("mm", Length, -3),
-    read("cm", Length, Scale::Ten(-2)),
-    read("in", Length, Scale::Decimal("0.0254")), // international inch and foot, exact
-    read("inch", Length, Scale::Decimal("0.0254")),
-    read("ft", Length, Scale::Decimal("0.3048")),
-    shown("m", Length, 0),
-    shown("km", Length, 3),
-    shown("ns", Time, -9),
-    shown("µs", Time, -6),
-    shown("ms", Time, -3),
-    shown("s", Time, 0),
-    shown("nm/s", Speed, -9),
-    shown("µm/s", Speed, -6),
-    shown("mm/s", Speed, -3),
-    read("cm/s", Speed, Scale::Ten(-2)),
-    read("km/h", Speed, Scale::Over(3.6)),
-    read("kph", Speed, Scale::Over(3.6)),
-    read("in/s", Speed, Scale::Decimal("0.0254")),
-    read("ft/s", Speed, Scale::Decimal("0.3048")),
-    read("mph", Speed, Scale::Decimal("0.44704")), // 5280 ft an hour, exact
-    shown("m/s", Speed, 0),
-    shown("km/s", Speed, 3),
-    read("mm/s^2", Acceleration, Scale::Ten(-3)),
-    read("cm/s^2", Acceleration, Scale::Ten(-2)),
-    shown("m/s^2", Acceleration, 0),
-    read("ms/m", InverseSpeed, Scale::Ten(-3)),
-    shown("s/m", InverseSpeed, 0),
-    read("s/cm", InverseSpeed, Scale::Ten(2)),
-    shown("s/mm", InverseSpeed, 3),
-    shown("ng", Mass, -12),
-    shown("µg", Mass, -9),
-    shown("mg", Mass, -6),
-    shown("g", Mass, -3),
-    read("oz", Mass, Scale::Decimal("0.028349523125")), // a sixteenth of a pound, exact
-    read("lb", Mass, Scale::Decimal("0.45359237")),     // international pound, exact
-    shown("kg", Mass, 0),
-    shown("t", Mass, 3),
-    shown("µPa s", Viscosity, -6),
-    shown("mPa s", Viscosity, -3),
-    read("cP", Viscosity, Scale::Ten(-3)),
-    shown("Pa s", Viscosity, 0),
-    shown("kg/m^3", Density, 0),
-    read("lb/ft^3", Density, Scale::Decimal("16.01846337396013957966")), // 0.45359237 kg / (0.3048 m)^3
-    shown("g/cm^3", Density, 3),
-    read("g/cc", Density, Scale::Ten(3)),
-    read("kg/dm^3", Density, Scale::Ten(3)),
-    read("kg/l", Density, Scale::Ten(3)),
-    read("t/m^3", Density, Scale::Ten(3)),
-    read("lb/in^3", Density, Scale::Decimal("27679.90471020312119364")), // 0.45359237 kg / (0.0254 m)^3
-    shown("Pa", Pressure, 0),
-    read("N/m^2", Pressure, Scale::Ten(0)),
-    shown("kPa", Pressure, 3),
-    read("bar", Pressure, Scale::Ten(5)),
-    shown("MPa", Pressure, 6),
-    read("N/mm^2", Pressure, Scale::Ten(6)),
-    read("kgf/mm^2", Pressure, Scale::Decimal("9.80665e6")),
-    read("ksi", Pressure, Scale::Decimal("6894757.293168361336723")), // 1000 psi
-    shown("GPa", Pressure, 9),
-    read("Mpsi", Pressure, Scale::Decimal("6894757293.168361336723")), // 10^6 psi
-    read("Msi", Pressure, Scale::Decimal("6894757293.168361336723")),
-    shown("TPa", Pressure, 12),
-    read("psi", Pressure, Scale::Decimal("6894.757293168361336723")), // lbf/in^2: 0.45359237 kg x 9.80665 m/s^2 / (0.0254 m)^2
-    shown("nN", Force, -9),
-    shown("µN", Force, -6),
-    shown("mN", Force, -3),
-    shown("N", Force, 0),
-    read("lbf", Force, Scale::Decimal("4.4482216152605")), // 0.45359237 kg x 9.80665 m/s^2, exact
-    read("kgf", Force, Scale::Decimal("9.80665")),
-    shown("kN", Force, 3),
-    shown("MN", Force, 6),
-    shown("fJ", Energy, -15),
-    shown("pJ", Energy, -12),
-    shown("nJ", Energy, -9),
-    shown("µJ", Energy, -6),
-    shown("mJ", Energy, -3),
-    shown("J", Energy, 0),
-    shown("kJ", Energy, 3),
-    shown("N/m", Stiffness, 0),
-    shown("kN/m", Stiffness, 3),
-    read("N/mm", Stiffness, Scale::Ten(3)),
-    shown("MN/m", Stiffness, 6),
-    read("deg", Angle, Scale::Times(std::f64::consts::PI / 180.0)),
-    read("°", Angle, Scale::Times(std::f64::consts::PI / 180.0)),
-    shown("rad", Angle, 0),
-    read("deg/s", AngularSpeed, Scale::Times(std::f64::consts::PI / 180.0)),
-    read("rpm", AngularSpeed, Scale::Times(std::f64::consts::PI / 30.0)),
-    shown("rad/s", AngularSpeed, 0),
-    shown("1/s", StrainRate, 0),
-    read("/s", StrainRate, Scale::Ten(0)),
-    read("s^-1", StrainRate, Scale::Ten(0)),
-    read("1/ms", StrainRate, Scale::Ten(3)),
-    read("g mm^2", MomentOfInertia, Scale::Ten(-9)),
-    read("oz in^2", MomentOfInertia, Scale::Decimal("1.8289978339325e-5")), // 0.028349523125 kg x (0.0254 m)^2
-    read("lb in^2", MomentOfInertia, Scale::Decimal("2.926396534292e-4")),  // 0.45359237 kg x (0.0254 m)^2
-    read("g cm^2", MomentOfInertia, Scale::Ten(-7)),
-    read("kg mm^2", MomentOfInertia, Scale::Ten(-6)),
-    shown("kg m^2", MomentOfInertia, 0),
-    read("%", Ratio, Scale::Ten(-2)),
+    display_unit("nm", Length, -9),
+    display_unit("µm", Length, -6),
+    input_unit("micron", Length, UnitScale::PowerOfTen(-6)),
+    input_unit("mil", Length, UnitScale::Decimal("2.54e-5")), // a thousandth of an inch
+    display_unit("mm", Length, -3),
+    input_unit("cm", Length, UnitScale::PowerOfTen(-2)),
+    input_unit("in", Length, UnitScale::Decimal("0.0254")), // international inch and foot, exact
+    input_unit("inch", Length, UnitScale::Decimal("0.0254")),
+    input_unit("ft", Length, UnitScale::Decimal("0.3048")),
+    display_unit("m", Length, 0),
+    display_unit("km", Length, 3),
+    display_unit("ns", Time, -9),
+    display_unit("µs", Time, -6),
+    display_unit("ms", Time, -3),
+    display_unit("s", Time, 0),
+    display_unit("nm/s", Speed, -9),
+    display_unit("µm/s", Speed, -6),
+    display_unit("mm/s", Speed, -3),
+    input_unit("cm/s", Speed, UnitScale::PowerOfTen(-2)),
+    input_unit("km/h", Speed, UnitScale::Divisor(3.6)),
+    input_unit("kph", Speed, UnitScale::Divisor(3.6)),
+    input_unit("in/s", Speed, UnitScale::Decimal("0.0254")),
+    input_unit("ft/s", Speed, UnitScale::Decimal("0.3048")),
+    input_unit("mph", Speed, UnitScale::Decimal("0.44704")), // 5280 ft an hour, exact
+    display_unit("m/s", Speed, 0),
+    display_unit("km/s", Speed, 3),
+    input_unit("mm/s^2", Acceleration, UnitScale::PowerOfTen(-3)),
+    input_unit("cm/s^2", Acceleration, UnitScale::PowerOfTen(-2)),
+    display_unit("m/s^2", Acceleration, 0),
+    input_unit("ms/m", InverseSpeed, UnitScale::PowerOfTen(-3)),
+    display_unit("s/m", InverseSpeed, 0),
+    input_unit("s/cm", InverseSpeed, UnitScale::PowerOfTen(2)),
+    display_unit("s/mm", InverseSpeed, 3),
+    display_unit("ng", Mass, -12),
+    display_unit("µg", Mass, -9),
+    display_unit("mg", Mass, -6),
+    display_unit("g", Mass, -3),
+    input_unit("oz", Mass, UnitScale::Decimal("0.028349523125")), // a sixteenth of a pound, exact
+    input_unit("lb", Mass, UnitScale::Decimal("0.45359237")),     // international pound, exact
+    display_unit("kg", Mass, 0),
+    display_unit("t", Mass, 3),
+    display_unit("µPa s", Viscosity, -6),
+    display_unit("mPa s", Viscosity, -3),
+    input_unit("cP", Viscosity, UnitScale::PowerOfTen(-3)),
+    display_unit("Pa s", Viscosity, 0),
+    display_unit("kg/m^3", Density, 0),
+    input_unit("lb/ft^3", Density, UnitScale::Decimal("16.01846337396013957966")), // 0.45359237 kg / (0.3048 m)^3
+    display_unit("g/cm^3", Density, 3),
+    input_unit("g/cc", Density, UnitScale::PowerOfTen(3)),
+    input_unit("kg/dm^3", Density, UnitScale::PowerOfTen(3)),
+    input_unit("kg/l", Density, UnitScale::PowerOfTen(3)),
+    input_unit("t/m^3", Density, UnitScale::PowerOfTen(3)),
+    input_unit("lb/in^3", Density, UnitScale::Decimal("27679.90471020312119364")), // 0.45359237 kg / (0.0254 m)^3
+    display_unit("Pa", Pressure, 0),
+    input_unit("N/m^2", Pressure, UnitScale::PowerOfTen(0)),
+    display_unit("kPa", Pressure, 3),
+    input_unit("bar", Pressure, UnitScale::PowerOfTen(5)),
+    display_unit("MPa", Pressure, 6),
+    input_unit("N/mm^2", Pressure, UnitScale::PowerOfTen(6)),
+    input_unit("kgf/mm^2", Pressure, UnitScale::Decimal("9.80665e6")),
+    input_unit("ksi", Pressure, UnitScale::Decimal("6894757.293168361336723")), // 1000 psi
+    display_unit("GPa", Pressure, 9),
+    input_unit("Mpsi", Pressure, UnitScale::Decimal("6894757293.168361336723")), // 10^6 psi
+    input_unit("Msi", Pressure, UnitScale::Decimal("6894757293.168361336723")),
+    display_unit("TPa", Pressure, 12),
+    input_unit("psi", Pressure, UnitScale::Decimal("6894.757293168361336723")), // lbf/in^2: 0.45359237 kg x 9.80665 m/s^2 / (0.0254 m)^2
+    display_unit("nN", Force, -9),
+    display_unit("µN", Force, -6),
+    display_unit("mN", Force, -3),
+    display_unit("N", Force, 0),
+    input_unit("lbf", Force, UnitScale::Decimal("4.4482216152605")), // 0.45359237 kg x 9.80665 m/s^2, exact
+    input_unit("kgf", Force, UnitScale::Decimal("9.80665")),
+    display_unit("kN", Force, 3),
+    display_unit("MN", Force, 6),
+    display_unit("fJ", Energy, -15),
+    display_unit("pJ", Energy, -12),
+    display_unit("nJ", Energy, -9),
+    display_unit("µJ", Energy, -6),
+    display_unit("mJ", Energy, -3),
+    display_unit("J", Energy, 0),
+    display_unit("kJ", Energy, 3),
+    display_unit("N/m", Stiffness, 0),
+    display_unit("kN/m", Stiffness, 3),
+    input_unit("N/mm", Stiffness, UnitScale::PowerOfTen(3)),
+    display_unit("MN/m", Stiffness, 6),
+    input_unit("deg", Angle, UnitScale::Factor(std::f64::consts::PI / 180.0)),
+    input_unit("°", Angle, UnitScale::Factor(std::f64::consts::PI / 180.0)),
+    display_unit("rad", Angle, 0),
+    input_unit("deg/s", AngularSpeed, UnitScale::Factor(std::f64::consts::PI / 180.0)),
+    input_unit("rpm", AngularSpeed, UnitScale::Factor(std::f64::consts::PI / 30.0)),
+    display_unit("rad/s", AngularSpeed, 0),
+    display_unit("1/s", StrainRate, 0),
+    input_unit("/s", StrainRate, UnitScale::PowerOfTen(0)),
+    input_unit("s^-1", StrainRate, UnitScale::PowerOfTen(0)),
+    input_unit("1/ms", StrainRate, UnitScale::PowerOfTen(3)),
+    input_unit("g mm^2", MomentOfInertia, UnitScale::PowerOfTen(-9)),
+    input_unit("oz in^2", MomentOfInertia, UnitScale::Decimal("1.8289978339325e-5")), // 0.028349523125 kg x (0.0254 m)^2
+    input_unit("lb in^2", MomentOfInertia, UnitScale::Decimal("2.926396534292e-4")),  // 0.45359237 kg x (0.0254 m)^2
+    input_unit("g cm^2", MomentOfInertia, UnitScale::PowerOfTen(-7)),
+    input_unit("kg mm^2", MomentOfInertia, UnitScale::PowerOfTen(-6)),
+    display_unit("kg m^2", MomentOfInertia, 0),
+    input_unit("%", Ratio, UnitScale::PowerOfTen(-2)),
 ];
 
 impl Dimension {
@@ -146,7 +146,7 @@ impl Dimension {
     }
 
     /// The names of the units of all other dimensions.
-    pub fn units_of_others(self) -> impl Iterator<Item = &'static str> {
+    pub fn units_of_other_dimensions(self) -> impl Iterator<Item = &'static str> {
         UNITS.iter().filter(move |unit| unit.dimension != self).map(|unit| unit.name)
     }
 

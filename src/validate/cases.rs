@@ -30,7 +30,7 @@ pub struct Cycle {
 impl Cycle {
     /// The name, such as "case3_small, x = 105.1".
     pub fn name(&self) -> String {
-        format!("{}, x = {}", self.row.text("run"), crate::units::four_digits(self.peak.indentation))
+        format!("{}, x = {}", self.row.text("run"), crate::units::format_four_digits(self.peak.indentation))
     }
 
     /// Residual indentation x_r of the finite elements.

@@ -7,7 +7,7 @@ use crate::contact::law::{Bodies, LawChoice, Unloading};
 use crate::contact::pair::{HalfSpace, Material, Pair, Sphere};
 use crate::error::Error;
 use crate::report::chart::{Axis, Chart, Series, Style};
-use crate::units::{Dimension, four_digits, quantity};
+use crate::units::{Dimension, format_four_digits, format_result};
 
 /// R \[m\], the moduli of sphere and half-space \[Pa\], and the yield strength \[Pa\].
 const RADIUS: f64 = 35e-3;
@@ -80,13 +80,13 @@ fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
         Axis::linear("Indentation", "m").between((first - 0.1 * room).max(0.0), last + 0.05 * room),
         Axis::linear("Force", "N").between(0.0, 1.05 * peak.force * force),
     ];
-    let title = format!("Unloading from {} × the yield indentation", four_digits(peak.indentation));
+    let title = format!("Unloading from {} × the yield indentation", format_four_digits(peak.indentation));
     let caption = format!(
         "sphere R {}, E {}; half-space E {}, yields at {}; all from the peak of the finite elements",
-        quantity(RADIUS, Dimension::Length),
-        quantity(MODULI[0], Dimension::Pressure),
-        quantity(MODULI[1], Dimension::Pressure),
-        quantity(STRENGTH, Dimension::Pressure),
+        format_result(RADIUS, Dimension::Length),
+        format_result(MODULI[0], Dimension::Pressure),
+        format_result(MODULI[1], Dimension::Pressure),
+        format_result(STRENGTH, Dimension::Pressure),
     );
     Chart::new(title, axes, series).with_caption(caption)
 }

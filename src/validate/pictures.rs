@@ -19,7 +19,7 @@ use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
 use crate::reference::{DEVICES, HARDENING, REBOUNDS, Row, STEELS};
 use crate::report::chart::{Axis, Chart, Panel, Pictures, Series, Style};
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, format_result};
 
 /// A picture before it is drawn, with the name of its file without the ending.
 type Picture = (String, Chart);
@@ -134,7 +134,7 @@ fn impact(case: &dynamic::Case) -> Picture {
     notes.extend(with_waves.map(|restitution| format!("  … with waves: {restitution:.4}")));
     let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
     let (name, slug) = (case.reference.text("case"), case.reference.text("case").to_lowercase());
-    let title = format!("Impact {name} at {}", quantity(case.impacts[0].speed, Dimension::Speed));
+    let title = format!("Impact {name} at {}", format_result(case.impacts[0].speed, Dimension::Speed));
     let chart = Chart::new(title, axes, series).with_side(Axis::linear("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
     (format!("impact-{slug}-force-indentation"), chart)

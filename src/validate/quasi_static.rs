@@ -6,7 +6,7 @@ use super::comparison::{Comparison, Group};
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::reference::STATIC;
-use crate::units::four_digits;
+use crate::units::format_four_digits;
 
 /// The exponents of the unloading with which the law is compared.
 const PAPER: UnloadingExponent = UnloadingExponent::Paper;
@@ -33,7 +33,7 @@ pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>,
             let law = case.law(coefficients, PAPER);
             for point in case.loading.points.iter().filter(|point| point.number("delta_over_deltaY") >= 1.0) {
                 let x = point.number("delta_over_deltaY");
-                let name = format!("{}, x = {}", case.name(), four_digits(x));
+                let name = format!("{}, x = {}", case.name(), format_four_digits(x));
                 compared.push(group.compared(name, [point.number(column), of_law(case, &law, x)]));
             }
         }

@@ -17,7 +17,7 @@ use super::{ContactState, Unloading, UnloadingShape};
 use crate::contact::strength::flow_curve::FlowError;
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::root::bisect;
-use crate::units::{four_digits, percent};
+use crate::units::{format_four_digits, format_percent};
 
 /// The formulas of a law may exceed the approach, or the energy spent, by this fraction. Above it the law has no answer.
 pub const LARGEST_CUT: f64 = 0.05;
@@ -158,7 +158,7 @@ pub enum OutsideLaw {
     /// Outside the range of its formulas.
     #[error(
         "the law has no answer for a peak indentation of {} x its yield indentation: {problem}; use another law, or another speed or depth",
-        four_digits(*.ratio)
+        format_four_digits(*.ratio)
     )]
     Range {
         /// The peak indentation over the yield indentation of the law.
@@ -169,7 +169,7 @@ pub enum OutsideLaw {
     /// An unloading exponent that would recover too much energy.
     #[error(
         "with the unloading exponent {}, a peak indentation of {} x the yield indentation would give back {} of the energy more than was spent: give a larger exponent, or another speed or depth",
-        four_digits(*.asked), four_digits(*.ratio), percent(*.gain)
+        format_four_digits(*.asked), format_four_digits(*.ratio), format_percent(*.gain)
     )]
     Exponent {
         /// n.
@@ -193,7 +193,7 @@ pub enum OutsideLaw {
     /// A flow curve although both bodies yield.
     #[error(
         "the strengths of sphere and half-space are {} to 1, so that both flow, and a flow curve is known for a body that flows alone: give both a yield_strength at the strain of the impact, without flow_stress, or strengths at least 1.25 to 1",
-        four_digits(*.ratio)
+        format_four_digits(*.ratio)
     )]
     BothFlow {
         /// The strength of the harder body over that of the softer, as pressures at first yield.

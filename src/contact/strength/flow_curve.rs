@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::numerics::functions::{exp, exp_m1, ln, ln_1p};
 use crate::numerics::root::newton_convex;
-use crate::units::{Dimension, describe, number};
+use crate::units::{Dimension, format_number, format_si_and_short};
 
 /// A point of a measured curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +52,7 @@ pub enum FlowError {
     /// The strain of a point is negative, not finite, or not above the strain of the point before.
     #[error(
         "point {place}: plastic strain {} is not allowed: it must be finite, at least 0 and above that of the point before",
-        number(*.strain)
+        format_number(*.strain)
     )]
     Strain {
         /// Place of the point, counted from 1.
@@ -62,8 +62,8 @@ pub enum FlowError {
     /// The stress falls from one point to the next, or is not a positive finite number.
     #[error(
         "point {place}: the stress falls from {} to {}: a metal that softens is outside of the law; end the curve at its largest stress",
-        describe(*.before, Dimension::Pressure),
-        describe(*.stress, Dimension::Pressure)
+        format_si_and_short(*.before, Dimension::Pressure),
+        format_si_and_short(*.stress, Dimension::Pressure)
     )]
     Falls {
         /// Place of the point, counted from 1.
@@ -76,10 +76,10 @@ pub enum FlowError {
     /// The curve does not start from the yield strength.
     #[error(
         "starts with {} at plastic strain {}, {} the yield strength of {}: the yield strength is the stress at plastic strain 0",
-        describe(*.stress, Dimension::Pressure),
-        number(*.strain),
+        format_si_and_short(*.stress, Dimension::Pressure),
+        format_number(*.strain),
         if stress < yield_strength { "below" } else { "above" },
-        describe(*.yield_strength, Dimension::Pressure)
+        format_si_and_short(*.yield_strength, Dimension::Pressure)
     )]
     Start {
         strain: f64,
@@ -91,9 +91,9 @@ pub enum FlowError {
     /// The curve is steeper than the elastic line.
     #[error(
         "{} the flow stress rises by {} per strain, more than Young's modulus of the body, {}: no metal hardens so; give {}",
-        if to.is_finite() { format!("between plastic strain {} and {}", number(*.from), number(*.to)) } else { "at every plastic strain".to_owned() },
-        describe(*.slope, Dimension::Pressure),
-        describe(*.modulus, Dimension::Pressure),
+        if to.is_finite() { format!("between plastic strain {} and {}", format_number(*.from), format_number(*.to)) } else { "at every plastic strain".to_owned() },
+        format_si_and_short(*.slope, Dimension::Pressure),
+        format_si_and_short(*.modulus, Dimension::Pressure),
         if *.is_measured { "points farther apart, or a larger yield strength" } else { "a smaller rise, or a larger yield strength" }
     )]
     Steep {

@@ -19,7 +19,7 @@
 use thiserror::Error;
 
 use crate::strings::names::named_enum;
-use crate::units::number;
+use crate::units::format_number;
 
 named_enum! {
     pub enum Scale {
@@ -44,10 +44,10 @@ const VICKERS_AREA: f64 = 0.9272;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error(
     "{} {} is outside of the conversion table (DIN 50150, ISO 18265 table A.1, steels), which goes from {} to {} {}; give the Vickers hardness or a mean pressure such as \"3 GPa\"",
-    number(*.value),
+    format_number(*.value),
     .scale.name(),
-    number(.range.0),
-    number(.range.1),
+    format_number(.range.0),
+    format_number(.range.1),
     .scale.name()
 )]
 pub struct OutsideTable {

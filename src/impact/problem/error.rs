@@ -7,7 +7,7 @@ use crate::contact::law::OutsideLaw;
 use crate::contact::pair::{Hollow, InvalidInput, OutOfFloatRange, PairError};
 use crate::error::{Error as Failure, ErrorKind};
 use crate::numerics::ode::IntegrationError;
-use crate::units::{Dimension, human};
+use crate::units::{Dimension, format_input};
 
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ImpactError {
@@ -26,14 +26,14 @@ pub enum ImpactError {
     /// An indentation deeper or wider than the sphere.
     #[error(
         "the sphere would go in by {} with a contact radius of {}, and its own radius is {}: no contact law holds there; check the units{}, or lower the speed",
-        human(*.indentation, Dimension::Length), human(*.contact_radius, Dimension::Length), human(*.radius, Dimension::Length),
+        format_input(*.indentation, Dimension::Length), format_input(*.contact_radius, Dimension::Length), format_input(*.radius, Dimension::Length),
         match (.wrong_modulus, .yield_strength) {
             (Some((table, modulus)), _) => {
-                let modulus = human(*modulus, Dimension::Pressure);
+                let modulus = format_input(*modulus, Dimension::Pressure);
                 format!(", such as that of {table}.youngs_modulus = {modulus}")
             }
             (None, Some(strength)) => {
-                format!(", such as that of half_space.yield_strength = {}", human(*strength, Dimension::Pressure))
+                format!(", such as that of half_space.yield_strength = {}", format_input(*strength, Dimension::Pressure))
             }
             (None, None) => String::new(),
         }

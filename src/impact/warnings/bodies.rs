@@ -7,7 +7,7 @@ use crate::impact::problem::contact::{Contact, is_modulus_wrong};
 use crate::impact::result::row::Essentials;
 use crate::impact::result::warning::{FULLY, Warning, WarningKind};
 use crate::materials::{Class, MaterialEntry};
-use crate::units::{Dimension, four_digits, human, quantity};
+use crate::units::{Dimension, format_four_digits, format_input, format_result};
 
 /// Bodies of a lower density \[kg/m³\] get a warning; cork has 120 to 240.
 const LIGHT: f64 = 100.0;
@@ -111,11 +111,11 @@ pub(crate) fn left_out(
 pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
     let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > 1.1 * strength)?;
     let ratio = pressure / strength;
-    let [peak, own] = [pressure, strength].map(|pressure| quantity(pressure, Dimension::Pressure));
+    let [peak, own] = [pressure, strength].map(|pressure| format_result(pressure, Dimension::Pressure));
     let text = if ratio > FULLY {
         format!(
             "the {body} yields, which is left out here: {so}; the law plm lets it yield beside a {other} that does not harden (peak mean pressure {peak}, {} times the {body}'s yield strength {own})",
-            four_digits(ratio)
+            format_four_digits(ratio)
         )
     } else {
         format!(
@@ -171,7 +171,7 @@ fn of_body(
 ) -> impl Iterator<Item = Warning> + use<> {
     let modulus = material.youngs_modulus;
     let high = strength.filter(|strength| *strength > HIGH * modulus).map(|strength| {
-        let [given, modulus_text] = [strength, modulus].map(|pressure| human(pressure, Dimension::Pressure));
+        let [given, modulus_text] = [strength, modulus].map(|pressure| format_input(pressure, Dimension::Pressure));
         let text = if is_modulus_wrong(modulus, Some(strength)) {
             format!(
                 "{table}.youngs_modulus = {modulus_text} is far too small for a yield strength of {given}: check the unit of the modulus, such as \"210 GPa\""

@@ -16,7 +16,7 @@ use super::solve::{Method, Solver};
 use crate::contact::law::{ContactState, Ground, Raised, Unloading};
 use crate::contact::strength::strain_rate_hardening::Form as RateForm;
 use crate::numerics::root::bisect;
-use crate::units::{Dimension, four_digits, human, percent};
+use crate::units::{Dimension, format_four_digits, format_input, format_percent};
 use bodies::{of_half_space, of_sphere};
 pub use restitution::Bias;
 pub(crate) use restitution::of_dent;
@@ -28,7 +28,7 @@ pub(crate) fn of_peak(ground: Ground, peak: &ContactState) -> impl Iterator<Item
     let x = peak.indentation;
     let law = ground.law;
     let stated = ground.law_at(x).and_then(|law| law.outside_stated(peak)).map(|(from, to)| {
-        let in_yields = |x: f64| four_digits(law.in_yields(x));
+        let in_yields = |x: f64| format_four_digits(law.in_yields(x));
         let end = if to.is_finite() { format!("to {}", in_yields(to)) } else { "and more".to_owned() };
         let text = format!(
             "peak indentation = {} x the yield indentation of the law is outside {} {end}, the range that the law is stated for: take the result for an extrapolation",
@@ -51,9 +51,9 @@ pub(crate) fn of_exponent(ground: Ground, unloading: &Unloading) -> Option<Warni
     let Raised { asked, used, gain } = ground.law_at(unloading.peak.indentation)?.raised(unloading)?;
     let text = format!(
         "an unloading exponent of {} would give back {} of the energy more than was spent: {} is used in its place, with which e is 1 but for gravity and drag; give a larger exponent, or let the peak be further above first yield",
-        four_digits(asked),
-        percent(gain),
-        four_digits(used)
+        format_four_digits(asked),
+        format_percent(gain),
+        format_four_digits(used)
     );
     Some(Warning::new(WarningKind::RaisedExponent, gain, text))
 }
@@ -129,7 +129,7 @@ fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
     let outside = Warning::when(strain_rate < low || strain_rate > high, WarningKind::StrainRate, strain_rate, || {
         format!(
             "strain rate {} 1/s is outside of {low:e} to {high:e} 1/s, for which such constants are known: take the factor of the strength for an extrapolation",
-            four_digits(strain_rate)
+            format_four_digits(strain_rate)
         )
     });
     let tested_at = rate.map_or(f64::NAN, |rate| rate.tested_at);
@@ -137,7 +137,7 @@ fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
     let fast = Warning::when(is_fast, WarningKind::FastTest, tested_at, || {
         format!(
             "tested_at = {} 1/s is nearly as fast as the impact, and only the turn of the sphere is slower than that test: e comes out below the one without a rate; give the strength of a slow test",
-            four_digits(tested_at)
+            format_four_digits(tested_at)
         )
     });
     let slow = match rate.map(|rate| rate.form) {
@@ -147,7 +147,7 @@ fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
     let lower_yield = slow.map(|rate| {
         let text = format!(
             "cowper_symonds.rate = {} 1/s: constants below {FLOWING} 1/s are of the lower yield point, and a dent strains the metal by 1 to 4 %: e comes out too high",
-            four_digits(rate)
+            format_four_digits(rate)
         );
         Warning::new(WarningKind::LowerYield, -rate, text)
     });
@@ -164,8 +164,8 @@ fn of_damping(contact: &Contact, impact: &Impact) -> Option<Warning> {
     Warning::when(size > STIFF, WarningKind::StiffDamping, size, || {
         format!(
             "damping.hunt_crossley x speed = {}: above {STIFF} the sphere keeps only 1/hunt_crossley = {} of its speed; check the unit, s/m",
-            four_digits(size),
-            human(1.0 / chi, Dimension::Speed)
+            format_four_digits(size),
+            format_input(1.0 / chi, Dimension::Speed)
         )
     })
 }

@@ -10,7 +10,7 @@ use crate::impact::problem::plate::{Plate, PlateTheory};
 use crate::impact::result::row::{Essentials, OnPlate};
 use crate::impact::result::warning::{Warning, WarningKind};
 use crate::numerics::functions::pow;
-use crate::units::{Dimension, human, quantity};
+use crate::units::{Dimension, format_input, format_result};
 
 /// The largest Zener's number up to which contact times on plates were measured, and agree with his theory.
 const MEASURED: f64 = 1.5;
@@ -115,7 +115,7 @@ fn of_adhesion(contact: &Contact, speed: f64) -> Option<Warning> {
     Warning::when(is_slow, WarningKind::Adhesion, sticking / speed, || {
         format!(
             "adhesion is not computed: with a surface energy of 0.2 J/m^2 the sphere would stick below {}, and up to seven times that speed e is more than 1 % too high",
-            quantity(sticking, Dimension::Speed)
+            format_result(sticking, Dimension::Speed)
         )
     })
 }
@@ -149,7 +149,7 @@ fn of_plate(plate: &Plate, on_plate: &OnPlate, contact_radius: f64) -> impl Iter
         )
     });
     let near = plate.edge_distance.filter(|distance| *distance < reach).map(|distance| {
-        let [edge, far] = [distance, reach].map(|length| human(length, Dimension::Length));
+        let [edge, far] = [distance, reach].map(|length| format_input(length, Dimension::Length));
         let text = format!(
             "half_space.edge_distance = {edge} is less than {far}, from where bending waves come back during the contact: the plate may take a quarter more or less than computed"
         );

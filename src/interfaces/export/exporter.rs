@@ -11,7 +11,7 @@ use crate::impact::{Essentials, Impact, Rated, STANDARD_GRAVITY};
 use crate::numerics::functions::{atan, pow};
 use crate::scenario::Scenario;
 use crate::strings::named_enum;
-use crate::units::{Dimension, four_digits, human};
+use crate::units::{Dimension, format_four_digits, format_input};
 
 named_enum! {
     /// Which code the lines are for.
@@ -107,8 +107,8 @@ impl Head<'_> {
         if let Some(Rated { strain_rate, factor, .. }) = self.impact.rated {
             about.push(format!(
                 "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
-                four_digits(strain_rate),
-                four_digits(factor)
+                format_four_digits(strain_rate),
+                format_four_digits(factor)
             ));
         }
         about.extend(self.bare.left_out.iter().cloned());
@@ -116,7 +116,8 @@ impl Head<'_> {
         if request.target.takes_table() {
             about.push("all units are SI; linear between the speeds".to_owned());
         } else {
-            let [from, to] = range_of_constant(&self.bare.contact, speed, restitution).map(|end| end.map(four_digits));
+            let [from, to] =
+                range_of_constant(&self.bare.contact, speed, restitution).map(|end| end.map(format_four_digits));
             let percent = 100.0 * E_WITHIN;
             let range = match (from, to) {
                 (Some(from), Some(to)) => format!("from {from} to {to} m/s"),
@@ -174,7 +175,7 @@ impl Head<'_> {
         let contact = &self.bare.contact;
         let damped = if contact.forces().damping.is_some() { " and its [damping]" } else { "" };
         if let Some(plate) = contact.forces().plate {
-            let thickness = human(plate.thickness, Dimension::Length);
+            let thickness = format_input(plate.thickness, Dimension::Length);
             return format!(
                 "this e is for a wall that is a plate of {thickness}: what the plate takes{damped} is in it"
             );

@@ -1,7 +1,7 @@
 //! Axes, linear or logarithmic: range, ticks and labels.
 
 use crate::numerics::functions::{exp, ln, log10};
-use crate::units::prefix::{Prefix, power_of_ten, ten_to};
+use crate::units::prefix::{Prefix, power_of_ten, power_of_ten_text};
 
 /// Values larger than this are not drawn; on a logarithmic axis, nor are values smaller than its inverse. So the ends
 /// and the length of an axis do not overflow.
@@ -266,13 +266,13 @@ fn counted(low: f64, high: f64) -> Vec<(f64, Option<String>)> {
 fn linear_ticks(low: f64, high: f64, wanted: f64) -> Vec<(f64, Option<String>)> {
     let raw = (high - low) / wanted;
     let exponent = log10(raw).floor() as i32;
-    let (digit, exponent): (i32, i32) = match raw / ten_to(exponent) {
+    let (digit, exponent): (i32, i32) = match raw / power_of_ten(exponent) {
         r if r <= 1.0 => (1, exponent),
         r if r <= 2.0 => (2, exponent),
         r if r <= 5.0 => (5, exponent),
         _ => (1, exponent + 1),
     };
-    let step = f64::from(digit) * ten_to(exponent);
+    let step = f64::from(digit) * power_of_ten(exponent);
     // a narrow range of numbers that are not small needs more decimals
     let largest = low.abs().max(high.abs());
     let is_plain = (-4..=5).contains(&exponent) && largest < 1e6 || (-9..-4).contains(&exponent) && largest > 0.1;
@@ -292,16 +292,16 @@ fn log_ticks(low: f64, high: f64, every: i32, labelled: &[i32]) -> Vec<(f64, Opt
     let (first, last) = (log10(low).floor() as i32, log10(high).ceil() as i32);
     let is_plain = low > 5e-4 && high < 5e4;
     let label = |digit: i32, exponent: i32| match digit {
-        _ if is_plain => crate::units::four_digits(f64::from(digit) * ten_to(exponent)),
-        1 => power_of_ten(exponent),
-        _ => format!("{digit}·{}", power_of_ten(exponent)),
+        _ if is_plain => crate::units::format_four_digits(f64::from(digit) * power_of_ten(exponent)),
+        1 => power_of_ten_text(exponent),
+        _ => format!("{digit}·{}", power_of_ten_text(exponent)),
     };
     let digits = if every == 1 { 1..=9 } else { 1..=1 };
     (first..=last)
         .flat_map(|exponent| digits.clone().map(move |digit| (digit, exponent)))
         .map(|(digit, exponent)| {
             let has_label = labelled.contains(&digit) && exponent.rem_euclid(every) == 0;
-            (f64::from(digit) * ten_to(exponent), has_label.then(|| label(digit, exponent)))
+            (f64::from(digit) * power_of_ten(exponent), has_label.then(|| label(digit, exponent)))
         })
         .collect()
 }

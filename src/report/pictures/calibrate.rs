@@ -8,7 +8,7 @@ use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
 use crate::report::chart::{Axis, Chart, GREY, MARK, Scale, Series, Style, extremes};
 use crate::scenario::input::{Key, Measured};
 use crate::scenario::plan::Free;
-use crate::units::four_digits;
+use crate::units::format_four_digits;
 
 /// Largest number of points in a picture: the eye cannot separate more.
 const MOST_POINTS: usize = 2000;
@@ -282,7 +282,7 @@ fn residuals(calibration: &Calibration) -> Chart {
     let y =
         Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
     let notes = [("chi-square", calibration.p), ("runs of signs", calibration.runs.map(|runs| runs.p))];
-    let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", four_digits(p?))));
+    let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", format_four_digits(p?))));
     let chart = Chart::new("Residuals", [x, y], series);
     let guide = |(at, label): (f64, &str)| {
         let guide = Series::horizontal(at, label);

@@ -8,7 +8,7 @@ use crate::report::chart::{Axis, Chart};
 use crate::scenario::input::{Body, Input, Key};
 use crate::scenario::kinds::indentation::IndentationScene;
 use crate::strings::capital;
-use crate::units::{Dimension, four_digits, quantity};
+use crate::units::{Dimension, format_four_digits, format_result};
 
 /// The bodies and the law of a scene, without the keys that vary in the picture.
 pub fn caption(input: &Input, varied: &[&str]) -> String {
@@ -31,7 +31,7 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     let pair = Pair::try_new(&sphere, &half_space).ok().filter(|_| is_same);
     let flow = pair.and_then(|pair| pair.yield_point).map(|point| point.flow);
     let strength = |body: Body, strength: Option<f64>| {
-        let text = quantity(strength.filter(|_| !varies_strength(body))?, Dimension::Pressure);
+        let text = format_result(strength.filter(|_| !varies_strength(body))?, Dimension::Pressure);
         match flow {
             Some(flow) => {
                 let yields = flow.is_of_both() || flow.of_softer(Body::ALL) == body;
@@ -41,21 +41,22 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
         }
     };
     let of_sphere = [
-        unless_varied(radius, format!("R {}", quantity(sphere.radius, Dimension::Length))),
+        unless_varied(radius, format!("R {}", format_result(sphere.radius, Dimension::Length))),
         body(Body::Sphere, "sphere.youngs_modulus", &sphere.material),
         strength(Body::Sphere, sphere.yield_strength),
     ];
-    let curved = |radius| unless_varied("half_space.radius", format!("R {}", quantity(radius, Dimension::Length)));
+    let curved = |radius| unless_varied("half_space.radius", format!("R {}", format_result(radius, Dimension::Length)));
     let of_half_space = [
         half_space.radius.and_then(curved),
         body(Body::HalfSpace, "half_space.youngs_modulus", &half_space.material),
         strength(Body::HalfSpace, half_space.yield_strength),
     ];
     let damping = input.forces().damping.and_then(|damping| match damping {
-        Damping::Viscous(share) => unless_varied("damping.viscous", format!("viscous {}", four_digits(share))),
-        Damping::HuntCrossley(chi) => {
-            unless_varied("damping.hunt_crossley", format!("Hunt–Crossley {}", quantity(chi, Dimension::InverseSpeed)))
-        }
+        Damping::Viscous(share) => unless_varied("damping.viscous", format!("viscous {}", format_four_digits(share))),
+        Damping::HuntCrossley(chi) => unless_varied(
+            "damping.hunt_crossley",
+            format!("Hunt–Crossley {}", format_result(chi, Dimension::InverseSpeed)),
+        ),
     });
     line(&[
         ("sphere", &of_sphere),
@@ -73,7 +74,7 @@ pub fn captioned<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
 /// The sphere and the law of an indentation; its half-spaces have names in the key.
 pub fn of_indentation(scene: &IndentationScene) -> String {
     let sphere = [
-        Some(format!("R {}", quantity(scene.sphere.radius, Dimension::Length))),
+        Some(format!("R {}", format_result(scene.sphere.radius, Dimension::Length))),
         Some(elastic(&scene.sphere.material)),
     ];
     line(&[("sphere", &sphere), ("law", &[Some(law(&scene.law))])])
@@ -81,7 +82,7 @@ pub fn of_indentation(scene: &IndentationScene) -> String {
 
 fn elastic(material: &Material) -> String {
     let modulus = material.youngs_modulus;
-    if modulus.is_finite() { format!("E {}", quantity(modulus, Dimension::Pressure)) } else { "rigid".to_owned() }
+    if modulus.is_finite() { format!("E {}", format_result(modulus, Dimension::Pressure)) } else { "rigid".to_owned() }
 }
 
 fn law(law: &LawChoice) -> String {

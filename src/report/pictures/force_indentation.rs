@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::impact::{Event, Impact};
 use crate::numerics::functions::atan2;
 use crate::report::chart::{Axis, Chart, DOTTED, GREY, INK, Mark, Series, Style};
-use crate::units::{Dimension, four_digits, quantity};
+use crate::units::{Dimension, format_four_digits, format_result};
 
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
@@ -28,7 +28,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));
     let points: Vec<_> = at(Event::Yield).collect();
     series.extend((!points.is_empty()).then(|| Series::points("First yield", points).styled(ink(Mark::Diamond))));
-    let length = |name: &str, value| format!("{name} = {}", quantity(value, Dimension::Length));
+    let length = |name: &str, value| format!("{name} = {}", format_result(value, Dimension::Length));
     let turning = Series::points(peak_name(impact), vec![peak]).styled(ink(Mark::Square));
     series.push(turning.and(force_at_peak(impact)).and(length("δₘ", impact.peak_indentation)));
     if impact.has_dent() {
@@ -56,7 +56,7 @@ pub(in crate::report) fn peak_name(impact: &Impact) -> &'static str {
 
 /// The force at the turning point. It is the peak force F_m only without damping.
 pub(in crate::report) fn force_at_peak(impact: &Impact) -> String {
-    let force = quantity(impact.force_at_peak_indentation, Dimension::Force);
+    let force = format_result(impact.force_at_peak_indentation, Dimension::Force);
     if is_damped(impact) { format!("F = {force} there") } else { format!("Fₘ = {force}") }
 }
 
@@ -65,11 +65,11 @@ pub(in crate::report) fn title(impact: &Impact) -> String {
     let first = impact.trace.first();
     let friction = first.and_then(|row| Some((row.speed, row.friction?.tangential_speed)));
     let angle = friction.map_or_else(String::new, |(normal, along)| {
-        format!(" and {}°", four_digits(atan2(along, normal).to_degrees()))
+        format!(" and {}°", format_four_digits(atan2(along, normal).to_degrees()))
     });
     let end = match impact.captured() {
         Some(_) => "captured".to_owned(),
-        None => format!("restitution e = {}", four_digits(impact.restitution)),
+        None => format!("restitution e = {}", format_four_digits(impact.restitution)),
     };
-    format!("Impact at {}{angle}: {end}", quantity(impact.speed, Dimension::Speed))
+    format!("Impact at {}{angle}: {end}", format_result(impact.speed, Dimension::Speed))
 }

@@ -4,7 +4,7 @@ use super::force_indentation::title;
 use crate::impact::Impact;
 use crate::impact::oblique::FrictionState;
 use crate::report::chart::{Axis, Chart, GREY, INK, Panel, Series, Style, extremes};
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, format_result};
 
 /// The picture of friction; `None` for an impact without an angle, a spin, or a trace.
 pub fn friction(impact: &Impact) -> Option<Chart> {
@@ -21,7 +21,7 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         panel.guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
         panel
     };
-    let after = |value, dimension| Some(format!("{} at the end", quantity(value, dimension)));
+    let after = |value, dimension| Some(format!("{} at the end", format_result(value, dimension)));
     let panels = vec![
         panel("Friction", "N", 3, |row| row.friction_force, None),
         panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, Dimension::Speed)),

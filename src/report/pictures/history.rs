@@ -5,7 +5,7 @@ use super::loops;
 use crate::error::Error;
 use crate::impact::{Impact, TraceRow};
 use crate::report::chart::{Axis, Chart, DASHED, GREY, INK, Panel, Series, Style, extremes};
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, format_result};
 
 /// The history of an impact. A trace of some hundred samples gives smooth curves.
 pub fn history(impact: &Impact) -> Result<Chart, Error> {
@@ -26,9 +26,9 @@ pub fn history(impact: &Impact) -> Result<Chart, Error> {
             Series::line(*name, points.collect()).styled(loops::style(i, *width))
         })
         .collect();
-    drawn[0].texts.push(format!("δₘ = {}", quantity(impact.peak_indentation, Dimension::Length)));
+    drawn[0].texts.push(format!("δₘ = {}", format_result(impact.peak_indentation, Dimension::Length)));
     let speed = Series::line("Speed δ′", points(|row| row.speed)).styled(thin(4));
-    let speed = speed.and(format!("impact at {}", quantity(impact.speed, Dimension::Speed)));
+    let speed = speed.and(format!("impact at {}", format_result(impact.speed, Dimension::Speed)));
     let (slowest, fastest) = extremes(impact.trace.iter().map(|row| row.speed));
     let y = |title, unit, low: f64, high: f64| Axis::linear(title, unit).between(1.1 * low, 1.1 * high);
     let mut panels = vec![
@@ -44,16 +44,17 @@ pub fn history(impact: &Impact) -> Result<Chart, Error> {
 /// Vertical lines at the peak and at the end.
 fn times(impact: &Impact) -> Vec<Series> {
     let line = Style::line(GREY, 2.5);
-    let peak =
-        Series::vertical(impact.loading_time, peak_name(impact)).and(quantity(impact.loading_time, Dimension::Time));
+    let peak = Series::vertical(impact.loading_time, peak_name(impact))
+        .and(format_result(impact.loading_time, Dimension::Time));
     let peak = if is_damped(impact) { peak.and(force_at_peak(impact)) } else { peak };
     let end = |name: &str| {
-        Series::vertical(impact.duration(), name).and(quantity(impact.duration(), Dimension::Time)).styled(line)
+        Series::vertical(impact.duration(), name).and(format_result(impact.duration(), Dimension::Time)).styled(line)
     };
     let mut end = match impact.captured() {
-        None => end("Separation").and(format!("rebound at {}", quantity(impact.rebound_speed, Dimension::Speed))),
+        None => end("Separation").and(format!("rebound at {}", format_result(impact.rebound_speed, Dimension::Speed))),
         Some(under) => {
-            let rest = under.static_indentation.map_or_else(String::new, |depth| quantity(depth, Dimension::Length));
+            let rest =
+                under.static_indentation.map_or_else(String::new, |depth| format_result(depth, Dimension::Length));
             end("Captured").and(format!("rest at δ = {rest}"))
         }
     };
@@ -61,7 +62,7 @@ fn times(impact: &Impact) -> Vec<Series> {
         end = end.and(format!(
             "{} δᵣ = {}",
             impact.left_behind(),
-            quantity(impact.residual_indentation, Dimension::Length)
+            format_result(impact.residual_indentation, Dimension::Length)
         ));
     }
     // a sphere that comes to rest at its deepest point has one line there

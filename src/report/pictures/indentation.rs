@@ -5,7 +5,7 @@ use super::loops::{self, Branches};
 use crate::contact::law::Branch;
 use crate::impact::indentation::{IndentationRow, Tested};
 use crate::report::chart::{Axis, Chart, Series};
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, format_result};
 
 pub fn indentation(tested: &[Tested]) -> Chart {
     let branches = |one: &Tested| branches(&one.indentation.trace);
@@ -31,9 +31,9 @@ pub fn indentation(tested: &[Tested]) -> Chart {
         let memory = &step.memory;
         entries.push(
             Series::text("Largest load")
-                .and(format!("Fₘ = {}", quantity(memory.force, Dimension::Force)))
-                .and(format!("δₘ = {}", quantity(memory.indentation, Dimension::Length)))
-                .and(format!("δᵣ = {}", quantity(memory.residual_indentation, Dimension::Length))),
+                .and(format!("Fₘ = {}", format_result(memory.force, Dimension::Force)))
+                .and(format!("δₘ = {}", format_result(memory.indentation, Dimension::Length)))
+                .and(format!("δᵣ = {}", format_result(memory.residual_indentation, Dimension::Length))),
         );
     }
     let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * deepest);
@@ -66,7 +66,7 @@ fn is_loading(row: &IndentationRow) -> bool {
 fn title(tested: &[Tested]) -> String {
     let strongest =
         tested.iter().flat_map(|one| &one.indentation.steps).map(|step| step.memory.force).fold(0.0, f64::max);
-    let load = quantity(strongest, Dimension::Force);
+    let load = format_result(strongest, Dimension::Force);
     match tested {
         [one] => match &one.specimen.name {
             Some(name) => format!("Indentation of {name} to {load}"),

@@ -9,7 +9,7 @@ use crate::impact::series::{Hit, Place, Repeat, Sequence};
 use crate::numerics::functions::pow;
 use crate::report::chart::{Axis, Chart, GREY, Panel, Series, Style};
 use crate::strings::capital;
-use crate::units::{Dimension, four_digits, quantity};
+use crate::units::{Dimension, format_four_digits, format_result};
 
 const FLIGHT_POINTS: u32 = 48;
 /// Points of all flights together; more are not needed for a picture of 1600 px.
@@ -141,7 +141,11 @@ pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, Error> {
         let name =
             if count == 1 { format!("Impact {first}") } else { format!("Impacts {first} to {}", first + count - 1) };
         let mut drawn = one_loop(impact, name, loops::style(i, width(i, named.len())));
-        let about = format!("{}, e = {}", quantity(impact.speed, Dimension::Speed), four_digits(impact.restitution));
+        let about = format!(
+            "{}, e = {}",
+            format_result(impact.speed, Dimension::Speed),
+            format_four_digits(impact.restitution)
+        );
         drawn.iter_mut().take(1).for_each(|first| first.texts.push(about.clone()));
         series.extend(drawn);
     }

@@ -14,7 +14,7 @@ use crate::scenario::plan::{Axis, Cases, Plan, RESTITUTION, Setting, Word};
 use crate::strings::capital;
 use crate::table::statistics::Statistics;
 use crate::table::{Evaluator, Failure, Rows, Tally};
-use crate::units::{four_digits, quantities, quantity};
+use crate::units::{format_four_digits, format_result, quantities};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
 const MOST_POINTS: u64 = 2000;
@@ -127,9 +127,9 @@ fn labels(axis: &Axis, places: &[u64]) -> Vec<String> {
         Setting::Number { key, .. } => {
             let dimension = key.quantity.dimension;
             match key.quantity.picture_unit().0 {
-                "°" => texts(&|place| format!("{}°", four_digits(shown(axis, place)))),
+                "°" => texts(&|place| format!("{}°", format_four_digits(shown(axis, place)))),
                 unit if unit != dimension.si_unit() => {
-                    texts(&|place| format!("{} {unit}", four_digits(shown(axis, place))))
+                    texts(&|place| format!("{} {unit}", format_four_digits(shown(axis, place))))
                 }
                 _ => quantities(&places.iter().map(|place| axis.number(*place)).collect::<Vec<_>>(), dimension),
             }
@@ -267,8 +267,11 @@ impl ResultPicture<'_> {
             let value = self.value(&[*place]);
             let name = format!("{} {}", number + 1, names[number]);
             let sides = [number as f64 + 0.6, number as f64 + 1.4];
-            let text =
-                if value.is_finite() { quantity(value, dimension_of(self.result.name)) } else { "none".to_owned() };
+            let text = if value.is_finite() {
+                format_result(value, dimension_of(self.result.name))
+            } else {
+                "none".to_owned()
+            };
             Series::column(name, sides, value).and(text).styled(number)
         };
         let series: Vec<Series> = places.iter().enumerate().map(column).collect();
@@ -353,7 +356,7 @@ fn bars(column: &Column, statistics: &Statistics) -> Option<Chart> {
     let all = statistics.distribution()?;
     let dimension = dimension_of(column.name);
     let text = |value: f64| {
-        if column.name == RESTITUTION { format!("{value:.4}") } else { quantity(value, dimension) }
+        if column.name == RESTITUTION { format!("{value:.4}") } else { format_result(value, dimension) }
     };
     let lines = [("mean", all.mean), ("5 %", all.quantile_05), ("50 %", all.quantile_50), ("95 %", all.quantile_95)];
     let lines = lines.into_iter().map(|(name, value)| (value, format!("{name}: {}", text(value))));

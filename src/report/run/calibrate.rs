@@ -20,7 +20,7 @@ use crate::scenario::document::edit::set;
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::interval::WHICH_STRENGTH;
 use crate::scenario::keys::strength_notes;
-use crate::units::{Dimension, exact, four_digits};
+use crate::units::{Dimension, format_exact, format_four_digits};
 
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let measured = Measurements::new(scenario)?;
@@ -78,7 +78,7 @@ fn warnings(found: &Calibration) -> Vec<String> {
     // what is left of measurements that the law itself made is rounding, with any signs
     let runs = found.runs.filter(|_| found.misfit > NO_SCATTER);
     let runs = runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
-        let p = four_digits(runs.p);
+        let p = format_four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
     let unlikely = found.keys.iter().filter_map(|key| unlikely(key, &found.fit.problem.input));
@@ -112,7 +112,7 @@ fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
         format!(
             "{}: {} times the {} of {}: check the units of the data and of the scenario",
             key.free.key.path,
-            four_digits(ratio),
+            format_four_digits(ratio),
             key.free.text(usual, 4),
             choice.material.name
         )
@@ -150,7 +150,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     } else if found.fit.problem.input.speed().is_nan() {
         let mut speeds = found.fit.problem.speeds();
         speeds.sort_by(f64::total_cmp);
-        set(&mut document, "impact.speed", exact(speeds[speeds.len() / 2], Dimension::Speed));
+        set(&mut document, "impact.speed", format_exact(speeds[speeds.len() / 2], Dimension::Speed));
     }
     let keys: Vec<&str> = found.keys.iter().map(|key| key.free.key.path).collect();
     Ok(format!(

@@ -14,7 +14,7 @@ use crate::results::{Reported, fields, results};
 use crate::scenario::input::{Body, Measured};
 use crate::scenario::keys::key_of;
 use crate::strings::align_columns;
-use crate::units::{four_digits, percent};
+use crate::units::{format_four_digits, format_percent};
 
 /// The note on an interval with an end outside of the range of the key.
 const UNBOUNDED: &str = "not bounded by these data";
@@ -285,7 +285,7 @@ pub fn table(calibration: &Calibration) -> String {
         calibration.identifiability.as_ref().filter(|_| calibration.refusal.is_some() && calibration.keys.len() > 1)
     {
         let known = combination(calibration, &identifiability.exponents);
-        row("best known", format!("{known}, to {}", percent(identifiability.deviation)));
+        row("best known", format!("{known}, to {}", format_percent(identifiability.deviation)));
     }
     let measured = calibration.fit.problem.data.measured().into_iter().map(Measured::name).collect::<Vec<_>>();
     row(
@@ -298,29 +298,33 @@ pub fn table(calibration: &Calibration) -> String {
         ),
     );
     let (noise, share) = noise(calibration);
-    let share = share.map_or_else(String::new, |share| format!(", {} of a value", percent(share)));
+    let share = share.map_or_else(String::new, |share| format!(", {} of a value", format_percent(share)));
     row("noise", format!("{noise}{share}"));
-    row("misfit", format!("{} rms", percent(calibration.misfit)));
+    row("misfit", format!("{} rms", format_percent(calibration.misfit)));
     if let Some(p) = calibration.p {
         let outliers = if calibration.outliers > 0 {
             format!(", without {} outliers", calibration.outliers)
         } else {
             String::new()
         };
-        let chi_square = four_digits(calibration.chi_square);
+        let chi_square = format_four_digits(calibration.chi_square);
         row(
             "chi-square",
-            format!("{chi_square} on {} degrees of freedom{outliers}, p = {}", calibration.freedom, four_digits(p)),
+            format!(
+                "{chi_square} on {} degrees of freedom{outliers}, p = {}",
+                calibration.freedom,
+                format_four_digits(p)
+            ),
         );
     }
     if let Some(runs) = calibration.runs {
-        row("runs of signs", format!("p = {}", four_digits(runs.p)));
+        row("runs of signs", format!("p = {}", format_four_digits(runs.p)));
     }
     if calibration.fit.minima.len() > 1 && calibration.refusal.is_none() {
         let second = &calibration.fit.minima[1];
         let values = calibration.fit.problem.values(&second.shares);
         let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.text(value, 4));
-        let excess = four_digits(second.sum - calibration.fit.best().sum);
+        let excess = format_four_digits(second.sum - calibration.fit.best().sum);
         row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
     }
     let mut text = align_columns(&rows, |_| true);

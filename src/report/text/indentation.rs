@@ -15,7 +15,7 @@ use crate::scenario::keys::interval::WHICH_STRENGTH;
 use crate::scenario::keys::{EVERY_KEY, Part, at};
 use crate::scenario::kinds::indentation::IndentationScene;
 use crate::strings::align_columns;
-use crate::units::{Dimension, describe};
+use crate::units::{Dimension, format_si_and_short};
 
 /// The results of one half-space, in the order of `summary.json`.
 pub fn half_space() -> Vec<Reported<Tested>> {
@@ -195,8 +195,8 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
         let (kind, value) = match *target {
-            Target::Load(load) => ("load", describe(load, Dimension::Force)),
-            Target::Indentation(indentation) => ("indentation", describe(indentation, Dimension::Length)),
+            Target::Load(load) => ("load", format_si_and_short(load, Dimension::Force)),
+            Target::Indentation(indentation) => ("indentation", format_si_and_short(indentation, Dimension::Length)),
         };
         row(&format!("step {i}"), format!("{kind} {value}"));
     }

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use crate::materials::{Known, MaterialEntry, Property, all};
 use crate::strings::align_columns;
-use crate::units::{Dimension, four_digits, quantity};
+use crate::units::{Dimension, format_four_digits, format_result};
 
 /// True if the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
 pub fn has(entry: &MaterialEntry, text: &str) -> bool {
@@ -85,11 +85,11 @@ fn strength(entry: &MaterialEntry, mean_pressure: f64) -> String {
     let stress = entry.flow_stress(mean_pressure);
     let flow = format!(
         "flow stress {}, the mean pressure of the hardness over {}",
-        quantity(stress, Dimension::Pressure),
-        four_digits(mean_pressure / stress)
+        format_result(stress, Dimension::Pressure),
+        format_four_digits(mean_pressure / stress)
     );
     if !entry.hardens() {
         return flow;
     }
-    format!("{flow}; the power law begins at {}", quantity(entry.strength(mean_pressure), Dimension::Pressure))
+    format!("{flow}; the power law begins at {}", format_result(entry.strength(mean_pressure), Dimension::Pressure))
 }

@@ -11,7 +11,7 @@ use crate::materials::Property;
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::key_of;
 use crate::strings::align_columns;
-use crate::units::{Dimension, describe, four_digits, human, percent};
+use crate::units::{Dimension, format_four_digits, format_input, format_percent, format_si_and_short};
 
 /// A name and a value.
 type Row = [String; 2];
@@ -39,9 +39,9 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     rows.extend(described(&check::contact(), contact));
     rows.push(who(contact.pair(), contact.reaches_first_yield()));
     if let Some(rated) = contact.rated() {
-        rows.push(["strain rate".to_owned(), describe(rated.strain_rate, Dimension::StrainRate)]);
-        rows.push(["strength raised by".to_owned(), four_digits(rated.factor)]);
-        rows.push(["strength raised at the turn by".to_owned(), four_digits(rated.factor_at_turn)]);
+        rows.push(["strain rate".to_owned(), format_si_and_short(rated.strain_rate, Dimension::StrainRate)]);
+        rows.push(["strength raised by".to_owned(), format_four_digits(rated.factor)]);
+        rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_turn)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.flow.of_softer(Body::ALL));
     align_columns(&rows, |_| true) + &self::notes(notes) + &with_rate(input, contact, softer, speed).unwrap_or_default()
@@ -55,7 +55,7 @@ pub fn of_calibration(measured: &Measurements, calibration: &Calibration) -> Str
     let mut range = |name: &str, dimension: Dimension, values: Vec<f64>| {
         let [low, high] = [f64::min, f64::max].map(|end| values.iter().copied().fold(f64::NAN, end));
         let count = values.iter().filter(|value| !value.is_nan()).count();
-        let [low, high] = [low, high].map(|end| human(end, dimension));
+        let [low, high] = [low, high].map(|end| format_input(end, dimension));
         let values = match count {
             1 => format!("1 value, {low}"),
             _ => format!("{count} values, {low} to {high}"),
@@ -89,7 +89,7 @@ fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
         format!(
             "\nWith the strain rate of {}, c = {c}, e is {} higher: {} = \"material\"\n",
             choice.material.name,
-            percent(higher),
+            format_percent(higher),
             body.rate_table()
         )
     })
@@ -109,7 +109,7 @@ pub(super) fn who(pair: &Pair, is_reached: bool) -> Row {
     let flow = point.flow;
     let ratio = flow.ratio;
     let [softer, harder] = if flow.is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
-    let times = four_digits(ratio);
+    let times = format_four_digits(ratio);
     let who = if pair.is_of_equal_balls() {
         "both alike: two equal balls are one of them on a rigid wall at half the approach".to_owned()
     } else if ratio.is_infinite() {

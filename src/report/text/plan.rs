@@ -2,7 +2,7 @@
 
 use crate::scenario::plan::{Axis, Cases, Distribution, Plan, Variable};
 use crate::strings::align_columns;
-use crate::units::percent;
+use crate::units::format_percent;
 
 /// An axis with at most this number of values is listed value by value.
 const MOST_LISTED: u64 = 8;
@@ -51,6 +51,6 @@ fn distribution(variable: &Variable) -> String {
     if let Distribution::Uniform { .. } = variable.distribution {
         return format!("{name} from {first} to {second}");
     }
-    let share = percent(variable.share_in_range());
+    let share = format_percent(variable.share_in_range());
     format!("{name}, mean {first}, sd {second}, cut to {} (keeps {share})", variable.key.quantity.allowed())
 }

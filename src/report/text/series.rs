@@ -12,7 +12,7 @@ use crate::results::series as results;
 use crate::results::series::{Series, TraceRow};
 use crate::results::trace::event_name;
 use crate::strings::align_columns;
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, format_result};
 
 /// A summary lists the speeds of at most this number of shots; a longer list is in `impacts.csv` only.
 const LISTED: usize = 1000;
@@ -106,7 +106,7 @@ pub fn table(series: &Series, detail: Detail) -> String {
 
 /// The text of `check` about a series: its keys. The scene of the first impact is printed after it.
 pub fn repeat_lines(repeat: &Repeat) -> String {
-    let speed = |speed: &f64| quantity(*speed, Dimension::Speed);
+    let speed = |speed: &f64| format_result(*speed, Dimension::Speed);
     let mut rows = vec![["repeat.spot", repeat.place.name()].map(str::to_owned)];
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     match &repeat.drive {

@@ -10,7 +10,7 @@ use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
 use crate::strings::align_columns;
 use crate::table::Tally;
 use crate::table::statistics::Distribution;
-use crate::units::{quantities, quantity};
+use crate::units::{format_result, quantities};
 
 /// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns.
 type Totals<'a> = (&'a Tally, Option<Distribution>, Option<Value>);
@@ -109,7 +109,7 @@ pub fn lines(plan: &Plan, tally: &Tally) -> String {
         let _ = write!(text, "\n{}", align_columns(&rows, |_| true));
     }
     for (place, (column, all)) in constant.iter().enumerate() {
-        let value = quantity(all.mean, dimension_of(column.name));
+        let value = format_result(all.mean, dimension_of(column.name));
         let (name, keys) = (words(column), plan.paths().join(" and "));
         let before = if place == 0 { "\n" } else { "" };
         let _ = writeln!(text, "{before}{name}: {value} in all cases, as it does not depend on {keys} here");
@@ -128,5 +128,5 @@ fn quantiles((column, all): &(Column, Distribution)) -> [String; 6] {
     let values = [all.mean, all.quantile_05, all.quantile_50, all.quantile_95];
     let mut texts = quantities(&values, dimension).into_iter();
     let mut next = || texts.next().unwrap_or_default();
-    [words(column), next(), quantity(all.standard_deviation, dimension), next(), next(), next()]
+    [words(column), next(), format_result(all.standard_deviation, dimension), next(), next(), next()]
 }

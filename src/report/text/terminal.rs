@@ -7,7 +7,7 @@ use crate::results::impact::{Single, results};
 use crate::results::{Reported, Shown};
 use crate::scenario::keys::SMALL;
 use crate::strings::align_columns;
-use crate::units::{Dimension, describe, four_digits, percent, quantity};
+use crate::units::{Dimension, format_four_digits, format_percent, format_result, format_si_and_short};
 
 /// How much the terminal shows of an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +49,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
         name => detail != Detail::Whole && is_of_the_integrator(name),
     };
     results.retain(|result| !is_idle(result.name) && (!is_brief || BRIEF.contains(&result.name)));
-    let speed = ["impact speed".to_owned(), quantity(impact.speed, Dimension::Speed), String::new()];
+    let speed = ["impact speed".to_owned(), format_result(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::lines(&results, single));
     rename_dent(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.left_behind()));
@@ -143,7 +143,7 @@ pub(super) fn lines<T>(results: &[Reported<T>], subject: &T) -> Vec<Line> {
         let share =
             value.as_f64().map(|part| part / whole).filter(|share| after.starts_with('%') && share.abs() <= 1.0);
         let (Some(remark), Some([_, _, remarks])) =
-            (share.map(percent).or_else(|| text(*shown, &value)), lines.last_mut())
+            (share.map(format_percent).or_else(|| text(*shown, &value)), lines.last_mut())
         else {
             continue;
         };
@@ -183,7 +183,7 @@ pub(super) fn described<T>(results: &[Reported<T>], subject: &T) -> impl Iterato
     labelled(results).filter_map(|Reported { shown, label, value, .. }| {
         let value = value(subject)?;
         let text = match (shown, value.as_f64()) {
-            (Shown::In(dimension), Some(number)) => describe(number, *dimension),
+            (Shown::In(dimension), Some(number)) => format_si_and_short(number, *dimension),
             _ => text(*shown, &value)?,
         };
         Some([(*label).to_owned(), text])
@@ -202,9 +202,9 @@ fn text(shown: Shown, value: &Value) -> Option<String> {
         value => value.as_f64()?,
     };
     Some(match shown {
-        Shown::Plain => four_digits(value),
-        Shown::In(dimension) => quantity(value, dimension),
-        Shown::Percent => percent(value),
+        Shown::Plain => format_four_digits(value),
+        Shown::In(dimension) => format_result(value, dimension),
+        Shown::Percent => format_percent(value),
         Shown::Deviation => format!("{:+.1} %", 100.0 * value),
         Shown::Error => format!("{value:.1e}"),
     })

@@ -2,7 +2,7 @@
 
 use crate::contact::strength::hardness::Scale;
 use crate::strings::align_columns;
-use crate::units::{Dimension, number, parse};
+use crate::units::{Dimension, format_number, parse};
 
 /// Rows of quantity, SI unit and units; the first row has the names of the columns.
 pub fn rows() -> Vec<[String; 3]> {
@@ -23,12 +23,12 @@ fn with_size(unit: &str, dimension: Dimension) -> String {
         return unit.to_owned();
     }
     let rounded = format!("{size:.11e}").parse().unwrap_or(size);
-    format!("{unit} ({} {})", number(rounded), dimension.si_unit())
+    format!("{unit} ({} {})", format_number(rounded), dimension.si_unit())
 }
 
 fn hardness() -> [String; 3] {
     let with_range = |scale: Scale| match scale.range() {
-        Some((low, high)) => format!("{} ({} to {})", scale.name(), number(low), number(high)),
+        Some((low, high)) => format!("{} ({} to {})", scale.name(), format_number(low), format_number(high)),
         None => scale.name().to_owned(),
     };
     let scales = Scale::ALL.map(with_range).join(", ");

@@ -22,7 +22,7 @@ use std::sync::Arc;
 use super::keys::{AnyKey, At, COUNT, EVERY_KEY, Form, NUMBER, OTHER, Part, Quantity, WORD};
 use crate::contact::law::{LawChoice, PlmCoefficients};
 use crate::contact::strength::flow_curve::{FlowCurve, FlowPoint};
-use crate::units::{Dimension, describe, human, number};
+use crate::units::{Dimension, format_input, format_number, format_si_and_short};
 
 /// A value that is neither a number nor a word.
 #[derive(Debug, Clone, PartialEq)]
@@ -222,7 +222,7 @@ impl Value {
         match self {
             Self::Curve(FlowCurve::Points(points)) => {
                 let pair = |point: &FlowPoint| {
-                    format!("{}: {}", number(point.strain), human(point.stress, Dimension::Pressure))
+                    format!("{}: {}", format_number(point.strain), format_input(point.stress, Dimension::Pressure))
                 };
                 Some(points.iter().map(pair).collect::<Vec<_>>().join(", "))
             }
@@ -258,9 +258,9 @@ impl KeyValue {
     pub fn text(&self) -> String {
         match (self.quantity, self.value.as_f64(), self.value.as_str()) {
             (Some(quantity), Some(number), _) if quantity.is_hardness => {
-                format!("{}, {}", describe(number, quantity.dimension), quantity.human(number))
+                format!("{}, {}", format_si_and_short(number, quantity.dimension), quantity.human(number))
             }
-            (Some(quantity), Some(number), _) => describe(number, quantity.dimension),
+            (Some(quantity), Some(number), _) => format_si_and_short(number, quantity.dimension),
             (.., Some(word)) => word.to_owned(),
             _ => self.value.to_string(),
         }

@@ -4,7 +4,7 @@ use super::at;
 use crate::impact::flight::free_flight::{Flying, Medium};
 use crate::impact::{Warning, WarningKind};
 use crate::scenario::input::Input;
-use crate::units::{Dimension, percent, quantity};
+use crate::units::{Dimension, format_percent, format_result};
 
 /// Air that slows a ball by a smaller fraction may be omitted without a warning.
 const MAX_SLOWING: f64 = 0.005;
@@ -26,7 +26,7 @@ impl Input {
         let height = self.drop_height().filter(|height| *height > MAX_USUAL)?;
         let text = format!(
             "the impact speed may be far too high: the drop height is {}, and a drop test has less than 100 m. Check the unit: a number alone is in m, and a column drop_height_mm is in mm",
-            quantity(height, Dimension::Length)
+            format_result(height, Dimension::Length)
         );
         Some(Warning::new(WarningKind::HighDrop, height, text))
     }
@@ -40,7 +40,7 @@ impl Input {
         (slower > MAX_SLOWING).then(|| {
             let text = format!(
                 "in air the ball arrives {} slower: add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
-                percent(slower)
+                format_percent(slower)
             );
             Warning::new(WarningKind::InAir, slower, text)
         })
@@ -61,7 +61,7 @@ impl Input {
         (slower > MAX_SLOWING * ways.len() as f64).then(|| {
             let text = format!(
                 "e is taken {} too low, and the keys deviate with it: without [air] the loss in the air counts as a loss of the impact. Add [air] with density = \"1.2 kg/m^3\" and drag = 0.5",
-                percent(slower)
+                format_percent(slower)
             );
             Warning::new(WarningKind::InAir, slower, text)
         })
@@ -78,7 +78,7 @@ impl Input {
         let added = self.added_mass().filter(|added| *added > 0.003)?;
         let text = format!(
             "heights and times may deviate by {}: the air that moves with so light a ball has this share of its mass, and is neglected",
-            percent(added)
+            format_percent(added)
         );
         Some(Warning::new(WarningKind::InAir, added, text))
     }
@@ -89,8 +89,8 @@ impl Input {
         let added = self.added_mass().filter(|added| 0.5 * added > MAX_SLOWING)?;
         let text = format!(
             "speeds of falls, and e by a height and an interval, deviate by {}: the air that moves with so light a ball has {} of its mass, and is neglected",
-            percent(0.5 * added),
-            percent(added)
+            format_percent(0.5 * added),
+            format_percent(added)
         );
         Some(Warning::new(WarningKind::InAir, added, text))
     }

@@ -5,7 +5,7 @@ use std::ops::Bound::{self, Excluded, Included};
 use std::ops::RangeBounds as _;
 
 use crate::contact::strength::hardness;
-use crate::units::{self, Dimension, four_digits};
+use crate::units::{self, Dimension, format_four_digits};
 
 /// The values that a key may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -191,7 +191,7 @@ impl Quantity {
     /// # Errors
     /// The value, the allowed range, and what to do.
     pub fn check(&self, value: f64) -> Result<f64, String> {
-        self.check_written(value, || units::describe(value, self.dimension))
+        self.check_written(value, || units::format_si_and_short(value, self.dimension))
     }
 
     fn check_written(&self, value: f64, written: impl FnOnce() -> String) -> Result<f64, String> {
@@ -208,7 +208,12 @@ impl Quantity {
     /// other.
     pub fn plain(&self, value: f64) -> Result<f64, String> {
         if self.dimension == Dimension::Angle {
-            return Err(format!("{} has no unit; write {} such as {}", units::number(value), self.name, self.example));
+            return Err(format!(
+                "{} has no unit; write {} such as {}",
+                units::format_number(value),
+                self.name,
+                self.example
+            ));
         }
         self.check(value)
     }
@@ -217,21 +222,21 @@ impl Quantity {
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let value = match hardness::written(text).filter(|_| self.is_hardness) {
             Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string())?,
-            None => units::parse_as(text, self.dimension, self.name, self.example).map_err(|error| {
+            None => units::parse_named(text, self.dimension, self.name, self.example).map_err(|error| {
                 if self.is_hardness { format!("{error}; or a hardness in HV, HB, HRB or HRC") } else { error }
             })?,
         };
-        self.check_written(value, || format!("\"{text}\" = {}", units::si(value, self.dimension)))
+        self.check_written(value, || format!("\"{text}\" = {}", units::format_si(value, self.dimension)))
     }
 
     /// A value as text: a hardness in HV, an angle in degrees, other values in a suitable unit.
     pub fn human(&self, value: f64) -> String {
         if self.is_hardness {
-            format!("{} HV", four_digits(hardness::vickers(value)))
+            format!("{} HV", format_four_digits(hardness::vickers(value)))
         } else if self.dimension == Dimension::Angle {
-            format!("{} deg", four_digits(value.to_degrees()))
+            format!("{} deg", format_four_digits(value.to_degrees()))
         } else {
-            units::human(value, self.dimension)
+            units::format_input(value, self.dimension)
         }
     }
 
@@ -259,7 +264,7 @@ impl Quantity {
     /// The allowed range in words: "> 0 m and finite".
     pub fn allowed(&self) -> String {
         let is_angle = self.dimension == Dimension::Angle;
-        let value = |value| if is_angle { self.human(value) } else { units::si(value, self.dimension) };
+        let value = |value| if is_angle { self.human(value) } else { units::format_si(value, self.dimension) };
         let (low, high) = self.range();
         if low == f64::NEG_INFINITY && high == f64::INFINITY {
             return "that is finite".to_owned();

@@ -3,7 +3,7 @@
 use crate::contact::strength::hardness::Scale;
 use crate::numerics::functions::{exp, ln};
 use crate::scenario::input::Key;
-use crate::units::{Dimension, exact, human, number};
+use crate::units::{Dimension, format_exact, format_input, format_number};
 
 /// A free key.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,9 +41,9 @@ impl Free {
 
     /// A value of the key with `digits` digits in a fitting unit; a hardness on its scale, with the pressure beside it.
     pub fn text(&self, value: f64, digits: usize) -> String {
-        let pressure = human(rounded(value, digits), self.key.quantity.dimension);
+        let pressure = format_input(rounded(value, digits), self.key.quantity.dimension);
         match self.on_scale(value) {
-            Some((value, scale)) => format!("{} {} ({pressure})", number(rounded(value, digits)), scale.name()),
+            Some((value, scale)) => format!("{} {} ({pressure})", format_number(rounded(value, digits)), scale.name()),
             None => pressure,
         }
     }
@@ -51,16 +51,19 @@ impl Free {
     /// The standard deviation of a value, with `digits` digits.
     pub fn deviation_text(&self, value: f64, deviation: f64, digits: usize) -> String {
         match self.on_scale(value).zip(self.on_scale(value + deviation)) {
-            Some(((value, scale), (more, _))) => format!("{} {}", number(rounded(more - value, digits)), scale.name()),
-            None => human(rounded(deviation, digits), self.key.quantity.dimension),
+            Some(((value, scale), (more, _))) => {
+                format!("{} {}", format_number(rounded(more - value, digits)), scale.name())
+            }
+            None => format_input(rounded(deviation, digits), self.key.quantity.dimension),
         }
     }
 
     /// A value as in a scenario, with its unit and all digits; `None` for a plain number.
     pub fn written(&self, value: f64) -> Option<String> {
         let dimension = self.key.quantity.dimension;
-        let on_scale = || self.on_scale(value).map(|(value, scale)| format!("{} {}", number(value), scale.name()));
-        (dimension != Dimension::Ratio).then(|| on_scale().unwrap_or_else(|| exact(value, dimension)))
+        let on_scale =
+            || self.on_scale(value).map(|(value, scale)| format!("{} {}", format_number(value), scale.name()));
+        (dimension != Dimension::Ratio).then(|| on_scale().unwrap_or_else(|| format_exact(value, dimension)))
     }
 
     /// A hardness on the scale of the scenario, if the scale covers it.

@@ -8,7 +8,7 @@ use crate::scenario::Scenario;
 use crate::scenario::input::read_input::is_at_or_below;
 use crate::scenario::input::{EITHER, Input, KEYS};
 use crate::scenario::keys::at;
-use crate::units::four_digits;
+use crate::units::format_four_digits;
 
 /// A rule that refuses keys because of other keys.
 struct KeyRule {
@@ -236,7 +236,7 @@ impl Scenario {
         if lift >= 1.0 {
             let message = format!(
                 "the sphere floats: its buoyancy is {} times its weight; look at density and radius, and give a hollow ball its sphere.mass",
-                four_digits(lift)
+                format_four_digits(lift)
             );
             return Err(self.refuse_varied("air.density", message));
         }

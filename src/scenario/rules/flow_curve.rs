@@ -7,7 +7,7 @@ use crate::scenario::Scenario;
 use crate::scenario::input::read_input::names;
 use crate::scenario::input::{Body, Input, Key};
 use crate::scenario::keys::EVERY_KEY;
-use crate::units::{Dimension, quantity};
+use crate::units::{Dimension, format_result};
 
 /// The four forms of a curve.
 const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
@@ -57,7 +57,7 @@ impl Scenario {
         let (sphere, half_space) = input.bodies(&input.law());
         let strength = body.pick([sphere.yield_strength, half_space.yield_strength]);
         if strength.is_some_and(f64::is_nan) && !varies(hardness) {
-            let modulus = quantity(input.material(body).youngs_modulus, Dimension::Pressure);
+            let modulus = format_result(input.material(body).youngs_modulus, Dimension::Pressure);
             let message = format!(
                 "is more than the pressure under a diamond that leaves no dent in a body with Young's modulus {modulus}: check the units"
             );

@@ -6,7 +6,7 @@ use crate::materials::{Property, all};
 use crate::scenario::Scenario;
 use crate::scenario::body_materials::asks_material;
 use crate::scenario::input::{Body, Input};
-use crate::units::number;
+use crate::units::format_number;
 
 /// The forms of strain-rate hardening.
 const EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { rate = \"6844 1/s\", exponent = 3.91 }";
@@ -59,8 +59,8 @@ impl Scenario {
         }
         refuse(format!(
             "at the rate of the test, {} 1/s, the factor 1 + c ln(rate/reference) is {}, and a strength is positive: give a smaller c, or the rate tested_at that the strength is of",
-            number(rate.tested_at),
-            number(rise)
+            format_number(rate.tested_at),
+            format_number(rise)
         ))
     }
 }

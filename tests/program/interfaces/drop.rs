@@ -49,7 +49,7 @@ fn drop_prints_main_results_and_writes_nothing() {
     let first = printed.lines().next().unwrap();
     let e = number(&json(&desk, &[]), "restitution_with_waves");
     assert!(
-        first.contains(&plm_impact::units::four_digits(e))
+        first.contains(&plm_impact::units::format_four_digits(e))
             && first.contains(": hardness 99 HV to 113 HV, strain rate 0 to +10 %, law "),
         "{printed}"
     );
@@ -160,7 +160,7 @@ fn pictures_are_those_that_are_chosen() {
         assert!(columns.contains(law), "{law}");
     }
     for e in numbers(&table, "restitution").into_iter().filter(|e| e.is_finite()) {
-        assert!(columns.contains(plm_impact::units::four_digits(e).as_str()), "{e}");
+        assert!(columns.contains(plm_impact::units::format_four_digits(e).as_str()), "{e}");
     }
     // with three digits over it, and its place below it and in the key
     let texts: Vec<&str> = columns.lines().map(str::trim).collect();

@@ -128,7 +128,7 @@ fn constant_e_has_its_speed_range() {
         assert!((e(end) / e(3.0) - 1.0).abs() <= E_WITHIN * (1.0 + 1e-9));
         assert!((e(beyond) / e(3.0) - 1.0).abs() > E_WITHIN);
     }
-    let [from, to] = [from, to].map(plm_impact::units::four_digits);
+    let [from, to] = [from, to].map(plm_impact::units::format_four_digits);
     assert!(printed(&[STEEL, "--to", "lammps"]).contains(&format!("from {from} to {to} m/s")));
     // below first yield, at 9.667 mm/s, e is 1 at every speed: the range has no lower end. At 1 µm/s, 1000 times the speed is
     // elastic too

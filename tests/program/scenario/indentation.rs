@@ -1,6 +1,6 @@
 //! `[indentation]` as a process: what the terminal shows, and what is not written.
 
-use plm_impact::units::four_digits;
+use plm_impact::units::format_four_digits;
 
 use crate::common::prelude::*;
 
@@ -14,7 +14,7 @@ fn several_half_spaces_have_separate_names() {
     for half_space in desk.summary()["half_spaces"].as_array().unwrap() {
         let step = &half_space["steps"][0];
         // the terminal shows the same in µm, with four digits
-        let shown = format!("{} µm", four_digits(1e6 * step["residual_indentation_m"].as_f64().unwrap()));
+        let shown = format!("{} µm", format_four_digits(1e6 * step["residual_indentation_m"].as_f64().unwrap()));
         let name = half_space["name"].as_str().unwrap();
         assert!(table.contains(name) && table.contains(&shown), "{name}: {shown} not in\n{table}");
     }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use plm_impact::units::{Dimension, describe};
+use plm_impact::units::{Dimension, format_si_and_short};
 
 use crate::common::prelude::*;
 
@@ -34,7 +34,7 @@ fn material_gives_rate_only_on_request() {
     let own = scene(&asked, NONE).contact().unwrap().at_speed(3.0).unwrap();
     let force = own.pair().yield_point.unwrap().force;
     assert_eq!(json["contact"]["yield_force_N"], force);
-    assert!(said.contains(&describe(force, Dimension::Force)), "{said}");
+    assert!(said.contains(&format_si_and_short(force, Dimension::Force)), "{said}");
 }
 
 /// Every row of a table has the strength of its own speed, on a grid and drawn, with its columns.

@@ -2,7 +2,7 @@
 
 use crate::common::prelude::*;
 use plm_impact::scenario::keys::quantity::ANGLE;
-use plm_impact::units::{Dimension, describe, exact, human, parse, quantity, si};
+use plm_impact::units::{Dimension, format_exact, format_input, format_result, format_si, format_si_and_short, parse};
 
 #[test]
 fn every_spelling_equals_its_si_digits() {
@@ -86,7 +86,7 @@ fn values_are_shown_in_si_and_fitting_unit() {
         (0.3, Ratio, "0.3"),
     ];
     for (value, dimension, want) in table {
-        assert_eq!(describe(value, dimension), want);
+        assert_eq!(format_si_and_short(value, dimension), want);
     }
 }
 
@@ -96,17 +96,17 @@ proptest! {
     #[test]
     fn all_digits_read_back_exactly(value in proptest::num::f64::POSITIVE | proptest::num::f64::NORMAL) {
         for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed, Dimension::Ratio] {
-            prop_assert_eq!(parse(&si(value, dimension), dimension).ok(), Some(value));
-            prop_assert_eq!(parse(&exact(value, dimension), dimension).ok(), Some(value));
+            prop_assert_eq!(parse(&format_si(value, dimension), dimension).ok(), Some(value));
+            prop_assert_eq!(parse(&format_exact(value, dimension), dimension).ok(), Some(value));
         }
     }
 
     #[test]
     fn fitting_unit_keeps_six_digits(value in 1e-30..1e30_f64) {
         for dimension in [Dimension::Length, Dimension::Pressure, Dimension::Density, Dimension::Speed] {
-            let read = parse(&human(value, dimension), dimension).unwrap();
+            let read = parse(&format_input(value, dimension), dimension).unwrap();
             // half a unit in the sixth digit
-            prop_assert!((read / value - 1.0).abs() <= 5.001e-6, "{value} {}", human(value, dimension));
+            prop_assert!((read / value - 1.0).abs() <= 5.001e-6, "{value} {}", format_input(value, dimension));
         }
     }
 
@@ -118,9 +118,9 @@ proptest! {
 
 #[test]
 fn the_unit_is_that_of_the_rounded_value() {
-    assert_eq!(human(0.999_999_9, Dimension::Length), "1 m");
-    assert_eq!(human(0.999_99, Dimension::Length), "999.99 mm");
-    assert_eq!(exact(0.999_999_9, Dimension::Length), "999.9999 mm");
+    assert_eq!(format_input(0.999_999_9, Dimension::Length), "1 m");
+    assert_eq!(format_input(0.999_99, Dimension::Length), "999.99 mm");
+    assert_eq!(format_exact(0.999_999_9, Dimension::Length), "999.9999 mm");
 }
 
 #[test]
@@ -138,6 +138,6 @@ fn results_have_four_digits() {
         (f64::INFINITY, Dimension::Pressure, "inf Pa"),
     ];
     for (value, dimension, text) in table {
-        assert_eq!(quantity(value, dimension), text);
+        assert_eq!(format_result(value, dimension), text);
     }
 }

@@ -9,7 +9,7 @@ use plm_impact::validate;
 use plm_impact::validate::Comparison;
 use plm_impact::validate::comparison::{mean, rms};
 
-use plm_impact::units::four_digits;
+use plm_impact::units::format_four_digits;
 
 use super::independent_law::{CURVES, Second};
 use crate::common::prelude::*;
@@ -205,7 +205,8 @@ fn rows_of_loading_follow_from_a_second_implementation() {
                 ("contact radius", second.contact_radius(x)),
             ];
             for (quantity, law) in wanted.into_iter().filter(|_| x >= 1.0) {
-                let (quantity, case) = (format!("loading: {quantity}"), format!("case {case}, x = {}", four_digits(x)));
+                let (quantity, case) =
+                    (format!("loading: {quantity}"), format!("case {case}, x = {}", format_four_digits(x)));
                 let one = COMPARED.iter().find(|one| one.group.quantity == quantity && one.case == case).unwrap();
                 assert_relative_eq!(one.law, law, max_relative = 1e-5);
             }

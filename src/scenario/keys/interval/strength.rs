@@ -9,7 +9,7 @@ use crate::impact::{Contact, TOO_HIGH_BY};
 use crate::materials::{Known, MaterialEntry};
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::{at, key_of};
-use crate::units::{Dimension, human};
+use crate::units::{Dimension, format_input};
 
 /// e of a cold-worked or quenched metal from its hardness is too low by at most this fraction.
 const HARDENED_TOO_LOW_BY: f64 = 0.045;
@@ -202,12 +202,15 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied:
         notes.push(format!(
             "e has no interval: the law was made for metals, and no metal has a Young's modulus as low as {}.youngs_modulus = {}.",
             body.table(),
-            human(input.material(body).youngs_modulus, Dimension::Pressure)
+            format_input(input.material(body).youngs_modulus, Dimension::Pressure)
         ));
     } else if let Some(strength) = input.number(key_of!(body, "yield_strength")).filter(|_| is_vague) {
         let key = body.yield_strength();
-        let value =
-            if varied.contains(&key) { String::new() } else { format!(" = {}", human(strength, Dimension::Pressure)) };
+        let value = if varied.contains(&key) {
+            String::new()
+        } else {
+            format!(" = {}", format_input(strength, Dimension::Pressure))
+        };
         notes.push(format!(
             "{WHICH_STRENGTH} e holds if {key}{value} is the flow stress at a plastic strain of 1 to 8 %. If {key} is the 0.2 % proof stress of a metal that hardens, e is up to 37 % too low. Set {}.strength_kind to \"flow\" or \"proof\": scenarios/README.md#which-strength",
             body.table()
