@@ -7,7 +7,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::contact::law::published::{Loading, hertzian};
+use crate::contact::law::published::{Loading, hertz_unloading};
 use crate::contact::law::{ContactLaw, Law, Plm};
 use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::contact::strength::flow_curve::FlowCurve;
@@ -76,7 +76,7 @@ pub fn kinked_law() -> Law {
 /// A Hertzian law whose unloading has another stiffness, ε = (f/k)^(2/3).
 pub fn stiff_law(k: f64) -> Law {
     let loading = Loading::new(LoadingCurve::hertz().then_line(1.0, 1.5), 1.0, |x, _| x.sqrt());
-    Law::published(loading, hertzian(move |peak| pow(peak.force / k, 2.0 / 3.0)))
+    Law::published(loading, hertz_unloading(move |peak| pow(peak.force / k, 2.0 / 3.0)))
 }
 
 /// The contact of a steel ball of 5 mm radius with steel of 345 MPa, under a law.
@@ -125,7 +125,7 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
 
 pub fn problems() -> Result<Vec<Problem>, ImpactError> {
     let p2 = kinked_law();
-    let p3 = Law::new(LoadingCurve::clone(&p2.loading).then_line(60.0, 0.75), p2.limits, p2.rule.clone());
+    let p3 = Law::new(LoadingCurve::clone(&p2.loading).then_line(60.0, 0.75), p2.validity, p2.unloading_rule.clone());
     // √(m/k_1) in units of δ_Y/V, with k_1 = (3/2) F_Y/δ_Y: x'' = −(5/4) (3/2) x
     let unit = 1.875_f64.sqrt().recip();
     let sphere = |radius, youngs_modulus| {

@@ -64,12 +64,12 @@ pub struct HalfSpace {
     pub density: Option<f64>,
     /// R_h \[m\] at the contact: positive for a convex wall or a ball, negative for a hollow; `None`: flat.
     pub radius: Option<f64>,
-    pub hold: Hold,
+    pub support: Support,
 }
 
 /// The support of the target.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Hold {
+pub enum Support {
     #[default]
     Fixed,
     /// Free to move, with this mass \[kg\].
@@ -81,7 +81,7 @@ pub enum Hold {
 impl HalfSpace {
     /// A flat half-space that does not move, of unknown density.
     pub fn flat(material: Material, yield_strength: Option<f64>) -> Self {
-        Self { material, yield_strength, density: None, radius: None, hold: Hold::Fixed }
+        Self { material, yield_strength, density: None, radius: None, support: Support::Fixed }
     }
 
     /// The radius \[m\], if the half-space is a ball or a convex wall.
@@ -91,10 +91,10 @@ impl HalfSpace {
 
     /// Mass \[kg\] of a target that is free to move; NaN for a ball without radius or density.
     pub fn free_mass(&self) -> Option<f64> {
-        match self.hold {
-            Hold::Fixed => None,
-            Hold::Free(mass) => Some(mass),
-            Hold::Ball => {
+        match self.support {
+            Support::Fixed => None,
+            Support::Free(mass) => Some(mass),
+            Support::Ball => {
                 let volume = self.ball_radius().map_or(f64::NAN, sphere_volume);
                 Some(volume * self.density.unwrap_or(f64::NAN))
             }
@@ -106,7 +106,7 @@ impl HalfSpace {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldPoint {
     /// The bodies that yield.
-    pub flow: Flow,
+    pub yield_partition: YieldPartition,
     /// σ_Y of the softer body \[Pa\].
     pub strength: f64,
     /// ν of the softer body.
@@ -125,7 +125,7 @@ impl YieldPoint {
     /// First yield of a softer body of this strength \[Pa\] and Poisson's ratio, in a pair of this effective radius \[m\] and
     /// modulus \[Pa\].
     fn new(
-        flow: Flow,
+        flow: YieldPartition,
         strength: f64,
         poissons_ratio: f64,
         radius: f64,
@@ -134,10 +134,10 @@ impl YieldPoint {
         let factor = yield_factor(poissons_ratio);
         let pressure = std::f64::consts::PI * factor * strength;
         let a_over_r = pressure / (2.0 * effective_modulus);
-        let indentation = normal("yield indentation (m)", a_over_r * a_over_r * radius)?;
+        let indentation = finite_positive("yield indentation (m)", a_over_r * a_over_r * radius)?;
         let contact_radius = a_over_r * radius;
-        let force = normal("yield force (N)", 2.0 / 3.0 * pressure * contact_radius * contact_radius)?;
-        Ok(Self { flow, strength, poissons_ratio, factor, indentation, force, contact_radius })
+        let force = finite_positive("yield force (N)", 2.0 / 3.0 * pressure * contact_radius * contact_radius)?;
+        Ok(Self { yield_partition: flow, strength, poissons_ratio, factor, indentation, force, contact_radius })
     }
 }
 
@@ -159,7 +159,7 @@ pub struct OutOfFloatRange {
     "half_space.radius = {} is the radius of a hollow, and a sphere of radius {} touches it at a point only if the hollow has at least twice that radius: give at most {}, or a positive radius for a convex wall",
     format_input(*.radius, Dimension::Length), format_input(*.sphere, Dimension::Length), format_input(-2.0 * *.sphere, Dimension::Length)
 )]
-pub struct Hollow {
+pub struct HollowTooSmall {
     /// R_h \[m\].
     pub radius: f64,
     /// R_s \[m\].
@@ -172,7 +172,7 @@ pub enum PairError {
     #[error(transparent)]
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
-    Hollow(#[from] Hollow),
+    Hollow(#[from] HollowTooSmall),
     /// A number that is not possible for a body.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),
@@ -185,7 +185,7 @@ impl From<PairError> for crate::error::Error {
 }
 
 /// `value`, if it is a normal positive number.
-pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFloatRange> {
+pub(crate) fn finite_positive(quantity: &'static str, value: f64) -> Result<f64, OutOfFloatRange> {
     if value.is_normal() && value > 0.0 { Ok(value) } else { Err(OutOfFloatRange { quantity, value }) }
 }
 
@@ -200,13 +200,13 @@ pub(crate) fn normal(quantity: &'static str, value: f64) -> Result<f64, OutOfFlo
 /// β = 1 − (1 − w) E*/E_h*   (the sphere is the softer, or q = 1),   (1 − w) E*/E_s*   (the half-space is)
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Flow {
+pub struct YieldPartition {
     /// q; infinite if the other body stays elastic.
     pub ratio: f64,
     /// True if the sphere is the softer body, or if the strengths are equal.
     pub is_sphere: bool,
     /// w.
-    pub alone: f64,
+    pub single_body_weight: f64,
     /// κ.
     pub elastic_share: f64,
     /// 1 − κ.
@@ -219,7 +219,7 @@ pub struct Flow {
 }
 
 /// The imprint of an impact: a dent in the half-space, a flat on the sphere, or both. `flat_share` is the fraction of the flat.
-pub fn left_behind(flat_share: f64) -> &'static str {
+pub fn imprint_name(flat_share: f64) -> &'static str {
     match flat_share {
         share if share >= 1.0 => "flat",
         share if share > 0.0 => "dent and flat",
@@ -230,24 +230,24 @@ pub fn left_behind(flat_share: f64) -> &'static str {
 /// From this ratio q on, only the softer body yields.
 pub const ALONE_FROM: f64 = 1.25;
 
-impl Flow {
+impl YieldPartition {
     /// Shares the flow between two bodies. It takes the pressures of sphere and half-space at first yield, and their compliances
     /// E*/E_i*.
-    fn of([of_sphere, of_half_space]: [f64; 2], [sphere, half_space]: [f64; 2]) -> Self {
+    fn new([of_sphere, of_half_space]: [f64; 2], [sphere, half_space]: [f64; 2]) -> Self {
         let is_sphere = of_sphere <= of_half_space;
         let (ratio, softer, harder) = if is_sphere {
             (of_half_space / of_sphere, sphere, half_space)
         } else {
             (of_sphere / of_half_space, half_space, sphere)
         };
-        let alone = ((ratio - 1.0) / (ALONE_FROM - 1.0)).min(1.0);
-        let of_harder = (1.0 - alone) * harder;
+        let single_body_weight = ((ratio - 1.0) / (ALONE_FROM - 1.0)).min(1.0);
+        let of_harder = (1.0 - single_body_weight) * harder;
         let remaining = if ratio < 2.0 { harder * exp((1.0 - ratio) / 0.27) } else { 0.0 };
         Self {
             ratio,
             is_sphere,
-            alone,
-            elastic_share: alone * harder,
+            single_body_weight,
+            elastic_share: single_body_weight * harder,
             plastic_share: softer + of_harder,
             sphere_share: if is_sphere { 1.0 - of_harder } else { of_harder },
             flat_share: if is_sphere { 1.0 - remaining } else { remaining },
@@ -255,13 +255,13 @@ impl Flow {
     }
 
     /// Selects the item of the softer body from a pair of sphere and half-space.
-    pub fn of_softer<T>(&self, [sphere, half_space]: [T; 2]) -> T {
+    pub fn for_softer<T>(&self, [sphere, half_space]: [T; 2]) -> T {
         if self.is_sphere { sphere } else { half_space }
     }
 
     /// True if both bodies yield.
-    pub fn is_of_both(&self) -> bool {
-        self.alone < 1.0
+    pub fn is_shared(&self) -> bool {
+        self.single_body_weight < 1.0
     }
 }
 
@@ -299,7 +299,13 @@ pub struct Ball {
 
 impl Ball {
     /// Sphere and half-space. Two equal balls are one ball on a rigid wall at half the approach, in units of the radius of this ball.
-    fn both(flow: &Flow, radii: [Option<f64>; 2], radius: f64, compliances: [f64; 2], are_equal: bool) -> [Self; 2] {
+    fn pair_of_balls(
+        flow: &YieldPartition,
+        radii: [Option<f64>; 2],
+        radius: f64,
+        compliances: [f64; 2],
+        are_equal: bool,
+    ) -> [Self; 2] {
         let [sphere, half_space] = radii.map(|ball| ball.map_or(0.0, |ball| radius / ball));
         if are_equal {
             let none = Self { share: 0.0, compliance: 0.0, curvature: 0.0 };
@@ -326,20 +332,20 @@ impl Pair {
         let radius = match half_space.radius {
             None => sphere.radius,
             Some(hollow) if hollow < 0.0 && -hollow < 2.0 * sphere.radius => {
-                return Err(Hollow { radius: hollow, sphere: sphere.radius }.into());
+                return Err(HollowTooSmall { radius: hollow, sphere: sphere.radius }.into());
             }
-            Some(of_wall) => normal("effective radius (m)", sphere.radius / (1.0 + sphere.radius / of_wall))?,
+            Some(of_wall) => finite_positive("effective radius (m)", sphere.radius / (1.0 + sphere.radius / of_wall))?,
         };
         let of_sphere = 1.0 / sphere.material.plane_strain_modulus();
         let of_half_space = 1.0 / half_space.material.plane_strain_modulus();
-        let effective_modulus = normal("effective modulus (Pa)", 1.0 / (of_sphere + of_half_space))?;
+        let effective_modulus = finite_positive("effective modulus (Pa)", 1.0 / (of_sphere + of_half_space))?;
         let compliances = [of_sphere, of_half_space].map(|compliance| compliance * effective_modulus);
         let bodies = [(sphere.yield_strength, sphere.material), (half_space.yield_strength, half_space.material)];
         let pressures = bodies.map(|(strength, material)| {
             strength.map_or(f64::INFINITY, |strength| yield_factor(material.poissons_ratio) * strength)
         });
-        let flow = Flow::of(pressures, compliances);
-        let (strength, material) = flow.of_softer(bodies);
+        let flow = YieldPartition::new(pressures, compliances);
+        let (strength, material) = flow.for_softer(bodies);
         let radii = [Some(sphere.radius), half_space.ball_radius()];
         let are_equal = half_space.ball_radius() == Some(sphere.radius) && bodies[0] == bodies[1];
         let yield_point = strength
@@ -354,7 +360,7 @@ impl Pair {
             sphere_compliance: compliances[0],
             half_space_compliance: compliances[1],
             yield_point,
-            balls: Ball::both(&flow, radii, radius, compliances, are_equal),
+            balls: Ball::pair_of_balls(&flow, radii, radius, compliances, are_equal),
         })
     }
 
@@ -362,32 +368,33 @@ impl Pair {
     pub(crate) fn with_raised_strength(&self, factor: f64) -> Result<Self, OutOfFloatRange> {
         let raised = |point: YieldPoint| {
             let strength = point.strength * factor;
-            YieldPoint::new(point.flow, strength, point.poissons_ratio, self.radius, self.effective_modulus)
+            YieldPoint::new(point.yield_partition, strength, point.poissons_ratio, self.radius, self.effective_modulus)
         };
         Ok(Self { yield_point: self.yield_point.map(raised).transpose()?, ..*self })
     }
 
     /// The approach of the sphere alone: its fraction of the elastic approach, and the flat that it keeps.
-    pub fn sphere_part(&self, indentation: f64, elastic_approach: f64) -> f64 {
+    pub fn sphere_indentation(&self, indentation: f64, elastic_approach: f64) -> f64 {
         let elastic = self.sphere_compliance * elastic_approach;
-        let flat_share = self.yield_point.map_or(0.0, |point| point.flow.flat_share);
+        let flat_share = self.yield_point.map_or(0.0, |point| point.yield_partition.flat_share);
         if flat_share > 0.0 { elastic + flat_share * (indentation - elastic_approach) } else { elastic }
     }
 
-    /// [κ, 1 − κ] of the law: see [`Flow`]. For bodies that stay elastic, the compliance fractions of sphere and half-space.
-    pub(crate) fn shares(&self) -> [f64; 2] {
+    /// [κ, 1 − κ] of the law: see [`YieldPartition`]. For bodies that stay elastic, the compliance fractions of sphere and half-space.
+    pub(crate) fn law_shares(&self) -> [f64; 2] {
         let of_bodies = [self.sphere_compliance, self.half_space_compliance];
-        self.yield_point.map_or(of_bodies, |point| [point.flow.elastic_share, point.flow.plastic_share])
+        self.yield_point
+            .map_or(of_bodies, |point| [point.yield_partition.elastic_share, point.yield_partition.plastic_share])
     }
 
     /// True if both bodies yield, and are balls that are not equal.
-    pub fn is_of_unequal_balls(&self) -> bool {
-        let is_of_both = self.yield_point.is_some_and(|point| point.flow.is_of_both());
+    pub fn has_unequal_balls(&self) -> bool {
+        let is_of_both = self.yield_point.is_some_and(|point| point.yield_partition.is_shared());
         is_of_both && self.balls[1].curvature > 0.0
     }
 
     /// True for two equal balls, which the law treats as one ball on a rigid wall.
-    pub fn is_of_equal_balls(&self) -> bool {
+    pub fn has_equal_balls(&self) -> bool {
         self.geometry_radius != self.radius
     }
 

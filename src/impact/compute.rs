@@ -12,7 +12,7 @@ use super::solve::closed_form;
 use super::solve::outcome::Outcome;
 use super::solve::{FINEST, Method, Solver, run};
 use super::warnings;
-use crate::contact::law::{Dent, Ground, LoadingRule, Unloading};
+use crate::contact::law::{LoadingHistory, Surface, Unloading, UnloadingRule};
 use crate::numerics::ode::IntegrationError;
 
 impl Case<'_> {
@@ -21,8 +21,8 @@ impl Case<'_> {
     fn exact(&self, tolerance: f64) -> Result<Option<Outcome>, IntegrationError> {
         // in these scales all elastic impacts are equal
         static ELASTIC: LazyLock<Outcome> = LazyLock::new(|| closed_form::solve(hertz(), 1.0));
-        match self.ground.law.rule {
-            LoadingRule::Elastic if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
+        match self.ground.law.unloading_rule {
+            UnloadingRule::Hertz if self.q == 1.0 && self.forces.is_none() => Ok(Some(*ELASTIC)),
             _ => closed_form::solve_with(self.ground, self.q, &self.forces, tolerance),
         }
     }
@@ -63,7 +63,7 @@ impl Contact {
             Some(outcome) => outcome,
             None => run(case.ground, case.q, &case.forces, None, solver, None)?.outcome,
         };
-        case.ground.accept(&outcome.unloading)?;
+        case.ground.check(&outcome.unloading)?;
         let mut essentials = Essentials::new(self, speed, &case, &outcome)?;
         if let Some(inclined) = ObliqueImpact::new(self, &case, &outcome, approach)? {
             essentials.rebound = Some(inclined.rebound(&inclined.slip(false)?)?);
@@ -96,11 +96,11 @@ impl Contact {
     /// The impact with its ground and unloading branch, on fresh surface or in a dent.
     pub(super) fn impact_under<'a>(
         &'a self,
-        dent: Option<&'a Dent>,
+        dent: Option<&'a LoadingHistory>,
         approach: Approach,
         solver: &Solver,
         samples: Option<usize>,
-    ) -> Result<(Impact, Ground<'a>, Unloading), ImpactError> {
+    ) -> Result<(Impact, Surface<'a>, Unloading), ImpactError> {
         let [speed, _] = approach.components();
         let case = self.case(dent, speed)?;
         let Case { ground, q, forces, .. } = case;
@@ -109,7 +109,7 @@ impl Contact {
         let solver = Solver { method, ..*solver };
         let computed = run(ground, q, &forces, exact.as_ref(), &solver, samples)?;
         let unloading = computed.outcome.unloading;
-        ground.accept(&unloading)?;
+        ground.check(&unloading)?;
         let mut impact = Impact::new(self, speed, &case, method, &computed, exact.as_ref())?;
         impact.warnings = warnings::warnings(self, &impact, ground, &unloading, &solver);
         if let Some(inclined) = ObliqueImpact::new(self, &case, &computed.outcome, approach)? {

@@ -8,15 +8,15 @@ use super::problem::forces::ScaledForces;
 use super::problem::plate::ScaledPlate;
 use super::problem::scales::{ACCELERATION, Scales};
 use super::solve::free_time;
-use crate::contact::law::{Dent, Ground, Law};
-use crate::contact::pair::normal;
+use crate::contact::law::{Law, LoadingHistory, Surface};
+use crate::contact::pair::finite_positive;
 use crate::numerics::ode::DampingCoefficients;
 
 /// The input of one impact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Case<'a> {
     pub(super) scales: Scales,
-    pub(super) ground: Ground<'a>,
+    pub(super) ground: Surface<'a>,
     /// v/V.
     pub(super) q: f64,
     pub(super) forces: ScaledForces,
@@ -36,7 +36,7 @@ impl Contact {
     /// The impact at a speed. On a spot with a dent, the units are the units of the yield point. Under gravity the speed may be 0: the
     /// sphere is released at rest.
     #[inline]
-    pub(super) fn case<'a>(&'a self, dent: Option<&'a Dent>, speed: f64) -> Result<Case<'a>, ImpactError> {
+    pub(super) fn case<'a>(&'a self, dent: Option<&'a LoadingHistory>, speed: f64) -> Result<Case<'a>, ImpactError> {
         self.forces().check()?;
         let gravity = self.forces().gravity.unwrap_or(0.0);
         if gravity > 0.0 && self.target_mass().is_some() {
@@ -46,7 +46,7 @@ impl Contact {
         // damping and plate remove energy: an impact that is elastic without them is elastic with them
         let with_weight = || {
             let (q, least) = (speed / self.scales.speed, self.elastic_speed / self.scales.speed);
-            let until = self.law.recovers_until();
+            let until = self.law.recovers_fully_until();
             // a law without an elastic regime yields at once
             until == 0.0 || 0.4 * q * q + weight / self.scales.force * until > 0.4 * least * least
         };
@@ -56,8 +56,8 @@ impl Contact {
                 0.0 => "kinetic energy in units of that at first yield",
                 _ => "kinetic energy and weight in units of those at first yield",
             };
-            normal(quantity, q * q + weight / self.scales.force)?;
-            (self.scales, Ground::new(&self.law, dent), q)
+            finite_positive(quantity, q * q + weight / self.scales.force)?;
+            (self.scales, Surface::new(&self.law, dent), q)
         } else {
             let scales = Scales::of_hertz(self.pair(), self.reduced_mass(), speed, gravity)?;
             (scales, hertz().into(), speed / scales.speed)

@@ -151,7 +151,7 @@ impl MaterialEntry {
 
     /// The flow stress \[Pa\] at a plastic strain of 0.08 of the material with that hardness.
     pub fn flow_stress(&self, mean_pressure: f64) -> f64 {
-        hardness_test::flow_stress(mean_pressure, &self.elastic())
+        hardness_test::flow_stress_of_hardness(mean_pressure, &self.elastic())
     }
 
     fn elastic(&self) -> Material {

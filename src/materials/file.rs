@@ -86,7 +86,7 @@ impl RawKnown {
 
 /// The value in SI units of a number with a unit, or of a number on a scale of hardness.
 fn number(text: &str, property: Property) -> Result<f64, String> {
-    match hardness::written(text).filter(|_| property == Property::Hardness) {
+    match hardness::parse(text).filter(|_| property == Property::Hardness) {
         Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string()),
         None => units::parse(text, property.dimension()).map_err(|error| error.to_string()),
     }

@@ -1,7 +1,7 @@
 //! A half-space that hardens: the materials of an unloading by finite elements.
 
 use super::Row;
-use crate::contact::law::Bodies;
+use crate::contact::law::YieldingPair;
 use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere};
 use crate::contact::strength::flow_curve::{FlowCurve, FlowPoint};
 
@@ -24,10 +24,10 @@ impl Row {
     }
 
     /// The bodies for which a law is built; never `None`, because the half-space yields.
-    pub fn bodies(&self) -> Result<Option<Bodies>, PairError> {
+    pub fn bodies(&self) -> Result<Option<YieldingPair>, PairError> {
         // the law in units of the yield point does not depend on the radius
         let half_space = self.half_space();
-        Ok(Bodies::new(&Pair::try_new(&Sphere::elastic(1.0, self.sphere(), f64::NAN), &half_space)?))
+        Ok(YieldingPair::new(&Pair::try_new(&Sphere::elastic(1.0, self.sphere(), f64::NAN), &half_space)?))
     }
 
     /// How the half-space hardens: in words, such as "power 0.1". `None` if the words name no curve.
@@ -46,7 +46,7 @@ impl Row {
                     Some(FlowPoint { strain: strain.parse().ok()?, stress: stress.parse().ok()? })
                 };
                 let points = flow.split_whitespace().nth(1)?.split(',').map(point);
-                FlowCurve::through(points.collect::<Option<Vec<_>>>()?).ok()
+                FlowCurve::from_points(points.collect::<Option<Vec<_>>>()?).ok()
             }
             _ => None,
         }

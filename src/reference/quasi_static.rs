@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::{Row, UNLOADINGS};
-use crate::contact::law::Bodies;
+use crate::contact::law::YieldingPair;
 use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::error::Error;
 
@@ -26,7 +26,7 @@ fn unloaded() -> Result<Vec<Row>, Error> {
 
 /// The unloadings of the case that has these materials, by rising depth; none for other materials. Quasi-static results in
 /// units of the yield point do not depend on the radius.
-pub fn unloadings(sphere_modulus: f64, bodies: &Bodies) -> Vec<&'static Row> {
+pub fn unloadings(sphere_modulus: f64, bodies: &YieldingPair) -> Vec<&'static Row> {
     let materials = [sphere_modulus, bodies.modulus(), bodies.yield_point.strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;
     let case = MATERIALS.iter().find(|(_, of_case)| of_case.iter().copied().zip(materials).all(is_near));

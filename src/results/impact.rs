@@ -6,7 +6,7 @@
 use serde_json::{Value, json};
 
 use super::{Needs, Reported, results};
-use crate::contact::pair::Flow;
+use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::Flying;
 use crate::impact::{Contact, Essentials, FixedSteps, ForcesResult, Impact, Oblique, OnPlate, Rebound};
 use crate::scenario::keys::interval::RestitutionInterval;
@@ -38,10 +38,10 @@ impl Single<'_> {
 
     /// Which body flows.
     fn yields(&self) -> &'static str {
-        match self.contact.pair().yield_point.map(|point| point.flow) {
+        match self.contact.pair().yield_point.map(|point| point.yield_partition) {
             Some(flow) if self.impact.has_dent() => match flow {
-                _ if flow.is_of_both() => "both",
-                Flow { is_sphere: true, .. } => "sphere",
+                _ if flow.is_shared() => "both",
+                YieldPartition { is_sphere: true, .. } => "sphere",
                 _ => "half_space",
             },
             _ => "none",

@@ -2,8 +2,8 @@
 //! their Table 1, with R = 35 mm, at three depths.
 
 use super::cases::{Case, Cycle};
-use crate::contact::law::published::PeakState;
-use crate::contact::law::{Bodies, LawChoice, Unloading};
+use crate::contact::law::published::LoadedState;
+use crate::contact::law::{LawChoice, Unloading, YieldingPair};
 use crate::contact::pair::{HalfSpace, Material, Pair, Sphere};
 use crate::error::Error;
 use crate::report::chart::{Axis, Chart, Series, Style};
@@ -24,24 +24,24 @@ const LEFT_OUT: &str = "walton_braun";
 /// Number of pieces of a curve.
 const POINTS: u32 = 200;
 
-fn bodies() -> Result<Bodies, Error> {
+fn bodies() -> Result<YieldingPair, Error> {
     let [sphere, material] = MODULI.map(|youngs_modulus| Material { youngs_modulus, poissons_ratio: 0.3 });
     let half_space = HalfSpace::flat(material, Some(STRENGTH));
     let pair = Pair::try_new(&Sphere::elastic(RADIUS, sphere, f64::NAN), &half_space)?;
-    Bodies::new(&pair).ok_or_else(|| Error::failed("the half-space of case 3 does not yield"))
+    YieldingPair::new(&pair).ok_or_else(|| Error::failed("the half-space of case 3 does not yield"))
 }
 
 /// The peak of an unloading, and how each law unloads from it. A law without an answer there is left out.
-fn unloaded(bodies: &Bodies, cycle: &Cycle) -> (PeakState, Vec<(String, Unloading)>) {
-    let peak = PeakState {
+fn unloaded(bodies: &YieldingPair, cycle: &Cycle) -> (LoadedState, Vec<(String, Unloading)>) {
+    let peak = LoadedState {
         indentation: cycle.peak.indentation,
         force: cycle.peak.force,
-        radius: cycle.row.number("contact_radius_over_R") * RADIUS / bodies.yield_point.contact_radius,
+        contact_radius: cycle.row.number("contact_radius_over_R") * RADIUS / bodies.yield_point.contact_radius,
         elastic_approach: Some(cycle.peak.elastic_approach),
-        spent: cycle.row.number("spent"),
+        loading_work: cycle.row.number("spent"),
     };
     let laws = LawChoice::all().into_iter().filter(|law| law.has_own_unloading() && law.about().name != LEFT_OUT);
-    let of_law = |law: LawChoice| Some((law.name(), peak.unload(&law.get().rules(bodies).recovery).ok()?));
+    let of_law = |law: LawChoice| Some((law.name(), peak.unload(&law.get().build_parts(bodies).recovery).ok()?));
     (peak, laws.filter_map(of_law).collect())
 }
 
@@ -57,7 +57,7 @@ fn find<'a>(case: &'a Case, run: &str, number: &str) -> Option<&'a Cycle> {
     case.cycles.iter().find(|cycle| cycle.row.text("run") == run && cycle.row.text("cycle") == number)
 }
 
-fn chart(bodies: &Bodies, cycle: &Cycle) -> Chart {
+fn chart(bodies: &YieldingPair, cycle: &Cycle) -> Chart {
     let (peak, laws) = unloaded(bodies, cycle);
     let (length, force) = (bodies.yield_point.indentation, bodies.yield_point.force);
     let curve = |unloading: &Unloading| {
@@ -108,7 +108,7 @@ mod tests {
             let (peak, laws) = unloaded(&bodies, cycle);
             assert!(laws.len() >= 10, "{}", laws.len());
             let (_, plm) = laws.iter().find(|(name, _)| name == "plm").unwrap();
-            let e = (plm.stored(peak.indentation) / peak.spent).sqrt();
+            let e = (plm.stored_energy(peak.indentation) / peak.loading_work).sqrt();
             let off = e / cycle.row.number("restitution") - 1.0;
             assert!((-0.045..-0.009).contains(&off), "{run}: {off}");
             assert!((plm.peak.residual() / cycle.residual() - 1.0).abs() < 0.01, "{run}");

@@ -42,8 +42,8 @@ pub(super) struct AtEnergy {
 /// The load cycle in which loading takes this work, in units of first yield.
 pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEnergy {
     let piece = &law.loading.pieces()[law.loading.index_at_work(spent)];
-    let peak = law.loaded_to(piece.indentation_at_work(spent));
-    let restitution = (law.unloading(peak).capacity() / spent).sqrt();
+    let peak = law.loaded_state(piece.indentation_at_work(spent));
+    let restitution = (law.unloading(peak).recoverable_energy() / spent).sqrt();
     AtEnergy { peak, restitution, contact_radius: law.contact_radius(&peak) * yield_radius_ratio }
 }
 
@@ -51,7 +51,7 @@ pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEne
 pub(super) fn law(materials: &Row, coefficients: &PlmCoefficients, hardens: bool) -> Result<Option<(Law, f64)>, Error> {
     let flow = [None, materials.curve().filter(|_| hardens)];
     let plm = Plm { flow, ..Plm::new(coefficients, UnloadingExponent::PressureShape) };
-    Ok(materials.bodies()?.map(|bodies| (plm.of_bodies(&bodies), bodies.yield_radius_ratio())))
+    Ok(materials.bodies()?.map(|bodies| (plm.law_for_yielding_pair(&bodies), bodies.yield_radius_ratio())))
 }
 
 pub(super) fn unloadings(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {

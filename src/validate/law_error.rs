@@ -37,7 +37,7 @@ pub fn cycle_errors(coefficients: &PlmCoefficients, exponent: UnloadingExponent)
     for row in HARDENING.rows()? {
         let Some(bodies) = row.bodies()? else { continue };
         let plm = Plm { flow: [None, row.curve()], ..Plm::new(coefficients, exponent) };
-        let cycle = at_energy(&plm.of_bodies(&bodies), bodies.yield_radius_ratio(), row.number("spent"));
+        let cycle = at_energy(&plm.law_for_yielding_pair(&bodies), bodies.yield_radius_ratio(), row.number("spent"));
         let error = deviation(row.number("restitution"), cycle.restitution);
         errors.push((BodyClass::Hardening, row.number("contact_radius_over_R"), error));
     }

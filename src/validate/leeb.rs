@@ -7,7 +7,7 @@ use super::comparison::{Comparison, Group};
 use crate::contact::law::plm::hardness_test::strength_of_hardness;
 use crate::contact::law::{Plm, PlmCoefficients, UnloadingExponent};
 use crate::contact::pair::{HalfSpace, Material, Sphere, sphere_volume};
-use crate::contact::strength::hardness::Scale;
+use crate::contact::strength::hardness::HardnessScale;
 use crate::error::Error;
 use crate::impact::Contact;
 use crate::numerics::functions::{exp, ln};
@@ -61,7 +61,8 @@ pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Compariso
     let Some(device) = devices.first() else { return Ok(Vec::new()) };
     let compared = |number: u16| {
         let (number, hardness) = (f64::from(number), vickers(number.into()));
-        let pressure = Scale::Vickers.mean_pressure(hardness).map_err(|error| Error::failed(error.to_string()))?;
+        let pressure =
+            HardnessScale::Vickers.mean_pressure(hardness).map_err(|error| Error::failed(error.to_string()))?;
         let strength = strength_of_hardness(pressure, None, &STEEL);
         let numbers = [number / 1000.0, restitution(device, strength, coefficients)?];
         Ok(BY_HARDNESS.compared(format!("{hardness:.0} HV"), numbers))

@@ -181,7 +181,7 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
     let mut add = |called: &str, law: &Law, ratio: f64, points: Vec<(f64, f64)>, deepest: f64| {
         let style = series.len() / 2;
         series.push(Series::points(called, points).styled(style));
-        let at = |x| (law.contact_radius(&law.loaded_to(x)) * ratio, restitution(law, x));
+        let at = |x| (law.contact_radius(&law.loaded_state(x)) * ratio, restitution(law, x));
         series.push(Series::line("", log_sampled(1.1 * deepest, at)).styled(style));
     };
     for case in cases.iter().filter(|case| case.loading.case == "case3") {

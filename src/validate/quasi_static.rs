@@ -18,10 +18,10 @@ type LoadingQuantity = (Group, &'static str, fn(&Case, &Law, f64) -> f64);
 const LOADING: [LoadingQuantity; 3] = [
     (Group::new("loading: force", STATIC, "F_Y"), "F_over_FY", |_, law, x| law.loading.force(x)),
     (Group::new("loading: sphere indentation", STATIC, "delta"), "delta_s_over_delta", |case, law, x| {
-        case.sphere_compliance() * law.loaded_to(x).elastic_approach / x
+        case.sphere_compliance() * law.loaded_state(x).elastic_approach / x
     }),
     (Group::new("loading: contact radius", STATIC, "R"), "a_over_R", |case, law, x| {
-        law.contact_radius(&law.loaded_to(x)) * case.loading.yield_radius_ratio
+        law.contact_radius(&law.loaded_state(x)) * case.loading.yield_radius_ratio
     }),
 ];
 
@@ -43,7 +43,7 @@ pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>,
 
 /// Restitution of a load cycle to x: √(recovered/spent work).
 pub(super) fn restitution(law: &Law, x: f64) -> f64 {
-    (law.unloading(law.loaded_to(x)).stored(x) / law.loading.work(x)).sqrt()
+    (law.unloading(law.loaded_state(x)).stored_energy(x) / law.loading.work(x)).sqrt()
 }
 
 /// A quantity of a load cycle: its name, the exponent of the law, and a function that gives the numbers of the finite elements and
@@ -61,7 +61,7 @@ const CYCLES: [CycleQuantity; 4] = [
         PAPER,
         |law, cycle| {
             let x = cycle.peak.indentation;
-            Some([cycle.row.number("residual_share"), law.loaded_to(x).residual() / x])
+            Some([cycle.row.number("residual_share"), law.loaded_state(x).residual() / x])
         },
     ),
     (Group::new("load cycle: restitution, exponent 3/2", STATIC, ""), PAPER, of_restitution),

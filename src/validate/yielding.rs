@@ -2,8 +2,8 @@
 
 use super::comparison::{self, Comparison, Group, Quantity};
 use super::hardening::{AtEnergy, at_energy};
-use crate::contact::law::{Bodies, Law, Plm, PlmCoefficients, UnloadingExponent};
-use crate::contact::pair::{HalfSpace, Hold, Material, Pair, PairError, Sphere};
+use crate::contact::law::{Law, Plm, PlmCoefficients, UnloadingExponent, YieldingPair};
+use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere, Support};
 use crate::error::Error;
 use crate::impact::Contact;
 use crate::reference::{Row, YIELDING};
@@ -17,7 +17,7 @@ const LEAST_ELEMENTS: f64 = 9.0;
 pub(super) struct Compared {
     pub(super) row: Row,
     pub(super) law: Law,
-    pub(super) bodies: Bodies,
+    pub(super) bodies: YieldingPair,
     /// x of the finite elements.
     pub(super) at_depth: f64,
     pub(super) at_energy: AtEnergy,
@@ -25,8 +25,8 @@ pub(super) struct Compared {
 
 impl Compared {
     fn new(row: Row, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Result<Option<Self>, Error> {
-        let Some(bodies) = Bodies::new(&pair(&row)?) else { return Ok(None) };
-        let law = Plm::new(coefficients, exponent).of_bodies(&bodies);
+        let Some(bodies) = YieldingPair::new(&pair(&row)?) else { return Ok(None) };
+        let law = Plm::new(coefficients, exponent).law_for_yielding_pair(&bodies);
         let point = bodies.yield_point;
         let at_energy =
             at_energy(&law, bodies.yield_radius_ratio(), row.number("W_J") / (point.force * point.indentation));
@@ -61,7 +61,7 @@ const QUANTITIES: [Quantity<Compared>; 4] = [
         Some([cycle.row.number("F_N"), cycle.law.loading.force(cycle.at_depth) * cycle.bodies.yield_point.force])
     }),
     (Group::new("sphere or both yield: contact radius at the same depth", SOURCE, "R"), |cycle| {
-        let radius = cycle.law.contact_radius(&cycle.law.loaded_to(cycle.at_depth));
+        let radius = cycle.law.contact_radius(&cycle.law.loaded_state(cycle.at_depth));
         Some([cycle.row.number("contact_radius_over_R"), radius * cycle.bodies.yield_radius_ratio()])
     }),
     (
@@ -71,7 +71,7 @@ const QUANTITIES: [Quantity<Compared>; 4] = [
             "",
         ),
         |cycle| {
-            let of_law = cycle.law.loaded_to(cycle.at_depth).residual() / cycle.at_depth;
+            let of_law = cycle.law.loaded_state(cycle.at_depth).residual() / cycle.at_depth;
             Some([cycle.row.number("residual_m") / cycle.row.number("delta_m"), of_law])
         },
     ),
@@ -102,7 +102,8 @@ pub(super) fn equal_balls(coefficients: &PlmCoefficients) -> Result<Vec<Comparis
     let ball = Sphere { yield_strength: Some(strength), ..Sphere::elastic(radius, steel, density) };
     let wall = |strength| HalfSpace { density: Some(density), ..HalfSpace::flat(steel, Some(strength)) };
     let law = Plm::new(coefficients, UnloadingExponent::PressureShape);
-    let on_ball = Contact::try_new(ball, HalfSpace { radius: Some(radius), hold: Hold::Ball, ..wall(strength) }, &law)?;
+    let on_ball =
+        Contact::try_new(ball, HalfSpace { radius: Some(radius), support: Support::Ball, ..wall(strength) }, &law)?;
     let mut compared = Vec::new();
     for (name, harder) in WALLS {
         let on_wall = Contact::try_new(ball, wall(harder * strength), &law)?;

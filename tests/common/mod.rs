@@ -10,7 +10,7 @@ pub mod reference;
 use std::cell::Cell;
 use std::ops::Range;
 
-use plm_impact::contact::law::{ContactLaw, Ground, Law, Plm, PlmCoefficients, UnloadingExponent};
+use plm_impact::contact::law::{ContactLaw, Law, Plm, PlmCoefficients, Surface, UnloadingExponent};
 use plm_impact::contact::pair::{HalfSpace, Material, Sphere};
 use plm_impact::impact::solve::closed_form;
 use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot};
@@ -120,7 +120,7 @@ pub fn shot(contact: &Contact, spot: &mut Spot, speed: f64) -> Impact {
 
 /// One dimensionless impact.
 pub fn run<'a>(
-    ground: impl Into<Ground<'a>>,
+    ground: impl Into<Surface<'a>>,
     speed: f64,
     method: Method,
     tolerance: f64,

@@ -6,12 +6,12 @@ use std::sync::LazyLock;
 use serde::Serialize;
 
 use super::Law;
-use super::published::{LawParts, OutsideLaw};
+use super::published::{LawError, LawParts};
 use crate::contact::pair::{Pair, YieldPoint};
 
 /// The source of a law and its use, in words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct About {
+pub struct LawInfo {
     pub name: &'static str,
     /// Authors and year.
     pub title: &'static str,
@@ -23,16 +23,16 @@ pub struct About {
     pub confidence: &'static str,
 }
 
-impl About {
+impl LawInfo {
     /// The facts of a law, from its line in the table `facts.csv`; empty facts for a law without a line.
-    pub(super) fn of(name: &str) -> &'static Self {
-        static FACTS: LazyLock<Vec<About>> =
-            LazyLock::new(|| include_str!("facts.csv").lines().map(About::read).collect());
-        static NOTHING: LazyLock<About> = LazyLock::new(|| About::read(""));
+    pub(super) fn for_law(name: &str) -> &'static Self {
+        static FACTS: LazyLock<Vec<LawInfo>> =
+            LazyLock::new(|| include_str!("facts.csv").lines().map(LawInfo::parse_line).collect());
+        static NOTHING: LazyLock<LawInfo> = LazyLock::new(|| LawInfo::parse_line(""));
         FACTS.iter().find(|about| about.name == name).unwrap_or(&NOTHING)
     }
 
-    fn read(line: &'static str) -> Self {
+    fn parse_line(line: &'static str) -> Self {
         let mut words = line.split('|');
         let mut next = || words.next().unwrap_or_default();
         let (name, title, source, loading) = (next(), next(), next(), next());
@@ -42,21 +42,21 @@ impl About {
 
 /// Two bodies of which at least one yields. A law is built for them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bodies {
+pub struct YieldingPair {
     /// Effective modulus, fractions of the compliance.
     pub pair: Pair,
     /// First yield of the softer body by C_ν: the unit of x and f.
     pub yield_point: YieldPoint,
 }
 
-impl Bodies {
+impl YieldingPair {
     /// `None` for bodies without a yield strength, which follow Hertz alone.
     pub fn new(pair: &Pair) -> Option<Self> {
         Some(Self { pair: *pair, yield_point: pair.yield_point? })
     }
 
     /// δ_y/δ_Y of a law that yields where the largest Hertz pressure is `factor` σ_Y: (C/C_ν)².
-    pub fn yield_at(&self, factor: f64) -> f64 {
+    pub fn yield_indentation_ratio(&self, factor: f64) -> f64 {
         let ratio = factor / self.yield_point.factor;
         ratio * ratio
     }
@@ -74,13 +74,13 @@ impl Bodies {
     /// E of the softer body \[Pa\].
     pub fn modulus(&self) -> f64 {
         let Pair { sphere_compliance, half_space_compliance, .. } = self.pair;
-        let YieldPoint { flow, poissons_ratio, .. } = self.yield_point;
-        let plane_strain = self.pair.effective_modulus / flow.of_softer([sphere_compliance, half_space_compliance]);
+        let YieldPoint { yield_partition: flow, poissons_ratio, .. } = self.yield_point;
+        let plane_strain = self.pair.effective_modulus / flow.for_softer([sphere_compliance, half_space_compliance]);
         plane_strain * (1.0 - poissons_ratio * poissons_ratio)
     }
 
     /// Slope df/dx of F = s π R p δ, with p = `pressure` σ_Y: (3/2) s p/C_ν.
-    pub fn slope_of_pressure(&self, area_factor: f64, pressure: f64) -> f64 {
+    pub fn slope_at_pressure(&self, area_factor: f64, pressure: f64) -> f64 {
         1.5 * area_factor * pressure / self.yield_point.factor
     }
 }
@@ -88,14 +88,14 @@ impl Bodies {
 /// A contact law: its parameters, and the law of two bodies that follows from them.
 pub trait ContactLaw: Debug {
     /// Its loading and unloading for these bodies, in units of δ_Y and F_Y by C_ν.
-    fn rules(&self, bodies: &Bodies) -> LawParts;
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts;
 
     /// The whole law.
     ///
     /// # Errors
-    /// [`OutsideLaw::Incomplete`] for a law without a loading rule; for the PLM also [`OutsideLaw::BothFlow`] and [`OutsideLaw::Flow`].
-    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
-        let LawParts { loading, recovery } = self.rules(bodies);
+    /// [`LawError::Incomplete`] for a law without a loading rule; for the PLM also [`LawError::BothFlow`] and [`LawError::Flow`].
+    fn law(&self, bodies: &YieldingPair) -> Result<Law, LawError> {
+        let LawParts { loading, recovery } = self.build_parts(bodies);
         Ok(Law::published(loading?, recovery))
     }
 
@@ -103,7 +103,7 @@ pub trait ContactLaw: Debug {
     ///
     /// # Errors
     /// The errors of [`ContactLaw::law`].
-    fn of_pair(&self, pair: &Pair) -> Result<Law, OutsideLaw> {
-        Bodies::new(pair).map_or_else(|| Ok(Law::hertz()), |bodies| self.law(&bodies))
+    fn law_for_pair(&self, pair: &Pair) -> Result<Law, LawError> {
+        YieldingPair::new(pair).map_or_else(|| Ok(Law::hertz()), |bodies| self.law(&bodies))
     }
 }

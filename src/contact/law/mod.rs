@@ -1,7 +1,7 @@
 //! Contact laws: a loading curve made of smooth pieces, the elastic approach along it, and an unloading rule.
 //!
 //! A law is data. It does not depend on time, files or solvers, and evaluating it changes nothing. A spot that was loaded before
-//! has a [`Dent`]; law and dent are the [`Ground`] of an impact. A code that follows a contact step by step keeps its memory, a
+//! has a [`LoadingHistory`]; law and dent are the [`Surface`] of an impact. A code that follows a contact step by step keeps its memory, a
 //! [`ContactState`], and passes it in at every step.
 //!
 //! # Sources
@@ -25,21 +25,21 @@ use std::sync::Arc;
 use crate::numerics::curve::LoadingCurve;
 use crate::strings::names::named_enum;
 pub use catalogue::{Combined, LawChoice};
-pub use contact_law::{About, Bodies, ContactLaw};
-pub use plm::unloading_rule::PlmRule;
+pub use contact_law::{ContactLaw, LawInfo, YieldingPair};
+pub use plm::unloading_rule::PlmUnloadingRule;
 pub use plm::{CoefficientsError, Plm, PlmCoefficients};
-use published::{LARGEST_CUT, Limits, Published, WIDEST_PARABOLOID};
-pub use published::{Loading, OutsideLaw};
-pub use surface::{Dent, Ground};
+pub use published::{LawError, Loading};
+use published::{MAX_CLIPPING, MAX_PARABOLOID_RADIUS_RATIO, PublishedRule, Validity};
+pub use surface::{LoadingHistory, Surface};
 pub use unloading::{ContactState, Unloading, UnloadingExponent, UnloadingShape, pressure_shape_exponent};
 
 /// How a contact unloads after loading beyond the elastic regime.
 #[derive(Debug, Clone)]
-pub enum LoadingRule {
+pub enum UnloadingRule {
     /// Along Hertz's curve, at any load.
-    Elastic,
-    Polyline(Box<PlmRule>),
-    Published(Box<Published>),
+    Hertz,
+    Plm(Box<PlmUnloadingRule>),
+    Published(Box<PublishedRule>),
 }
 
 named_enum! {
@@ -60,15 +60,15 @@ named_enum! {
 pub struct Law {
     pub loading: Arc<LoadingCurve>,
     /// The range in which the loading holds.
-    pub limits: Limits,
-    pub rule: LoadingRule,
+    pub validity: Validity,
+    pub unloading_rule: UnloadingRule,
     /// The law at maximum compression, if it differs.
-    pub relaxed: Option<Box<Relaxed>>,
+    pub peak_law: Option<Box<PeakLaw>>,
 }
 
 /// The law at maximum compression of a metal that relaxes there (strain-rate dependence).
 #[derive(Debug, Clone)]
-pub struct Relaxed {
+pub struct PeakLaw {
     /// In units of the yield point of this law.
     law: Law,
     /// r.
@@ -77,9 +77,9 @@ pub struct Relaxed {
 
 /// An unloading exponent that is larger than the requested one, because the requested one would recover more energy than was spent.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Raised {
+pub(crate) struct ExponentClamp {
     /// The requested exponent.
-    pub(crate) asked: f64,
+    pub(crate) requested: f64,
     /// The exponent of the branch.
     pub(crate) used: f64,
     /// The energy that the requested exponent would recover, over the energy that was spent, minus 1.
@@ -87,60 +87,68 @@ pub(crate) struct Raised {
 }
 
 impl Law {
-    pub fn new(loading: impl Into<Arc<LoadingCurve>>, limits: Limits, rule: LoadingRule) -> Self {
-        Self { loading: loading.into(), limits, rule, relaxed: None }
+    pub fn new(loading: impl Into<Arc<LoadingCurve>>, validity: Validity, unloading_rule: UnloadingRule) -> Self {
+        Self { loading: loading.into(), validity, unloading_rule, peak_law: None }
     }
 
     /// True if it is a pair of springs, which know no bodies: a contact of any width is allowed, and what stays is no dent.
     pub fn is_spring(&self) -> bool {
-        self.limits.widest.is_infinite()
+        self.validity.max_radius_ratio.is_infinite()
     }
 
     /// Hertz without limit: loading and unloading on f = x^1.5.
     pub fn hertz() -> Self {
-        Self::new(LoadingCurve::hertz(), Limits::of(f64::INFINITY, WIDEST_PARABOLOID), LoadingRule::Elastic)
+        Self::new(
+            LoadingCurve::hertz(),
+            Validity::new(f64::INFINITY, MAX_PARABOLOID_RADIUS_RATIO),
+            UnloadingRule::Hertz,
+        )
     }
 
-    pub fn plm(loading: impl Into<Arc<LoadingCurve>>, rule: PlmRule) -> Self {
-        Self::new(loading, rule.limits(), LoadingRule::Polyline(Box::new(rule)))
+    pub fn plm(loading: impl Into<Arc<LoadingCurve>>, rule: PlmUnloadingRule) -> Self {
+        Self::new(loading, rule.validity(), UnloadingRule::Plm(Box::new(rule)))
     }
 
     /// The law of a published loading with a published unloading.
     pub fn published(loading: Loading, recovery: published::RecoveryRule) -> Self {
         let Loading { curve, limits, radius } = loading;
-        Self::new(curve, limits, LoadingRule::Published(Box::new(Published { radius, recovery })))
+        Self::new(curve, limits, UnloadingRule::Published(Box::new(PublishedRule { radius, recovery })))
     }
 
     /// The unloading of fresh surface from x; the last digit of x does not matter.
     #[inline(always)]
-    fn rule_at(&self, x: f64) -> &LoadingRule {
-        if x <= self.limits.elastic_until * (1.0 + f64::EPSILON) { &LoadingRule::Elastic } else { &self.rule }
+    fn unloading_rule_at(&self, x: f64) -> &UnloadingRule {
+        if x <= self.validity.elastic_until * (1.0 + f64::EPSILON) {
+            &UnloadingRule::Hertz
+        } else {
+            &self.unloading_rule
+        }
     }
 
     /// The unloading of fresh surface from a point (x, f) of the loading curve, after the loading work `spent`.
     #[inline(always)]
-    fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
-        if let Some(unloading) = self.relaxed_at(x, force, || spent) {
+    fn unloading_from(&self, x: f64, force: f64, spent: f64) -> Unloading {
+        if let Some(unloading) = self.peak_unloading_at(x, force, || spent) {
             return unloading;
         }
-        match self.rule_at(x) {
-            LoadingRule::Elastic => Unloading::power(ContactState { indentation: x, force, elastic_approach: x }, 1.5),
-            LoadingRule::Polyline(rule) => rule.unloading(rule.state(x, force), spent),
-            LoadingRule::Published(rule) => rule.unloading(x, force, spent),
+        match self.unloading_rule_at(x) {
+            UnloadingRule::Hertz => Unloading::power(ContactState { indentation: x, force, elastic_approach: x }, 1.5),
+            UnloadingRule::Plm(rule) => rule.unloading(rule.state(x, force), spent),
+            UnloadingRule::Published(rule) => rule.unloading(x, force, spent),
         }
     }
 
     /// Elastic approach ε at a point (x, f) of the loading curve, the part of x that is recovered; 0 < ε ≤ x.
     pub fn elastic_approach(&self, x: f64, force: f64) -> f64 {
-        match self.rule_at(x) {
-            LoadingRule::Elastic => x,
-            LoadingRule::Polyline(rule) => rule.elastic_approach(x, force),
-            LoadingRule::Published(rule) => rule.unloading(x, force, self.loading.work(x)).peak.elastic_approach,
+        match self.unloading_rule_at(x) {
+            UnloadingRule::Hertz => x,
+            UnloadingRule::Plm(rule) => rule.elastic_approach(x, force),
+            UnloadingRule::Published(rule) => rule.unloading(x, force, self.loading.work(x)).peak.elastic_approach,
         }
     }
 
     /// The state at x on the loading curve, from which unloading may begin.
-    pub fn loaded_to(&self, x: f64) -> ContactState {
+    pub fn loaded_state(&self, x: f64) -> ContactState {
         let force = self.loading.force(x);
         ContactState { indentation: x, force, elastic_approach: self.elastic_approach(x, force) }
     }
@@ -150,41 +158,42 @@ impl Law {
     pub fn unloading(&self, peak: ContactState) -> Unloading {
         let spent = || self.loading.work(peak.indentation);
         // the force of a memory is the force after the relaxation
-        if self.relaxed.is_some()
-            && let Some(unloading) = self.relaxed_at(peak.indentation, self.loading.force(peak.indentation), spent)
+        if self.peak_law.is_some()
+            && let Some(unloading) =
+                self.peak_unloading_at(peak.indentation, self.loading.force(peak.indentation), spent)
         {
             return unloading;
         }
-        match self.rule_at(peak.indentation) {
-            LoadingRule::Elastic => Unloading::power(peak, 1.5),
-            LoadingRule::Polyline(rule) => rule.unloading(peak, spent()),
-            LoadingRule::Published(rule) => rule.unloading(peak.indentation, peak.force, spent()),
+        match self.unloading_rule_at(peak.indentation) {
+            UnloadingRule::Hertz => Unloading::power(peak, 1.5),
+            UnloadingRule::Plm(rule) => rule.unloading(peak, spent()),
+            UnloadingRule::Published(rule) => rule.unloading(peak.indentation, peak.force, spent()),
         }
     }
 
     /// The range of x that the authors of the law state, if a plastic peak is outside of it.
-    pub(crate) fn outside_stated(&self, peak: &ContactState) -> Option<(f64, f64)> {
+    pub(crate) fn exceeded_fit_range(&self, peak: &ContactState) -> Option<(f64, f64)> {
         let x = peak.indentation;
-        self.limits.stated.filter(|(from, to)| x > self.recovers_until() && !(*from..=*to).contains(&x))
+        self.validity.fitted_range.filter(|(from, to)| x > self.recovers_fully_until() && !(*from..=*to).contains(&x))
     }
 
     /// The hardening of the yielding body, if it hardens.
     pub(crate) fn hardening(&self) -> Option<&plm::hardening::Hardening> {
-        if let LoadingRule::Polyline(rule) = &self.rule { rule.hardening.as_ref() } else { None }
+        if let UnloadingRule::Plm(rule) = &self.unloading_rule { rule.hardening.as_ref() } else { None }
     }
 
     /// The exponents of this branch, if the requested exponent was raised: the requested one, the used one, and the gain of energy
     /// that this avoids.
-    pub(crate) fn raised(&self, unloading: &Unloading) -> Option<Raised> {
-        if let Some((law, own)) = self.at_turn(unloading) {
-            return law.raised(&own);
+    pub(crate) fn exponent_clamp(&self, unloading: &Unloading) -> Option<ExponentClamp> {
+        if let Some((law, own)) = self.at_peak(unloading) {
+            return law.exponent_clamp(&own);
         }
         let (peak, used) = (&unloading.peak, unloading.exponent);
-        match self.rule_at(peak.indentation) {
-            LoadingRule::Polyline(rule) => {
-                let asked = rule.asked(peak);
+        match self.unloading_rule_at(peak.indentation) {
+            UnloadingRule::Plm(rule) => {
+                let asked = rule.requested_exponent(peak);
                 // the energy of a branch is proportional to 1/(n + 1)
-                (used > asked).then(|| Raised { asked, used, gain: (used - asked) / (asked + 1.0) })
+                (used > asked).then(|| ExponentClamp { requested: asked, used, gain: (used - asked) / (asked + 1.0) })
             }
             _ => None,
         }
@@ -193,33 +202,35 @@ impl Law {
     /// Checks that the law has an answer for the peak of this branch.
     ///
     /// # Errors
-    /// [`OutsideLaw`] if the law has no answer there: a published law outside of its formulas, and any law whose unloading would
-    /// recover more energy than was spent, by more than [`LARGEST_CUT`].
+    /// [`LawError`] if the law has no answer there: a published law outside of its formulas, and any law whose unloading would
+    /// recover more energy than was spent, by more than [`MAX_CLIPPING`].
     #[inline]
-    pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
-        if let Some((law, own)) = self.at_turn(unloading) {
-            return law.accept(&own);
+    pub fn check(&self, unloading: &Unloading) -> Result<(), LawError> {
+        if let Some((law, own)) = self.at_peak(unloading) {
+            return law.check(&own);
         }
         let ContactState { indentation, .. } = unloading.peak;
-        let ratio = self.in_yields(indentation);
-        let refused = |problem| Err(OutsideLaw::Range { ratio, problem });
-        if let Some(Raised { asked, gain, .. }) = self.raised(unloading).filter(|raised| raised.gain > LARGEST_CUT) {
-            return Err(OutsideLaw::Exponent { asked, ratio, gain });
+        let ratio = self.over_yield_indentation(indentation);
+        let refused = |problem| Err(LawError::Range { ratio, problem });
+        if let Some(ExponentClamp { requested: asked, gain, .. }) =
+            self.exponent_clamp(unloading).filter(|raised| raised.gain > MAX_CLIPPING)
+        {
+            return Err(LawError::Exponent { asked, ratio, gain });
         }
-        match self.rule_at(indentation) {
-            LoadingRule::Published(rule) => {
-                if indentation > self.limits.holds_until {
+        match self.unloading_rule_at(indentation) {
+            UnloadingRule::Published(rule) => {
+                if indentation > self.validity.max_indentation {
                     return refused("outside the range of its loading formulas");
                 }
-                rule.problem(&unloading.peak, self.loading.work(indentation)).map_or(Ok(()), refused)
+                rule.failure_reason(&unloading.peak, self.loading.work(indentation)).map_or(Ok(()), refused)
             }
             _ => Ok(()),
         }
     }
 
     /// x over the yield indentation of this law; over the yield indentation of C_ν for a law without an elastic regime.
-    pub(crate) fn in_yields(&self, x: f64) -> f64 {
-        if self.limits.elastic_until > 0.0 { x / self.limits.elastic_until } else { x }
+    pub(crate) fn over_yield_indentation(&self, x: f64) -> f64 {
+        if self.validity.elastic_until > 0.0 { x / self.validity.elastic_until } else { x }
     }
 
     /// Contact radius a/a_L at a peak (a_L: Hertz radius at x = 1).
@@ -227,12 +238,12 @@ impl Law {
     /// The radius of the PLM is within 6 % of finite elements up to a = 0.48 R. A mean pressure computed from it has twice the
     /// error, with the opposite sign.
     pub fn contact_radius(&self, peak: &ContactState) -> f64 {
-        if let Some(radius) = self.relaxed_radius(peak) {
+        if let Some(radius) = self.peak_contact_radius(peak) {
             return radius;
         }
-        match (&self.rule, self.rule_at(peak.indentation)) {
-            (LoadingRule::Polyline(rule), _) => rule.contact_radius(peak),
-            (_, LoadingRule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
+        match (&self.unloading_rule, self.unloading_rule_at(peak.indentation)) {
+            (UnloadingRule::Plm(rule), _) => rule.contact_radius(peak),
+            (_, UnloadingRule::Published(rule)) => (rule.radius)(peak.indentation, peak.force),
             _ => peak.force / peak.elastic_approach,
         }
     }
@@ -240,16 +251,16 @@ impl Law {
     /// Force at x of a contact with the largest state `memory`, and the memory afterwards.
     ///
     /// Below the old peak the contact follows the unloading branch, in both directions; beyond the peak it follows the loading curve.
-    pub fn respond(&self, x: f64, memory: Option<ContactState>) -> (f64, Option<ContactState>) {
+    pub fn force_and_memory(&self, x: f64, memory: Option<ContactState>) -> (f64, Option<ContactState>) {
         match memory {
             _ if x.is_nan() => (f64::NAN, memory),
             Some(peak) if x <= peak.indentation => (self.unloading(peak).force(x), memory),
             None if x <= 0.0 => (0.0, None),
             _ => {
-                let peak = self.loaded_to(x);
+                let peak = self.loaded_state(x);
                 // a relaxed metal follows its branch until the branch meets the loading curve
-                let relaxed = memory.filter(|_| self.relaxed.is_some());
-                let force_beyond = |old: &Unloading| old.branch().force_at_distance(x - old.peak.residual());
+                let relaxed = memory.filter(|_| self.peak_law.is_some());
+                let force_beyond = |old: &Unloading| old.to_piece().force_at_distance(x - old.peak.residual());
                 match relaxed.map(|old| force_beyond(&self.unloading(old))) {
                     Some(force) if force < peak.force => (force, memory),
                     _ => (peak.force, Some(peak)),

@@ -10,36 +10,36 @@
 //! f_g by up to 10⁻⁴, because the first straight piece of the law at the turn lies above Hertz's curve. There f = f_g. The branch
 //! recovers at most the work of loading. Fresh surface that turns at x_t ≤ 1 stays elastic.
 
-use super::unloading::{ContactState, GRAZING, Unloading, allowed_exponent};
-use super::{Dent, Ground, Law, LoadingRule, Relaxed};
+use super::unloading::{ContactState, OLD_PEAK_ROUNDING, Unloading, allowed_exponent};
+use super::{Law, LoadingHistory, PeakLaw, Surface, UnloadingRule};
 use crate::numerics::curve::unloading_curve::{UnloadingCurve, UnloadingCurveKind};
 use crate::numerics::root::bisect;
 
 /// The reported peak force is lower than the force at the end of loading by this fraction of the drop.
-const UNREPORTED: f64 = 0.8;
+const UNREPORTED_STEP_SHARE: f64 = 0.8;
 
-impl Relaxed {
+impl PeakLaw {
     /// r², r³.
     fn units(&self) -> [f64; 2] {
         let square = self.ratio * self.ratio;
         [square, square * self.ratio]
     }
 
-    fn until(&self) -> f64 {
+    fn elastic_until(&self) -> f64 {
         let [length, _] = self.units();
-        self.law.limits.elastic_until * length
+        self.law.validity.elastic_until * length
     }
 
     /// The unloading branch of a surface that was loaded to x with this force and the loading work `spent`.
-    fn left_at(&self, x: f64, force: f64, spent: f64) -> Unloading {
+    fn unloading_from(&self, x: f64, force: f64, spent: f64) -> Unloading {
         let [per_length, per_force] = self.units();
         let (own, most, spent) = (x / per_length, force / per_force, spent / (per_length * per_force));
         let own_force = self.law.loading.force(own);
         let unloading = if own_force <= most {
-            self.law.left_at(own, own_force, spent)
+            self.law.unloading_from(own, own_force, spent)
         } else {
             // shape and approach follow the law at the turn; f x is more than any branch recovers
-            let lowered = self.law.left_at(own, own_force, own_force * own).scaled(1.0, most / own_force);
+            let lowered = self.law.unloading_from(own, own_force, own_force * own).scaled(1.0, most / own_force);
             Unloading { exponent: allowed_exponent(spent, &lowered.peak, lowered.exponent), ..lowered }
         };
         let scaled = unloading.scaled(per_length, per_force);
@@ -49,7 +49,7 @@ impl Relaxed {
     }
 
     /// A branch in the units of this law.
-    fn own(&self, unloading: &Unloading) -> Unloading {
+    fn in_own_units(&self, unloading: &Unloading) -> Unloading {
         let [length, force] = self.units();
         unloading.scaled(1.0 / length, 1.0 / force)
     }
@@ -58,50 +58,50 @@ impl Relaxed {
 impl Law {
     /// Returns this law with another law at maximum compression, whose strength is larger by `ratio`, in the units of that law.
     #[must_use]
-    pub(crate) fn relaxing_to(self, law: Law, ratio: f64) -> Self {
-        Self { relaxed: Some(Box::new(Relaxed { law, ratio })), ..self }
+    pub(crate) fn with_peak_law(self, law: Law, ratio: f64) -> Self {
+        Self { peak_law: Some(Box::new(PeakLaw { law, ratio })), ..self }
     }
 
     /// True if the loading is the same in units of any strength: the PLM of bodies whose strength is constant, with a dent alone.
-    pub(crate) fn has_one_curve(&self) -> bool {
-        matches!(&self.rule, LoadingRule::Polyline(rule) if rule.hardening.is_none() && rule.flattening.is_none())
+    pub(crate) fn has_universal_curve(&self) -> bool {
+        matches!(&self.unloading_rule, UnloadingRule::Plm(rule) if rule.hardening.is_none() && rule.flattening.is_none())
     }
 
     /// Fresh surface recovers the whole approach up to this x.
     #[inline(always)]
-    pub(crate) fn recovers_until(&self) -> f64 {
-        self.relaxed.as_ref().map_or(self.limits.elastic_until, |relaxed| relaxed.until())
+    pub(crate) fn recovers_fully_until(&self) -> f64 {
+        self.peak_law.as_ref().map_or(self.validity.elastic_until, |relaxed| relaxed.elastic_until())
     }
 
     /// The unloading of fresh surface from a point (x, f) of the loading curve, after the loading work `spent`, if the metal relaxes.
     #[inline(always)]
-    pub(super) fn relaxed_at(&self, x: f64, force: f64, spent: impl FnOnce() -> f64) -> Option<Unloading> {
-        let relaxed = self.relaxed.as_ref()?;
-        (x > relaxed.until() * (1.0 + f64::EPSILON)).then(|| relaxed.left_at(x, force, spent()))
+    pub(super) fn peak_unloading_at(&self, x: f64, force: f64, spent: impl FnOnce() -> f64) -> Option<Unloading> {
+        let relaxed = self.peak_law.as_ref()?;
+        (x > relaxed.elastic_until() * (1.0 + f64::EPSILON)).then(|| relaxed.unloading_from(x, force, spent()))
     }
 
     /// The law at the turn, with the branch in the units of that law; `None` if the metal does not relax.
     #[inline(always)]
-    pub(super) fn at_turn(&self, unloading: &Unloading) -> Option<(&Law, Unloading)> {
-        self.relaxed.as_ref().map(|relaxed| (&relaxed.law, relaxed.own(unloading)))
+    pub(super) fn at_peak(&self, unloading: &Unloading) -> Option<(&Law, Unloading)> {
+        self.peak_law.as_ref().map(|relaxed| (&relaxed.law, relaxed.in_own_units(unloading)))
     }
 
     /// Contact radius of a turn, if the metal relaxes there.
     #[inline(always)]
-    pub(super) fn relaxed_radius(&self, peak: &ContactState) -> Option<f64> {
-        let relaxed = self.relaxed.as_ref()?;
+    pub(super) fn peak_contact_radius(&self, peak: &ContactState) -> Option<f64> {
+        let relaxed = self.peak_law.as_ref()?;
         let [length, _] = relaxed.units();
-        let of_law = || relaxed.law.contact_radius(&relaxed.law.loaded_to(peak.indentation / length));
-        (peak.indentation > relaxed.until()).then(|| of_law() * relaxed.ratio)
+        let of_law = || relaxed.law.contact_radius(&relaxed.law.loaded_state(peak.indentation / length));
+        (peak.indentation > relaxed.elastic_until()).then(|| of_law() * relaxed.ratio)
     }
 
     /// The drop of the force where loading turns into this branch; 0 if the drop is rounding.
-    pub(crate) fn step(&self, unloading: &Unloading) -> f64 {
+    pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
         let ContactState { indentation, force, .. } = unloading.peak;
-        match self.relaxed {
-            Some(_) if indentation > self.recovers_until() => {
+        match self.peak_law {
+            Some(_) if indentation > self.recovers_fully_until() => {
                 let fall = self.loading.force(indentation) - force;
-                if fall > GRAZING * force { fall } else { 0.0 }
+                if fall > OLD_PEAK_ROUNDING * force { fall } else { 0.0 }
             }
             _ => 0.0,
         }
@@ -110,8 +110,8 @@ impl Law {
     /// The dent with this unloading branch, which was made at another strain rate. Reloading follows the branch to its end, and then
     /// the continuation of the branch until it meets this loading curve. If the branch ends above this loading curve, as after a
     /// much faster impact, the force drops to the loading curve there.
-    pub(crate) fn dent_of_other_rate(&self, branch: &Unloading) -> Dent {
-        let (piece, old) = (branch.branch(), branch.peak);
+    pub(crate) fn dent_of_other_rate(&self, branch: &Unloading) -> LoadingHistory {
+        let (piece, old) = (branch.to_piece(), branch.peak);
         let over = |recovered: f64| piece.force_at_distance(recovered) - self.loading.force(old.residual() + recovered);
         if over(old.elastic_approach) >= 0.0 {
             return self.dented_with(*branch, self.loading.force(old.indentation), true);
@@ -124,7 +124,7 @@ impl Law {
         let (below, _) = bisect(old.elastic_approach, end, |recovered| over(recovered) < 0.0);
         let force = piece.force_at_distance(below);
         let met = ContactState { indentation: old.residual() + below, force, elastic_approach: below };
-        self.dented_with(branch.up_to(met), force, true)
+        self.dented_with(branch.with_peak(met), force, true)
     }
 }
 
@@ -140,17 +140,17 @@ impl Unloading {
     }
 }
 
-impl Ground<'_> {
+impl Surface<'_> {
     /// The drop of the force where an impact turns into this branch; 0 in a dent.
-    pub(crate) fn step(&self, unloading: &Unloading) -> f64 {
-        self.law_at(unloading.peak.indentation).map_or(0.0, |law| law.step(unloading))
+    pub(crate) fn force_drop_at_peak(&self, unloading: &Unloading) -> f64 {
+        self.loading_law_at(unloading.peak.indentation).map_or(0.0, |law| law.force_drop_at_peak(unloading))
     }
 
     /// The reported peak force: the relaxed force and a fifth of the drop, as in the finite elements. With damping
     /// `largest` is the largest force of loading.
     pub(crate) fn reported_force(&self, unloading: &Unloading, largest: Option<f64>) -> f64 {
-        let step = self.step(unloading);
-        largest.unwrap_or(unloading.peak.force + step) - UNREPORTED * step
+        let step = self.force_drop_at_peak(unloading);
+        largest.unwrap_or(unloading.peak.force + step) - UNREPORTED_STEP_SHARE * step
     }
 }
 

@@ -1,8 +1,8 @@
 //! The rules of a published law: contact radius along the loading curve, and unloading from a peak.
 //!
 //! No contact recovers more energy than it has absorbed, and no dent is higher than the surface. If the formulas of a law break
-//! these rules, the elastic approach is reduced to the largest possible value. If they break them by more than [`LARGEST_CUT`],
-//! the law has no answer ([`OutsideLaw`]).
+//! these rules, the elastic approach is reduced to the largest possible value. If they break them by more than [`MAX_CLIPPING`],
+//! the law has no answer ([`LawError`]).
 //!
 //! The law has no answer for: `mesarovic_johnson` and `johnson` near yield (case 3 of Xie et al. 2024: below 14 yield
 //! indentations); `stronge` between x = 1.1 and 2.5, where it would recover up to 17 % more energy than was spent; the
@@ -20,37 +20,37 @@ use crate::numerics::root::bisect;
 use crate::units::{format_four_digits, format_percent};
 
 /// The formulas of a law may exceed the approach, or the energy spent, by this fraction. Above it the law has no answer.
-pub const LARGEST_CUT: f64 = 0.05;
+pub const MAX_CLIPPING: f64 = 0.05;
 
 /// A point of a loading curve from which the contact unloads.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PeakState {
+pub struct LoadedState {
     /// x_m.
     pub indentation: f64,
     /// f_m.
     pub force: f64,
     /// a_m/a_Y.
-    pub radius: f64,
+    pub contact_radius: f64,
     /// (E_s*/E*) δ_sm/δ_Y, if the indentation of the sphere is known, as from a measurement.
     pub elastic_approach: Option<f64>,
     /// W/(F_Y δ_Y): the work of loading.
-    pub spent: f64,
+    pub loading_work: f64,
 }
 
-impl PeakState {
+impl LoadedState {
     /// The unloading branch from here by this rule.
     ///
     /// # Errors
-    /// [`OutsideLaw`] where the law has no answer.
-    pub fn unload(&self, recovery: &RecoveryRule) -> Result<Unloading, OutsideLaw> {
-        let (unloading, problem) = self.unloaded(recovery(*self));
-        problem.map_or(Ok(unloading), |problem| Err(OutsideLaw::Range { ratio: self.indentation, problem }))
+    /// [`LawError`] where the law has no answer.
+    pub fn unload(&self, recovery: &RecoveryRule) -> Result<Unloading, LawError> {
+        let (unloading, problem) = self.clipped_unloading(recovery(*self));
+        problem.map_or(Ok(unloading), |problem| Err(LawError::Range { ratio: self.indentation, problem }))
     }
 
     /// The branch whose ε is at most x and at most the limit of the work of loading; and this limit, if the formulas of the law
-    /// exceed it by more than [`LARGEST_CUT`].
-    fn unloaded(&self, raw: Recovered) -> (Unloading, Option<&'static str>) {
-        let &Self { indentation, force, spent, .. } = self;
+    /// exceed it by more than [`MAX_CLIPPING`].
+    fn clipped_unloading(&self, raw: Recovery) -> (Unloading, Option<&'static str>) {
+        let &Self { indentation, force, loading_work: spent, .. } = self;
         let branch =
             |elastic_approach| Unloading::new(ContactState { indentation, force, elastic_approach }, raw.shape);
         let approach = raw.elastic_approach;
@@ -61,54 +61,54 @@ impl PeakState {
             () if approach.is_nan() || approach <= 0.0 => {
                 Some("its residual indentation is the whole indentation or more")
             }
-            () if approach > (1.0 + LARGEST_CUT) * indentation => Some("its residual indentation is negative"),
-            () if reachable > (1.0 + LARGEST_CUT) * most => Some("it gives back more energy than was spent"),
+            () if approach > (1.0 + MAX_CLIPPING) * indentation => Some("its residual indentation is negative"),
+            () if reachable > (1.0 + MAX_CLIPPING) * most => Some("it gives back more energy than was spent"),
             () => None,
         };
-        (branch(if bounded < (1.0 - NO_DENT) * indentation { bounded } else { indentation }), problem)
+        (branch(if bounded < (1.0 - NEGLIGIBLE_DENT) * indentation { bounded } else { indentation }), problem)
     }
 }
 
 /// A dent that is a smaller fraction of the indentation than this comes from rounding, and is ignored.
-const NO_DENT: f64 = 1e-13;
+const NEGLIGIBLE_DENT: f64 = 1e-13;
 
 /// The unloading from a peak by the formulas of the law, before the limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Recovered {
+pub struct Recovery {
     /// ε = x_m − x_r.
     pub elastic_approach: f64,
     pub shape: UnloadingShape,
 }
 
 /// The rule of Hertz-type unloading, n = 3/2, with this elastic approach.
-pub fn hertzian(elastic_approach: impl Fn(PeakState) -> f64 + Send + Sync + 'static) -> RecoveryRule {
+pub fn hertz_unloading(elastic_approach: impl Fn(LoadedState) -> f64 + Send + Sync + 'static) -> RecoveryRule {
     let shape = UnloadingShape::Power(1.5);
-    Arc::new(move |peak| Recovered { elastic_approach: elastic_approach(peak), shape })
+    Arc::new(move |peak| Recovery { elastic_approach: elastic_approach(peak), shape })
 }
 
-pub type RecoveryRule = Arc<dyn Fn(PeakState) -> Recovered + Send + Sync>;
+pub type RecoveryRule = Arc<dyn Fn(LoadedState) -> Recovery + Send + Sync>;
 
 /// a/R up to which the paraboloid of Hertz represents a sphere: at 0.3 the force of the paraboloid is 1 % larger than the force of
 /// a rigid sphere (Sneddon 1965), at 0.45 it is 2 % larger.
-pub const WIDEST_PARABOLOID: f64 = 0.3;
+pub const MAX_PARABOLOID_RADIUS_RATIO: f64 = 0.3;
 
 /// The range in which a loading holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct Validity {
     /// Loading is elastic up to this x, along Hertz's curve.
     pub elastic_until: f64,
     /// A peak may be up to this x; beyond, the law has no answer.
-    pub holds_until: f64,
+    pub max_indentation: f64,
     /// The range of x that the authors state, if they do.
-    pub stated: Option<(f64, f64)>,
+    pub fitted_range: Option<(f64, f64)>,
     /// Largest a/R of the data behind the loading, or of its assumptions.
-    pub widest: f64,
+    pub max_radius_ratio: f64,
 }
 
-impl Limits {
+impl Validity {
     /// A loading that is elastic up to `elastic_until` and holds everywhere beyond.
-    pub fn of(elastic_until: f64, widest: f64) -> Self {
-        Self { elastic_until, holds_until: f64::INFINITY, stated: None, widest }
+    pub fn new(elastic_until: f64, max_radius_ratio: f64) -> Self {
+        Self { elastic_until, max_indentation: f64::INFINITY, fitted_range: None, max_radius_ratio }
     }
 }
 
@@ -117,7 +117,7 @@ impl Limits {
 pub struct Loading {
     /// f(x).
     pub curve: Arc<LoadingCurve>,
-    pub limits: Limits,
+    pub limits: Validity,
     /// a/a_Y at (x, f) of the loading curve.
     pub radius: RadiusRule,
 }
@@ -132,7 +132,7 @@ impl Loading {
         elastic_until: f64,
         radius: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
     ) -> Self {
-        let limits = Limits::of(elastic_until, WIDEST_PARABOLOID);
+        let limits = Validity::new(elastic_until, MAX_PARABOLOID_RADIUS_RATIO);
         let curve = if curve.has_polynomial_pieces() { curve.with_transit_series() } else { curve };
         Self { curve: Arc::new(curve), limits, radius: Arc::new(radius) }
     }
@@ -141,20 +141,20 @@ impl Loading {
 /// The two halves of a law.
 #[derive(Clone)]
 pub struct LawParts {
-    /// The loading; [`OutsideLaw::Incomplete`] for a law that has only unloading.
-    pub loading: Result<Loading, OutsideLaw>,
+    /// The loading; [`LawError::Incomplete`] for a law that has only unloading.
+    pub loading: Result<Loading, LawError>,
     pub recovery: RecoveryRule,
 }
 
 impl LawParts {
-    pub fn of(loading: Loading, recovery: RecoveryRule) -> Self {
+    pub fn new(loading: Loading, recovery: RecoveryRule) -> Self {
         Self { loading: Ok(loading), recovery }
     }
 }
 
 /// A peak, or a whole impact, for which the law has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum OutsideLaw {
+pub enum LawError {
     /// Outside the range of its formulas.
     #[error(
         "the law has no answer for a peak indentation of {} x its yield indentation: {problem}; use another law, or another speed or depth",
@@ -207,48 +207,48 @@ pub enum OutsideLaw {
 
 /// The rules of a published law beyond its elastic regime.
 #[derive(Clone)]
-pub struct Published {
+pub struct PublishedRule {
     /// a/a_Y of its loading.
     pub radius: RadiusRule,
     pub recovery: RecoveryRule,
 }
 
-impl fmt::Debug for Published {
+impl fmt::Debug for PublishedRule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Published").finish_non_exhaustive()
     }
 }
 
-impl Published {
+impl PublishedRule {
     /// A point of the loading curve with the loading work `spent`.
-    fn loaded(&self, indentation: f64, force: f64, spent: f64) -> PeakState {
+    fn loaded_state(&self, indentation: f64, force: f64, spent: f64) -> LoadedState {
         let radius = (self.radius)(indentation, force);
-        PeakState { indentation, force, radius, elastic_approach: None, spent }
+        LoadedState { indentation, force, contact_radius: radius, elastic_approach: None, loading_work: spent }
     }
 
     /// The branch from a point of the loading curve with the loading work `spent`.
     #[cold] // keeps the closed form of the PLM fast: these calls are not inlined into it
     pub(super) fn unloading(&self, indentation: f64, force: f64, spent: f64) -> Unloading {
-        let at = self.loaded(indentation, force, spent);
-        at.unloaded((self.recovery)(at)).0
+        let at = self.loaded_state(indentation, force, spent);
+        at.clipped_unloading((self.recovery)(at)).0
     }
 
     /// Why the law has no answer for a peak with the loading work `spent`; `None` if it has an answer.
     #[cold]
-    pub(super) fn problem(&self, peak: &ContactState, spent: f64) -> Option<&'static str> {
+    pub(super) fn failure_reason(&self, peak: &ContactState, spent: f64) -> Option<&'static str> {
         let &ContactState { indentation, force, elastic_approach } = peak;
         // an approach well below both limits (n is at least 1) is the approach of the formulas
         if elastic_approach < indentation && force * elastic_approach < 1.9 * spent {
             return None;
         }
-        let at = self.loaded(indentation, force, spent);
-        at.unloaded((self.recovery)(at)).1
+        let at = self.loaded_state(indentation, force, spent);
+        at.clipped_unloading((self.recovery)(at)).1
     }
 }
 
 /// Where two printed pieces that do not join intersect: the zero of an excess that is positive at `from`. `None` if the excess
 /// is not positive at `from`, or has no zero before `until`.
-pub(super) fn crossing(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
+pub(super) fn intersection(excess: impl Fn(f64) -> f64, from: f64, until: f64) -> Option<f64> {
     /// Steps of the search.
     const GROWTH: f64 = 1.02;
     let mut high = from;

@@ -19,58 +19,58 @@
 
 use std::sync::Arc;
 
-use super::unloading::GRAZING;
-use super::{ContactState, Law, OutsideLaw, Unloading};
+use super::unloading::OLD_PEAK_ROUNDING;
+use super::{ContactState, Law, LawError, Unloading};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::power::nan_max;
 
 /// The dent of a spot that was loaded before.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Dent {
+pub struct LoadingHistory {
     /// The unloading branch from the largest state so far.
     pub unloading: Unloading,
-    way_in: Arc<LoadingCurve>,
+    reloading_path: Arc<LoadingCurve>,
     /// True if the branch was made at another rate of strain than that of the law.
     is_of_other_rate: bool,
 }
 
 impl Law {
     /// The dent of a spot that was loaded to this peak.
-    pub fn dented(&self, peak: ContactState) -> Dent {
-        self.dented_by(self.unloading(peak))
+    pub fn history_after(&self, peak: ContactState) -> LoadingHistory {
+        self.history_after_unloading(self.unloading(peak))
     }
 
     /// The dent of a spot with this unloading branch, which ends on the loading curve.
-    pub(crate) fn dented_by(&self, unloading: Unloading) -> Dent {
+    pub(crate) fn history_after_unloading(&self, unloading: Unloading) -> LoadingHistory {
         self.dented_with(unloading, unloading.peak.force, false)
     }
 
-    /// Like [`Law::dented_by`], but the loading curve behind the branch begins with this force.
-    pub(super) fn dented_with(&self, unloading: Unloading, force: f64, is_of_other_rate: bool) -> Dent {
+    /// Like [`Law::history_after_unloading`], but the loading curve behind the branch begins with this force.
+    pub(super) fn dented_with(&self, unloading: Unloading, force: f64, is_of_other_rate: bool) -> LoadingHistory {
         let start = unloading.peak.indentation;
         let index = self.loading.index_at(start);
         let (cut, behind) = (&self.loading.pieces()[index], &self.loading.pieces()[index + 1..]);
-        let (stored, spent) = (unloading.capacity(), cut.work_at(start));
+        let (stored, spent) = (unloading.recoverable_energy(), cut.work_at(start));
         let first =
             Piece { start, force, work: stored, is_subdivision: false, shape: cut.shape.shifted(start - cut.start) };
         let behind = behind.iter().map(|piece| Piece { work: stored + (piece.work - spent), ..piece.clone() });
-        let pieces = [unloading.branch(), first].into_iter().chain(behind).collect();
-        Dent { unloading, way_in: Arc::new(LoadingCurve::new(pieces)), is_of_other_rate }
+        let pieces = [unloading.to_piece(), first].into_iter().chain(behind).collect();
+        LoadingHistory { unloading, reloading_path: Arc::new(LoadingCurve::new(pieces)), is_of_other_rate }
     }
 }
 
 /// A law, and the dent if it was loaded before.
 #[derive(Debug, Clone, Copy)]
-pub struct Ground<'a> {
+pub struct Surface<'a> {
     pub law: &'a Law,
     /// The force over x during loading or reloading, with the work from first contact.
-    pub way_in: &'a LoadingCurve,
-    branch: Option<&'a Unloading>,
+    pub reloading_path: &'a LoadingCurve,
+    reloading_branch: Option<&'a Unloading>,
     is_of_other_rate: bool,
 }
 
-impl<'a> From<&'a Law> for Ground<'a> {
+impl<'a> From<&'a Law> for Surface<'a> {
     /// Fresh surface.
     #[inline]
     fn from(law: &'a Law) -> Self {
@@ -78,102 +78,106 @@ impl<'a> From<&'a Law> for Ground<'a> {
     }
 }
 
-impl<'a> Ground<'a> {
+impl<'a> Surface<'a> {
     #[inline]
-    pub fn new(law: &'a Law, dent: Option<&'a Dent>) -> Self {
-        let way_in = dent.map_or(&*law.loading, |dent| &dent.way_in);
+    pub fn new(law: &'a Law, dent: Option<&'a LoadingHistory>) -> Self {
+        let reloading_path = dent.map_or(&*law.loading, |dent| &dent.reloading_path);
         let is_of_other_rate = dent.is_some_and(|dent| dent.is_of_other_rate);
-        Self { law, way_in, branch: dent.map(|dent| &dent.unloading), is_of_other_rate }
+        Self { law, reloading_path, reloading_branch: dent.map(|dent| &dent.unloading), is_of_other_rate }
     }
 
     /// The unloading branch that reloading follows; `None` on fresh surface.
     #[inline]
-    pub fn branch(&self) -> Option<&'a Unloading> {
-        self.branch
+    pub fn reloading_branch(&self) -> Option<&'a Unloading> {
+        self.reloading_branch
     }
 
     /// The branch, if the state at x lies on the branch.
     #[inline]
-    pub(crate) fn branch_at(&self, x: f64) -> Option<&'a Unloading> {
-        self.branch.filter(|branch| x <= branch.peak.indentation)
+    pub(crate) fn reloading_branch_at(&self, x: f64) -> Option<&'a Unloading> {
+        self.reloading_branch.filter(|branch| x <= branch.peak.indentation)
     }
 
     /// The law, if a state at x lies on its loading curve, and not on the branch of a dent.
     #[inline]
-    pub(crate) fn law_at(&self, x: f64) -> Option<&'a Law> {
-        self.branch_at(x).is_none().then_some(self.law)
+    pub(crate) fn loading_law_at(&self, x: f64) -> Option<&'a Law> {
+        self.reloading_branch_at(x).is_none().then_some(self.law)
     }
 
     /// Loading is elastic up to this x: the whole approach is recovered along the loading curve.
     #[inline(always)]
     pub fn elastic_until(&self) -> f64 {
-        self.branch().map_or(self.law.limits.elastic_until, |branch| branch.peak.indentation)
+        self.reloading_branch().map_or(self.law.validity.elastic_until, |branch| branch.peak.indentation)
     }
 
     /// True if an impact that turns at x does not change the surface: it turns at first yield at most, or on the branch.
     #[inline(always)]
-    pub(crate) fn is_elastic_to(&self, x: f64) -> bool {
-        x <= self.branch().map_or_else(|| self.law.recovers_until(), |branch| branch.peak.indentation)
+    pub(crate) fn is_elastic_at(&self, x: f64) -> bool {
+        x <= self.reloading_branch().map_or_else(|| self.law.recovers_fully_until(), |branch| branch.peak.indentation)
     }
 
     /// True if an impact that turns at this peak leaves a dent, or a deeper dent. A peak without a residual indentation leaves no dent.
     pub(crate) fn keeps_mark_of(&self, peak: &ContactState) -> bool {
-        !self.is_elastic_to(peak.indentation) && peak.residual() > 0.0
+        !self.is_elastic_at(peak.indentation) && peak.residual() > 0.0
     }
 
     /// The drop of the loading force at the start of a piece. It is not zero only where a branch of another strain rate ends.
     pub(crate) fn fall_at_start(&self, index: usize) -> f64 {
-        match self.branch {
+        match self.reloading_branch {
             Some(branch) if index == 1 && self.is_of_other_rate => branch.peak.force - self.piece(index).force,
             _ => 0.0,
         }
     }
 
     /// x of first contact: x_r of the branch, 0 on fresh surface.
-    pub fn touch(&self) -> f64 {
-        self.branch().map_or(0.0, |branch| branch.peak.residual())
+    pub fn first_contact(&self) -> f64 {
+        self.reloading_branch().map_or(0.0, |branch| branch.peak.residual())
     }
 
     /// The peak that shaped the dent after an impact with the peak `peak`: the old peak if the impact turned on the branch.
     #[inline(always)]
-    pub fn dent(&self, peak: &ContactState) -> ContactState {
-        self.branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
+    pub fn deepest_state(&self, peak: &ContactState) -> ContactState {
+        self.reloading_branch_at(peak.indentation).map_or(*peak, |branch| branch.peak)
     }
 
     /// A piece of the reloading path.
     #[inline(always)]
     pub fn piece(&self, index: usize) -> &'a Piece {
-        &self.way_in.pieces()[index]
+        &self.reloading_path.pieces()[index]
     }
 
     /// True if an impact with this kinetic energy and this weight (in units of Φ L and Φ) turns on the branch.
     #[inline]
-    pub(crate) fn stays_on_branch(&self, kinetic: f64, weight: f64) -> bool {
-        self.branch().is_some_and(|branch| {
-            kinetic + weight * branch.peak.elastic_approach <= branch.capacity() * (1.0 + GRAZING)
+    pub(crate) fn turns_on_branch(&self, kinetic: f64, weight: f64) -> bool {
+        self.reloading_branch().is_some_and(|branch| {
+            kinetic + weight * branch.peak.elastic_approach <= branch.recoverable_energy() * (1.0 + OLD_PEAK_ROUNDING)
         })
     }
 
     /// The piece on which an impact with this kinetic energy and this weight turns, and the distance from the start of the piece. The
     /// work minus the work of the weight is convex, and does not exceed the energy before the peak.
     #[inline(always)]
-    pub(crate) fn turn(&self, kinetic: f64, weight: f64) -> (usize, f64) {
+    pub(crate) fn turning_point(&self, kinetic: f64, weight: f64) -> (usize, f64) {
         let remaining = |index: usize| {
-            let sunk = if weight == 0.0 { 0.0 } else { weight * (self.piece(index).start - self.touch()) };
+            let sunk = if weight == 0.0 { 0.0 } else { weight * (self.piece(index).start - self.first_contact()) };
             kinetic + sunk - self.piece(index).work
         };
         let last = match weight {
-            _ if self.stays_on_branch(kinetic, weight) => 0,
-            0.0 => self.way_in.index_at_work(kinetic),
-            _ => (1..self.way_in.pieces().len()).take_while(|index| remaining(*index) >= 0.0).last().unwrap_or(0),
+            _ if self.turns_on_branch(kinetic, weight) => 0,
+            0.0 => self.reloading_path.index_at_work(kinetic),
+            _ => {
+                (1..self.reloading_path.pieces().len()).take_while(|index| remaining(*index) >= 0.0).last().unwrap_or(0)
+            }
         };
         (last, self.piece(last).turning_distance(nan_max(remaining(last), 0.0), weight))
     }
 
     /// The x at which the force during loading is `force` ≥ 0.
     pub(crate) fn indentation_at_force(&self, force: f64) -> f64 {
-        match self.branch() {
-            Some(branch) if force <= branch.peak.force => branch.peak.residual() + branch.recovered_at(force),
+        match self.reloading_branch() {
+            Some(branch) if force <= branch.peak.force => {
+                branch.peak.residual() + branch.elastic_approach_at_force(force)
+            }
             _ => self.law.loading.indentation_at_force(force),
         }
     }
@@ -181,7 +185,7 @@ impl<'a> Ground<'a> {
     /// The state at a distance from the start of a piece.
     #[inline(always)]
     pub(crate) fn state_at(&self, index: usize, distance: f64) -> ContactState {
-        match self.branch() {
+        match self.reloading_branch() {
             Some(branch) if index == 0 => branch.state_at(distance),
             _ => {
                 let piece = self.piece(index);
@@ -193,21 +197,21 @@ impl<'a> Ground<'a> {
     }
 
     /// The state at x during loading, from which unloading may begin.
-    pub fn loaded_to(&self, x: f64) -> ContactState {
-        match self.branch_at(x) {
+    pub fn loaded_state(&self, x: f64) -> ContactState {
+        match self.reloading_branch_at(x) {
             Some(branch) => branch.state_at(x - branch.peak.residual()),
-            None => self.law.loaded_to(x),
+            None => self.law.loaded_state(x),
         }
     }
 
     /// The unloading branch from a peak. From a peak on the branch of a dent it is this branch.
     pub fn unloading(&self, peak: ContactState) -> Unloading {
-        if let Some(branch) = self.branch_at(peak.indentation) {
-            return branch.up_to(peak);
+        if let Some(branch) = self.reloading_branch_at(peak.indentation) {
+            return branch.with_peak(peak);
         }
         let unloading = self.law.unloading(peak);
         if self.is_of_other_rate {
-            return unloading.in_dent(self.touch(), self.way_in.work(peak.indentation));
+            return unloading.in_dent(self.first_contact(), self.reloading_path.work(peak.indentation));
         }
         unloading
     }
@@ -215,12 +219,12 @@ impl<'a> Ground<'a> {
     /// The unloading branch from a turning point at a distance from the start of a piece, for an impact with this kinetic energy. Under
     /// a weight the branch follows from the position.
     #[inline(always)]
-    pub(crate) fn turned(&self, index: usize, distance: f64, kinetic: Option<f64>) -> Unloading {
-        match (self.branch, kinetic) {
+    pub(crate) fn unloading_from_turn(&self, index: usize, distance: f64, kinetic: Option<f64>) -> Unloading {
+        match (self.reloading_branch, kinetic) {
             (None, Some(spent)) => {
                 let piece = self.piece(index);
                 let x = piece.start + distance;
-                self.law.left_at(x, piece.force_at(x), spent)
+                self.law.unloading_from(x, piece.force_at(x), spent)
             }
             _ => self.unloading(self.state_at(index, distance)),
         }
@@ -229,7 +233,7 @@ impl<'a> Ground<'a> {
     /// Contact radius a/a_L at a peak, see [`Law::contact_radius`]. On the branch of a dent, which keeps its shape, the radius is
     /// proportional to f/ε.
     pub fn contact_radius(&self, peak: &ContactState) -> f64 {
-        let Some(branch) = self.branch_at(peak.indentation) else { return self.law.contact_radius(peak) };
+        let Some(branch) = self.reloading_branch_at(peak.indentation) else { return self.law.contact_radius(peak) };
         let deepest = &branch.peak;
         // exactly 1 at the old peak
         let share = (peak.force / peak.elastic_approach) / (deepest.force / deepest.elastic_approach);
@@ -239,34 +243,38 @@ impl<'a> Ground<'a> {
     /// Checks that the law has an answer for the peak of this branch. In a dent that the law made it always has one.
     ///
     /// # Errors
-    /// See [`Law::accept`].
+    /// See [`Law::check`].
     #[inline]
-    pub fn accept(&self, unloading: &Unloading) -> Result<(), OutsideLaw> {
-        let Some(law) = self.law_at(unloading.peak.indentation) else { return Ok(()) };
+    pub fn check(&self, unloading: &Unloading) -> Result<(), LawError> {
+        let Some(law) = self.loading_law_at(unloading.peak.indentation) else { return Ok(()) };
         // the law is checked for the branch on fresh surface, not for the branch of the dent
         if self.is_of_other_rate {
-            return law.accept(&law.unloading(law.loaded_to(unloading.peak.indentation)));
+            return law.check(&law.unloading(law.loaded_state(unloading.peak.indentation)));
         }
-        law.accept(unloading)
+        law.check(unloading)
     }
 
     /// Work from first contact to a state of loading. On the branch it follows from ε, which has more digits than x.
-    pub(crate) fn work_to(&self, state: &ContactState) -> f64 {
-        match self.branch_at(state.indentation) {
-            Some(branch) => branch.stored_of(state.elastic_approach),
-            None => self.way_in.work(state.indentation),
+    pub(crate) fn loading_work(&self, state: &ContactState) -> f64 {
+        match self.reloading_branch_at(state.indentation) {
+            Some(branch) => branch.stored_energy_at(state.elastic_approach),
+            None => self.reloading_path.work(state.indentation),
         }
     }
 
     /// Plastic work of an impact: w(x_m) − f_m ε_m/(n + 1); 0 on the branch, and 0 if it is rounding.
-    pub fn plastic(&self, unloading: &Unloading) -> f64 {
-        let spent = self.spent(unloading);
-        if spent.abs() <= GRAZING * unloading.capacity() { 0.0 } else { spent }
+    pub fn plastic_work(&self, unloading: &Unloading) -> f64 {
+        let spent = self.plastic_work_unrounded(unloading);
+        if spent.abs() <= OLD_PEAK_ROUNDING * unloading.recoverable_energy() { 0.0 } else { spent }
     }
 
-    /// Returns [`Ground::plastic`] without setting rounding to 0.
-    pub fn spent(&self, unloading: &Unloading) -> f64 {
+    /// Returns [`Surface::plastic_work`] without setting rounding to 0.
+    pub fn plastic_work_unrounded(&self, unloading: &Unloading) -> f64 {
         let x = unloading.peak.indentation;
-        if self.branch_at(x).is_some() { 0.0 } else { self.way_in.work(x) - unloading.capacity() }
+        if self.reloading_branch_at(x).is_some() {
+            0.0
+        } else {
+            self.reloading_path.work(x) - unloading.recoverable_energy()
+        }
     }
 }

@@ -56,14 +56,14 @@ pub enum UnloadingExponent {
 
 impl UnloadingExponent {
     /// Takes the number 1.5 for the paper's law.
-    pub fn of(value: f64) -> Self {
+    pub fn from_value(value: f64) -> Self {
         if value == 1.5 { Self::Paper } else { Self::Fixed(value) }
     }
 }
 
 /// Reloading with this relative excess over the energy that the branch can store still ends at the old peak. The excess is about
 /// ten rounding errors: a sphere that returns with the speed of its rebound has just this energy, except for rounding.
-pub const GRAZING: f64 = 32.0 * f64::EPSILON;
+pub const OLD_PEAK_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// The unloading branch from a peak; d = x − x_r is the distance from the end of unloading.
 ///
@@ -93,12 +93,12 @@ pub struct Unloading {
 ///
 /// At first yield f_m ε_m/w_m − 1 is 3/2. From there n falls to the requested exponent if that is below 3/2; if it is above, n
 /// jumps to it. An impact warns of a larger exponent than requested. It has no answer if the requested one would recover over
-/// 5 % more than was spent ([`Law::accept`](super::Law::accept)). A code that computes the force alone always gets an exponent.
+/// 5 % more than was spent ([`Law::check`](super::Law::accept)). A code that computes the force alone always gets an exponent.
 #[inline(always)]
 pub(crate) fn allowed_exponent(spent: f64, peak: &ContactState, asked: f64) -> f64 {
     let whole = peak.force * peak.elastic_approach;
     // rounding alone changes no exponent; one of −1 and less would give back energy without end
-    if whole > spent * (1.0 + 0.5 * GRAZING) * (asked + 1.0) { whole / spent - 1.0 } else { asked }
+    if whole > spent * (1.0 + 0.5 * OLD_PEAK_ROUNDING) * (asked + 1.0) { whole / spent - 1.0 } else { asked }
 }
 
 /// n(Λ) = 3/2 − [2 (10 − 3π)/(3π − 8)] (Λ − 1): the straight line between Hertz pressure (Λ = 1, n = 3/2) and uniform
@@ -125,7 +125,7 @@ impl Unloading {
                 let residual = peak.residual().max(0.0);
                 let stiffness = peak.force / (power(peak.indentation, 1.5) - power(residual, 1.5));
                 let form = UnloadingCurveKind::ShiftedHertz { stiffness, offset: residual };
-                Self::along(peak, UnloadingCurve { form, length: peak.elastic_approach })
+                Self::with_curve(peak, UnloadingCurve { form, length: peak.elastic_approach })
             }
         }
     }
@@ -137,19 +137,21 @@ impl Unloading {
     }
 
     /// A branch along this curve, with the exponent f_m ε_m over its energy, less 1.
-    fn along(peak: ContactState, curve: UnloadingCurve) -> Self {
+    fn with_curve(peak: ContactState, curve: UnloadingCurve) -> Self {
         let (_, energy) = curve.derivatives_and_work(peak.elastic_approach);
         Self { peak, exponent: peak.force * peak.elastic_approach / energy - 1.0, curve: Some(curve) }
     }
 
     /// The time from the peak to x_r, times the speed there over ε_m.
     #[inline]
-    pub(crate) fn turning_time(&self) -> f64 {
-        self.curve.as_ref().map_or_else(|| quarter_period_factor(self.exponent), |curve| self.quarter_period_of(curve))
+    pub(crate) fn quarter_period_factor(&self) -> f64 {
+        self.curve
+            .as_ref()
+            .map_or_else(|| quarter_period_factor(self.exponent), |curve| self.curve_quarter_period_factor(curve))
     }
 
     #[cold]
-    fn quarter_period_of(&self, curve: &UnloadingCurve) -> f64 {
+    fn curve_quarter_period_factor(&self, curve: &UnloadingCurve) -> f64 {
         /// ∫₀¹ dd/√(1 − w(d)/w(1)), from integration with 60 digits.
         const UNIFORM: f64 = 1.493_167_350_244_138_5;
         let approach = self.peak.elastic_approach;
@@ -157,17 +159,17 @@ impl Unloading {
         if matches!(curve.form, UnloadingCurveKind::UniformPressure { .. }) && curve.length == approach {
             return UNIFORM;
         }
-        curve.travel_time(approach, approach, 0.0, 1.0) * (2.0 * self.capacity()).sqrt() / approach
+        curve.travel_time(approach, approach, 0.0, 1.0) * (2.0 * self.recoverable_energy()).sqrt() / approach
     }
 
     /// Returns this branch with another end: the point where reloading turned on it, or a point beyond.
     #[inline]
     #[must_use]
-    pub fn up_to(&self, peak: ContactState) -> Self {
+    pub fn with_peak(&self, peak: ContactState) -> Self {
         match self.curve {
             None => Self::power(peak, self.exponent),
             Some(_) if peak.indentation == self.peak.indentation => *self,
-            Some(curve) => Self::along(peak, curve),
+            Some(curve) => Self::with_curve(peak, curve),
         }
     }
 
@@ -178,74 +180,78 @@ impl Unloading {
             return peak;
         }
         let indentation = (peak.residual() + distance).min(peak.indentation);
-        ContactState { indentation, force: self.force_of(distance), elastic_approach: distance }
+        ContactState { indentation, force: self.force_at_elastic_approach(distance), elastic_approach: distance }
     }
 
     /// Force at x; zero below the residual indentation (the surfaces have parted, there is no adhesion).
     #[inline]
     pub fn force(&self, x: f64) -> f64 {
-        self.force_of(x - self.peak.residual())
+        self.force_at_elastic_approach(x - self.peak.residual())
     }
 
     /// Force at the distance `recovered` = x − x_r from the end of unloading.
-    pub(crate) fn force_of(&self, recovered: f64) -> f64 {
+    pub(crate) fn force_at_elastic_approach(&self, recovered: f64) -> f64 {
         match recovered {
             _ if recovered <= 0.0 => 0.0,
             _ if recovered == self.peak.elastic_approach => self.peak.force,
-            _ => self.branch().force_at_distance(recovered),
+            _ => self.to_piece().force_at_distance(recovered),
         }
     }
 
     /// Elastic energy stored at x, f (x − x_r)/(n + 1); what unloading from the peak gives back is this at x_m.
     #[inline]
-    pub fn stored(&self, x: f64) -> f64 {
-        self.stored_of(if x == self.peak.indentation { self.peak.elastic_approach } else { x - self.peak.residual() })
+    pub fn stored_energy(&self, x: f64) -> f64 {
+        self.stored_energy_at(if x == self.peak.indentation {
+            self.peak.elastic_approach
+        } else {
+            x - self.peak.residual()
+        })
     }
 
     /// Elastic energy stored at the distance `recovered` = x − x_r from the end of unloading.
-    pub(crate) fn stored_of(&self, recovered: f64) -> f64 {
+    pub(crate) fn stored_energy_at(&self, recovered: f64) -> f64 {
         match recovered {
             _ if recovered <= 0.0 => 0.0,
-            _ if recovered == self.peak.elastic_approach => self.capacity(),
-            _ => self.branch().work_at_distance(recovered),
+            _ if recovered == self.peak.elastic_approach => self.recoverable_energy(),
+            _ => self.to_piece().work_at_distance(recovered),
         }
     }
 
     /// Elastic energy stored at the peak, f_m ε_m/(n + 1). Unloading from the peak gives it back; a reload with more energy
     /// goes beyond the peak.
     #[inline(always)]
-    pub fn capacity(&self) -> f64 {
+    pub fn recoverable_energy(&self) -> f64 {
         self.peak.force * self.peak.elastic_approach * work_factor(self.exponent)
     }
 
     /// df/dx at the distance `recovered` = x − x_r from the end of unloading; n f_m/ε_m where unloading begins.
-    pub(crate) fn slope_of(&self, recovered: f64) -> f64 {
-        self.branch().slope_at_distance(recovered)
+    pub(crate) fn slope_at(&self, recovered: f64) -> f64 {
+        self.to_piece().slope_at_distance(recovered)
     }
 
     /// Radius of the contact that friction acts on, in units of the radius at x = 1: f_m/ε_m where unloading begins, then in
     /// proportion to the stiffness.
     pub(crate) fn radius_ratio(&self, recovered: f64) -> f64 {
-        let (ContactState { force, elastic_approach, .. }, branch) = (self.peak, self.branch());
+        let (ContactState { force, elastic_approach, .. }, branch) = (self.peak, self.to_piece());
         force / elastic_approach * branch.slope_at_distance(recovered.max(0.0))
             / branch.slope_at_distance(elastic_approach)
     }
 
     /// Returns x − x_r where the force is `force`; from f_m on it is ε_m.
-    pub(crate) fn recovered_at(&self, force: f64) -> f64 {
+    pub(crate) fn elastic_approach_at_force(&self, force: f64) -> f64 {
         let whole = self.peak.elastic_approach;
-        if force >= self.peak.force { whole } else { self.branch().distance_at_force(force).min(whole) }
+        if force >= self.peak.force { whole } else { self.to_piece().distance_at_force(force).min(whole) }
     }
 
     /// k of f = k d^n with d = x − x_r, the recovered approach still stored. For other shapes than powers this is the power
-    /// law that gives back the same energy; [`Unloading::branch`] is the branch itself.
-    pub fn stiffness(&self) -> f64 {
+    /// law that gives back the same energy; [`Unloading::to_piece`] is the branch itself.
+    pub fn power_stiffness(&self) -> f64 {
         self.peak.force / power(self.peak.elastic_approach, self.exponent)
     }
 
     /// The branch as a piece that begins at x_r without force: what reloading runs along.
-    pub fn branch(&self) -> Piece {
-        let shape = self.curve.map_or_else(|| Shape::power(self.stiffness(), self.exponent), Shape::Unloading);
+    pub fn to_piece(&self) -> Piece {
+        let shape = self.curve.map_or_else(|| Shape::power(self.power_stiffness(), self.exponent), Shape::Unloading);
         Piece { start: self.peak.residual(), force: 0.0, work: 0.0, is_subdivision: false, shape }
     }
 }

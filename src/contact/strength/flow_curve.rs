@@ -39,7 +39,7 @@ pub enum FlowCurve {
         slope: f64,
     },
     /// Linear from (0, σ_Y) through measured points in the order of rising strain, constant after the last; see
-    /// [`FlowCurve::through`].
+    /// [`FlowCurve::from_points`].
     Points(Arc<[FlowPoint]>),
 }
 
@@ -114,7 +114,7 @@ impl FlowCurve {
     ///
     /// # Errors
     /// [`FlowError`] for fewer than two points, strains that are negative or do not rise, and stresses that fall.
-    pub fn through(points: impl Into<Arc<[FlowPoint]>>) -> Result<Self, FlowError> {
+    pub fn from_points(points: impl Into<Arc<[FlowPoint]>>) -> Result<Self, FlowError> {
         let points = points.into();
         if points.len() < 2 {
             return Err(FlowError::TooFew(points.len()));
@@ -137,11 +137,11 @@ impl FlowCurve {
     ///
     /// # Errors
     /// [`FlowError::Start`] if the first point is below the yield strength, or is at strain 0 with another stress.
-    pub fn starts_from(&self, yield_strength: f64) -> Result<(), FlowError> {
+    pub fn check_start(&self, yield_strength: f64) -> Result<(), FlowError> {
         if let Self::Points(points) = self
             && let Some(&FlowPoint { strain, stress }) = points.first()
             && (strain == 0.0 || stress < yield_strength)
-            && (stress / yield_strength - 1.0).abs() > SAME_STRESS
+            && (stress / yield_strength - 1.0).abs() > STRESS_TOLERANCE
         {
             return Err(FlowError::Start { strain, stress, yield_strength });
         }
@@ -153,7 +153,7 @@ impl FlowCurve {
     ///
     /// # Errors
     /// [`FlowError::Steep`] with the steepest place.
-    pub fn is_flatter_than(&self, modulus: f64, yield_strength: f64) -> Result<(), FlowError> {
+    pub fn check_slope(&self, modulus: f64, yield_strength: f64) -> Result<(), FlowError> {
         let (from, to, slope) = match self {
             Self::Power { .. } => return Ok(()),
             // up to there the stress has risen by all but 1/e of its whole rise
@@ -181,18 +181,18 @@ impl FlowCurve {
     }
 
     /// The flow curve over its yield strength \[Pa\], for a metal of this Young's modulus \[Pa\].
-    pub fn rise(&self, yield_strength: f64, youngs_modulus: f64) -> Rise {
-        Rise { curve: self.clone(), yield_strength, modulus_ratio: youngs_modulus / yield_strength }
+    pub fn normalised(&self, yield_strength: f64, youngs_modulus: f64) -> NormalisedFlowCurve {
+        NormalisedFlowCurve { curve: self.clone(), yield_strength, modulus_ratio: youngs_modulus / yield_strength }
     }
 }
 
 /// Relative difference up to which the first point counts as the yield strength: one may be written in MPa and the
 /// other in Pa.
-const SAME_STRESS: f64 = 1e-9;
+const STRESS_TOLERANCE: f64 = 1e-9;
 
 /// σ/σ_Y as a function of plastic strain, for one metal. It starts from 1 and never falls.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rise {
+pub struct NormalisedFlowCurve {
     pub curve: FlowCurve,
     /// σ_Y \[Pa\].
     yield_strength: f64,
@@ -200,7 +200,7 @@ pub struct Rise {
     modulus_ratio: f64,
 }
 
-impl Rise {
+impl NormalisedFlowCurve {
     /// σ/σ_Y at a plastic strain ≥ 0.
     pub fn at(&self, strain: f64) -> f64 {
         match &self.curve {
@@ -239,7 +239,7 @@ mod tests {
     use super::*;
 
     fn points(list: &[(f64, f64)]) -> Result<FlowCurve, FlowError> {
-        FlowCurve::through(list.iter().map(|&(strain, stress)| FlowPoint { strain, stress }).collect::<Vec<_>>())
+        FlowCurve::from_points(list.iter().map(|&(strain, stress)| FlowPoint { strain, stress }).collect::<Vec<_>>())
     }
 
     #[test]
@@ -253,7 +253,7 @@ mod tests {
             (points(&[(0.0, 200e6), (0.03, 260e6)])?, [(0.01, 220.0), (0.5, 260.0)]),
         ];
         for (curve, wanted) in forms {
-            let rise = curve.rise(200e6, 100e9);
+            let rise = curve.normalised(200e6, 100e9);
             for (strain, stress) in wanted {
                 assert_relative_eq!(200.0 * rise.at(strain), stress, max_relative = 1e-14);
             }
@@ -269,9 +269,9 @@ mod tests {
             assert!(points(&list).is_err(), "{list:?}");
         }
         let later = points(&[(0.002, 300e6), (0.01, 340e6)])?;
-        assert_eq!((later.starts_from(280e6), later.starts_from(300e6)), (Ok(()), Ok(())));
+        assert_eq!((later.check_start(280e6), later.check_start(300e6)), (Ok(()), Ok(())));
         let at_once = points(&[(0.0, 300e6), (0.01, 340e6)])?;
-        assert_eq!(at_once.starts_from(300e6 * (1.0 + 1e-15)), Ok(()));
+        assert_eq!(at_once.check_start(300e6 * (1.0 + 1e-15)), Ok(()));
         Ok(())
     }
 
@@ -280,7 +280,7 @@ mod tests {
         for exponent in [0.0, 0.02, 0.1, 0.3, 0.5] {
             for stress in [1e5, 1e8, 3e9, 1e12] {
                 let strength = yield_strength_of_power(stress, 0.08, exponent, 210e9);
-                let back = strength * FlowCurve::Power { exponent }.rise(strength, 210e9).at(0.08);
+                let back = strength * FlowCurve::Power { exponent }.normalised(strength, 210e9).at(0.08);
                 assert_relative_eq!(back, stress, max_relative = 1e-13);
                 assert!(strength <= stress * (1.0 + 1e-14));
             }

@@ -12,7 +12,7 @@ use crate::numerics::functions::{ln, pow};
 
 /// The form of the rise.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Form {
+pub enum RateForm {
     JohnsonCook {
         /// c \[1\], ≥ 0.
         c: f64,
@@ -29,35 +29,35 @@ pub enum Form {
 
 /// How the strength of a body rises with the rate of strain.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rate {
-    pub form: Form,
+pub struct StrainRateHardening {
+    pub form: RateForm,
     /// w_t \[1/s\].
-    pub tested_at: f64,
+    pub test_rate: f64,
 }
 
-impl Rate {
+impl StrainRateHardening {
     /// Rate \[1/s\] of a usual test, of tension or of hardness: the load of a hardness test is held for 10 to 15 s.
-    pub const USUAL_TEST: f64 = 1e-3;
+    pub const DEFAULT_TEST_RATE: f64 = 1e-3;
 
     /// w0 \[1/s\] of most published constants.
-    pub const USUAL_REFERENCE: f64 = 1.0;
+    pub const DEFAULT_REFERENCE_RATE: f64 = 1.0;
 
     /// h at a rate \[1/s\]; for Johnson and Cook's form it falls without end towards the rate 0.
-    pub fn rise(&self, rate: f64) -> f64 {
+    pub fn raw_factor(&self, rate: f64) -> f64 {
         match self.form {
-            Form::JohnsonCook { c: 0.0, .. } => 1.0,
-            Form::JohnsonCook { c, reference } => 1.0 + c * ln(rate / reference),
-            Form::CowperSymonds { rate: unit, exponent } => 1.0 + pow(rate / unit, 1.0 / exponent),
+            RateForm::JohnsonCook { c: 0.0, .. } => 1.0,
+            RateForm::JohnsonCook { c, reference } => 1.0 + c * ln(rate / reference),
+            RateForm::CowperSymonds { rate: unit, exponent } => 1.0 + pow(rate / unit, 1.0 / exponent),
         }
     }
 
     /// g at a rate \[1/s\] ≥ 0; NaN where h of the test is not positive.
     pub fn factor(&self, rate: f64) -> f64 {
-        let of_test = self.rise(self.tested_at);
-        if rate <= self.tested_at {
+        let of_test = self.raw_factor(self.test_rate);
+        if rate <= self.test_rate {
             return if of_test > 0.0 { 1.0 } else { f64::NAN };
         }
-        let factor = self.rise(rate) / of_test;
+        let factor = self.raw_factor(rate) / of_test;
         if of_test > 0.0 { factor } else { f64::NAN }
     }
 }
@@ -70,10 +70,14 @@ mod tests {
 
     #[test]
     fn factors_are_those_of_the_formulas() {
-        let cook = |c, tested_at| Rate { form: Form::JohnsonCook { c, reference: 1.0 }, tested_at };
+        let cook = |c, tested_at| StrainRateHardening {
+            form: RateForm::JohnsonCook { c, reference: 1.0 },
+            test_rate: tested_at,
+        };
         // (1 + 0.014 ln 1000)/(1 − 0.014 ln 1000) by hand
         assert_relative_eq!(cook(0.014, 1e-3).factor(1e3), 1.214_124_857_409_328, max_relative = 1e-12);
-        let cowper = Rate { form: Form::CowperSymonds { rate: 6844.0, exponent: 2.0 }, tested_at: 6844.0 };
+        let cowper =
+            StrainRateHardening { form: RateForm::CowperSymonds { rate: 6844.0, exponent: 2.0 }, test_rate: 6844.0 };
         assert_relative_eq!(cowper.factor(4.0 * 6844.0), 1.5, max_relative = 1e-15);
         // slower than the test, and without any rise
         for slow in [0.0, 1e-9, 1e-3] {

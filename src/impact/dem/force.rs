@@ -1,6 +1,6 @@
 //! The law as a force for codes that move the sphere themselves (DEM): they pass in the indentation and the memory.
 
-use crate::contact::law::{ContactState, Ground};
+use crate::contact::law::{ContactState, Surface};
 use crate::impact::problem::contact::Contact;
 
 /// The largest indentation of a contact so far, with its force: the whole memory of the contact. All numbers are zero for a fresh
@@ -67,7 +67,7 @@ impl Contact {
             return memory.force;
         }
         let before = memory.peak(scales.length, scales.force);
-        let (force, after) = law.respond(indentation / scales.length, before);
+        let (force, after) = law.force_and_memory(indentation / scales.length, before);
         if let Some(peak) = after.filter(|_| after != before) {
             let reached = Memory {
                 indentation,
@@ -96,10 +96,10 @@ impl Contact {
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
         let unloading = law.unloading(peak);
-        let stored = unloading.stored_of(indentation / scales.length - peak.residual());
+        let stored = unloading.stored_energy_at(indentation / scales.length - peak.residual());
         ContactEnergy {
             stored: stored * scales.energy(),
-            plastic: Ground::from(law).plastic(&unloading) * scales.energy(),
+            plastic: Surface::from(law).plastic_work(&unloading) * scales.energy(),
         }
     }
 
@@ -113,7 +113,7 @@ impl Contact {
         let x = indentation / scales.length;
         let slope = match memory.peak(scales.length, scales.force) {
             Some(peak) if x <= peak.residual() => 0.0,
-            Some(peak) if x <= peak.indentation => law.unloading(peak).slope_of(x - peak.residual()),
+            Some(peak) if x <= peak.indentation => law.unloading(peak).slope_at(x - peak.residual()),
             None if x <= 0.0 => 0.0,
             _ => law.loading.pieces()[law.loading.index_at(x)].slope_at(x),
         };

@@ -1,12 +1,12 @@
 //! A stroke of a testing machine, in or out: dimensionless, in closed form.
 
-use crate::contact::law::{Branch, ContactState, Ground, Unloading};
+use crate::contact::law::{Branch, ContactState, Surface, Unloading};
 
 /// One stroke of the machine: in or out, never both.
 #[derive(Debug, Clone)]
 pub(super) struct Stroke<'a> {
     /// The law, and the dent before this stroke.
-    pub ground: Ground<'a>,
+    pub ground: Surface<'a>,
     pub from: f64,
     pub to: f64,
     /// The branch from the largest state, the stroke included.
@@ -16,12 +16,12 @@ pub(super) struct Stroke<'a> {
 impl Stroke<'_> {
     /// True if the stroke goes deeper than all before it.
     pub fn is_new_peak(&self) -> bool {
-        self.ground.branch_at(self.to).is_none()
+        self.ground.reloading_branch_at(self.to).is_none()
     }
 
     /// The state at x between the two ends, and its branch.
     pub fn point(&self, x: f64) -> (ContactState, Branch) {
-        if let Some(unloading) = self.ground.branch_at(x) {
+        if let Some(unloading) = self.ground.reloading_branch_at(x) {
             let recovered = x - unloading.peak.residual();
             let branch = match (recovered < 0.0, self.to > self.from) {
                 (true, _) => Branch::Separated,
@@ -29,16 +29,23 @@ impl Stroke<'_> {
                 (false, false) => Branch::Unloading,
             };
             let elastic_approach = recovered.max(0.0);
-            return (ContactState { indentation: x, force: unloading.force_of(recovered), elastic_approach }, branch);
+            return (
+                ContactState {
+                    indentation: x,
+                    force: unloading.force_at_elastic_approach(recovered),
+                    elastic_approach,
+                },
+                branch,
+            );
         }
-        let state = self.ground.law.loaded_to(x);
+        let state = self.ground.law.loaded_state(x);
         (state, if state.elastic_approach < x { Branch::Plastic } else { Branch::Elastic })
     }
 
     /// `samples` ≥ 2 states, evenly spaced in x, both ends among them, and one at every change of branch.
     pub fn points(&self, samples: usize) -> impl Iterator<Item = (ContactState, Branch)> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
-        let changes = self.ground.branch().map(|branch| [branch.peak.residual(), branch.peak.indentation]);
+        let changes = self.ground.reloading_branch().map(|branch| [branch.peak.residual(), branch.peak.indentation]);
         #[allow(clippy::cast_precision_loss)] // at most 10^7 samples
         let share = |i: usize| i as f64 / (samples - 1) as f64;
         let even =
@@ -55,12 +62,12 @@ impl Stroke<'_> {
 
     /// ∫ f dx over the stroke.
     pub fn work(&self) -> f64 {
-        let work = |x: f64| self.ground.way_in.work(x.max(self.ground.touch()));
+        let work = |x: f64| self.ground.reloading_path.work(x.max(self.ground.first_contact()));
         work(self.to) - work(self.from)
     }
 
     /// The part of it that does not come back.
     pub fn plastic_work(&self) -> f64 {
-        if self.is_new_peak() { self.ground.plastic(&self.memory) } else { 0.0 }
+        if self.is_new_peak() { self.ground.plastic_work(&self.memory) } else { 0.0 }
     }
 }

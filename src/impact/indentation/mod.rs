@@ -12,8 +12,8 @@ mod load_step;
 use thiserror::Error;
 
 use super::problem::scales::Units;
-use crate::contact::law::{Branch, ContactLaw, ContactState, Dent, Ground, Law, OutsideLaw};
-use crate::contact::pair::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere, normal};
+use crate::contact::law::{Branch, ContactLaw, ContactState, Law, LawError, LoadingHistory, Surface};
+use crate::contact::pair::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere, finite_positive};
 use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
 use load_step::Stroke;
 
@@ -61,13 +61,13 @@ pub enum IndentationError {
     Pair(#[from] PairError),
     /// A law without a loading or an unloading rule.
     #[error(transparent)]
-    Law(#[from] OutsideLaw),
+    Law(#[from] LawError),
     /// A step to a point where the law has no answer.
     #[error("step {step}: {reason}")]
     Outside {
         step: usize,
         /// Why the law has no answer.
-        reason: OutsideLaw,
+        reason: LawError,
     },
     /// A step that ends at its start.
     #[error("step {step} ends where it begins; take it out, or give it another target")]
@@ -179,9 +179,9 @@ impl StaticContact {
     pub fn try_new(sphere: &Sphere, half_space: &HalfSpace, law: &dyn ContactLaw) -> Result<Self, IndentationError> {
         let pair = Pair::try_new(sphere, half_space)?;
         let units = Units::of(&pair);
-        normal("force of the contact at first yield, or one radius deep (N)", units.force)?;
+        finite_positive("force of the contact at first yield, or one radius deep (N)", units.force)?;
         let strengths = [sphere.yield_strength, half_space.yield_strength];
-        Ok(Self { strengths, pair, units, law: law.of_pair(&pair)? })
+        Ok(Self { strengths, pair, units, law: law.law_for_pair(&pair)? })
     }
 
     pub fn pair(&self) -> &Pair {
@@ -190,7 +190,7 @@ impl StaticContact {
 
     /// True if a sufficiently large load leaves a dent.
     pub fn can_yield(&self) -> bool {
-        self.law.limits.elastic_until.is_finite()
+        self.law.validity.elastic_until.is_finite()
     }
 
     /// True if the law is a pair of springs, which leave no dent.
@@ -206,10 +206,10 @@ impl StaticContact {
     pub fn indent(&self, targets: &[Target], samples: Option<usize>) -> Result<Indentation, IndentationError> {
         let Units { length, force, .. } = self.units;
         // the place of the sphere, and the dent that the half-space remembers
-        let (mut from, mut dent) = (0.0, None::<Dent>);
+        let (mut from, mut dent) = (0.0, None::<LoadingHistory>);
         let (mut steps, mut trace, mut warnings) = (Vec::with_capacity(targets.len()), Vec::new(), Vec::new());
         for (number, target) in (1..).zip(targets) {
-            let ground = Ground::new(&self.law, dent.as_ref());
+            let ground = Surface::new(&self.law, dent.as_ref());
             let to = match *target {
                 Target::Load(load) => ground.indentation_at_force(load / force),
                 Target::Indentation(indentation) => indentation / length,
@@ -221,11 +221,11 @@ impl StaticContact {
             if (to - from).abs() <= STILL * from.max(to) {
                 return Err(IndentationError::NoMove { step: number });
             }
-            let after = dent.clone().filter(|_| ground.branch_at(to).is_some());
-            let after = after.unwrap_or_else(|| self.law.dented(self.law.loaded_to(to)));
+            let after = dent.clone().filter(|_| ground.reloading_branch_at(to).is_some());
+            let after = after.unwrap_or_else(|| self.law.history_after(self.law.loaded_state(to)));
             let stroke = Stroke { ground, from, to, memory: after.unloading };
             let peak = &stroke.memory.peak;
-            self.law.accept(&stroke.memory).map_err(|reason| IndentationError::Outside { step: number, reason })?;
+            self.law.check(&stroke.memory).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
                 trace.extend(stroke.points(samples).map(|point| self.row(number, &stroke, point)));
             }
@@ -247,8 +247,8 @@ impl StaticContact {
 
     fn row(&self, step: usize, stroke: &Stroke, (state, branch): (ContactState, Branch)) -> IndentationRow {
         let Units { length, force, .. } = self.units;
-        let approach = if branch == Branch::Separated { stroke.ground.touch() } else { state.indentation };
-        let sphere_indentation = self.pair.sphere_part(approach, state.elastic_approach) * length;
+        let approach = if branch == Branch::Separated { stroke.ground.first_contact() } else { state.indentation };
+        let sphere_indentation = self.pair.sphere_indentation(approach, state.elastic_approach) * length;
         IndentationRow {
             step,
             indentation: state.indentation * length,
@@ -266,8 +266,8 @@ impl StaticContact {
         let row = self.row(0, stroke, end);
         let unloading = &stroke.memory;
         let peak = unloading.peak;
-        let peak_force = normal("peak force (N)", peak.force * force)?;
-        let radius = normal("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;
+        let peak_force = finite_positive("peak force (N)", peak.force * force)?;
+        let radius = finite_positive("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;
         Ok(Step {
             target,
             branch: row.branch,
@@ -276,14 +276,14 @@ impl StaticContact {
             force: row.force,
             work: stroke.work() * energy,
             plastic_work: stroke.plastic_work() * energy,
-            stored_energy: unloading.stored(end.0.indentation) * energy,
+            stored_energy: unloading.stored_energy(end.0.indentation) * energy,
             memory: IndentationMemory {
                 force: peak_force,
                 indentation: peak.indentation * length,
                 residual_indentation: peak.residual() * length,
-                unloading_stiffness: normal(
+                unloading_stiffness: finite_positive(
                     "unloading stiffness (N/m)",
-                    unloading.slope_of(peak.elastic_approach) * force / length,
+                    unloading.slope_at(peak.elastic_approach) * force / length,
                 )?,
                 unloading_exponent: unloading.exponent,
                 contact_radius: radius,

@@ -36,8 +36,8 @@ use super::problem::error::ImpactError;
 use super::problem::scales::ACCELERATION;
 use super::scaled_impact::Case;
 use super::solve::outcome::{Fate, Outcome};
-use crate::contact::law::LoadingRule;
-use crate::contact::pair::{Hold, InvalidInput, Material, OutOfFloatRange};
+use crate::contact::law::UnloadingRule;
+use crate::contact::pair::{InvalidInput, Material, OutOfFloatRange, Support};
 use crate::numerics::functions::atan2;
 pub use approach::{Approach, Incidence};
 use mindlin::SlipChange;
@@ -188,7 +188,7 @@ impl<'a> ObliqueImpact<'a> {
         approach: Approach,
     ) -> Result<Option<Self>, ImpactError> {
         let Some(incidence) = approach.incidence.filter(|_| outcome.fate == Fate::Separated) else { return Ok(None) };
-        if matches!(contact.half_space().hold, Hold::Free(_)) {
+        if matches!(contact.half_space().support, Support::Free(_)) {
             return Err(ImpactError::NoBall);
         }
         if let Some(moment) = contact.moment_of_inertia() {
@@ -227,12 +227,12 @@ impl<'a> ObliqueImpact<'a> {
     /// stops rise by at most 1.3. The stops of other laws may jump; these laws are integrated.
     fn slides(&self) -> bool {
         let Outcome { unloading, restitution: e, .. } = self.outcome;
-        let rate = match self.case.ground.law.rule {
+        let rate = match self.case.ground.law.unloading_rule {
             _ if self.psi.is_infinite() => 0.0,
             _ if !self.case.forces.is_none() => return false,
-            LoadingRule::Elastic => 1.0,
-            LoadingRule::Polyline(_) => 2.0,
-            LoadingRule::Published(_) => return false,
+            UnloadingRule::Hertz => 1.0,
+            UnloadingRule::Plm(_) => 2.0,
+            UnloadingRule::Published(_) => return false,
         };
         let end = 2.0 * self.chi * (1.0 + e) - e * (2.0 * unloading.exponent - 2.0).min(1.0);
         self.psi.abs() >= end.max(2.0 * self.chi + rate)
@@ -251,7 +251,8 @@ impl<'a> ObliqueImpact<'a> {
             return Ok(SlipChange::known(self.sliding_ratio(), true));
         }
         // all elastic impacts have the same normal motion
-        let is_elastic = matches!(self.case.ground.law.rule, LoadingRule::Elastic) && self.case.forces.is_none();
+        let is_elastic =
+            matches!(self.case.ground.law.unloading_rule, UnloadingRule::Hertz) && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
             TangentialMotion::elastic()?

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::profile::Rim;
-use crate::contact::law::{Ground, LoadingRule};
+use crate::contact::law::{Surface, UnloadingRule};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::ACCELERATION;
 use crate::impact::scaled_impact::hertz;
@@ -36,17 +36,17 @@ pub struct TangentialMotion<'a> {
 
 impl<'a> TangentialMotion<'a> {
     /// The motion at q = v/V.
-    pub fn new(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
+    pub fn new(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) -> Result<Self, IntegrationError> {
         let ground = ground.into();
         let mut recorder = Recorder::on();
         let outcome = motion::integrate(ground, q, forces, &mut Rk8::new(1e-11), &mut recorder)?;
         let track = recorder.track(ground, outcome.unloading, forces.drag);
         let durations = [outcome.loading_time, outcome.contact_time];
         let is_viscous = forces.drag.viscous != 0.0;
-        let is_published = matches!(ground.law.rule, LoadingRule::Published(_));
+        let is_published = matches!(ground.law.unloading_rule, UnloadingRule::Published(_));
         let is_smooth_at_touch = !is_published || ground.elastic_until() > 0.0;
         let ends = track.ends().collect();
-        let (branch, peak) = (outcome.unloading.branch(), outcome.unloading.peak);
+        let (branch, peak) = (outcome.unloading.to_piece(), outcome.unloading.peak);
         let radius_per_slope = peak.force / peak.elastic_approach / branch.slope_at_distance(peak.elastic_approach);
         let (branch, forces) = ((branch, radius_per_slope), *forces);
         let mut motion = Self { track, branch, q, forces, ends, jumps: is_viscous, is_smooth_at_touch, durations };

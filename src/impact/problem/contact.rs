@@ -7,9 +7,9 @@ use super::forces::Forces;
 use super::plate::{LoadedPlate, PlateError};
 use super::scales::Scales;
 use super::waves::Waves;
-use crate::contact::law::{ContactLaw, ContactState, Ground, Law, LawChoice};
-use crate::contact::pair::{HalfSpace, Hold, Pair, Sphere, normal};
-use crate::contact::strength::strain_rate_hardening::Rate;
+use crate::contact::law::{ContactLaw, ContactState, Law, LawChoice, Surface};
+use crate::contact::pair::{HalfSpace, Pair, Sphere, Support, finite_positive};
+use crate::contact::strength::strain_rate_hardening::StrainRateHardening;
 use crate::materials::MaterialEntry;
 use crate::numerics::functions::pow;
 
@@ -30,7 +30,7 @@ pub struct Named {
 #[derive(Debug, Clone)]
 pub(in crate::impact) struct Rates {
     /// The strain-rate hardening of sphere and half-space.
-    pub(in crate::impact) of_bodies: [Option<Rate>; 2],
+    pub(in crate::impact) of_bodies: [Option<StrainRateHardening>; 2],
     pub(in crate::impact) law: LawChoice,
 }
 
@@ -44,7 +44,7 @@ pub struct Rated {
     /// g_t, at maximum compression.
     pub factor_at_turn: f64,
     /// The strain-rate hardening; `None` if the body with a strain-rate dependence does not yield.
-    pub(in crate::impact) rate: Option<Rate>,
+    pub(in crate::impact) rate: Option<StrainRateHardening>,
 }
 
 /// A sphere, a half-space and the law between them: everything that does not depend on the impact speed.
@@ -102,15 +102,17 @@ impl Contact {
     /// [`ImpactError::Range`] if a constant of the pair over- or underflows, [`ImpactError::Law`] for a law that has no
     /// loading or no unloading (see [`Combined`](crate::contact::law::Combined)).
     pub fn try_new(sphere: Sphere, half_space: HalfSpace, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
-        let mass = normal("sphere mass (kg)", sphere.mass())?;
-        let target_mass =
-            half_space.free_mass().map(|mass| normal("mass of the body that is hit (kg)", mass)).transpose()?;
+        let mass = finite_positive("sphere mass (kg)", sphere.mass())?;
+        let target_mass = half_space
+            .free_mass()
+            .map(|mass| finite_positive("mass of the body that is hit (kg)", mass))
+            .transpose()?;
         let reduced_mass = match target_mass {
-            Some(target) => normal("reduced mass (kg)", mass * (target / (mass + target)))?,
+            Some(target) => finite_positive("reduced mass (kg)", mass * (target / (mass + target)))?,
             None => mass,
         };
         let pair = Pair::try_new(&sphere, &half_space)?;
-        let waves = if half_space.hold == Hold::Fixed { Waves::of(&half_space)? } else { None };
+        let waves = if half_space.support == Support::Fixed { Waves::of(&half_space)? } else { None };
         let (scales, law, yield_speed) = Self::law_of(&pair, reduced_mass, law)?;
         Ok(Self {
             sphere,
@@ -135,9 +137,9 @@ impl Contact {
 
     /// The scales, the law and the yield speed of a pair.
     fn law_of(pair: &Pair, mass: f64, law: &dyn ContactLaw) -> Result<(Scales, Law, f64), ImpactError> {
-        let (scales, law) = (Scales::of_pair(pair, mass)?, law.of_pair(pair)?);
+        let (scales, law) = (Scales::of_pair(pair, mass)?, law.law_for_pair(pair)?);
         // up to this x the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
-        let until = law.limits.elastic_until;
+        let until = law.validity.elastic_until;
         let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
         Ok((scales, law, yield_speed))
     }
@@ -240,7 +242,7 @@ impl Contact {
     pub(in crate::impact) fn contact_radius(
         &self,
         scales: &Scales,
-        ground: Ground,
+        ground: Surface,
         peak: &ContactState,
     ) -> Result<f64, ImpactError> {
         let (indentation, radius) = (peak.indentation * scales.length, self.pair.smaller_radius);
@@ -248,7 +250,7 @@ impl Contact {
         // a spring has no geometry, but its sphere has a radius
         let is_too_wide = contact_radius > radius && !ground.law.is_spring();
         if indentation > radius || is_too_wide {
-            let softer = self.pair.yield_point.map(|point| point.flow.is_sphere);
+            let softer = self.pair.yield_point.map(|point| point.yield_partition.is_sphere);
             let yield_strength = self.half_space.yield_strength.filter(|_| softer == Some(false));
             let moduli = [
                 ("sphere", self.sphere.material, self.sphere.yield_strength),
@@ -301,7 +303,7 @@ impl Contact {
     /// False if the contact would be wider than the sphere at first yield by the law, so that the law has no first yield. The
     /// pressure of a law at first yield may be another than that of von Mises for the yield strength.
     pub fn reaches_first_yield(&self) -> bool {
-        let until = self.law.limits.elastic_until;
+        let until = self.law.validity.elastic_until;
         until.is_infinite() || self.scales.contact_radius * until.sqrt() < self.pair.smaller_radius
     }
 
@@ -313,7 +315,7 @@ impl Contact {
     /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` like [`Contact::yield_speed`].
     pub fn yields_at(&self) -> Option<(f64, f64)> {
         self.yield_speed()?;
-        let until = self.law.limits.elastic_until;
+        let until = self.law.validity.elastic_until;
         Some((self.scales.length * until, self.scales.force * crate::numerics::power::power(until, 1.5)))
     }
 }

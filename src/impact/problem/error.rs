@@ -3,8 +3,8 @@
 use thiserror::Error;
 
 use super::plate::PlateError;
-use crate::contact::law::OutsideLaw;
-use crate::contact::pair::{Hollow, InvalidInput, OutOfFloatRange, PairError};
+use crate::contact::law::LawError;
+use crate::contact::pair::{HollowTooSmall, InvalidInput, OutOfFloatRange, PairError};
 use crate::error::{Error as Failure, ErrorKind};
 use crate::numerics::ode::IntegrationError;
 use crate::units::{Dimension, format_input};
@@ -14,7 +14,7 @@ pub enum ImpactError {
     #[error(transparent)]
     Range(#[from] OutOfFloatRange),
     #[error(transparent)]
-    Hollow(#[from] Hollow),
+    Hollow(#[from] HollowTooSmall),
     /// A number that is not possible for a body, gravity or damping.
     #[error(transparent)]
     Invalid(#[from] InvalidInput),
@@ -22,7 +22,7 @@ pub enum ImpactError {
     Integration(#[from] IntegrationError),
     /// The law has no answer for this impact.
     #[error(transparent)]
-    Law(#[from] OutsideLaw),
+    Law(#[from] LawError),
     /// An indentation deeper or wider than the sphere.
     #[error(
         "the sphere would go in by {} with a contact radius of {}, and its own radius is {}: no contact law holds there; check the units{}, or lower the speed",

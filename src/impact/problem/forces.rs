@@ -17,8 +17,8 @@
 
 use super::plate::Plate;
 use super::scales::ACCELERATION;
-use crate::contact::law::unloading::GRAZING;
-use crate::contact::law::{Ground, Unloading};
+use crate::contact::law::unloading::OLD_PEAK_ROUNDING;
+use crate::contact::law::{Surface, Unloading};
 use crate::contact::pair::InvalidInput;
 use crate::impact::flight::free_flight::Flying;
 use crate::numerics::ode::{DampingCoefficients, RestCriterion};
@@ -115,26 +115,26 @@ impl ScaledForces {
     pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
         let largest = (unloading.exponent + 1.0) * self.weight;
         // an elastic contact recovers the energy that it absorbed, except for rounding
-        let largest = if unloading.peak.residual() > 0.0 { largest } else { largest * (1.0 - GRAZING) };
+        let largest = if unloading.peak.residual() > 0.0 { largest } else { largest * (1.0 - OLD_PEAK_ROUNDING) };
         self.weight > 0.0 && (q == 0.0 || unloading.peak.force <= largest)
     }
 
     /// The distance from first contact to the point where an impact of energy `kinetic` (in units of Φ L) turns without damping.
-    pub(in crate::impact) fn way_to_turn(&self, ground: Ground, kinetic: f64) -> f64 {
-        let (last, distance) = ground.turn(kinetic, self.weight);
-        ground.piece(last).start - ground.touch() + distance
+    pub(in crate::impact) fn way_to_turn(&self, ground: Surface, kinetic: f64) -> f64 {
+        let (last, distance) = ground.turning_point(kinetic, self.weight);
+        ground.piece(last).start - ground.first_contact() + distance
     }
 
     /// True if the rebound speed equals the impact speed: nothing absorbs energy, and the sphere separates where it touched. If it
     /// separates deeper, in a dent that cost no energy, its weight does work over this distance.
-    pub(in crate::impact) fn is_even(&self, ground: Ground, unloading: &Unloading) -> bool {
-        let sinks = self.weight > 0.0 && ground.dent(&unloading.peak).residual() > ground.touch();
-        self.is_conservative() && ground.plastic(unloading) == 0.0 && !sinks
+    pub(in crate::impact) fn is_even(&self, ground: Surface, unloading: &Unloading) -> bool {
+        let sinks = self.weight > 0.0 && ground.deepest_state(&unloading.peak).residual() > ground.first_contact();
+        self.is_conservative() && ground.plastic_work(unloading) == 0.0 && !sinks
     }
 
     /// The point at which the contact carries the weight: on the unloading branch, or on the loading curve if the sphere has not yet
     /// reached this depth.
-    pub(in crate::impact) fn static_point(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
+    pub(in crate::impact) fn static_point(&self, ground: Surface, unloading: &Unloading) -> StaticPoint {
         if unloading.peak.force < self.weight {
             self.static_on_loading(ground)
         } else {
@@ -143,16 +143,16 @@ impl ScaledForces {
     }
 
     /// The point at which the unloading branch carries the weight; at most its peak.
-    pub(in crate::impact) fn static_on_unloading(&self, ground: Ground, unloading: &Unloading) -> StaticPoint {
-        let distance = unloading.recovered_at(self.weight);
-        let indentation = ground.dent(&unloading.peak).residual() + distance;
-        StaticPoint { indentation, distance, slope: unloading.slope_of(distance) }
+    pub(in crate::impact) fn static_on_unloading(&self, ground: Surface, unloading: &Unloading) -> StaticPoint {
+        let distance = unloading.elastic_approach_at_force(self.weight);
+        let indentation = ground.deepest_state(&unloading.peak).residual() + distance;
+        StaticPoint { indentation, distance, slope: unloading.slope_at(distance) }
     }
 
-    pub(in crate::impact) fn static_on_loading(&self, ground: Ground) -> StaticPoint {
+    pub(in crate::impact) fn static_on_loading(&self, ground: Surface) -> StaticPoint {
         let indentation = ground.indentation_at_force(self.weight);
-        let slope = ground.piece(ground.way_in.index_at(indentation)).slope_at(indentation);
-        StaticPoint { indentation, distance: indentation - ground.touch(), slope }
+        let slope = ground.piece(ground.reloading_path.index_at(indentation)).slope_at(indentation);
+        StaticPoint { indentation, distance: indentation - ground.first_contact(), slope }
     }
 
     /// The criterion of rest for an overdamped sphere, at this distance of the leg: the sphere creeps up to the static point, and never

@@ -6,7 +6,7 @@
 
 use std::ops::Deref;
 
-use crate::contact::pair::{OutOfFloatRange, Pair, normal};
+use crate::contact::pair::{OutOfFloatRange, Pair, finite_positive};
 use crate::numerics::functions::pow;
 use crate::numerics::power::power_turning_distance;
 
@@ -62,7 +62,7 @@ impl Scales {
     pub(crate) fn of_pair(pair: &Pair, mass: f64) -> Result<Self, OutOfFloatRange> {
         let units = Units::of(pair);
         let speed = (0.8 * (units.force / mass) * units.length).sqrt();
-        let speed = if pair.yield_point.is_some() { normal("yield speed (m/s)", speed)? } else { speed };
+        let speed = if pair.yield_point.is_some() { finite_positive("yield speed (m/s)", speed)? } else { speed };
         Ok(Self { units, speed })
     }
 
@@ -81,8 +81,8 @@ impl Scales {
             0.0 => pow(per_stiffness.sqrt() * speed, 0.8),
             _ => power_turning_distance(stiffness / mass, 1.5, 0.5 * square, gravity),
         };
-        let length = normal("peak indentation (m)", length)?;
-        let force = normal("peak force (N)", stiffness * length * length.sqrt())?;
+        let length = finite_positive("peak indentation (m)", length)?;
+        let force = finite_positive("peak force (N)", stiffness * length * length.sqrt())?;
         let fastest = if gravity == 0.0 { speed } else { (square + 2.0 * gravity * length).sqrt() };
         let units = Units { length, force, contact_radius: (pair.radius * length).sqrt() };
         Ok(Self { units, speed: fastest })

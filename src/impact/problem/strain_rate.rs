@@ -16,16 +16,16 @@
 //!
 //! The bodies share the yielding by their strengths without a rate, so the same bodies yield during loading and at maximum
 //! compression. g is the factor of the body that yields alone. Where both bodies yield, g = β g_s + (1 − β) g_h, with the fraction
-//! β of the sphere in the yielding ([`Flow`]).
+//! β of the sphere in the yielding ([`YieldPartition`]).
 
 use std::sync::Arc;
 
 use super::contact::{Contact, Rated, Rates};
 use super::error::ImpactError;
 use super::scales::Scales;
-use crate::contact::law::{Bodies, Ground, LawChoice};
-use crate::contact::pair::{Flow, OutOfFloatRange};
-use crate::contact::strength::strain_rate_hardening::Rate;
+use crate::contact::law::{LawChoice, Surface, YieldingPair};
+use crate::contact::pair::{OutOfFloatRange, YieldPartition};
+use crate::contact::strength::strain_rate_hardening::StrainRateHardening;
 use crate::numerics::ode::IntegrationError;
 
 /// The strain rates of loading and of maximum compression, over w.
@@ -36,23 +36,23 @@ const MOST_ROUNDS: u64 = 60;
 
 impl Rates {
     /// The factor of the strength of bodies with this partition of the yielding, at a strain rate \[1/s\].
-    fn factor(&self, flow: &Flow, strain_rate: f64) -> f64 {
+    fn factor(&self, flow: &YieldPartition, strain_rate: f64) -> f64 {
         let [sphere, half_space] = self.of_bodies.map(|of_body| of_body.map_or(1.0, |rise| rise.factor(strain_rate)));
         // exact if one body yields alone, and if both factors are equal
         if flow.sphere_share == 1.0 { sphere } else { half_space + flow.sphere_share * (sphere - half_space) }
     }
 
     /// The strain-rate hardening behind the factor: the one of the softer body, or the one of the other body if it yields too.
-    fn of_flow(&self, flow: &Flow) -> Option<Rate> {
+    fn of_flow(&self, flow: &YieldPartition) -> Option<StrainRateHardening> {
         let [sphere, half_space] = self.of_bodies;
-        let harder = flow.of_softer([half_space, sphere]);
-        flow.of_softer(self.of_bodies).or(harder.filter(|_| flow.is_of_both()))
+        let harder = flow.for_softer([half_space, sphere]);
+        flow.for_softer(self.of_bodies).or(harder.filter(|_| flow.is_shared()))
     }
 }
 
 impl Contact {
     /// Returns this contact of bodies whose strengths rise with the strain rate; the order is sphere, half-space.
-    pub fn with_rates(mut self, of_bodies: [Option<Rate>; 2], law: &LawChoice) -> Self {
+    pub fn with_rates(mut self, of_bodies: [Option<StrainRateHardening>; 2], law: &LawChoice) -> Self {
         let has_rate = of_bodies.iter().any(Option::is_some) && self.pair().yield_point.is_some();
         self.rates = has_rate.then(|| Arc::new(Rates { of_bodies, law: law.clone() }));
         self
@@ -89,21 +89,21 @@ impl Contact {
     #[cold]
     fn of_rate(&self, rates: &Rates, speed: f64) -> Result<Self, ImpactError> {
         let Some(point) = self.pair().yield_point else { return self.raised(rates, 1.0) };
-        let (w, factor) = self.loading_factor(rates, &point.flow, speed)?;
-        let factor_at_turn = rates.factor(&point.flow, SHARES[1] * w);
+        let (w, factor) = self.loading_factor(rates, &point.yield_partition, speed)?;
+        let factor_at_turn = rates.factor(&point.yield_partition, SHARES[1] * w);
         let raised = self.raised(rates, factor)?;
         let mut contact = if factor_at_turn == factor {
             raised
         } else {
             raised.relaxing_to(self.raised(rates, factor_at_turn)?, factor_at_turn / factor)
         };
-        let rate = rates.of_flow(&point.flow);
+        let rate = rates.of_flow(&point.yield_partition);
         contact.rated = Some(Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn, rate });
         Ok(contact)
     }
 
     /// w, and the factor of the strength during loading.
-    fn loading_factor(&self, rates: &Rates, flow: &Flow, speed: f64) -> Result<(f64, f64), ImpactError> {
+    fn loading_factor(&self, rates: &Rates, flow: &YieldPartition, speed: f64) -> Result<(f64, f64), ImpactError> {
         let mut factor = 1.0;
         for _ in 0..MOST_ROUNDS {
             let depth = self.depth(rates, factor, speed)?;
@@ -126,14 +126,14 @@ impl Contact {
     fn depth(&self, rates: &Rates, factor: f64, speed: f64) -> Result<f64, ImpactError> {
         let deepest = |contact: &Self, scales: &Scales| {
             let q = speed / scales.speed;
-            let ground = Ground::from(&contact.law);
-            let (last, distance) = ground.turn(0.4 * q * q, 0.0);
+            let ground = Surface::from(&contact.law);
+            let (last, distance) = ground.turning_point(0.4 * q * q, 0.0);
             (ground.piece(last).start + distance) * scales.length
         };
         if factor == 1.0 {
             return Ok(deepest(self, &self.scales));
         }
-        if self.law.has_one_curve() {
+        if self.law.has_universal_curve() {
             let pair = self.pair().with_raised_strength(factor)?;
             return Ok(deepest(self, &Scales::of_pair(&pair, self.reduced_mass())?));
         }
@@ -149,9 +149,11 @@ impl Contact {
             return Ok(contact);
         }
         let pair = self.pair().with_raised_strength(factor)?;
-        if let (LawChoice::Plm(plm), true, Some(bodies)) = (&rates.law, self.law.has_one_curve(), Bodies::new(&pair)) {
+        if let (LawChoice::Plm(plm), true, Some(bodies)) =
+            (&rates.law, self.law.has_universal_curve(), YieldingPair::new(&pair))
+        {
             let scales = Scales::of_pair(&pair, self.reduced_mass())?;
-            return Ok(self.of_law(pair, plm.of_same_curve(&self.law, &bodies), scales, scales.speed));
+            return Ok(self.of_law(pair, plm.rescaled_law(&self.law, &bodies), scales, scales.speed));
         }
         let mut law = rates.law.clone();
         law.set_rate_factor(factor);
@@ -160,7 +162,7 @@ impl Contact {
 
     /// This contact, which relaxes to the strength of another contact at maximum compression.
     fn relaxing_to(mut self, turn: Self, ratio: f64) -> Self {
-        self.law = self.law.relaxing_to(turn.law, ratio);
+        self.law = self.law.with_peak_law(turn.law, ratio);
         self.elastic_speed = turn.yield_speed.min(self.yield_speed);
         self
     }

@@ -13,8 +13,8 @@
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
 use super::scales::{ACCELERATION, Scales};
-use crate::contact::law::{Ground, Unloading};
-use crate::contact::pair::{HalfSpace, OutOfFloatRange, normal};
+use crate::contact::law::{Surface, Unloading};
+use crate::contact::pair::{HalfSpace, OutOfFloatRange, finite_positive};
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::functions::{atan2, gamma, ln_1p};
 use crate::numerics::quadrature::tanh_sinh_between as integrate;
@@ -35,8 +35,9 @@ impl Waves {
         let Some(density) = half_space.density else { return Ok(None) };
         let nu = half_space.material.poissons_ratio;
         let shear_modulus = half_space.material.youngs_modulus / (2.0 * (1.0 + nu));
-        let shear_speed = normal("shear wave speed of the half-space (m/s)", (shear_modulus / density).sqrt())?;
-        let resistance = normal("rho c_s^3 of the half-space (kg/s)", shear_modulus * shear_speed)?;
+        let shear_speed =
+            finite_positive("shear wave speed of the half-space (m/s)", (shear_modulus / density).sqrt())?;
+        let resistance = finite_positive("rho c_s^3 of the half-space (kg/s)", shear_modulus * shear_speed)?;
         Ok(Some(Self { coefficient: radiation_factor(nu) / resistance }))
     }
 
@@ -45,11 +46,11 @@ impl Waves {
         &self,
         speed: f64,
         scales: &Scales,
-        ground: Ground,
+        ground: Surface,
         unloading: &Unloading,
     ) -> Result<f64, OutOfFloatRange> {
-        let (peak, branch) = (unloading.peak.indentation, unloading.branch());
-        let of_loading = integral(&ground.way_in.pieces()[..=ground.way_in.index_at(peak)], peak);
+        let (peak, branch) = (unloading.peak.indentation, unloading.to_piece());
+        let of_loading = integral(&ground.reloading_path.pieces()[..=ground.reloading_path.index_at(peak)], peak);
         let integral = of_loading + integral(&[branch], peak);
         // ½ m v² = (2/5) q² Φ L
         let ratio = scales.speed / speed;

@@ -50,13 +50,13 @@ pub(in crate::impact) struct Ledger<'a> {
 
 impl<'a> Ledger<'a> {
     pub(in crate::impact) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome) -> Self {
-        let spent = case.ground.spent(&outcome.unloading);
+        let spent = case.ground.plastic_work_unrounded(&outcome.unloading);
         Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, spent }
     }
 
     /// The error of the sum, over ½ m v² + m g δ_m. During loading W(x) is the stored and the plastic energy together.
     fn drift(&self, speed: f64, potential: f64, loss: f64, indentation: f64) -> f64 {
-        let sunk = |x: f64| self.case.forces.weight * (x - self.case.ground.touch());
+        let sunk = |x: f64| self.case.forces.weight * (x - self.case.ground.first_contact());
         let put_in = self.kinetic + sunk(self.outcome.unloading.peak.indentation);
         (0.4 * speed * speed + potential + loss - sunk(indentation) - self.kinetic) / put_in
     }
@@ -66,16 +66,16 @@ impl<'a> Ledger<'a> {
         let Outcome { unloading, end_indentation: x, end_speed, loss, fate, .. } = *self.outcome;
         // at the bottom of the dent no energy is stored, but x has too few digits to show this
         let is_at_dent = fate == Fate::Separated && !self.case.forces.drag.can_lift_off();
-        let stored = if is_at_dent { 0.0 } else { unloading.stored(x) };
+        let stored = if is_at_dent { 0.0 } else { unloading.stored_energy(x) };
         self.drift(end_speed, self.spent + stored, loss, x)
     }
 
     /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with the plate.
     pub(in crate::impact) fn left(&self) -> f64 {
         let Outcome { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
-        let force = unloading.force_of(x - self.case.ground.dent(&unloading.peak).residual());
+        let force = unloading.force_at_elastic_approach(x - self.case.ground.deepest_state(&unloading.peak).residual());
         let speed = end_speed + self.case.plate.map_or(0.0, |plate| plate.mobility * force);
-        0.4 * speed * speed + unloading.stored(x)
+        0.4 * speed * speed + unloading.stored_energy(x)
     }
 
     /// The error at the peak. With damping the loss up to the peak is not known, and the error is set to 0.
@@ -84,7 +84,7 @@ impl<'a> Ledger<'a> {
             return 0.0;
         }
         let peak = &self.outcome.unloading.peak;
-        self.drift(0.0, self.case.ground.work_to(peak), 0.0, peak.indentation)
+        self.drift(0.0, self.case.ground.loading_work(peak), 0.0, peak.indentation)
     }
 
     /// The row of the trace at a point of the motion.
@@ -93,18 +93,18 @@ impl<'a> Ledger<'a> {
         let ContactState { indentation: x, force, elastic_approach } = state;
         let Case { ground, scales, .. } = self.case;
         let potential = if is_unloading {
-            self.outcome.unloading.stored_of(elastic_approach) + self.spent
+            self.outcome.unloading.stored_energy_at(elastic_approach) + self.spent
         } else {
-            ground.work_to(&state)
+            ground.loading_work(&state)
         };
         let branch = match () {
             () if is_unloading => Branch::Unloading,
-            () if ground.branch_at(x).is_some() => Branch::Reloading,
+            () if ground.reloading_branch_at(x).is_some() => Branch::Reloading,
             () if elastic_approach < x => Branch::Plastic,
             () => Branch::Elastic,
         };
         let indentation = x * scales.length;
-        let sphere_indentation = self.contact.pair().sphere_part(x, elastic_approach) * scales.length;
+        let sphere_indentation = self.contact.pair().sphere_indentation(x, elastic_approach) * scales.length;
         TraceRow {
             time: time * scales.time(),
             indentation,

@@ -158,14 +158,14 @@ impl Impact {
         drop_twin_of_end(&mut trace);
         let has_dent = essentials.has_dent();
         let is_in_half_space = essentials.dent_depth() > 0.0;
-        let dent = ground.dent(peak);
+        let dent = ground.deepest_state(peak);
         let radius_ratio = dent.unloading_radius_ratio();
         let is_captured = outcome.fate == Fate::Captured;
         let energy = scales.energy();
         let under_forces = (!contact.forces().is_none()).then(|| {
             let lifts_off = !is_captured && forces.drag.can_lift_off();
             let moved = essentials.on_plate.map_or(0.0, |plate| plate.displacement / scales.length);
-            let sunk = outcome.end_indentation - ground.touch() + moved;
+            let sunk = outcome.end_indentation - ground.first_contact() + moved;
             ForcesResult {
                 fate: outcome.fate,
                 end_time: outcome.contact_time * scales.time(),
@@ -173,7 +173,8 @@ impl Impact {
                 static_indentation: is_captured
                     .then(|| forces.static_point(*ground, &outcome.unloading).indentation * scales.length),
                 damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
-                stored_at_separation: lifts_off.then(|| outcome.unloading.stored(outcome.end_indentation) * energy),
+                stored_at_separation: lifts_off
+                    .then(|| outcome.unloading.stored_energy(outcome.end_indentation) * energy),
                 left: is_captured.then(|| ledger.left() * energy),
                 gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
             }
@@ -184,7 +185,7 @@ impl Impact {
             essentials,
             rebound_speed: contact.speeds_after(speed, restitution).0,
             loading_time: outcome.loading_time * scales.time(),
-            peak_sphere_indentation: pair.sphere_part(peak.indentation, peak.elastic_approach) * scales.length,
+            peak_sphere_indentation: pair.sphere_indentation(peak.indentation, peak.elastic_approach) * scales.length,
             elastic_approach: peak.elastic_approach * scales.length,
             unloading_exponent: outcome.unloading.exponent,
             unloading_radius: if has_dent { pair.radius * radius_ratio } else { pair.radius },
@@ -199,7 +200,7 @@ impl Impact {
                 kinetic_in,
                 of_centre: contact.target_mass().map(|target| kinetic_in * (contact.mass() / target)),
                 recovered: kinetic_in * essentials.recovered_fraction(),
-                plastic: pair.yield_point.map(|_| ground.plastic(&outcome.unloading) * energy),
+                plastic: pair.yield_point.map(|_| ground.plastic_work(&outcome.unloading) * energy),
                 drift,
                 drift_at_end: ledger.at_end(),
             },

@@ -1,6 +1,6 @@
 //! The results of an impact in a row of a table, a part of an [`Impact`](crate::impact::Impact).
 
-use crate::contact::pair::{OutOfFloatRange, left_behind, normal};
+use crate::contact::pair::{OutOfFloatRange, finite_positive, imprint_name};
 use crate::impact::oblique::Rebound;
 use crate::impact::problem::contact::{Contact, Rated};
 use crate::impact::problem::error::ImpactError;
@@ -80,7 +80,9 @@ impl OnPlate {
         // the run of a captured sphere ends where the contact still has a force
         let f = match outcome.fate {
             Fate::Separated => 0.0,
-            Fate::Captured => unloading.force_of(end_indentation - ground.dent(&unloading.peak).residual()),
+            Fate::Captured => {
+                unloading.force_at_elastic_approach(end_indentation - ground.deepest_state(&unloading.peak).residual())
+            }
         };
         let moved = y * (weight * outcome.contact_time + 0.8 * (q - u - y * f));
         let energy = outcome.loss - 0.8 * y * f * u - 0.4 * y * y * f * f + weight * moved;
@@ -107,7 +109,7 @@ impl Essentials {
         // a sphere released at rest has the kinetic energy 0, which is no underflow
         let kinetic_in = 0.5 * contact.reduced_mass() * speed * speed;
         let is_at_rest = speed == 0.0 && !contact.forces().is_none();
-        let kinetic_in = if is_at_rest { 0.0 } else { normal("kinetic energy (J)", kinetic_in)? };
+        let kinetic_in = if is_at_rest { 0.0 } else { finite_positive("kinetic energy (J)", kinetic_in)? };
         let radiating = contact.waves().filter(|_| outcome.fate == Fate::Separated && !is_at_rest);
         let waves = match radiating {
             // the first-order estimate belongs to the impact without gravity
@@ -127,8 +129,8 @@ impl Essentials {
         }
         let peak_contact_radius = contact.contact_radius(scales, *ground, &peak)?;
         let radius_ratio = peak_contact_radius / contact.pair().smaller_radius;
-        let (law, residual) = (ground.law_at(peak.indentation), ground.dent(&peak).residual());
-        let lost = ground.plastic(&outcome.unloading);
+        let (law, residual) = (ground.loading_law_at(peak.indentation), ground.deepest_state(&peak).residual());
+        let lost = ground.plastic_work(&outcome.unloading);
         // under gravity the share may exceed 1; without kinetic energy it does not exist
         let has_share = lost != 0.0 && kinetic_in > 0.0;
         let share = if has_share { lost * scales.energy() / kinetic_in } else { 0.0 };
@@ -137,22 +139,22 @@ impl Essentials {
         }
         // the flight of two bodies is not modelled
         let flying = contact.forces().flying.filter(|_| contact.target_mass().is_none());
-        let contact_time = normal("contact time (s)", outcome.contact_time * scales.time())?;
+        let contact_time = finite_positive("contact time (s)", outcome.contact_time * scales.time())?;
         let contact_time = if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time };
         Ok(Self {
             restitution: outcome.restitution,
             restitution_interval: None,
             contact_time,
-            peak_force: normal("peak force (N)", outcome.largest_force * scales.force)?,
+            peak_force: finite_positive("peak force (N)", outcome.largest_force * scales.force)?,
             peak_indentation: peak.indentation * scales.length,
             residual_indentation: residual * scales.length,
-            flat_depth: contact.pair().yield_point.map_or(0.0, |point| point.flow.flat_share)
+            flat_depth: contact.pair().yield_point.map_or(0.0, |point| point.yield_partition.flat_share)
                 * residual
                 * scales.length,
             peak_contact_radius,
             radius_ratio,
-            is_outside_law: radius_ratio > ground.law.limits.widest
-                || law.is_some_and(|law| law.outside_stated(&peak).is_some()),
+            is_outside_law: radius_ratio > ground.law.validity.max_radius_ratio
+                || law.is_some_and(|law| law.exceeded_fit_range(&peak).is_some()),
             kinetic_in,
             plastic_fraction: share,
             wave_loss_fraction: waves,
@@ -178,9 +180,9 @@ impl Essentials {
         self.flat_depth > 0.0
     }
 
-    /// The imprint of the impact: `dent`, `flat`, or `dent and flat`.
+    /// The imprint of the impact: `deepest_state`, `flat`, or `deepest_state and flat`.
     pub fn left_behind(&self) -> &'static str {
-        left_behind(self.flat_depth / self.residual_indentation)
+        imprint_name(self.flat_depth / self.residual_indentation)
     }
 
     /// True if the impact left a dent or a flat.

@@ -1,6 +1,6 @@
 //! A spot on the half-space and its memory, for repeated impacts.
 
-use crate::contact::law::{ContactState, Dent};
+use crate::contact::law::{ContactState, LoadingHistory};
 use crate::impact::oblique::Approach;
 use crate::impact::problem::contact::Contact;
 use crate::impact::problem::error::ImpactError;
@@ -12,7 +12,7 @@ use crate::impact::solve::Solver;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Spot {
     /// `None` on fresh surface.
-    dent: Option<Dent>,
+    dent: Option<LoadingHistory>,
 }
 
 impl Spot {
@@ -51,7 +51,7 @@ impl Contact {
         }
         let (impact, ground, unloading) = self.impact_under(spot.dent.as_ref(), approach, solver, samples)?;
         if ground.keeps_mark_of(&unloading.peak) {
-            spot.dent = Some(self.law.dented(unloading.peak));
+            spot.dent = Some(self.law.history_after(unloading.peak));
         }
         Ok(impact)
     }
@@ -73,7 +73,7 @@ impl Contact {
             .map(|dent| rated.law.dent_of_other_rate(&dent.unloading.scaled(1.0 / length, 1.0 / force)));
         let (impact, ground, unloading) = rated.impact_under(met.as_ref(), approach, solver, samples)?;
         if ground.keeps_mark_of(&unloading.peak) {
-            spot.dent = Some(self.law.dented_by(unloading.scaled(length, force)));
+            spot.dent = Some(self.law.history_after_unloading(unloading.scaled(length, force)));
         }
         Ok(impact)
     }

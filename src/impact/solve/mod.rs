@@ -10,7 +10,7 @@ use super::problem::forces::{Forces, ScaledForces};
 use outcome::{Computed, Outcome};
 use recorder::{Recorder, even_times};
 
-use crate::contact::law::Ground;
+use crate::contact::law::Surface;
 use crate::numerics::ode::ode_solvers::{OdeSolvers, Scheme};
 use crate::numerics::ode::rk8::Rk8;
 use crate::numerics::ode::{DampingCoefficients, IntegrationError, Integrator, SolverStats};
@@ -74,7 +74,7 @@ impl Default for Solver {
 pub(super) const FINEST: f64 = 1e-13;
 
 /// The contact time of an impact at q = v/V without damping and plate.
-pub(super) fn free_time(ground: Ground, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
+pub(super) fn free_time(ground: Surface, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
     let exact = closed_form::solve_with(
         ground,
         q,
@@ -93,7 +93,7 @@ fn given(tolerance: f64, delivers: f64) -> f64 {
 
 /// An impact leg by leg. `trace` holds the number of samples over the contact time, and this time if it is known.
 fn along<I: Integrator>(
-    case: (Ground, f64, &ScaledForces),
+    case: (Surface, f64, &ScaledForces),
     trace: Option<(usize, Option<f64>)>,
     mut integrator: I,
 ) -> Result<Computed, IntegrationError> {
@@ -111,7 +111,7 @@ fn along<I: Integrator>(
 /// [`Method::ClosedForm`] means rk8 if there is no closed form. With `samples` the result has a trace of this number of points evenly
 /// spaced over the contact, including first contact and separation, and a point for every other event.
 pub fn run<'a>(
-    ground: impl Into<Ground<'a>>,
+    ground: impl Into<Surface<'a>>,
     q: f64,
     forces: &ScaledForces,
     exact: Option<&Outcome>,

@@ -23,7 +23,7 @@
 
 use super::outcome::{Fate, Outcome};
 use super::recorder::{Event, Recorder};
-use crate::contact::law::Ground;
+use crate::contact::law::Surface;
 use crate::impact::problem::forces::{ScaledForces, StaticPoint};
 use crate::impact::problem::scales::ACCELERATION;
 use crate::numerics::ode::{
@@ -33,7 +33,7 @@ use crate::numerics::power::nan_max;
 
 /// Integrates an impact at q = v/V from first contact to its end.
 pub fn integrate<'a, I: Integrator>(
-    ground: impl Into<Ground<'a>>,
+    ground: impl Into<Surface<'a>>,
     q: f64,
     forces: &ScaledForces,
     integrator: &mut I,
@@ -68,11 +68,11 @@ pub fn integrate<'a, I: Integrator>(
     let mut piece = 0;
     let is_at_rest = loop {
         (path.piece, path.leg) = (ground.piece(piece), way_out(ground, piece));
-        if piece == 0 && ground.stays_on_branch(0.4 * q * q, forces.weight) {
+        if piece == 0 && ground.turns_on_branch(0.4 * q * q, forces.weight) {
             path.leg = Leg::Loading(f64::INFINITY);
         }
         let rest_of = |point: StaticPoint| {
-            let is_here = ground.way_in.index_at(point.indentation) == piece;
+            let is_here = ground.reloading_path.index_at(point.indentation) == piece;
             let place = point.indentation - path.piece.start + entry_of(ground, piece);
             forces.rest(&point, place).filter(|_| is_here)
         };
@@ -90,25 +90,25 @@ pub fn integrate<'a, I: Integrator>(
         at.distance = entry_of(ground, piece);
     };
 
-    let unloading = ground.turned(piece, at.distance - entry_of(ground, piece), None);
+    let unloading = ground.unloading_from_turn(piece, at.distance - entry_of(ground, piece), None);
     recorder.mark(if is_at_rest { Event::Captured } else { Event::Peak }, &at);
     let loading_time = at.time;
-    let branch = unloading.branch();
+    let branch = unloading.to_piece();
     at.distance = unloading.peak.elastic_approach;
     let mut fate = Fate::Captured;
     if !is_at_rest {
         at.speed = 0.0;
         path.error_scales =
-            ErrorScales { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.capacity()).sqrt() };
+            ErrorScales { distance: at.distance, speed: (2.0 * ACCELERATION * unloading.recoverable_energy()).sqrt() };
         path.piece = &branch;
         // a sphere that arrived without speed does not separate
         let is_captured = q == 0.0 || forces.is_conservative() && forces.captures(&unloading, q);
         let stops = is_captured && forces.is_conservative();
-        let end = if stops { unloading.recovered_at(forces.weight) } else { 0.0 };
+        let end = if stops { unloading.elastic_approach_at_force(forces.weight) } else { 0.0 };
         path.leg = Leg::Unloading(end);
         let static_point = may_creep.then(|| forces.static_on_unloading(ground, &unloading));
         path.rest = static_point.and_then(|point| forces.rest(&point, point.distance));
-        let step = ground.step(&unloading);
+        let step = ground.force_drop_at_peak(&unloading);
         give_way(&mut at, step, drag);
         let relaxed = at;
         let mut landing = LegEnd::Turning;
@@ -141,7 +141,7 @@ pub fn integrate<'a, I: Integrator>(
         contact_time: time,
         fate,
         largest_force: ground.reported_force(&unloading, drag.acts_in_contact().then_some(largest)),
-        end_indentation: distance + ground.dent(&unloading.peak).residual(),
+        end_indentation: distance + ground.deepest_state(&unloading.peak).residual(),
         end_speed: speed,
         loss: loss / ACCELERATION,
         unloading,
@@ -150,7 +150,7 @@ pub fn integrate<'a, I: Integrator>(
 
 /// The first state: first contact. A sphere without speed starts a very small distance further in, where the force of the law is
 /// still negligible compared with the weight.
-fn start(ground: Ground, touch: MotionState, forces: &ScaledForces) -> MotionState {
+fn start(ground: Surface, touch: MotionState, forces: &ScaledForces) -> MotionState {
     if touch.speed != 0.0 {
         return touch;
     }
@@ -171,13 +171,13 @@ fn give_way(at: &mut MotionState, fall: f64, drag: DampingCoefficients) {
 
 /// The leg along a piece of the loading curve.
 #[inline(always)]
-fn way_out(ground: Ground, index: usize) -> Leg {
-    let is_last = index + 1 == ground.way_in.pieces().len();
+fn way_out(ground: Surface, index: usize) -> Leg {
+    let is_last = index + 1 == ground.reloading_path.pieces().len();
     let end = if is_last { f64::INFINITY } else { ground.piece(index + 1).start - ground.piece(index).start };
     Leg::Loading(end + entry_of(ground, index))
 }
 
 /// The distance of the integrator at the start of a piece.
-fn entry_of(ground: Ground, index: usize) -> f64 {
+fn entry_of(ground: Surface, index: usize) -> f64 {
     ground.piece(index).shape.zero_offset()
 }

@@ -1,7 +1,7 @@
 //! The trace of an impact: the recorder keeps the continuous solution and the events of every leg during the integration, and
 //! computes the points from them. A leg is the motion along one piece of the loading curve, or along the unloading branch.
 
-use crate::contact::law::{ContactState, Ground, Unloading};
+use crate::contact::law::{ContactState, Surface, Unloading};
 use crate::impact::problem::scales::ACCELERATION;
 use crate::numerics::ode::{DampingCoefficients, DenseOutput, MotionState};
 use crate::numerics::power::nan_max;
@@ -62,10 +62,10 @@ impl Point {
         let recovered = at.distance.max(0.0);
         let state = ContactState {
             indentation: unloading.peak.residual() + at.distance,
-            force: unloading.force_of(recovered),
+            force: unloading.force_at_elastic_approach(recovered),
             elastic_approach: at.distance,
         };
-        Self { is_unloading: true, ..Self::loading(state, || unloading.slope_of(recovered), drag, at, event) }
+        Self { is_unloading: true, ..Self::loading(state, || unloading.slope_at(recovered), drag, at, event) }
     }
 }
 
@@ -117,7 +117,7 @@ impl Recorder {
     /// Returns the recorded motion on this surface.
     pub(in crate::impact) fn track(
         self,
-        ground: Ground<'_>,
+        ground: Surface<'_>,
         unloading: Unloading,
         drag: DampingCoefficients,
     ) -> Track<'_> {
@@ -127,7 +127,7 @@ impl Recorder {
     /// The points of the motion at these rising times and at its events, in order of time.
     pub(in crate::impact) fn points(
         self,
-        ground: Ground,
+        ground: Surface,
         unloading: &Unloading,
         drag: DampingCoefficients,
         times: impl Iterator<Item = f64>,
@@ -158,7 +158,7 @@ impl Recorder {
 
 /// A point of a motion on a piece of the loading curve, or on the unloading branch.
 fn point_of(
-    ground: Ground,
+    ground: Surface,
     unloading: &Unloading,
     drag: DampingCoefficients,
     piece: Option<usize>,
@@ -175,7 +175,7 @@ fn point_of(
 /// A recorded motion, which can be evaluated at any time.
 #[derive(Debug)]
 pub struct Track<'a> {
-    ground: Ground<'a>,
+    ground: Surface<'a>,
     unloading: Unloading,
     drag: DampingCoefficients,
     legs: Vec<Recorded>,
@@ -227,13 +227,13 @@ fn mark(legs: &mut [Recorded], event: Event, at: &MotionState) {
 
 /// The state of first yield on a leg that begins at this time, if the leg passes it. First yield ends no leg, because a trace must
 /// not change the steps.
-fn yielding(ground: Ground, index: usize, begun: f64, track: &[DenseOutput]) -> Option<MotionState> {
+fn yielding(ground: Surface, index: usize, begun: f64, track: &[DenseOutput]) -> Option<MotionState> {
     let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
     let distance = yields_at - piece.start + piece.shape.zero_offset();
     let number = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
     let begun = number.checked_sub(1).map_or(begun, |before| track[before].end);
     let ahead = |time: f64| distance - track[number].at(time).distance;
-    let is_inside = index == ground.way_in.index_at(yields_at) && piece.start < yields_at;
+    let is_inside = index == ground.reloading_path.index_at(yields_at) && piece.start < yields_at;
     let is_passed = is_inside && ahead(begun) > 0.0;
     is_passed.then(|| MotionState { distance, ..track[number].at(illinois((begun, track[number].end), ahead)) })
 }

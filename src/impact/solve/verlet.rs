@@ -8,7 +8,7 @@
 
 use super::outcome::{Computed, Fate, FixedSteps, Outcome};
 use super::recorder::{Event, Point, even_times};
-use crate::contact::law::{ContactState, Ground, Unloading};
+use crate::contact::law::{ContactState, Surface, Unloading};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::ACCELERATION;
 use crate::numerics::curve::piece::Piece;
@@ -19,7 +19,7 @@ use crate::numerics::root::bisect;
 /// The law as a code with fixed steps evaluates it: its memory is the largest indentation so far. Distances are measured from first
 /// contact.
 struct Remembering<'a> {
-    ground: Ground<'a>,
+    ground: Surface<'a>,
     drag: DampingCoefficients,
     touch: f64,
     deepest: f64,
@@ -37,16 +37,23 @@ enum AfterRelaxation {
 }
 
 impl<'a> Remembering<'a> {
-    fn of(ground: Ground<'a>, drag: DampingCoefficients) -> Self {
-        let deepest = ground.branch().map_or(0.0, |branch| branch.peak.elastic_approach);
-        let unloading = ground.branch().copied();
-        Self { ground, drag, touch: ground.touch(), deepest, unloading, after_relaxation: AfterRelaxation::NotYet }
+    fn of(ground: Surface<'a>, drag: DampingCoefficients) -> Self {
+        let deepest = ground.reloading_branch().map_or(0.0, |branch| branch.peak.elastic_approach);
+        let unloading = ground.reloading_branch().copied();
+        Self {
+            ground,
+            drag,
+            touch: ground.first_contact(),
+            deepest,
+            unloading,
+            after_relaxation: AfterRelaxation::NotYet,
+        }
     }
 
     /// The speed that the sphere gains when the metal relaxes on a plate: the force falls, and the momentum stays (`motion.rs`).
     /// `speed` is the speed against the plate.
     fn relaxed(&mut self, speed: f64) -> f64 {
-        if speed >= 0.0 || self.drag.plate == 0.0 || self.ground.law.relaxed.is_none() {
+        if speed >= 0.0 || self.drag.plate == 0.0 || self.ground.law.peak_law.is_none() {
             return 0.0;
         }
         if self.after_relaxation != AfterRelaxation::NotYet {
@@ -54,7 +61,7 @@ impl<'a> Remembering<'a> {
             return 0.0;
         }
         let unloading = self.branch_from(self.deepest);
-        let fall = self.ground.step(&unloading);
+        let fall = self.ground.force_drop_at_peak(&unloading);
         if fall > 0.0 {
             (self.unloading, self.after_relaxation) = (Some(unloading), AfterRelaxation::Approaching);
         }
@@ -71,14 +78,14 @@ impl<'a> Remembering<'a> {
 
     /// The piece of the loading curve at a distance.
     fn piece_at(&self, distance: f64) -> &'a Piece {
-        self.ground.piece(self.ground.way_in.index_at(self.touch + distance))
+        self.ground.piece(self.ground.reloading_path.index_at(self.touch + distance))
     }
 
     /// The state on the loading curve at a distance.
     fn loaded_to(&self, distance: f64) -> ContactState {
-        match self.ground.branch() {
+        match self.ground.reloading_branch() {
             Some(branch) if distance <= branch.peak.elastic_approach => self.ground.state_at(0, distance),
-            _ => self.ground.law.loaded_to(self.touch + distance),
+            _ => self.ground.law.loaded_state(self.touch + distance),
         }
     }
 
@@ -93,10 +100,10 @@ impl<'a> Remembering<'a> {
             return resisted(drag, force, || piece.slope_at(x), speed);
         }
         let (ground, touch, deepest) = (self.ground, self.touch, self.deepest);
-        let unloading = self.unloading.get_or_insert_with(|| ground.unloading(ground.loaded_to(touch + deepest)));
+        let unloading = self.unloading.get_or_insert_with(|| ground.unloading(ground.loaded_state(touch + deepest)));
         let recovered = distance - (unloading.peak.residual() - touch);
-        let force = unloading.force_of(recovered);
-        resisted(drag, force, || unloading.slope_of(recovered.max(0.0)), speed)
+        let force = unloading.force_at_elastic_approach(recovered);
+        resisted(drag, force, || unloading.slope_at(recovered.max(0.0)), speed)
     }
 
     /// The state at separation, within the step of this length from `before` to `end`. At `end` no force pushes the sphere, so
@@ -159,7 +166,7 @@ struct VerletMotion<'a> {
 
 impl<'a> VerletMotion<'a> {
     /// At first touch.
-    fn new(ground: Ground<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
+    fn new(ground: Surface<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
         let state = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
         let (contact, weight) = (Remembering::of(ground, forces.drag), forces.weight);
         Self { contact, weight, step, count: 0, state, acceleration: ACCELERATION * weight }
@@ -199,7 +206,7 @@ const MAX_RESTITUTION: f64 = 1.05;
 /// [`IntegrationError::TooManyFixedSteps`] if there is no end within `most_steps`, [`IntegrationError::CoarseSteps`] if the steps
 /// are too long to follow the contact.
 pub(crate) fn march(
-    ground: Ground,
+    ground: Surface,
     q: f64,
     forces: &ScaledForces,
     step: f64,
@@ -249,7 +256,7 @@ pub(crate) fn march(
         let unloading = deepest();
         let separates = lifts_off && !forces.captures(&unloading, q);
         if separates {
-            let residual = ground.dent(&unloading.peak).residual() - motion.contact.touch;
+            let residual = ground.deepest_state(&unloading.peak).residual() - motion.contact.touch;
             state = motion.contact.left_at(&before, &state, step, ACCELERATION * forces.weight, residual);
         }
         let restitution = if separates { -state.speed / q } else { 0.0 };
@@ -325,13 +332,13 @@ impl Remembering<'_> {
         };
         let of_end = if outcome.fate == Fate::Separated { Event::Separation } else { Event::Captured };
         let until_peak = states.partition_point(|(state, _)| state.time <= outcome.loading_time);
-        if self.ground.step(&outcome.unloading) > 0.0 {
+        if self.ground.force_drop_at_peak(&outcome.unloading) > 0.0 {
             states.insert(until_peak, (turning, Some(Event::Relaxation)));
         }
         states.insert(until_peak, (turning, Some(Event::Peak)));
         states.insert(0, (touch, Some(Event::Touch)));
         states.push((end, Some(of_end)));
-        let residual = self.ground.dent(&outcome.unloading.peak).residual() - self.touch;
+        let residual = self.ground.deepest_state(&outcome.unloading.peak).residual() - self.touch;
         let point = |(state, event): (MotionState, Option<Event>)| {
             if state.time <= outcome.loading_time && event != Some(Event::Relaxation) {
                 let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);

@@ -36,10 +36,10 @@ pub(in crate::impact) fn of_materials(contact: &Contact, row: &Essentials) -> im
     let is_weak = |entry: &&MaterialEntry| matches!(entry.class, Class::Glass | Class::Polymer);
     let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
     let hardens = |entry: &&MaterialEntry| entry.lacks_exponent || entry.hardens();
-    let flow = contact.pair().yield_point.map(|point| point.flow);
+    let flow = contact.pair().yield_point.map(|point| point.yield_partition);
     let share = flow.map_or(0.0, |flow| flow.sphere_share);
     // a flow curve is refused if both bodies yield
-    let is_of_both = flow.is_some_and(|flow| flow.is_of_both());
+    let is_of_both = flow.is_some_and(|flow| flow.is_shared());
     let metal = |place: usize, body: &str, entry: Option<&'static MaterialEntry>, share: f64| {
         let is_too_high =
             named.is_by_hardness[place] && contact.law.hardening().is_none() && row.has_dent() && share > 0.0;
@@ -99,7 +99,7 @@ pub(crate) fn left_out(
     law: &Law,
     [sphere, half_space]: [Option<f64>; 2],
 ) -> Option<([&'static str; 2], f64)> {
-    let flow = pair.yield_point.map(|point| point.flow).filter(|_| law.limits.elastic_until.is_finite());
+    let flow = pair.yield_point.map(|point| point.yield_partition).filter(|_| law.validity.elastic_until.is_finite());
     let of_sphere = || Some((["sphere", "half-space"], sphere?));
     let Some(flow) = flow else { return of_sphere() };
     law.hardening()?;
@@ -131,7 +131,7 @@ const WEAKEST: f64 = 5e-4;
 /// The warnings for a yielding sphere that is weaker than any in the finite elements, or rigid.
 pub(crate) fn of_flow(pair: &Pair) -> impl Iterator<Item = Warning> + use<> {
     let is_rigid = pair.sphere_compliance == 0.0;
-    let point = pair.yield_point.filter(|point| point.flow.sphere_share > 0.0);
+    let point = pair.yield_point.filter(|point| point.yield_partition.sphere_share > 0.0);
     let ratio = point.map_or(f64::NAN, |point| point.strength / pair.effective_modulus);
     let weak = Warning::when(ratio < WEAKEST, WarningKind::WeakSphere, -ratio, || {
         format!(

@@ -13,8 +13,8 @@ use super::problem::forces::Damping;
 use super::result::impact::Impact;
 use super::result::warning::{Warning, WarningKind};
 use super::solve::{Method, Solver};
-use crate::contact::law::{ContactState, Ground, Raised, Unloading};
-use crate::contact::strength::strain_rate_hardening::Form as RateForm;
+use crate::contact::law::{ContactState, ExponentClamp, Surface, Unloading};
+use crate::contact::strength::strain_rate_hardening::RateForm;
 use crate::numerics::root::bisect;
 use crate::units::{Dimension, format_four_digits, format_input, format_percent};
 use bodies::{of_half_space, of_sphere};
@@ -24,11 +24,11 @@ use restitution::of_restitution;
 use run::{of_gain, of_rebound, of_run};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
-pub(crate) fn of_peak(ground: Ground, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
+pub(crate) fn of_peak(ground: Surface, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
     let x = peak.indentation;
     let law = ground.law;
-    let stated = ground.law_at(x).and_then(|law| law.outside_stated(peak)).map(|(from, to)| {
-        let in_yields = |x: f64| format_four_digits(law.in_yields(x));
+    let stated = ground.loading_law_at(x).and_then(|law| law.exceeded_fit_range(peak)).map(|(from, to)| {
+        let in_yields = |x: f64| format_four_digits(law.over_yield_indentation(x));
         let end = if to.is_finite() { format!("to {}", in_yields(to)) } else { "and more".to_owned() };
         let text = format!(
             "peak indentation = {} x the yield indentation of the law is outside {} {end}, the range that the law is stated for: take the result for an extrapolation",
@@ -47,8 +47,9 @@ pub(crate) fn of_peak(ground: Ground, peak: &ContactState) -> impl Iterator<Item
 }
 
 /// The warning for an exponent of unloading that is not the one that was asked for.
-pub(crate) fn of_exponent(ground: Ground, unloading: &Unloading) -> Option<Warning> {
-    let Raised { asked, used, gain } = ground.law_at(unloading.peak.indentation)?.raised(unloading)?;
+pub(crate) fn of_exponent(ground: Surface, unloading: &Unloading) -> Option<Warning> {
+    let ExponentClamp { requested: asked, used, gain } =
+        ground.loading_law_at(unloading.peak.indentation)?.exponent_clamp(unloading)?;
     let text = format!(
         "an unloading exponent of {} would give back {} of the energy more than was spent: {} is used in its place, with which e is 1 but for gravity and drag; give a larger exponent, or let the peak be further above first yield",
         format_four_digits(asked),
@@ -66,9 +67,9 @@ impl Contact {
         let radius = self.pair().smaller_radius;
         let Self { scales, law, .. } = self;
         let reaches = |x: f64| {
-            let Some(peak) = law.respond(x, None).1 else { return true };
-            let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.limits.widest * radius;
-            let is_before = law.outside_stated(&peak).is_some_and(|(from, _)| x < from);
+            let Some(peak) = law.force_and_memory(x, None).1 else { return true };
+            let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.validity.max_radius_ratio * radius;
+            let is_before = law.exceeded_fit_range(&peak).is_some_and(|(from, _)| x < from);
             let is_harmless = |warning: Warning| is_before && warning.kind == WarningKind::OutsideStated;
             !is_wide && of_peak(law.into(), &peak).all(is_harmless)
         };
@@ -81,7 +82,7 @@ impl Contact {
 pub(super) fn warnings(
     contact: &Contact,
     impact: &Impact,
-    ground: Ground,
+    ground: Surface,
     unloading: &Unloading,
     solver: &Solver,
 ) -> Vec<Warning> {
@@ -132,7 +133,7 @@ fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
             format_four_digits(strain_rate)
         )
     });
-    let tested_at = rate.map_or(f64::NAN, |rate| rate.tested_at);
+    let tested_at = rate.map_or(f64::NAN, |rate| rate.test_rate);
     let is_fast = (FAST_TESTS[0]..=FAST_TESTS[1]).contains(&tested_at);
     let fast = Warning::when(is_fast, WarningKind::FastTest, tested_at, || {
         format!(

@@ -1,6 +1,6 @@
 //! The warning for two balls of one material of which only one has a strength.
 
-use crate::contact::pair::Hold;
+use crate::contact::pair::Support;
 use crate::impact::problem::contact::Contact;
 use crate::impact::result::impact::Impact;
 use crate::impact::result::warning::{Warning, WarningKind};
@@ -8,7 +8,7 @@ use crate::impact::result::warning::{Warning, WarningKind};
 /// The warning for a ball on a ball of the same elastic constants, where one strength is missing and the other ball yields.
 pub(super) fn of_one_strength(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let (sphere, target) = (contact.sphere(), contact.half_space());
-    let is_of_two_balls = target.hold == Hold::Ball && sphere.material == target.material;
+    let is_of_two_balls = target.support == Support::Ball && sphere.material == target.material;
     let [elastic, yielding] = match [sphere.yield_strength, target.yield_strength] {
         [None, Some(_)] => ["sphere", "half_space"],
         [Some(_), None] => ["half_space", "sphere"],

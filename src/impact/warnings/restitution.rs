@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::bodies::{left_out, of_flow, of_materials, of_yielding};
 use crate::contact::law::Law;
-use crate::contact::pair::{Hold, Pair};
+use crate::contact::pair::{Pair, Support};
 use crate::impact::problem::contact::Contact;
 use crate::impact::problem::plate::{Plate, PlateTheory};
 use crate::impact::result::row::{Essentials, OnPlate};
@@ -68,7 +68,7 @@ impl Contact {
 
 /// The warning for a dent of this radius, over that of the sphere.
 pub(crate) fn of_dent(law: &Law, ratio: f64) -> Option<Warning> {
-    let limit = law.limits.widest;
+    let limit = law.validity.max_radius_ratio;
     Warning::when(ratio > limit, WarningKind::DeepDent, ratio, || {
         format!(
             "contact radius / sphere radius = {ratio:.3} is beyond {limit}, up to which this law holds: take forces and residual indentation as estimates, or let the indentation be shallower"
@@ -78,7 +78,7 @@ pub(crate) fn of_dent(law: &Law, ratio: f64) -> Option<Warning> {
 
 /// The warning for two balls that both flow and are not equal, with this contact radius over that of the smaller one.
 fn of_unequal_balls(pair: &Pair, ratio: f64) -> Option<Warning> {
-    let is_doubtful = pair.is_of_unequal_balls() && ratio > 0.1;
+    let is_doubtful = pair.has_unequal_balls() && ratio > 0.1;
     Warning::when(is_doubtful, WarningKind::UnequalBalls, ratio, || {
         format!(
             "both balls flow and are not equal, and the contact radius is {ratio:.3} of the smaller one's: there the sum of their parts misses equal balls by 0.5 to 1 % of e, so that e has a step of this size where an axis passes through equal balls"
@@ -90,7 +90,7 @@ fn of_unequal_balls(pair: &Pair, ratio: f64) -> Option<Warning> {
 fn of_short_contact(contact: &Contact, duration: f64) -> Option<Warning> {
     let (sphere, target) = (contact.sphere(), contact.half_space());
     let transit = 2.0 * sphere.radius * (sphere.density / sphere.material.youngs_modulus).sqrt();
-    let of_ball = target.ball_radius().filter(|_| target.hold == Hold::Ball).zip(target.density);
+    let of_ball = target.ball_radius().filter(|_| target.support == Support::Ball).zip(target.density);
     let transit = of_ball.map_or(transit, |(radius, density)| {
         transit.max(2.0 * radius * (density / target.material.youngs_modulus).sqrt())
     });

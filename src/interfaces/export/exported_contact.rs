@@ -1,7 +1,7 @@
 //! The part of a scenario that a code for many spheres takes over: the bodies with plate and damping, and the speed. That code
 //! has its own way to compute all other forces and the path of the sphere.
 
-use crate::contact::pair::Hold;
+use crate::contact::pair::Support;
 use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
 use crate::numerics::functions::cos;
@@ -60,10 +60,10 @@ impl Bare {
         }
         let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
         let contact = input.contact().map_err(failed)?;
-        let ball = match contact.half_space().hold {
-            Hold::Fixed => None,
-            Hold::Ball => contact.half_space().ball_radius(),
-            Hold::Free(_) => {
+        let ball = match contact.half_space().support {
+            Support::Fixed => None,
+            Support::Ball => contact.half_space().ball_radius(),
+            Support::Free(_) => {
                 let message = "these lines are for a wall that is fixed, or for two spheres: leave this key out, or give mass = \"ball\" with half_space.radius and half_space.density";
                 return Err(scenario.document.refuse("half_space.mass", message));
             }

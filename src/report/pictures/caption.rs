@@ -29,12 +29,12 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
     // if a strength varies, the body that yields may differ within the picture
     let is_same = !Body::ALL.into_iter().any(varies_strength);
     let pair = Pair::try_new(&sphere, &half_space).ok().filter(|_| is_same);
-    let flow = pair.and_then(|pair| pair.yield_point).map(|point| point.flow);
+    let flow = pair.and_then(|pair| pair.yield_point).map(|point| point.yield_partition);
     let strength = |body: Body, strength: Option<f64>| {
         let text = format_result(strength.filter(|_| !varies_strength(body))?, Dimension::Pressure);
         match flow {
             Some(flow) => {
-                let yields = flow.is_of_both() || flow.of_softer(Body::ALL) == body;
+                let yields = flow.is_shared() || flow.for_softer(Body::ALL) == body;
                 yields.then(|| format!("yields at {text}"))
             }
             None => Some(format!("strength {text}")),

@@ -4,7 +4,7 @@
 use crate::report::chart;
 
 use super::{axis_of, caption, captioned, law_title, title_of, words_of};
-use crate::contact::law::Bodies;
+use crate::contact::law::YieldingPair;
 use crate::impact::{Essentials, Rebound};
 use crate::reference::quasi_static;
 use crate::report::chart::{Chart, Look, Panel, Series, heatmap, histogram};
@@ -314,7 +314,7 @@ fn is_wide(curves: &[Series]) -> bool {
 /// point is the impact speed with the same energy as the loading.
 fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
     let contact = plan.input.contact().ok()?;
-    let bodies = Bodies::new(contact.pair())?;
+    let bodies = YieldingPair::new(contact.pair())?;
     let energy = bodies.yield_point.force * bodies.yield_point.indentation;
     let (low, high) = extremes(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
     let points: Vec<_> = quasi_static::unloadings(contact.sphere().material.youngs_modulus, &bodies)

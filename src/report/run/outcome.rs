@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use crate::contact::law::{LawChoice, OutsideLaw};
+use crate::contact::law::{LawChoice, LawError};
 use crate::error::{Error, ErrorKind};
 use crate::files::{LawProvenance, OutputFile, Progress, Provenance, SUMMARY_FILE};
 use crate::impact::{ImpactError, Warning};
@@ -102,10 +102,10 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
     let speeds = ["impact.speed", "impact.drop_height", "repeat.speeds"];
     let curves = Body::ALL.map(Body::flow_stress);
     let key = match reason {
-        ImpactError::Law(OutsideLaw::BothFlow { .. }) => {
+        ImpactError::Law(LawError::BothFlow { .. }) => {
             curves.into_iter().find(|key| scenario.document.has(key)).unwrap_or("law")
         }
-        ImpactError::Law(OutsideLaw::Exponent { .. }) => "law.plm.unloading_exponent",
+        ImpactError::Law(LawError::Exponent { .. }) => "law.plm.unloading_exponent",
         ImpactError::Law(_) => "law",
         ImpactError::Plate(_) | ImpactError::SmallInertia { least: None, .. } => "half_space.thickness",
         ImpactError::Hollow(_) => "half_space.radius",

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use super::files::csv;
 use super::inputs::Inputs;
 use super::{overview, terminal};
-use crate::contact::pair::left_behind;
+use crate::contact::pair::imprint_name;
 use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
 use crate::results::{Reported, fields, lists, results};
@@ -160,7 +160,7 @@ pub fn table(tested: &[Tested]) -> String {
         }
         let mut rows = terminal::columns(&step(), &stepped(one));
         if let Some(point) = one.pair.yield_point {
-            let left = terminal::imprint(one.is_spring, left_behind(point.flow.flat_share));
+            let left = terminal::imprint(one.is_spring, imprint_name(point.yield_partition.flat_share));
             terminal::rename_dent(rows.iter_mut().flatten(), left);
         }
         text.push_str(&align_columns(&rows, |_| true));
@@ -214,7 +214,7 @@ pub fn notes(scenario: &Scenario, tested: &[Tested]) -> Vec<String> {
     let input = scenario.input();
     let is_vague = |body: Body| !input.has_flow(body) && input.strength_kind(body).is_none();
     let has_dent = |one: &&Tested| one.indentation.steps.iter().any(|step| step.plastic_work > 0.0);
-    let softer = |one: &Tested| one.pair.yield_point.map(|point| point.flow.of_softer(Body::ALL));
+    let softer = |one: &Tested| one.pair.yield_point.map(|point| point.yield_partition.for_softer(Body::ALL));
     let body = tested.iter().filter(has_dent).filter_map(softer).find(|body| is_vague(*body));
     body.map(|body| {
         let key = body.yield_strength();

@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value};
 
-use crate::contact::law::plm::hardness_test::flow_stress;
+use crate::contact::law::plm::hardness_test::flow_stress_of_hardness;
 use crate::impact::Method;
 use crate::scenario::input::{Body, Input, KeyValue, partner};
 use crate::scenario::keys::quantity::FACTOR;
@@ -34,7 +34,7 @@ impl Inputs {
             let Some(mean_pressure) = input.number(key_of!(body, "hardness")) else { continue };
             let rule = if input.flow_curve(body).is_some() { "hardness and flow_stress" } else { "hardness" };
             entries.push(KeyValue::word(&strength_from(body), Part::Flow, rule));
-            let ratio = mean_pressure / flow_stress(mean_pressure, &input.material(body));
+            let ratio = mean_pressure / flow_stress_of_hardness(mean_pressure, &input.material(body));
             let (path, quantity) = (constraint(body), Some(&FACTOR));
             entries.push(KeyValue { path, part: Part::Flow, quantity, value: ratio.into() });
         }

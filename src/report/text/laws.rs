@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use crate::contact::law::catalogue::not_public;
-use crate::contact::law::{About, LawChoice};
+use crate::contact::law::catalogue::unimplemented_laws;
+use crate::contact::law::{LawChoice, LawInfo};
 
 pub fn data() -> Value {
-    let laws: Vec<&About> = LawChoice::all().iter().map(LawChoice::about).collect();
-    let missing = not_public().map(|(title, reason)| json!({ "title": title, "reason": reason }));
+    let laws: Vec<&LawInfo> = LawChoice::all().iter().map(LawChoice::about).collect();
+    let missing = unimplemented_laws().map(|(title, reason)| json!({ "title": title, "reason": reason }));
     json!({ "laws": laws, "not_here": missing.collect::<Vec<_>>() })
 }
 
@@ -33,7 +33,7 @@ pub fn list() -> String {
         text.push('\n');
     }
     text.push_str("Not here:\n\n");
-    for (title, reason) in not_public() {
+    for (title, reason) in unimplemented_laws() {
         let _ = writeln!(text, "{title}\n  {reason}");
     }
     text

@@ -43,7 +43,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
         rows.push(["strength raised by".to_owned(), format_four_digits(rated.factor)]);
         rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_turn)]);
     }
-    let softer = contact.pair().reachable_yield_point().map(|point| point.flow.of_softer(Body::ALL));
+    let softer = contact.pair().reachable_yield_point().map(|point| point.yield_partition.for_softer(Body::ALL));
     align_columns(&rows, |_| true) + &self::notes(notes) + &with_rate(input, contact, softer, speed).unwrap_or_default()
 }
 
@@ -106,16 +106,16 @@ pub(super) fn who(pair: &Pair, is_reached: bool) -> Row {
     if !is_reached {
         return ["yield point", TOO_WIDE].map(str::to_owned);
     }
-    let flow = point.flow;
+    let flow = point.yield_partition;
     let ratio = flow.ratio;
     let [softer, harder] = if flow.is_sphere { ["sphere", "half-space"] } else { ["half-space", "sphere"] };
     let times = format_four_digits(ratio);
-    let who = if pair.is_of_equal_balls() {
+    let who = if pair.has_equal_balls() {
         "both alike: two equal balls are one of them on a rigid wall at half the approach".to_owned()
     } else if ratio.is_infinite() {
         format!("the {softer}; the {harder} stays elastic")
-    } else if flow.is_of_both() {
-        let is_sum = pair.is_of_unequal_balls();
+    } else if flow.is_shared() {
+        let is_sum = pair.has_unequal_balls();
         let sum = if is_sum { "; their parts are added, which misses equal balls by up to 1 % of e" } else { "" };
         format!("both: the {harder} is {times} times as strong, and the {softer} flows more{sum}")
     } else {

@@ -1,6 +1,6 @@
 //! All units that a scenario, a column of measurements and the command line may have, by quantity.
 
-use crate::contact::strength::hardness::Scale;
+use crate::contact::strength::hardness::HardnessScale;
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_number, parse};
 
@@ -27,11 +27,11 @@ fn with_size(unit: &str, dimension: Dimension) -> String {
 }
 
 fn hardness() -> [String; 3] {
-    let with_range = |scale: Scale| match scale.range() {
+    let with_range = |scale: HardnessScale| match scale.range() {
         Some((low, high)) => format!("{} ({} to {})", scale.name(), format_number(low), format_number(high)),
         None => scale.name().to_owned(),
     };
-    let scales = Scale::ALL.map(with_range).join(", ");
+    let scales = HardnessScale::ALL.map(with_range).join(", ");
     ["hardness".to_owned(), "Pa".to_owned(), format!("{scales}; or a mean pressure")]
 }
 

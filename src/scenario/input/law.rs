@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Body, Input, Value};
-use crate::contact::law::catalogue::jackson_green::Hardness;
+use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::pair::{ALONE_FROM, yield_factor};
 use crate::contact::strength::flow_curve::FlowCurve;
@@ -20,7 +20,7 @@ impl Input {
                 law.exponent = match number(at!("law.plm.unloading_exponent")) {
                     None => law.exponent,
                     Some(f64::INFINITY) => UnloadingExponent::PressureShape,
-                    Some(value) => UnloadingExponent::of(value),
+                    Some(value) => UnloadingExponent::from_value(value),
                 };
                 if let Some(Value::Coefficients(table)) = self.value(at!("law.plm.coefficients")) {
                     law.coefficients = Arc::clone(table);
@@ -35,7 +35,7 @@ impl Input {
             LawChoice::JacksonGreen(law) => {
                 law.yield_factor = number(at!("law.jackson_green.yield_factor"));
                 let hardness = self.word(at!("law.jackson_green.hardness"));
-                law.hardness = hardness.map_or(law.hardness, |place| Hardness::ALL[place]);
+                law.hardness = hardness.map_or(law.hardness, |place| HardnessFit::ALL[place]);
             }
             LawChoice::KogutEtsion(law) => law.yield_factor = number(at!("law.kogut_etsion.yield_factor")),
             LawChoice::YigitChristoforou(law) => {

@@ -205,7 +205,7 @@ fn points(text: &str) -> Result<Vec<[f64; 2]>, CsvError> {
 
 fn through(points: &[[f64; 2]]) -> Result<FlowCurve, String> {
     let points = points.iter().map(|&[strain, stress]| FlowPoint { strain, stress });
-    FlowCurve::through(points.collect::<Vec<_>>()).map_err(|error| error.to_string())
+    FlowCurve::from_points(points.collect::<Vec<_>>()).map_err(|error| error.to_string())
 }
 
 /// True if there is a key or a table of this path.

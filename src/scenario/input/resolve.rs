@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{Body, BodyMaterial, Input, Key, Value};
 use crate::contact::law::LawChoice;
-use crate::contact::pair::{HalfSpace, Hold, Sphere, sphere_volume};
+use crate::contact::pair::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::flight::free_flight::{Flying, Medium};
 use crate::impact::{
@@ -24,7 +24,7 @@ impl Input {
         let radius = self.radius().unwrap_or(f64::NAN);
         let of_mass = |mass: f64| mass / sphere_volume(radius);
         let number = |at| self.number(at);
-        let [of_sphere, of_half_space] = law.flow();
+        let [of_sphere, of_half_space] = law.flow_curves();
         let yield_strength = self.yield_strength(Body::Sphere, of_sphere);
         let strength = self.yield_strength(Body::HalfSpace, of_half_space);
         let density = number(at!("sphere.density")).unwrap_or(f64::NAN);
@@ -34,10 +34,10 @@ impl Input {
             HalfSpace {
                 density: number(at!("half_space.density")),
                 radius: number(at!("half_space.radius")),
-                hold: match number(at!("half_space.mass")) {
-                    None => Hold::Fixed,
-                    Some(f64::INFINITY) => Hold::Ball,
-                    Some(mass) => Hold::Free(mass),
+                support: match number(at!("half_space.mass")) {
+                    None => Support::Fixed,
+                    Some(f64::INFINITY) => Support::Ball,
+                    Some(mass) => Support::Free(mass),
                 },
                 ..HalfSpace::flat(self.material(Body::HalfSpace), strength)
             },
@@ -56,7 +56,7 @@ impl Input {
     pub fn has_flow(&self, body: Body) -> bool {
         let law = self.law();
         let is_hard = self.number(key_of!(body, "hardness")).is_some();
-        is_hard || body.pick(law.flow()).is_some() || matches!(law, LawChoice::Hertz(_))
+        is_hard || body.pick(law.flow_curves()).is_some() || matches!(law, LawChoice::Hertz(_))
     }
 
     /// Gravity, damping and the plate.
@@ -119,7 +119,7 @@ impl Input {
             contact = contact.with_moment_of_inertia(moment);
         }
         let [sphere, half_space] = Body::ALL.map(|body| self.named_material(body));
-        let flow = law.flow();
+        let flow = law.flow_curves();
         let is_by_hardness =
             Body::ALL.map(|body| self.number(key_of!(body, "hardness")).is_some() && body.pick(flow).is_none());
         let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));

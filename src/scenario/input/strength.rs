@@ -4,7 +4,7 @@ use super::{Body, Input, Value};
 use crate::contact::law::plm::hardness_test::strength_of_hardness;
 use crate::contact::pair::Material;
 use crate::contact::strength::flow_curve::FlowCurve;
-use crate::contact::strength::strain_rate_hardening::{Form, Rate};
+use crate::contact::strength::strain_rate_hardening::{RateForm, StrainRateHardening};
 use crate::scenario::keys::{At, NUMBER, key_of};
 
 impl Body {
@@ -52,20 +52,23 @@ impl Input {
 
     /// How the strength of a body rises with the rate of strain, where all numbers of a form are given.
     #[inline]
-    pub fn rate(&self, body: Body) -> Option<Rate> {
+    pub fn rate(&self, body: Body) -> Option<StrainRateHardening> {
         let form = if let Some(c) = self.number(key_of!(body, "rate.johnson_cook.c")) {
             let reference = self.number(key_of!(body, "rate.johnson_cook.reference"));
-            Form::JohnsonCook { c, reference: reference.unwrap_or(Rate::USUAL_REFERENCE) }
+            RateForm::JohnsonCook { c, reference: reference.unwrap_or(StrainRateHardening::DEFAULT_REFERENCE_RATE) }
         } else {
             let rate = self.number(key_of!(body, "rate.cowper_symonds.rate"))?;
-            Form::CowperSymonds { rate, exponent: self.number(key_of!(body, "rate.cowper_symonds.exponent"))? }
+            RateForm::CowperSymonds { rate, exponent: self.number(key_of!(body, "rate.cowper_symonds.exponent"))? }
         };
-        Some(Rate { form, tested_at: self.number(key_of!(body, "rate.tested_at")).unwrap_or(Rate::USUAL_TEST) })
+        Some(StrainRateHardening {
+            form,
+            test_rate: self.number(key_of!(body, "rate.tested_at")).unwrap_or(StrainRateHardening::DEFAULT_TEST_RATE),
+        })
     }
 
     /// How the strengths of sphere and half-space rise with the rate of strain.
     #[inline]
-    pub fn rates(&self) -> [Option<Rate>; 2] {
+    pub fn rates(&self) -> [Option<StrainRateHardening>; 2] {
         Body::ALL.map(|body| self.rate(body))
     }
 

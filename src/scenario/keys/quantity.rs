@@ -220,7 +220,7 @@ impl Quantity {
 
     /// Parses a text such as "5 mm", and checks the value.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
-        let value = match hardness::written(text).filter(|_| self.is_hardness) {
+        let value = match hardness::parse(text).filter(|_| self.is_hardness) {
             Some((number, scale)) => scale.mean_pressure(number).map_err(|error| error.to_string())?,
             None => units::parse_named(text, self.dimension, self.name, self.example).map_err(|error| {
                 if self.is_hardness { format!("{error}; or a hardness in HV, HB, HRB or HRC") } else { error }
@@ -232,7 +232,7 @@ impl Quantity {
     /// A value as text: a hardness in HV, an angle in degrees, other values in a suitable unit.
     pub fn human(&self, value: f64) -> String {
         if self.is_hardness {
-            format!("{} HV", format_four_digits(hardness::vickers(value)))
+            format!("{} HV", format_four_digits(hardness::vickers_number(value)))
         } else if self.dimension == Dimension::Angle {
             format!("{} deg", format_four_digits(value.to_degrees()))
         } else {
@@ -244,7 +244,7 @@ impl Quantity {
     /// degrees for an angle, the SI unit for any other.
     pub fn picture_unit(&self) -> (&'static str, fn(f64) -> f64) {
         if self.is_hardness {
-            ("HV", hardness::vickers)
+            ("HV", hardness::vickers_number)
         } else if self.dimension == Dimension::Angle {
             ("°", f64::to_degrees)
         } else {

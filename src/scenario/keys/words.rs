@@ -2,7 +2,7 @@
 
 use super::Words;
 use crate::contact::law::LawChoice;
-use crate::contact::law::catalogue::jackson_green::Hardness;
+use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::series::Place;
 use crate::impact::{Method, PlateTheory};
@@ -56,7 +56,7 @@ pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true
 /// Spots of repeated impacts.
 pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
 /// Forms of the hardness of Jackson and Green.
-pub static HARDNESSES: Words = words("word", "words here", || texts(Hardness::ALL.map(Hardness::name)));
+pub static HARDNESSES: Words = words("word", "words here", || texts(HardnessFit::ALL.map(HardnessFit::name)));
 /// Words for the noise of measurements, if it is not given by numbers.
 pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
 /// Kinds of a strength.

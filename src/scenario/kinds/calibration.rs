@@ -1,8 +1,8 @@
 //! `[calibrate]`: keys that are fitted to measurements.
 
 use crate::contact::law::LawChoice;
-use crate::contact::law::plm::hardness_test::pressure;
-use crate::contact::strength::hardness::{self, Scale};
+use crate::contact::law::plm::hardness_test::hardness_of_flow_stress;
+use crate::contact::strength::hardness::{self, HardnessScale};
 use crate::error::Error;
 use crate::impact::Method;
 use crate::scenario::document::read_text;
@@ -115,7 +115,7 @@ impl Scenario {
         let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
         let strengths = RANGE.map(|share| share * modulus);
         let (path, [from, to]) = if self.has(body.hardness()) {
-            (body.hardness(), strengths.map(|strength| pressure(strength, &material)))
+            (body.hardness(), strengths.map(|strength| hardness_of_flow_stress(strength, &material)))
         } else {
             (body.yield_strength(), strengths)
         };
@@ -131,19 +131,20 @@ impl Scenario {
     fn unknown(&self, input: &Input) -> Body {
         let sphere = Body::Sphere;
         let is_given = [sphere.yield_strength(), sphere.hardness()].iter().any(|path| self.document.has(path));
-        let is_softer = || input.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.flow.is_sphere));
+        let is_softer =
+            || input.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.yield_partition.is_sphere));
         let is_named = self.document.has(Body::HalfSpace.material());
         if is_given && !is_named && is_softer() == Some(true) { sphere } else { Body::HalfSpace }
     }
 
     /// The hardness scale on which the scenario or a material gives a key, or on which the scenario gives an end of its range.
-    fn scale_of(&self, key: &Key) -> Option<Scale> {
+    fn scale_of(&self, key: &Key) -> Option<HardnessScale> {
         let end = format!("calibrate.free.{}.from", key.path);
         let given = [key.path, &end].into_iter().find_map(|path| self.document.value(path));
         let of_material =
             self.input.materials().iter().flat_map(BodyMaterial::values).find(|(path, _)| *path == key.path);
         let text = given.or(of_material.map(|(_, known)| known.used.text.as_str()))?;
-        key.quantity.is_hardness.then(|| hardness::written(text)).flatten().map(|(_, scale)| scale)
+        key.quantity.is_hardness.then(|| hardness::parse(text)).flatten().map(|(_, scale)| scale)
     }
 
     /// Refuses free keys and columns of the data that have no effect, and impacts without a speed or a mass.

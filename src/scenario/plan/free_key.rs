@@ -1,6 +1,6 @@
 //! A free key of a calibration: its range, and the scale of the search in this range.
 
-use crate::contact::strength::hardness::Scale;
+use crate::contact::strength::hardness::HardnessScale;
 use crate::numerics::functions::{exp, ln};
 use crate::scenario::input::Key;
 use crate::units::{Dimension, format_exact, format_input, format_number};
@@ -16,7 +16,7 @@ pub struct Free {
     /// True if the scale is logarithmic: equal ratios count equally, instead of equal differences.
     pub is_logarithmic: bool,
     /// The hardness scale on which the scenario gives the key; the results are on this scale too.
-    pub hardness: Option<Scale>,
+    pub hardness: Option<HardnessScale>,
 }
 
 impl Free {
@@ -67,9 +67,9 @@ impl Free {
     }
 
     /// A hardness on the scale of the scenario, if the scale covers it.
-    fn on_scale(&self, value: f64) -> Option<(f64, Scale)> {
+    fn on_scale(&self, value: f64) -> Option<(f64, HardnessScale)> {
         let scale = self.hardness?;
-        Some((scale.of_mean_pressure(value)?, scale))
+        Some((scale.number_at_mean_pressure(value)?, scale))
     }
 }
 

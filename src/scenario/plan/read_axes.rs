@@ -299,8 +299,8 @@ fn moments(quantity: &Quantity, value: &Node) -> Result<(f64, f64), Fault> {
 
 /// A standard deviation. On a curved scale of hardness a difference of numbers is no difference of pressures.
 fn deviation(quantity: &Quantity, node: &Node) -> Result<f64, Fault> {
-    let scale = node.get_ref().as_str().and_then(hardness::written).map(|(_, scale)| scale);
-    if let Some(scale) = scale.filter(|scale| quantity.is_hardness && *scale != hardness::Scale::Vickers) {
+    let scale = node.get_ref().as_str().and_then(hardness::parse).map(|(_, scale)| scale);
+    if let Some(scale) = scale.filter(|scale| quantity.is_hardness && *scale != hardness::HardnessScale::Vickers) {
         let name = scale.name();
         let message = format!(
             "a standard deviation in {name} says nothing, as that scale is curved: write it in HV, such as \"20 HV\", or as a pressure"

@@ -88,7 +88,7 @@ impl Scenario {
             );
         }
         let modulus = body.pick([sphere.material, half_space.material]).youngs_modulus;
-        let sound = flow.starts_from(strength).and_then(|()| flow.is_flatter_than(modulus, strength));
+        let sound = flow.check_start(strength).and_then(|()| flow.check_slope(modulus, strength));
         sound.or_else(|error| refuse(&error.to_string()))
     }
 }

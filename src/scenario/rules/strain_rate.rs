@@ -53,13 +53,13 @@ impl Scenario {
             return refuse("only the law plm has a rate: leave the table out, or the axis \"law\"".to_owned());
         }
         let Some(rate) = input.rate(body) else { return Ok(()) };
-        let rise = rate.rise(rate.tested_at);
+        let rise = rate.raw_factor(rate.test_rate);
         if rise > 0.0 {
             return Ok(());
         }
         refuse(format!(
             "at the rate of the test, {} 1/s, the factor 1 + c ln(rate/reference) is {}, and a strength is positive: give a smaller c, or the rate tested_at that the strength is of",
-            format_number(rate.tested_at),
+            format_number(rate.test_rate),
             format_number(rise)
         ))
     }

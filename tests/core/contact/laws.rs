@@ -11,13 +11,13 @@ mod without_motion;
 
 use crate::common::prelude::*;
 
-fn bodies(scene: &Scene) -> Bodies {
+fn bodies(scene: &Scene) -> YieldingPair {
     let (sphere, half_space) = scene.parts();
     let pair = Pair::try_new(&sphere, &half_space).unwrap();
-    Bodies::new(&pair).unwrap()
+    YieldingPair::new(&pair).unwrap()
 }
 
-fn case_3() -> Bodies {
+fn case_3() -> YieldingPair {
     bodies(&Scene::case_3())
 }
 
@@ -33,7 +33,7 @@ fn law_of(law: &dyn ContactLaw) -> Law {
 /// Every whole law, and combinations of laws that have only loading or only unloading.
 pub fn whole_laws() -> Vec<(String, LawChoice)> {
     let mut laws: Vec<LawChoice> = LawChoice::all().into_iter().filter(LawChoice::has_loading).collect();
-    laws.push(LawChoice::JacksonGreen(JacksonGreen { hardness: Hardness::Cosine, yield_factor: None }));
+    laws.push(LawChoice::JacksonGreen(JacksonGreen { hardness: HardnessFit::Cosine, yield_factor: None }));
     for pair in [
         "plm + thornton",
         "jackson_green + brake",

@@ -9,8 +9,8 @@ use crate::common::prelude::*;
 
 /// Restitution of a quasi-static cycle to x: square root of recovered over spent work.
 fn restitution(law: &Law, x: f64) -> f64 {
-    let peak = law.loaded_to(x);
-    (law.unloading(peak).stored(x) / law.loading.work(x)).sqrt()
+    let peak = law.loaded_state(x);
+    (law.unloading(peak).stored_energy(x) / law.loading.work(x)).sqrt()
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn printed_table_of_case_3_is_reproduced() {
     let scene = Scene::case_3();
     let (law, kappa) = (scene.law(), scene.contact().pair().sphere_compliance);
     for [x, f, eps, work, sphere_share, residual_share, e] in table {
-        let peak = law.loaded_to(x);
+        let peak = law.loaded_state(x);
         let near =
             |got: f64, want: f64, digits: f64| assert!((got - want).abs() <= digits * want, "x = {x}: {got} {want}");
         near(peak.force, f, 6e-10);
@@ -72,7 +72,7 @@ proptest! {
         let exponent = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape][exponent];
         let law = Scene { exponent, ..scene }.law();
         let x = 10_f64.powf(log_x);
-        let peak = law.loaded_to(x);
+        let peak = law.loaded_state(x);
         let unloading = law.unloading(peak);
         // Eq. 19: F(δ_m) = F_m, F(δ_r) = 0; x − x_r loses digits by the factor x/ε
         prop_assert!(off(unloading.force(x), peak.force) < 4e-15 * x / peak.elastic_approach);
@@ -81,7 +81,7 @@ proptest! {
         // stored energy is the integral of the force
         let middle = peak.residual() + 0.5 * peak.elastic_approach;
         let returned = integral(middle, x, |x| unloading.force(x));
-        prop_assert!(off(unloading.stored(x) - unloading.stored(middle), returned) < 1e-11 * x / peak.elastic_approach);
+        prop_assert!(off(unloading.stored_energy(x) - unloading.stored_energy(middle), returned) < 1e-11 * x / peak.elastic_approach);
         // Eq. 24 in units of the yield point: R_e/R = f²/ε³; and with exponent 3/2 the law is f = √(R_e/R) (x −
         // x_r)^1.5
         let ratio = peak.unloading_radius_ratio();
@@ -95,18 +95,18 @@ proptest! {
 #[test]
 fn radius_ratio_and_exponent_have_their_end_values() {
     let table = &PlmCoefficients::built_in().contact_radius;
-    let shallow = table.of(0.0, 0.01);
+    let shallow = table.for_contact(0.0, 0.01);
     // Λ: 1 up to A = 1.5, 1.15 at A = 4, 1.19 from A = 8 on
     for (radius, want) in
         [(0.0, 1.0), (1.0, 1.0), (1.5, 1.0), (2.75, 1.075), (4.0, 1.15), (6.0, 1.17), (8.0, 1.19), (1e6, 1.19)]
     {
-        assert!(off(shallow.ratio_at(radius), want) < 1e-15, "{radius}");
+        assert!(off(shallow.pressure_shape_at(radius), want) < 1e-15, "{radius}");
     }
     // G = 1 + (0.25 + 0.145 κ²) max(0, â/R − 0.105), here with a_Y = R/100 so that â/R = A/100
     for (kappa, radius, want) in [(0.0, 10.5, 1.0), (0.0, 40.5, 1.075), (0.5, 40.5, 1.085_875), (1.0, 50.5, 1.158)] {
-        let deep = table.of(kappa * kappa, 0.01);
-        assert!(off(deep.geometry_at(radius), want) < 1e-15, "{kappa} {radius}");
-        assert_eq!(deep.geometry_at(0.5 * f64::min(radius, 10.5)), 1.0);
+        let deep = table.for_contact(kappa * kappa, 0.01);
+        assert!(off(deep.geometry_factor_at(radius), want) < 1e-15, "{kappa} {radius}");
+        assert_eq!(deep.geometry_factor_at(0.5 * f64::min(radius, 10.5)), 1.0);
     }
     assert_eq!(pressure_shape_exponent(1.0), 1.5);
     // uniform pressure, Λ = 3π/8: n = 3π/4 − 1
@@ -116,7 +116,7 @@ fn radius_ratio_and_exponent_have_their_end_values() {
     // after elastic loading, unloading follows Hertz for every choice
     for exponent in [UnloadingExponent::Fixed(1.2), UnloadingExponent::PressureShape] {
         let law = Scene { exponent, ..Scene::case_3() }.law();
-        assert_eq!(law.unloading(law.loaded_to(0.9)).exponent, 1.5);
+        assert_eq!(law.unloading(law.loaded_state(0.9)).exponent, 1.5);
     }
 }
 
@@ -141,8 +141,8 @@ fn a_table_without_geometry_is_read() {
     // a table in the earlier form without geometry: G = 1
     let older: String =
         text.lines().filter(|line| !line.starts_with("geometry_slope")).map(|l| l.to_owned() + "\n").collect();
-    let radius = PlmCoefficients::from_toml(&older).unwrap().contact_radius.of(0.25, 0.01);
-    assert_eq!(radius.geometry_at(1e3), 1.0);
+    let radius = PlmCoefficients::from_toml(&older).unwrap().contact_radius.for_contact(0.25, 0.01);
+    assert_eq!(radius.geometry_factor_at(1e3), 1.0);
 }
 
 #[test]

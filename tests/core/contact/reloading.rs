@@ -69,11 +69,11 @@ fn dent_on_hertz_piece_is_cut() {
     // between first yield and the first knot (x = 1.7) the force is that of Hertz, but there is a dent
     for x in [1.000_001, 1.1, 1.5, 1.699_999, 1.7] {
         let law = Scene::steel().law();
-        let branch = law.unloading(law.loaded_to(x));
-        let dent = law.dented(branch.peak);
-        let reloaded = Ground::new(&law, Some(&dent));
+        let branch = law.unloading(law.loaded_state(x));
+        let dent = law.history_after(branch.peak);
+        let reloaded = Surface::new(&law, Some(&dent));
         for target in [x * (1.0 + 1e-9), 1.2 * x, 10.0] {
-            let kinetic = branch.capacity() + (law.loading.work(target) - law.loading.work(x));
+            let kinetic = branch.recoverable_energy() + (law.loading.work(target) - law.loading.work(x));
             let outcome = closed_form::solve(reloaded, (2.5 * kinetic).sqrt());
             assert!(off(outcome.unloading.peak.indentation, target) < 1e-14, "{x} {target}");
             for (method, factor) in STEPPING {

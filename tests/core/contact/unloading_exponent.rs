@@ -53,7 +53,7 @@ fn coefficients_that_would_gain_by_themselves_do_not() {
         let speed = contact.yield_speed().unwrap() * (1.0 + 0.05 * f64::from(i));
         match contact.row(speed, &Solver::AUTO) {
             Ok(row) => assert!(row.restitution <= 1.0 && row.plastic_fraction >= 0.0, "{i} {row:?}"),
-            Err(error) => assert!(matches!(error, ImpactError::Law(OutsideLaw::Exponent { .. })), "{i} {error}"),
+            Err(error) => assert!(matches!(error, ImpactError::Law(LawError::Exponent { .. })), "{i} {error}"),
         }
     }
 }

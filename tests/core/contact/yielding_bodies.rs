@@ -27,7 +27,7 @@ fn load_cycles_are_those_of_finite_elements() {
         let (_, contact) = contact_of(&row, &["sphere.density=7850", "impact.speed=1"]);
         let (scales, law, _) = contact.scaled(10.0 * contact.yield_speed().unwrap()).unwrap();
         let depth = row.number("delta_m");
-        let peak = law.loaded_to(depth / scales.length);
+        let peak = law.loaded_state(depth / scales.length);
         let force = peak.force * scales.force / row.number("F_N") - 1.0;
         let residual = (peak.residual() * scales.length - row.number("residual_m")) / depth;
         let impact = contact.closed_form((2.0 * row.number("W_J") / contact.mass()).sqrt()).unwrap();
@@ -86,7 +86,7 @@ fn dent_and_flat_match_finite_elements() {
         }
         let (_, contact) = contact_of(&row, &["sphere.density=7850", "impact.speed=1"]);
         let (flat, dent) = (row.number("flat_over_delta"), row.number("dent_over_delta"));
-        let share = contact.pair().yield_point.unwrap().flow.flat_share;
+        let share = contact.pair().yield_point.unwrap().yield_partition.flat_share;
         assert!((share - flat / (flat + dent)).abs() < 0.1, "{}: {share} {}", row.name(), flat / (flat + dent));
     }
 }
@@ -166,7 +166,7 @@ fn small_contacts_are_symmetric_in_the_bodies() {
         let dented = law([None, Some(strength)], [stiff, soft], [None, curve.clone()]);
         let flattened = law([Some(strength), None], [soft, stiff], [curve, None]);
         for x in [1.5, 3.0, 30.0, 300.0] {
-            let [one, two] = [&dented, &flattened].map(|law| law.loaded_to(x));
+            let [one, two] = [&dented, &flattened].map(|law| law.loaded_state(x));
             assert!(off(two.force, one.force) < 1e-3, "{strength} {x}: {} {}", one.force, two.force);
             assert!(off(two.elastic_approach, one.elastic_approach) < 1e-3, "{strength} {x}");
         }

@@ -33,7 +33,8 @@ fn contact_time_is_sum_over_pieces() {
                 _ => panic!("{piece:?}"),
             };
             let loading = law.loading.pieces()[1..].iter().fold(LoadingCurve::hertz(), straight);
-            let (by_series, by_pieces) = (solve(law, q), solve(&Law::new(loading, law.limits, law.rule.clone()), q));
+            let (by_series, by_pieces) =
+                (solve(law, q), solve(&Law::new(loading, law.validity, law.unloading_rule.clone()), q));
             assert!(off(by_series.loading_time, by_pieces.loading_time) < 2e-15, "{flow} {speed}");
             assert_eq!(by_series.restitution, by_pieces.restitution, "{flow} {speed}");
         }

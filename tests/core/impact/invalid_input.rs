@@ -98,7 +98,7 @@ fn coefficients_that_break_a_rule_are_refused() {
     let half = LawChoice::Combined(Combined { loading: thornton, unloading: Box::new(plm.clone()) });
     for law in [plm, LawChoice::Combined(Combined { loading: one, unloading: other }), half] {
         let error = Contact::try_new(sphere(), half_space(), law.get()).unwrap_err();
-        assert!(matches!(error, ImpactError::Law(OutsideLaw::Coefficients { .. })), "{error}");
+        assert!(matches!(error, ImpactError::Law(LawError::Coefficients { .. })), "{error}");
         assert!(error.to_string().contains("force.from"), "{error}");
     }
 }

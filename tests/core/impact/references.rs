@@ -73,7 +73,7 @@ fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
     }
     assert!(compared >= 7, "{}: {compared}", row.name());
     if let Some(share) = row.maybe("harder_body_residual_share") {
-        let flow = point.unwrap().flow;
+        let flow = point.unwrap().yield_partition;
         let of_harder = if flow.is_sphere { impact.dent_depth() } else { impact.flat_depth };
         assert!((of_harder - share * impact.residual_indentation).abs() < 1e-11 * size, "{}: {of_harder}", row.name());
         return;
@@ -135,7 +135,8 @@ fn peak_row_matches_reference() {
         let [of_sphere, of_half_space] = [&scene.sphere().material, &scene.half_space().material].map(compliance);
         if let Some(elastic) = row.maybe("elastic_approach_m") {
             let kept = row.maybe("harder_body_residual_share").unwrap_or(0.0);
-            let is_softer = scene.contact().unwrap().pair().yield_point.is_some_and(|point| point.flow.is_sphere);
+            let is_softer =
+                scene.contact().unwrap().pair().yield_point.is_some_and(|point| point.yield_partition.is_sphere);
             let flat = if is_softer { 1.0 - kept } else { kept };
             let want = of_sphere / (of_sphere + of_half_space) * elastic
                 + flat * row.maybe("residual_indentation_m").unwrap_or(0.0);

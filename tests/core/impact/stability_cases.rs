@@ -65,7 +65,7 @@ fn balanced(name: &'static str, law: Law, speed: f64) -> Problem {
 fn many_knots(law: &Law, count: i32, ratio: f64) -> Law {
     let knots = (0..count).map(|i| 1.7 * powi(ratio, i));
     let loading = knots.fold(LoadingCurve::hertz(), |curve, start| curve.then_line(start, 2.0 * pow(start / 1.7, 0.2)));
-    Law::new(loading, law.limits, law.rule.clone())
+    Law::new(loading, law.validity, law.unloading_rule.clone())
 }
 
 /// All hard cases. Each names the source of its restitution in its description.

@@ -1,6 +1,6 @@
 //! A second ball and a curved wall: conservation, limits, and equal balls.
 
-use plm_impact::contact::pair::Hold;
+use plm_impact::contact::pair::Support;
 use plm_impact::impact::ImpactError;
 
 use crate::common::prelude::*;
@@ -14,7 +14,7 @@ fn balls(sphere: (f64, f64, f64), other: (f64, f64, f64), exponent: UnloadingExp
     let half_space = HalfSpace {
         density: Some(7850.0),
         radius: Some(radius),
-        hold: Hold::Ball,
+        support: Support::Ball,
         ..HalfSpace::flat(material(modulus), Some(strength))
     };
     Contact::try_new(sphere, half_space, &Plm { exponent, ..Plm::default() }).unwrap()

@@ -22,7 +22,7 @@ fn loss(contact: &Contact, speed: f64) -> f64 {
 pub fn loss_by_quadrature(contact: &Contact, speed: f64) -> f64 {
     let (scales, law, _) = contact.scaled(speed).unwrap();
     let impact = contact.closed_form(speed).unwrap();
-    let peak = law.loaded_to(impact.peak_indentation / scales.length);
+    let peak = law.loaded_state(impact.peak_indentation / scales.length);
     let HalfSpace { material, density, .. } = *contact.half_space();
     let (nu, density, mass) = (material.poissons_ratio, density.unwrap(), contact.mass());
     let shear_speed = (material.youngs_modulus / (2.0 * (1.0 + nu) * density)).sqrt();
@@ -44,7 +44,7 @@ pub fn loss_by_quadrature(contact: &Contact, speed: f64) -> f64 {
     let (n, residual) = (unloading.exponent, peak.residual());
     let back = integral(0.0, peak.elastic_approach, |d| {
         let slope = n * peak.force / peak.elastic_approach * (d / peak.elastic_approach).powf(n - 1.0);
-        let released = unloading.stored(peak.indentation) - unloading.stored(residual + d);
+        let released = unloading.stored_energy(peak.indentation) - unloading.stored_energy(residual + d);
         slope * slope * (2.0 * released.max(0.0)).sqrt()
     });
     let (force, length) = (scales.force, scales.length);

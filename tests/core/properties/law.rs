@@ -9,28 +9,28 @@ use crate::common::prelude::*;
 use crate::impact::forces::exact_solutions;
 
 /// The law of a run whose strength has no rate, with its units and the dent that was there before.
-fn law_of(run: &Run) -> Option<(Scales, &Law, Option<Dent>)> {
+fn law_of(run: &Run) -> Option<(Scales, &Law, Option<LoadingHistory>)> {
     if run.contact.has_rate() {
         return None;
     }
     let fastest = run.speed().max(2.0 * run.contact.yield_speed().unwrap_or(0.0));
     let (scales, law, _) = run.contact.scaled(fastest).unwrap();
-    Some((scales, law, run.before.memory().map(|peak| law.dented(peak))))
+    Some((scales, law, run.before.memory().map(|peak| law.history_after(peak))))
 }
 
 /// Every row of the trace has the force of the law at its indentation: on the loading curve, up the branch of an old dent, and down
 /// the branch of the peak. A captured sphere rests where that branch carries its weight.
 pub fn rows_lie_on_the_law(run: &Run) -> Judged {
     let Some((scales, law, dent)) = law_of(run) else { return Ok(false) };
-    let (impact, ground) = (&run.impact, Ground::new(law, dent.as_ref()));
-    let unloading = ground.unloading(ground.loaded_to(impact.peak_indentation / scales.length));
+    let (impact, ground) = (&run.impact, Surface::new(law, dent.as_ref()));
+    let unloading = ground.unloading(ground.loaded_state(impact.peak_indentation / scales.length));
     // the distance to the dent is a small difference of two indentations
     let rounding = 1e-11 * impact.peak_indentation / impact.elastic_approach;
     // the rows of fixed steps are interpolated
     let trace = if run.is_adaptive() { &impact.trace[..] } else { &[] };
     for row in trace {
         let x = row.indentation / scales.length;
-        let want = if rank(row) == 2 { unloading.force(x) } else { ground.loaded_to(x).force };
+        let want = if rank(row) == 2 { unloading.force(x) } else { ground.loaded_state(x).force };
         let got = row.elastic_force.unwrap_or(row.force);
         near("force", got, want * scales.force, rounding * impact.force_at_peak_indentation)?;
     }
@@ -48,11 +48,11 @@ pub fn rows_lie_on_the_law(run: &Run) -> Judged {
 /// was spent, of which a warning tells.
 pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judged {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
-    let LoadingRule::Polyline(rule) = &law.rule else { return Ok(false) };
+    let UnloadingRule::Plm(rule) = &law.unloading_rule else { return Ok(false) };
     let LawChoice::Plm(plm) = run.scene.input().unwrap().law() else { return Ok(false) };
     let used = run.impact.unloading_exponent;
     let x = run.impact.peak_indentation / scales.length;
-    let peak = law.loaded_to(x);
+    let peak = law.loaded_state(x);
     let asked = match plm.exponent {
         UnloadingExponent::Paper => 1.5,
         UnloadingExponent::Fixed(exponent) => exponent,
@@ -61,7 +61,7 @@ pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judged {
             return Ok(false);
         }
         UnloadingExponent::PressureShape => {
-            pressure_shape_exponent(rule.radius.ratio_at(peak.force / peak.elastic_approach))
+            pressure_shape_exponent(rule.radius.pressure_shape_at(peak.force / peak.elastic_approach))
         }
     };
     // f ε/(n + 1) is the work of loading
@@ -87,22 +87,22 @@ pub fn the_exponent_gives_back_no_more_than_was_spent(run: &Run) -> Judged {
 pub fn a_force_with_a_memory_goes_the_same_way(run: &Run) -> Judged {
     let Some((scales, law, None)) = law_of(run) else { return Ok(false) };
     let (contact, mut memory) = (&run.contact, Memory::default());
-    let peak = law.loaded_to(run.impact.peak_indentation / scales.length);
+    let peak = law.loaded_state(run.impact.peak_indentation / scales.length);
     let unloading = law.unloading(peak);
     let (spent, size) = (law.loading.work(peak.indentation), peak.force * peak.indentation);
     for share in [1.0, 0.6, -0.1, 0.6, 1.0, 1.2] {
         let x = peak.residual() + share * peak.elastic_approach;
         let before = memory;
         let force = contact.force(x * scales.length, &mut memory);
-        let want = if x > peak.indentation { law.loaded_to(x).force } else { unloading.force(x) };
+        let want = if x > peak.indentation { law.loaded_state(x).force } else { unloading.force(x) };
         let rounding = 1e-13 * peak.indentation / peak.elastic_approach;
         near("force", force / scales.force, want, rounding * peak.force)?;
         prop_assert_eq!(contact.force(x * scales.length, &mut memory.clone()), force, "asked twice");
         prop_assert!(share > 1.0 || before == Memory::default() || before == memory, "{:?}", memory);
         if share <= 1.0 {
             let ContactEnergy { stored, plastic } = contact.energy(x * scales.length, force, &memory);
-            near("stored", stored / scales.energy(), unloading.stored(x), rounding * size)?;
-            near("plastic", plastic / scales.energy(), spent - unloading.capacity(), 1e-12 * spent)?;
+            near("stored", stored / scales.energy(), unloading.stored_energy(x), rounding * size)?;
+            near("plastic", plastic / scales.energy(), spent - unloading.recoverable_energy(), 1e-12 * spent)?;
         }
         if share == 0.6 {
             let step = 1e-5 * peak.elastic_approach;
@@ -165,7 +165,7 @@ pub fn hunt_and_crossley_need_no_steps(run: &Run) -> Judged {
         return Ok(false);
     };
     let damped = crate::impact::forces::damped(chi * scales.speed);
-    let exact = exact_solutions::solve(Ground::new(law, dent.as_ref()), run.speed() / scales.speed, &damped);
+    let exact = exact_solutions::solve(Surface::new(law, dent.as_ref()), run.speed() / scales.speed, &damped);
     let allowed = 10.0 * run.slack() + 1e-9;
     for (name, got, want) in [
         ("restitution", run.impact.restitution, exact.restitution),

@@ -97,14 +97,12 @@ impl AnyScene {
                 ImpactError::TooDeep { indentation, contact_radius, radius, .. } => {
                     indentation > radius || contact_radius > radius
                 }
-                ImpactError::Law(OutsideLaw::Range { .. }) => !is_plm,
+                ImpactError::Law(LawError::Range { .. }) => !is_plm,
                 // up to 5 % more than was spent is taken care of
-                ImpactError::Law(OutsideLaw::Exponent { gain, .. }) => {
+                ImpactError::Law(LawError::Exponent { gain, .. }) => {
                     self.has("law.plm.unloading_exponent") && *gain > 0.05
                 }
-                ImpactError::Law(OutsideLaw::Flow(_) | OutsideLaw::BothFlow { .. }) => {
-                    self.has("half_space.flow_stress")
-                }
+                ImpactError::Law(LawError::Flow(_) | LawError::BothFlow { .. }) => self.has("half_space.flow_stress"),
                 ImpactError::Plate(_) => self.has("half_space.thickness"),
                 ImpactError::NoClosedForm => self.has("damping") || self.has("half_space.thickness"),
                 _ => false,
@@ -214,7 +212,7 @@ impl Run {
         if own.yield_speed().is_some_and(|yields| off(self.speed(), yields) <= 10.0 * self.slack()) {
             return true;
         }
-        let starts = law.loading.pieces().iter().map(|piece| piece.start).chain([law.limits.elastic_until]);
+        let starts = law.loading.pieces().iter().map(|piece| piece.start).chain([law.validity.elastic_until]);
         starts.filter(|start| *start > 0.0).any(|start| off(peak, start) <= 10.0 * self.slack())
     }
 }

@@ -74,7 +74,7 @@ pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judged {
     let w = run.speed() / (run.contact.pair().radius * alone.peak_indentation).sqrt();
     // the half-space has the rate, and its factor counts by its share of the flow without it
     let [_, rate] = run.scene.input().unwrap().rates();
-    let share = 1.0 - run.contact.pair().yield_point.unwrap().flow.sphere_share;
+    let share = 1.0 - run.contact.pair().yield_point.unwrap().yield_partition.sphere_share;
     let factor = |w| 1.0 + share * (rate.unwrap().factor(w) - 1.0);
     for (got, want) in [
         (of_alone.strain_rate, 0.2 * w),
@@ -98,9 +98,9 @@ pub fn the_law_is_orderly(run: &Run) -> Judged {
     let own = run.scene.without(&["half_space.rate"]).input().unwrap();
     let contact = own.contact().unwrap();
     let Some(point) = contact.pair().yield_point else { return Ok(false) };
-    let flow = point.flow;
+    let flow = point.yield_partition;
     near("shares", flow.elastic_share + flow.plastic_share, 1.0, 1e-12)?;
-    let shares = [flow.alone, flow.elastic_share, flow.sphere_share, flow.flat_share];
+    let shares = [flow.single_body_weight, flow.elastic_share, flow.sphere_share, flow.flat_share];
     prop_assert!(flow.ratio >= 1.0 && shares.iter().all(|share| (0.0..=1.0).contains(share)), "{:?}", flow);
     let (_, law, _) = contact.scaled(10.0 * contact.yield_speed().unwrap_or(run.speed())).unwrap();
     let exponent = match own.law() {
@@ -120,10 +120,10 @@ pub fn the_law_is_orderly(run: &Run) -> Judged {
     for pair in law.loading.pieces().windows(2) {
         near("force at a knot", pair[0].force_at(pair[1].start), pair[1].force, 1e-12 * pair[1].force)?;
     }
-    let (mut before, mut least) = (law.loaded_to(1.0), 1.0_f64);
+    let (mut before, mut least) = (law.loaded_state(1.0), 1.0_f64);
     for i in 1..120 {
         let x = 1.0 + 10_f64.powf(-2.0 + 0.06 * f64::from(i));
-        let peak = law.loaded_to(x);
+        let peak = law.loaded_state(x);
         prop_assert!(peak.force > before.force, "{x}");
         if law.contact_radius(&peak) * per_radius > 0.45 || matches!(exponent, UnloadingExponent::Fixed(_)) {
             before = peak;
@@ -134,7 +134,7 @@ pub fn the_law_is_orderly(run: &Run) -> Judged {
         prop_assert!(peak.elastic_approach > before.elastic_approach, "{x}");
         prop_assert!(law.contact_radius(&peak) >= law.contact_radius(&before), "{x}");
         prop_assert!(peak.residual() >= before.residual() - lost * x, "{}: {:?} {:?}", x, peak, before);
-        let e = (law.unloading(peak).capacity() / law.loading.work(x)).sqrt();
+        let e = (law.unloading(peak).recoverable_energy() / law.loading.work(x)).sqrt();
         prop_assert!(e <= least * (1.0 + rise) && e <= 1.0 + 1e-12, "{}: {} {}", x, e, least);
         (before, least) = (peak, least.min(e));
     }

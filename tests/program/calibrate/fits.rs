@@ -1,7 +1,7 @@
 //! `plm-impact calibrate`: compares the found keys with independent fits, with data of known strength, and with
 //! measured hardness.
 
-use plm_impact::contact::law::plm::hardness_test::pressure;
+use plm_impact::contact::law::plm::hardness_test::hardness_of_flow_stress;
 use plm_impact::contact::pair::Material;
 
 use crate::common::prelude::*;
@@ -194,7 +194,7 @@ fn scenario_with_hardness_is_calibrated_by_hardness() {
     assert_eq!(hardness["keys"][0]["key"], "half_space.hardness");
     let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
     let strength = strength["keys"][0]["estimate"].as_f64().unwrap();
-    near(&hardness["keys"][0]["estimate"], pressure(strength, &steel), 1e-6);
+    near(&hardness["keys"][0]["estimate"], hardness_of_flow_stress(strength, &steel), 1e-6);
     desk.ends(&["run", "o/calibrated.toml", "--out", "p", "--pictures", "none"], 0);
     let run = desk.json("p/summary.json");
     near(&run["restitution"], 0.49, 1e-6);

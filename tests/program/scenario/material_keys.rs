@@ -76,7 +76,7 @@ fn a_material_gives_both_bodies_the_same_strength() {
         };
         assert_eq!(keys("sphere"), keys("half_space"), "{name}");
         assert_eq!(both.sphere().yield_strength, both.half_space().yield_strength, "{name}");
-        assert_eq!(both.law().flow()[0], both.law().flow()[1], "{name}");
+        assert_eq!(both.law().flow_curves()[0], both.law().flow_curves()[1], "{name}");
     }
 }
 
@@ -90,14 +90,14 @@ fn key_overrides_value_of_material() {
     // another hardness keeps the exponent; a yield strength replaces hardness and exponent
     let harder = with("hardness = \"200 HV\"");
     assert!(off(given(&harder, "half_space.hardness").unwrap(), 9.806_65e6 * 200.0 / 0.9272) < 1e-14);
-    assert_eq!(harder.law().flow()[1], Some(&FlowCurve::Power { exponent: 0.25 }));
+    assert_eq!(harder.law().flow_curves()[1], Some(&FlowCurve::Power { exponent: 0.25 }));
     let own = with("yield_strength = \"300 MPa\"");
     assert_eq!(
-        (own.half_space().yield_strength, given(&own, "half_space.hardness"), own.law().flow()[1]),
+        (own.half_space().yield_strength, given(&own, "half_space.hardness"), own.law().flow_curves()[1]),
         (Some(300e6), None, None)
     );
     let hardening = with("hardness = \"200 HV\"\nflow_stress.power.exponent = 0.2");
-    assert_eq!(hardening.law().flow()[1], Some(&FlowCurve::Power { exponent: 0.2 }));
+    assert_eq!(hardening.law().flow_curves()[1], Some(&FlowCurve::Power { exponent: 0.2 }));
     // a mass instead of the density, a rigid sphere, and overrides on the command line
     let hammer =
         scene(&steel().replace("radius = \"5 mm\"", "radius = \"5 mm\"\nmass = \"5.5 g\"\nyoungs_modulus = \"rigid\""));

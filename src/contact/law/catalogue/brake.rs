@@ -1,7 +1,7 @@
 //! Brake (2015): unloading only.
 
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, OutsideLaw, hertzian};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawError, LawParts, hertz_unloading};
 
 /// The unloading of Brake.
 ///
@@ -20,8 +20,8 @@ use crate::contact::law::published::{LawParts, OutsideLaw, hertzian};
 pub struct Brake;
 
 impl ContactLaw for Brake {
-    fn rules(&self, _: &Bodies) -> LawParts {
-        let loading = Err(OutsideLaw::Incomplete { name: "brake" });
-        LawParts { loading, recovery: hertzian(|peak| peak.force / peak.indentation.sqrt()) }
+    fn build_parts(&self, _: &YieldingPair) -> LawParts {
+        let loading = Err(LawError::Incomplete { name: "brake" });
+        LawParts { loading, recovery: hertz_unloading(|peak| peak.force / peak.indentation.sqrt()) }
     }
 }

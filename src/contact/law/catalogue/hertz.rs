@@ -1,8 +1,8 @@
 //! Hertz (1882): elastic, whatever the load; as an unloading law, Hertz with the sphere's own radius.
 
 use crate::contact::law::Law;
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, OutsideLaw, hertzian};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawError, LawParts, Loading, hertz_unloading};
 use crate::numerics::curve::LoadingCurve;
 
 use crate::numerics::functions::pow;
@@ -25,12 +25,12 @@ use crate::numerics::functions::pow;
 pub struct Hertz;
 
 impl ContactLaw for Hertz {
-    fn rules(&self, _: &Bodies) -> LawParts {
+    fn build_parts(&self, _: &YieldingPair) -> LawParts {
         let loading = Loading::new(LoadingCurve::hertz(), f64::INFINITY, |x, _| x.sqrt());
-        LawParts::of(loading, hertzian(|peak| pow(peak.force, 2.0 / 3.0)))
+        LawParts::new(loading, hertz_unloading(|peak| pow(peak.force, 2.0 / 3.0)))
     }
 
-    fn law(&self, _: &Bodies) -> Result<Law, OutsideLaw> {
+    fn law(&self, _: &YieldingPair) -> Result<Law, LawError> {
         Ok(Law::hertz())
     }
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, crossing, hertzian};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, Loading, hertz_unloading, intersection};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{cos, exp, pow};
 use crate::strings::names::named_enum;
@@ -38,13 +38,13 @@ pub struct JacksonGreen {
     /// C; `None`: 1.295 exp(0.736 ν).
     pub yield_factor: Option<f64>,
     /// Which form of H_G.
-    pub hardness: Hardness,
+    pub hardness: HardnessFit,
 }
 
 named_enum! {
     /// How H_G falls with a/R.
     #[derive(Default)]
-    pub enum Hardness {
+    pub enum HardnessFit {
         /// Jackson and Green 2005.
         #[default]
         Exponential = "exponential",
@@ -55,23 +55,23 @@ named_enum! {
 
 const TRANSITION: f64 = 1.9;
 /// a/R of the fit's data.
-const STATED_RADIUS: f64 = 0.412;
+const FITTED_RADIUS: f64 = 0.412;
 /// σ_Y/E* beyond which nothing of the fit is left.
-const LARGEST_STRAIN: f64 = 0.05;
+const MAX_YIELD_STRAIN: f64 = 0.05;
 
 /// δ_r/δ_m at x_m ≥ 1.
-fn residual(x: f64) -> f64 {
+fn residual_ratio(x: f64) -> f64 {
     1.02 * (1.0 - pow((x + 5.9) / 6.9, -0.54))
 }
 
 impl ContactLaw for JacksonGreen {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         let factor = self.yield_factor.unwrap_or(1.295 * exp(0.736 * bodies.yield_point.poissons_ratio));
-        let (s, strain) = (bodies.yield_at(factor), bodies.yield_strain());
+        let (s, strain) = (bodies.yield_indentation_ratio(factor), bodies.yield_strain());
         // a/R = π C σ_Y/(2E*) x^½ (x/1.9)^(B/2), in units of the law
         let b = 0.14 * exp(23.0 * strain);
         let unit = FRAC_PI_2 * factor * strain * pow(TRANSITION, -0.5 * b);
-        let is_cosine = self.hardness == Hardness::Cosine;
+        let is_cosine = self.hardness == HardnessFit::Cosine;
         let fit = move |x: f64| {
             let x = x / s;
             let ratio = unit * pow(x, 0.5 * (1.0 + b));
@@ -88,8 +88,8 @@ impl ContactLaw for JacksonGreen {
         let end = pow(1.0 / unit, 2.0 / (1.0 + b));
         let excess = |x: f64| fit(s * x) - pow(s * x, 1.5);
         // from the printed limit, or from first yield if the fit has fallen below Hertz before that limit
-        let starts = crossing(excess, TRANSITION, end).or_else(|| crossing(excess, 1.0, TRANSITION));
-        let starts = starts.filter(|starts| strain <= LARGEST_STRAIN && end > 2.0 * starts);
+        let starts = intersection(excess, TRANSITION, end).or_else(|| intersection(excess, 1.0, TRANSITION));
+        let starts = starts.filter(|starts| strain <= MAX_YIELD_STRAIN && end > 2.0 * starts);
         let curve = starts.map_or_else(LoadingCurve::hertz, |starts| {
             // beyond a = R, where the law is refused, only so that the impact ends somewhere
             LoadingCurve::hertz().then_fitted(starts * s, end * s, 0.0, fit).then_tangent(end * s)
@@ -99,9 +99,9 @@ impl ContactLaw for JacksonGreen {
             let own = x / s;
             if own <= TRANSITION { x.sqrt() } else { (x * from * pow(own, b)).sqrt() }
         });
-        loading.limits.holds_until = if starts.is_some() { end * s } else { s };
-        loading.limits.widest = STATED_RADIUS;
-        let recovered = move |x: f64| x * (1.0 - residual((x / s).max(1.0)));
-        LawParts::of(loading, hertzian(move |peak| recovered(peak.indentation)))
+        loading.limits.max_indentation = if starts.is_some() { end * s } else { s };
+        loading.limits.max_radius_ratio = FITTED_RADIUS;
+        let recovered = move |x: f64| x * (1.0 - residual_ratio((x / s).max(1.0)));
+        LawParts::new(loading, hertz_unloading(move |peak| recovered(peak.indentation)))
     }
 }

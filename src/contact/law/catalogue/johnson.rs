@@ -1,7 +1,7 @@
 //! Johnson (1985): rigid-plastic loading, Hertz rebound.
 
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, hertzian};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, Loading, hertz_unloading};
 use crate::numerics::curve::LoadingCurve;
 
 /// The impact of Johnson, with its closed-form restitution.
@@ -28,10 +28,10 @@ pub struct Johnson {
 }
 
 impl ContactLaw for Johnson {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         let pressure = self.dynamic_pressure.map_or(3.0, |pressure| pressure / bodies.yield_point.strength);
-        let slope = bodies.slope_of_pressure(2.0, pressure);
+        let slope = bodies.slope_at_pressure(2.0, pressure);
         let loading = Loading::new(LoadingCurve::linear(slope), 0.0, |x, _| (2.0 * x).sqrt());
-        LawParts::of(loading, hertzian(|peak| peak.force / peak.radius))
+        LawParts::new(loading, hertz_unloading(|peak| peak.force / peak.contact_radius))
     }
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, LoadedState, Loading, Recovery};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::pow;
 
@@ -45,9 +45,9 @@ const PIECES: [(f64, f64); 2] = [(1.03, 1.425), (1.40, 1.263)];
 const LIMITS: [f64; 3] = [1.0, 6.0, 110.0];
 
 impl ContactLaw for KogutEtsion {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         let factor = self.yield_factor.unwrap_or(HARDNESS * (0.454 + 0.41 * bodies.yield_point.poissons_ratio));
-        let s = bodies.yield_at(factor);
+        let s = bodies.yield_indentation_ratio(factor);
         // f = 2π R H δ in units of ω_c and its force
         let plastic = 3.0 * HARDNESS / factor;
         let [(k1, p1), (k2, p2)] = PIECES;
@@ -80,14 +80,14 @@ impl ContactLaw for KogutEtsion {
             };
             (area * s).sqrt()
         });
-        loading.limits.stated = Some((0.0, LIMITS[2] * s));
-        loading.limits.holds_until = if is_whole { f64::INFINITY } else { s };
-        let recovery = move |peak: PeakState| {
+        loading.limits.fitted_range = Some((0.0, LIMITS[2] * s));
+        loading.limits.max_indentation = if is_whole { f64::INFINITY } else { s };
+        let recovery = move |peak: LoadedState| {
             let m = (peak.indentation / s).max(1.0);
             let residual = (1.0 - pow(m, -0.28)) * (1.0 - pow(m, -0.69));
             let shape = UnloadingShape::Power(1.5 * pow(m, -0.0331));
-            Recovered { elastic_approach: peak.indentation * (1.0 - residual), shape }
+            Recovery { elastic_approach: peak.indentation * (1.0 - residual), shape }
         };
-        LawParts::of(loading, Arc::new(recovery))
+        LawParts::new(loading, Arc::new(recovery))
     }
 }

@@ -1,8 +1,8 @@
 //! Kogut and Komvopoulos (2004): indentation of an elastic-perfectly plastic half-space by a rigid sphere.
 
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
 use crate::contact::law::plm::Plm;
-use crate::contact::law::published::{LawParts, Loading, crossing};
+use crate::contact::law::published::{LawParts, Loading, intersection};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{ln, pow};
 
@@ -33,11 +33,11 @@ use crate::numerics::functions::{ln, pow};
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KogutKomvopoulos;
 
-const ELASTIC: f64 = 1.78;
-const PLASTIC: f64 = 21.0;
+const ELASTIC_LIMIT: f64 = 1.78;
+const PLASTIC_LIMIT: f64 = 21.0;
 
 impl ContactLaw for KogutKomvopoulos {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         let (ratio, stiffness) = (bodies.yield_radius_ratio(), 1.0 / bodies.yield_strain());
         let depth = ratio * ratio;
         // σ_Y π R δ_Y/F_Y, as F_Y = (2/3) π C σ_Y R δ_Y
@@ -55,10 +55,10 @@ impl ContactLaw for KogutKomvopoulos {
             let per = s * s / (stiffness * stiffness * depth);
             2.0 * per / (1.0 + depth * per)
         };
-        let (yields, plastic, end) = (reaches(ELASTIC), reaches(PLASTIC), 0.5 / depth);
+        let (yields, plastic, end) = (reaches(ELASTIC_LIMIT), reaches(PLASTIC_LIMIT), 0.5 / depth);
         // the fit begins above Hertz, and the fully plastic force above the fit
-        let first = crossing(|x| mixed(x) - pow(x, 1.5), yields, 2.0 * yields);
-        let second = crossing(|x| fully(x) - mixed(x), plastic, 2.0 * plastic);
+        let first = intersection(|x| mixed(x) - pow(x, 1.5), yields, 2.0 * yields);
+        let second = intersection(|x| fully(x) - mixed(x), plastic, 2.0 * plastic);
         let starts = first.zip(second);
         let mut curve = LoadingCurve::hertz();
         if let Some((first, second)) = starts.filter(|(first, _)| *first < end) {
@@ -73,7 +73,7 @@ impl ContactLaw for KogutKomvopoulos {
             let ratio = if x <= plastic { 2.193 - 0.394 * ln(strain(x)) } else { 1.0 };
             (square / ratio).sqrt()
         });
-        loading.limits.holds_until = if starts.is_some() { end } else { yields };
-        LawParts::of(loading, Plm::default().rules(bodies).recovery)
+        loading.limits.max_indentation = if starts.is_some() { end } else { yields };
+        LawParts::new(loading, Plm::default().build_parts(bodies).recovery)
     }
 }

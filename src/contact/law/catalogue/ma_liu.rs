@@ -1,8 +1,8 @@
 //! Ma and Liu (2015): elastic, mixed and fully plastic loading, joined with equal slopes.
 
 use super::thornton;
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, hertzian};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, Loading, hertz_unloading};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{cbrt, ln, powi};
 
@@ -40,8 +40,8 @@ impl Default for MaLiu {
 }
 
 impl ContactLaw for MaLiu {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
-        let slope = bodies.slope_of_pressure(2.0, self.hardness_ratio);
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
+        let slope = bodies.slope_at_pressure(2.0, self.hardness_ratio);
         let end = self.transition_ratio;
         let c2 = (slope - 1.5) / ln(end);
         let c1 = 1.5 - c2;
@@ -55,6 +55,6 @@ impl ContactLaw for MaLiu {
         let curve = LoadingCurve::hertz().then_fitted(1.0, end, 0.0, mixed).then_line(end, slope);
         // the radius of the Hertz contact at the start of unloading
         let loading = Loading::new(curve, 1.0, move |_, force| force / elastic_approach(force));
-        LawParts::of(loading, hertzian(move |peak| elastic_approach(peak.force)))
+        LawParts::new(loading, hertz_unloading(move |peak| elastic_approach(peak.force)))
     }
 }

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, LoadedState, Loading, Recovery};
 use crate::numerics::curve::LoadingCurve;
 
 /// The law of Storåkers, Mesarovic and Johnson.
@@ -43,18 +43,18 @@ impl Default for MesarovicJohnson {
 }
 
 impl ContactLaw for MesarovicJohnson {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         let factor = self.area_factor;
-        let curve = LoadingCurve::linear(bodies.slope_of_pressure(factor, 6.0));
+        let curve = LoadingCurve::linear(bodies.slope_at_pressure(factor, 6.0));
         let mut loading = Loading::new(curve, 0.0, move |x, _| (2.0 * factor * x).sqrt());
         // a/a_Y of E* a/(σ_Y R) = 50
         let plastic = 50.0 * bodies.yield_strain() / bodies.yield_radius_ratio();
-        loading.limits.stated = Some((plastic * plastic / (2.0 * factor), f64::INFINITY));
-        let recovery = |peak: PeakState| Recovered {
+        loading.limits.fitted_range = Some((plastic * plastic / (2.0 * factor), f64::INFINITY));
+        let recovery = |peak: LoadedState| Recovery {
             // 2F/(πE* a) in units of δ_Y; 3F/(4E* a) is f/(a/a_Y)
-            elastic_approach: 8.0 / (3.0 * PI) * peak.force / peak.radius,
+            elastic_approach: 8.0 / (3.0 * PI) * peak.force / peak.contact_radius,
             shape: UnloadingShape::UniformPressure,
         };
-        LawParts::of(loading, Arc::new(recovery))
+        LawParts::new(loading, Arc::new(recovery))
     }
 }

@@ -19,12 +19,12 @@ pub mod walton_braun;
 pub mod yigit_christoforou;
 
 use super::Law;
-use super::contact_law::{About, Bodies, ContactLaw};
+use super::contact_law::{ContactLaw, LawInfo, YieldingPair};
 pub use super::plm;
-use super::published::{LawParts, OutsideLaw};
+use super::published::{LawError, LawParts};
 use crate::contact::strength::flow_curve::FlowCurve;
 
-macro_rules! laws {
+macro_rules! law_enum {
     ($($file:ident::$law:ident),* $(,)?) => {
         /// A law with its parameters. Its file has its name.
         #[derive(Debug, Clone, PartialEq)]
@@ -39,10 +39,10 @@ macro_rules! laws {
                 vec![$(Self::$law($file::$law::default())),*]
             }
 
-            pub fn about(&self) -> &'static About {
+            pub fn about(&self) -> &'static LawInfo {
                 match self {
-                    $(Self::$law(_) => About::of(stringify!($file)),)*
-                    Self::Combined(_) => About::of("combined"),
+                    $(Self::$law(_) => LawInfo::for_law(stringify!($file)),)*
+                    Self::Combined(_) => LawInfo::for_law("combined"),
                 }
             }
 
@@ -57,7 +57,7 @@ macro_rules! laws {
 }
 
 // in the order of lists and tables
-laws!(
+law_enum!(
     plm::Plm,
     hertz::Hertz,
     thornton::Thornton,
@@ -96,7 +96,7 @@ impl LawChoice {
     }
 
     /// The flow curves of sphere and half-space.
-    pub fn flow(&self) -> [Option<&FlowCurve>; 2] {
+    pub fn flow_curves(&self) -> [Option<&FlowCurve>; 2] {
         match self {
             Self::Plm(plm) => plm.flow.each_ref().map(Option::as_ref),
             _ => [None, None],
@@ -167,7 +167,7 @@ impl LawChoice {
 
 impl ContactLaw for Combined {
     /// The PLM with its own unloading is the PLM.
-    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
+    fn law(&self, bodies: &YieldingPair) -> Result<Law, LawError> {
         let ([loading, _], [_, unloading]) = (self.loading.halves(), self.unloading.halves());
         if let LawChoice::Plm(plm) = unloading {
             plm.check(bodies)?;
@@ -176,17 +176,17 @@ impl ContactLaw for Combined {
             loading.check(bodies)?;
             return Ok(loading.unloading_by(unloading, bodies));
         }
-        let LawParts { loading, recovery } = self.rules(bodies);
+        let LawParts { loading, recovery } = self.build_parts(bodies);
         Ok(Law::published(loading?, recovery))
     }
 
-    fn rules(&self, bodies: &Bodies) -> LawParts {
-        let [loading, unloading] = [&self.loading, &self.unloading].map(|half| half.get().rules(bodies));
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
+        let [loading, unloading] = [&self.loading, &self.unloading].map(|half| half.get().build_parts(bodies));
         LawParts { recovery: unloading.recovery, ..loading }
     }
 }
 
 /// The laws that Xie et al. (2024) name and that could not be implemented, each with the reason.
-pub fn not_public() -> impl Iterator<Item = (&'static str, &'static str)> {
+pub fn unimplemented_laws() -> impl Iterator<Item = (&'static str, &'static str)> {
     include_str!("../not_public.csv").lines().skip(1).filter_map(|line| line.split_once('|'))
 }

@@ -1,7 +1,7 @@
 //! Stronge (2000), Impact Mechanics: yield at a mean pressure, logarithmic growth of the pressure to full plasticity.
 
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, hertzian};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, Loading, hertz_unloading};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{ln, pow};
 
@@ -44,9 +44,9 @@ impl Default for Stronge {
 const FULLY_PLASTIC: f64 = 84.0;
 
 impl ContactLaw for Stronge {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         let theta = self.yield_pressure_ratio;
-        let s = bodies.yield_at(1.5 * theta);
+        let s = bodies.yield_indentation_ratio(1.5 * theta);
         let (unit, end) = (s * s.sqrt(), FULLY_PLASTIC * s);
         let pressure = |area: f64| 1.0 + ln(area) / (3.0 * theta);
         let middle = |x: f64| {
@@ -57,7 +57,7 @@ impl ContactLaw for Stronge {
             .then_fitted(s, end, 0.5 * s, middle)
             .then_line(end, 2.0 * s.sqrt() * pressure(2.0 * FULLY_PLASTIC - 1.0));
         let factor = s * pow(self.unloading_factor, 0.25);
-        let recovery = hertzian(move |peak| factor * (peak.force / unit).sqrt());
-        LawParts::of(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()), recovery)
+        let recovery = hertz_unloading(move |peak| factor * (peak.force / unit).sqrt());
+        LawParts::new(Loading::new(curve, s, move |x, _| (2.0 * x - s).sqrt()), recovery)
     }
 }

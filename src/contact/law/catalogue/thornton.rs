@@ -1,7 +1,7 @@
 //! Thornton (1997), Thornton and Ning (1998): contact pressure capped at a limiting value.
 
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, hertzian};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, Loading, hertz_unloading};
 use crate::numerics::curve::LoadingCurve;
 
 /// The law of Thornton.
@@ -34,12 +34,13 @@ pub(super) fn elastic_approach(force: f64) -> f64 {
 }
 
 impl ContactLaw for Thornton {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
         // δ_y/δ_Y
-        let yields =
-            self.yield_pressure.map_or(1.0, |pressure| bodies.yield_at(pressure / bodies.yield_point.strength));
+        let yields = self
+            .yield_pressure
+            .map_or(1.0, |pressure| bodies.yield_indentation_ratio(pressure / bodies.yield_point.strength));
         let unit = yields * yields.sqrt();
         let loading = Loading::new(LoadingCurve::hertz().then_tangent(yields), yields, |x, _| x.sqrt());
-        LawParts::of(loading, hertzian(move |peak| yields * elastic_approach(peak.force / unit)))
+        LawParts::new(loading, hertz_unloading(move |peak| yields * elastic_approach(peak.force / unit)))
     }
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, Recovered};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, Loading, Recovery};
 use crate::numerics::curve::LoadingCurve;
 
 /// The hysteretic spring.
@@ -35,12 +35,12 @@ impl Default for WaltonBraun {
 }
 
 impl ContactLaw for WaltonBraun {
-    fn rules(&self, _: &Bodies) -> LawParts {
+    fn build_parts(&self, _: &YieldingPair) -> LawParts {
         let mut loading = Loading::new(LoadingCurve::linear(self.loading_stiffness), 0.0, |x, _| x.sqrt());
         // a spring has no geometry
-        loading.limits.widest = f64::INFINITY;
+        loading.limits.max_radius_ratio = f64::INFINITY;
         let k2 = self.loading_stiffness / self.stiffness_ratio;
         let shape = UnloadingShape::Power(1.0);
-        LawParts::of(loading, Arc::new(move |peak| Recovered { elastic_approach: peak.force / k2, shape }))
+        LawParts::new(loading, Arc::new(move |peak| Recovery { elastic_approach: peak.force / k2, shape }))
     }
 }

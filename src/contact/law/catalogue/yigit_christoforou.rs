@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::contact::law::UnloadingShape;
-use crate::contact::law::contact_law::{Bodies, ContactLaw};
-use crate::contact::law::published::{LawParts, Loading, PeakState, Recovered};
+use crate::contact::law::contact_law::{ContactLaw, YieldingPair};
+use crate::contact::law::published::{LawParts, LoadedState, Loading, Recovery};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::cbrt;
 
@@ -34,9 +34,9 @@ pub struct YigitChristoforou {
 }
 
 impl ContactLaw for YigitChristoforou {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
-        let yields = bodies.yield_at(self.yield_factor.unwrap_or(2.0 * 0.68_f64.sqrt()));
-        let recovery = Arc::new(|peak: PeakState| {
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
+        let yields = bodies.yield_indentation_ratio(self.yield_factor.unwrap_or(2.0 * 0.68_f64.sqrt()));
+        let recovery = Arc::new(|peak: LoadedState| {
             let x = peak.indentation;
             // where there is no such depth, twice the indentation: more than any law may give back
             let hertz = x * x.sqrt();
@@ -49,8 +49,8 @@ impl ContactLaw for YigitChristoforou {
             } else {
                 2.0 * x
             };
-            Recovered { elastic_approach, shape: UnloadingShape::ShiftedHertz }
+            Recovery { elastic_approach, shape: UnloadingShape::ShiftedHertz }
         });
-        LawParts::of(Loading::new(LoadingCurve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
+        LawParts::new(Loading::new(LoadingCurve::hertz().then_tangent(yields), yields, |x, _| x.sqrt()), recovery)
     }
 }

@@ -2,7 +2,7 @@
 
 /// The slopes and knots of the polyline, for a half-space of any strength.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LineSlopes {
+pub struct ApproachSlopes {
     /// Slope s from A = 1 on.
     pub(super) first: f64,
     /// A from which the contact is fully plastic, ≥ 1.
@@ -12,10 +12,10 @@ pub struct LineSlopes {
     pub(super) geometry: Vec<(f64, f64)>,
 }
 
-impl LineSlopes {
+impl ApproachSlopes {
     /// The pieces for a half-space that yields at this a_Y/R, from (A, ε) = (1, 1) on. A knot of the finite geometry below A = 1
     /// applies from A = 1.
-    fn pieces(&self, yield_radius_ratio: f64) -> impl Iterator<Item = LinePiece> {
+    fn pieces(&self, yield_radius_ratio: f64) -> impl Iterator<Item = ApproachSegment> {
         let mut geometry =
             self.geometry.iter().map(move |(from, factor)| (from / yield_radius_ratio, factor)).peekable();
         let (mut first, mut plastic) = (self.first, self.plastic);
@@ -34,7 +34,7 @@ impl LineSlopes {
             radius = next;
             let of_geometry = geometry.peek().map_or(f64::INFINITY, |(from, _)| *from);
             next = if is_plastic { of_geometry } else { of_geometry.min(self.plastic_from) };
-            Some(LinePiece { force: radius * approach, slope, offset: approach - slope * radius })
+            Some(ApproachSegment { force: radius * approach, slope, offset: approach - slope * radius })
         })
     }
 
@@ -49,12 +49,12 @@ impl LineSlopes {
 
 /// ε_line(f), made of pieces that are straight in A = f/ε.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ElasticLine {
-    pieces: Vec<LinePiece>,
+pub struct ApproachPolyline {
+    pieces: Vec<ApproachSegment>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct LinePiece {
+struct ApproachSegment {
     /// Force at which it begins.
     force: f64,
     /// s.
@@ -63,7 +63,7 @@ struct LinePiece {
     offset: f64,
 }
 
-impl LinePiece {
+impl ApproachSegment {
     /// ε at a force.
     #[inline]
     fn approach(&self, force: f64) -> f64 {
@@ -74,9 +74,9 @@ impl LinePiece {
     }
 }
 
-impl ElasticLine {
+impl ApproachPolyline {
     /// The polyline for a half-space that yields at this a_Y/R.
-    pub fn new(slopes: &LineSlopes, yield_radius_ratio: f64) -> Self {
+    pub fn new(slopes: &ApproachSlopes, yield_radius_ratio: f64) -> Self {
         Self { pieces: slopes.pieces(yield_radius_ratio).collect() }
     }
 
@@ -89,7 +89,7 @@ impl ElasticLine {
     }
 
     /// ε as [`Self::at`] gives it, for forces that lie near each other: it begins to look at the piece of the force before.
-    pub(super) fn nearby(&self) -> impl FnMut(f64) -> f64 + '_ {
+    pub(super) fn sequential_lookup(&self) -> impl FnMut(f64) -> f64 + '_ {
         let (pieces, mut place) = (&self.pieces, 0);
         move |force| {
             while place > 0 && pieces[place].force > force {

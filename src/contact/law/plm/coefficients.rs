@@ -6,10 +6,10 @@ use std::sync::LazyLock;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::approach::{ElasticLine, LineSlopes};
+use super::approach::{ApproachPolyline, ApproachSlopes};
 use super::contact_radius::RadiusTable;
-use super::unloading_rule::PlmRule;
-use crate::contact::law::{Law, OutsideLaw, UnloadingExponent};
+use super::unloading_rule::PlmUnloadingRule;
+use crate::contact::law::{Law, LawError, UnloadingExponent};
 use crate::contact::pair::Pair;
 use crate::numerics::curve::LoadingCurve;
 
@@ -92,7 +92,7 @@ fn is_positive(values: &[f64]) -> bool {
     values.iter().all(|v| v.is_finite() && *v > 0.0)
 }
 
-fn is_not_negative(values: &[f64]) -> bool {
+fn is_non_negative(values: &[f64]) -> bool {
     values.iter().all(|v| v.is_finite() && *v >= 0.0)
 }
 
@@ -131,7 +131,7 @@ impl PlmCoefficients {
         let factors = e.geometry_from.len() == e.geometry_factor.len() && is_positive(&e.geometry_factor);
         let knots = is_rising(&r.from) && r.from.len() == r.ratio.len();
         let ratios = r.ratio.iter().all(|v| (1.0..=1.6).contains(v));
-        let narrower = is_not_negative(&with_kappa(r.geometry_slope, r.geometry_slope_kappa_squared));
+        let narrower = is_non_negative(&with_kappa(r.geometry_slope, r.geometry_slope_kappa_squared));
         let rules: [(bool, &'static str, &dyn Debug, &'static str); 14] = [
             (same, "force.slope", &f.slope, "force.from, slope and slope_kappa_squared have the same length"),
             (starts, "force.from", &f.from, "rising, the first at least 1 (first yield)"),
@@ -145,12 +145,12 @@ impl PlmCoefficients {
             (first, "elastic_approach.first_slope", &e.first_slope, "> 0, with first_slope_kappa_squared too"),
             (is_positive(&[e.first_slope_limit]), "elastic_approach.first_slope_limit", &e.first_slope_limit, "> 0"),
             (plastic, "elastic_approach.plastic_slope", &e.plastic_slope, "> 0, with plastic_slope_kappa_squared too"),
-            (is_not_negative(&[e.plastic_from_rho]), "elastic_approach.plastic_from_rho", &e.plastic_from_rho, ">= 0"),
+            (is_non_negative(&[e.plastic_from_rho]), "elastic_approach.plastic_from_rho", &e.plastic_from_rho, ">= 0"),
             (geometry, "elastic_approach.geometry_from", &e.geometry_from, "> 0 and rising"),
             (factors, "elastic_approach.geometry_factor", &e.geometry_factor, "> 0, as many as geometry_from"),
             (knots, "contact_radius.from", &r.from, "rising, as many as ratio"),
             (ratios, "contact_radius.ratio", &r.ratio, "from 1 (Hertz pressure) to 1.6"),
-            (is_not_negative(&[r.geometry_from]), "contact_radius.geometry_from", &r.geometry_from, ">= 0"),
+            (is_non_negative(&[r.geometry_from]), "contact_radius.geometry_from", &r.geometry_from, ">= 0"),
             (
                 narrower,
                 "contact_radius.geometry_slope",
@@ -165,25 +165,30 @@ impl PlmCoefficients {
     }
 
     /// [`Self::check`], as an error of the law.
-    pub(super) fn check_rules(&self) -> Result<(), OutsideLaw> {
+    pub(super) fn check_rules(&self) -> Result<(), LawError> {
         match self.check() {
-            Err(CoefficientsError::Value { key, rule, .. }) => Err(OutsideLaw::Coefficients { key, rule }),
+            Err(CoefficientsError::Value { key, rule, .. }) => Err(LawError::Coefficients { key, rule }),
             Err(CoefficientsError::Form(_)) | Ok(()) => Ok(()),
         }
     }
 
     /// The law, without the flat of a sphere, for a pair that yields at `a_Y` / R = `yield_radius_ratio`.
     pub fn law(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> Law {
-        let [kappa, _] = pair.shares();
-        Law::plm(self.force.curve(kappa * kappa), self.rule(pair, yield_radius_ratio, exponent))
+        let [kappa, _] = pair.law_shares();
+        Law::plm(self.force.curve(kappa * kappa), self.unloading_rule(pair, yield_radius_ratio, exponent))
     }
 
     /// How a pair of constant strengths unloads, without the flat of a sphere.
-    pub(super) fn rule(&self, pair: &Pair, yield_radius_ratio: f64, exponent: UnloadingExponent) -> PlmRule {
-        let [kappa, _] = pair.shares();
-        let line = ElasticLine::new(&self.line_slopes(pair), yield_radius_ratio);
-        let radius = self.contact_radius.of(kappa * kappa, yield_radius_ratio);
-        PlmRule { line, hardening: None, flattening: None, radius, exponent }
+    pub(super) fn unloading_rule(
+        &self,
+        pair: &Pair,
+        yield_radius_ratio: f64,
+        exponent: UnloadingExponent,
+    ) -> PlmUnloadingRule {
+        let [kappa, _] = pair.law_shares();
+        let line = ApproachPolyline::new(&self.approach_slopes(pair), yield_radius_ratio);
+        let radius = self.contact_radius.for_contact(kappa * kappa, yield_radius_ratio);
+        PlmUnloadingRule { approach: line, hardening: None, flattening: None, radius, exponent }
     }
 
     /// A from which the contact is fully plastic, for this 1 − κ.
@@ -192,12 +197,12 @@ impl PlmCoefficients {
     }
 
     /// The slopes and knots of the polyline of the elastic approach.
-    pub(super) fn line_slopes(&self, pair: &Pair) -> LineSlopes {
-        let [kappa, rho] = pair.shares();
+    pub(super) fn approach_slopes(&self, pair: &Pair) -> ApproachSlopes {
+        let [kappa, rho] = pair.law_shares();
         let kappa_squared = kappa * kappa;
         let table = &self.elastic_approach;
         let first = (table.first_slope + table.first_slope_kappa_squared * kappa_squared).min(table.first_slope_limit);
-        LineSlopes {
+        ApproachSlopes {
             first,
             plastic_from: self.plastic_from(rho),
             plastic: table.plastic_slope + table.plastic_slope_kappa_squared * kappa_squared,

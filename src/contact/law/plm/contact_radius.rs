@@ -35,7 +35,7 @@ pub struct RadiusTable {
 impl RadiusTable {
     /// This fit in units of a_Y, for a sphere of this κ² on a half-space that yields at this a_Y/R.
     #[must_use]
-    pub fn of(&self, kappa_squared: f64, yield_radius_ratio: f64) -> Self {
+    pub fn for_contact(&self, kappa_squared: f64, yield_radius_ratio: f64) -> Self {
         let slope = self.geometry_slope + self.geometry_slope_kappa_squared * kappa_squared;
         Self {
             geometry_from: self.geometry_from / yield_radius_ratio,
@@ -46,7 +46,7 @@ impl RadiusTable {
     }
 
     /// Λ at A: a polyline, constant outside its knots.
-    pub fn ratio_at(&self, equivalent_radius: f64) -> f64 {
+    pub fn pressure_shape_at(&self, equivalent_radius: f64) -> f64 {
         let above = self.from.partition_point(|knot| *knot <= equivalent_radius);
         match (above.checked_sub(1), self.from.get(above)) {
             (None, _) => self.ratio.first().copied().unwrap_or(1.0),
@@ -60,11 +60,11 @@ impl RadiusTable {
 
     /// a/a_Y = A/(Λ G) at A, of a table in units of a_Y.
     pub fn true_radius(&self, equivalent_radius: f64) -> f64 {
-        equivalent_radius / (self.ratio_at(equivalent_radius) * self.geometry_at(equivalent_radius))
+        equivalent_radius / (self.pressure_shape_at(equivalent_radius) * self.geometry_factor_at(equivalent_radius))
     }
 
     /// G at A, of a table in units of a_Y.
-    pub fn geometry_at(&self, equivalent_radius: f64) -> f64 {
+    pub fn geometry_factor_at(&self, equivalent_radius: f64) -> f64 {
         let beyond = equivalent_radius - self.geometry_from;
         // a body that yields beyond g_0 has Hertz's radius up to first yield
         let elastic = 1.0 - self.geometry_from;

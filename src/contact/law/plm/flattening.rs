@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The sums are over the sphere and a half-space with a positive radius, and β_i is the fraction of the yielding in each ball
-//! ([`Flow`](crate::contact::pair::Flow)). Two equal balls are one ball on a rigid wall at half the approach. f_P, ε_P and
+//! ([`YieldPartition`](crate::contact::pair::Flow)). Two equal balls are one ball on a rigid wall at half the approach. f_P, ε_P and
 //! A_P = f_P/ε_P belong to the law without φ, and from A_fp on its approach is fully plastic. The contact radius and the exponent
 //! "pressure-shape" follow from A_P. A sphere that hardens has A' in place of A_P, and the yield point of σ_rep in s
 //! ([`hardening`](super::hardening)). φ stays constant after a/R has reached 0.6. If no ball yields, φ = 1.
@@ -17,7 +17,7 @@
 
 use std::sync::Arc;
 
-use super::hardening::{RATIO, between};
+use super::hardening::{MAX_POINT_RATIO, geometric_points};
 use crate::contact::pair::{Ball, Pair};
 use crate::numerics::curve::LoadingCurve;
 
@@ -26,24 +26,24 @@ const SOFTENING: f64 = 5.0;
 const RECOVERY: f64 = 0.8;
 
 /// From this a/R on φ is constant.
-const WIDEST: f64 = 0.6;
+const MAX_RADIUS_RATIO: f64 = 0.6;
 
 /// How the flat of a ball changes the PLM, in units of first yield.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flattening {
     /// f_P.
-    pub(super) plain: Arc<LoadingCurve>,
+    pub(super) unflattened_curve: Arc<LoadingCurve>,
     /// 0.8 Σ β_i (E*/E_i*) a_Y/R_i.
     recovery: f64,
     /// Largest a/R of the finite elements behind it.
-    pub(super) widest: f64,
+    pub(super) max_radius_ratio: f64,
 }
 
 impl Flattening {
     /// Makes the loading curve f, and the flattening, which keeps f_P. `equivalents` computes two values at (x, f_P): A_P, and A_P in
     /// units of the strength reached there. `radius` computes a/a_Y at (x, A_P), and `plastic_from` is A_fp. While φ is constant, the
     /// straight pieces of f_P are not divided.
-    pub(super) fn of(
+    pub(super) fn new(
         pair: &Pair,
         yield_radius_ratio: f64,
         plastic_from: f64,
@@ -62,8 +62,8 @@ impl Flattening {
         // φ, and whether it stays constant from here on: A is never less than a/a_Y
         let mut flat = |x: f64, force: f64| {
             let [equivalent, in_strength] = equivalents(x, force);
-            let is_wide = || radius(x, equivalent) * yield_radius_ratio >= WIDEST;
-            let is_held = x >= end || equivalent * yield_radius_ratio >= WIDEST && is_wide();
+            let is_wide = || radius(x, equivalent) * yield_radius_ratio >= MAX_RADIUS_RATIO;
+            let is_held = x >= end || equivalent * yield_radius_ratio >= MAX_RADIUS_RATIO && is_wide();
             (1.0 + softening * x * (1.0 - plastic_from / in_strength).max(0.0), is_held)
         };
         let pieces = plain.pieces();
@@ -76,7 +76,7 @@ impl Flattening {
                 points.push([next.start, next.force / factor]);
                 continue;
             }
-            for x in between(piece.start, next.start) {
+            for x in geometric_points(piece.start, next.start) {
                 let force = piece.force_at(x);
                 if !is_held {
                     (factor, is_held) = flat(x, force);
@@ -86,7 +86,7 @@ impl Flattening {
         }
         x = last.start.max(x);
         while !is_held {
-            x *= RATIO;
+            x *= MAX_POINT_RATIO;
             let force = last.force_at(x);
             (factor, is_held) = flat(x, force);
             points.push([x, force / factor]);
@@ -94,16 +94,19 @@ impl Flattening {
         let (from, [to, _]) = (points[0], points[points.len() - 1]);
         let curve = LoadingCurve::hertz().then_points(from, points[1..].iter().copied());
         let curve = curve.then_line(to, last.slope_at(to) / factor);
-        let widest = match pair.yield_point.map(|point| point.flow) {
-            Some(flow) if flow.is_of_both() => 0.2,
+        let widest = match pair.yield_point.map(|point| point.yield_partition) {
+            Some(flow) if flow.is_shared() => 0.2,
             _ => 0.3,
         };
-        (curve.with_transit_series(), Self { plain, recovery: recovery * yield_radius_ratio, widest })
+        (
+            curve.with_transit_series(),
+            Self { unflattened_curve: plain, recovery: recovery * yield_radius_ratio, max_radius_ratio: widest },
+        )
     }
 
     /// The fraction of ε_line that is recovered at x > 1, where the strength is σ_rep = r σ_Y. Beyond δ = R, where no law holds, it
     /// stays positive.
-    pub(super) fn recovered(&self, x: f64, r: f64) -> f64 {
+    pub(super) fn recovery_factor(&self, x: f64, r: f64) -> f64 {
         1.0 - (self.recovery * (x.sqrt() - r)).min(RECOVERY)
     }
 }

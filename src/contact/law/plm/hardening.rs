@@ -18,71 +18,75 @@
 
 use std::iter::successors;
 
-use super::approach::LineSlopes;
-use crate::contact::strength::flow_curve::Rise;
+use super::approach::ApproachSlopes;
+use crate::contact::strength::flow_curve::NormalisedFlowCurve;
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::{exp, ln};
 
 /// The plastic strains that stand for the strain field, divided by s.
-const STRAINS: [f64; 2] = [0.025, 0.37];
+const STRAIN_FACTORS: [f64; 2] = [0.025, 0.37];
 
 /// Largest ratio of neighbouring points of the loading curve: straight between them, the force is off by less than 0.1 %.
-pub(super) const RATIO: f64 = 1.1;
+pub(super) const MAX_POINT_RATIO: f64 = 1.1;
 const LN_RATIO: f64 = 0.095_310_179_804_324_93;
 
 /// Least d ln f/d ln x of a piece. With the flow curves of metals it is above 1; a kink in a measured curve may give less.
-const LEAST_GROWTH: f64 = 0.01;
+const MIN_LOG_SLOPE: f64 = 0.01;
 
 /// How a flow curve changes the PLM, in units of the first yield point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hardening {
     /// σ/σ_Y over plastic strain.
-    rise: Rise,
+    flow_curve: NormalisedFlowCurve,
     /// a_Y/R.
     yield_radius_ratio: f64,
     /// The polyline of the elastic approach, for any strength.
-    line: LineSlopes,
+    approach_slopes: ApproachSlopes,
 }
 
 impl Hardening {
     /// For a body with this flow curve, which yields first at this a_Y/R.
-    pub(super) fn new(rise: Rise, yield_radius_ratio: f64, line: LineSlopes) -> Self {
-        Self { rise, yield_radius_ratio, line }
+    pub(super) fn new(
+        flow_curve: NormalisedFlowCurve,
+        yield_radius_ratio: f64,
+        approach_slopes: ApproachSlopes,
+    ) -> Self {
+        Self { flow_curve, yield_radius_ratio, approach_slopes }
     }
 
     /// σ_rep/σ_Y at x; 1 below first yield.
-    pub fn strength(&self, x: f64) -> f64 {
+    pub fn representative_strength(&self, x: f64) -> f64 {
         let s = self.yield_radius_ratio * (x.sqrt() - 1.0);
         if s <= 0.0 {
             return 1.0;
         }
-        0.5 * (self.rise.at(STRAINS[0] * s) + self.rise.at(STRAINS[1] * s))
+        0.5 * (self.flow_curve.at(STRAIN_FACTORS[0] * s) + self.flow_curve.at(STRAIN_FACTORS[1] * s))
     }
 
     /// The largest plastic strain for which loading to x needs the flow curve, and the largest strain of the curve. `None` if the
     /// curve covers this strain.
     pub(crate) fn beyond_flow_curve(&self, x: f64) -> Option<(f64, f64)> {
-        let strain = STRAINS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0);
-        let last = self.rise.curve.last_strain()?;
+        let strain = STRAIN_FACTORS[1] * self.yield_radius_ratio * (x.sqrt() - 1.0);
+        let last = self.flow_curve.curve.last_strain()?;
         (strain > last).then_some((strain, last))
     }
 
     /// ε at a point (x, f) with x > 1, where this fraction of ε_line is recovered.
     #[inline(never)]
     pub(crate) fn elastic_approach(&self, x: f64, force: f64, share: f64) -> f64 {
-        let r = self.strength(x);
+        let r = self.representative_strength(x);
         let yield_indentation = r * r;
         if x <= yield_indentation {
             return x;
         }
-        let on_line = self.line.approach(force / (yield_indentation * r), self.yield_radius_ratio * r);
+        let on_line = self.approach_slopes.approach(force / (yield_indentation * r), self.yield_radius_ratio * r);
         (yield_indentation * on_line * share).min(x)
     }
 
     /// The shape of the contact pressure at x, where the Hertz-equivalent radius is A = f/ε.
-    pub(crate) fn shape(&self, x: f64, equivalent: f64) -> Shape<'_> {
-        let strength = self.strength(x);
-        Shape { hardening: self, x, strength, equivalent: equivalent / strength }
+    pub(crate) fn pressure_shape(&self, x: f64, equivalent: f64) -> PressureShape<'_> {
+        let strength = self.representative_strength(x);
+        PressureShape { hardening: self, x, strength, equivalent: equivalent / strength }
     }
 
     /// Hertz up to the first knot of the perfectly plastic curve, then straight through points at most 10 % apart: its
@@ -92,16 +96,16 @@ impl Hardening {
         let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return perfect.clone() };
         let first = first.start;
         let force = |x: f64| {
-            let r = self.strength(x);
+            let r = self.representative_strength(x);
             let scaled = x / (r * r);
             if scaled <= first { x * x.sqrt() } else { r * r * r * perfect.force(scaled) }
         };
         let end = 1.0 / (self.yield_radius_ratio * self.yield_radius_ratio);
         let mut before = [first, force(first)];
-        let inside = knots.windows(2).flat_map(|pair| between(pair[0].start, pair[1].start));
-        let hardened = inside.chain(beyond(last.start, end)).map(|x| {
+        let inside = knots.windows(2).flat_map(|pair| geometric_points(pair[0].start, pair[1].start));
+        let hardened = inside.chain(geometric_points_beyond(last.start, end)).map(|x| {
             let [start, from] = before;
-            before = [x, force(x).max(from * (1.0 + LEAST_GROWTH * (x - start) / start))];
+            before = [x, force(x).max(from * (1.0 + MIN_LOG_SLOPE * (x - start) / start))];
             before
         });
         LoadingCurve::hertz().then_points([first, force(first)], hardened).with_transit_series()
@@ -109,7 +113,7 @@ impl Hardening {
 }
 
 /// The numbers that the shape of the contact pressure depends on.
-pub(crate) struct Shape<'a> {
+pub(crate) struct PressureShape<'a> {
     hardening: &'a Hardening,
     x: f64,
     /// σ_rep/σ_Y at x.
@@ -118,27 +122,27 @@ pub(crate) struct Shape<'a> {
     pub(crate) equivalent: f64,
 }
 
-impl Shape<'_> {
+impl PressureShape<'_> {
     /// ν, from the last tenth of the loading.
-    fn growth(&self) -> f64 {
-        2.0 * ln(self.strength / self.hardening.strength(self.x / RATIO)) / LN_RATIO
+    fn local_hardening_exponent(&self) -> f64 {
+        2.0 * ln(self.strength / self.hardening.representative_strength(self.x / MAX_POINT_RATIO)) / LN_RATIO
     }
 
     /// The reduction of the exponent "pressure-shape" by hardening.
     pub(crate) fn exponent_loss(&self) -> f64 {
-        0.14 * self.growth()
+        0.14 * self.local_hardening_exponent()
     }
 
     /// The factor by which the contact is narrower, because less material piles up around it.
-    pub(crate) fn narrowing(&self) -> f64 {
+    pub(crate) fn pile_up_factor(&self) -> f64 {
         let share = ((self.equivalent - 4.0) / 16.0).clamp(0.0, 1.0);
         // the hardening exponent costs as much time as all the rest, and is not needed below A' = 4
-        if share == 0.0 { 1.0 } else { 1.0 + 0.25 * self.growth() * share }
+        if share == 0.0 { 1.0 } else { 1.0 + 0.25 * self.local_hardening_exponent() * share }
     }
 }
 
 /// Where straight pieces from one knot to the next end: points in equal ratios, and the next knot.
-pub(super) fn between(from: f64, to: f64) -> impl Iterator<Item = f64> {
+pub(super) fn geometric_points(from: f64, to: f64) -> impl Iterator<Item = f64> {
     let whole = ln(to / from);
     // less a rounding, as points of another curve are just so far apart
     let ratio = exp(whole / (whole / LN_RATIO - 1e-12).ceil().max(1.0));
@@ -148,6 +152,6 @@ pub(super) fn between(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Points in ratios of 1.1 from the last knot, without it, to the first that is not before this end.
-fn beyond(last: f64, end: f64) -> impl Iterator<Item = f64> {
-    successors(Some(RATIO * last), move |x| (*x < end).then_some(RATIO * x))
+fn geometric_points_beyond(last: f64, end: f64) -> impl Iterator<Item = f64> {
+    successors(Some(MAX_POINT_RATIO * last), move |x| (*x < end).then_some(MAX_POINT_RATIO * x))
 }

@@ -18,30 +18,30 @@ use super::coefficients::PlmCoefficients;
 use crate::contact::law::unloading::UnloadingExponent;
 use crate::contact::pair::{HalfSpace, Material, Pair, Sphere};
 use crate::contact::strength::flow_curve::{FlowCurve, yield_strength_of_power};
-use crate::contact::strength::hardness::STRAIN;
+use crate::contact::strength::hardness::TABOR_STRAIN;
 use crate::numerics::root::illinois;
 
 const DIAMOND: Material = Material { youngs_modulus: 1140e9, poissons_ratio: 0.07 };
 
 /// a/R of the indentation.
-const WIDTH: f64 = 0.337;
+const INDENT_RADIUS_RATIO: f64 = 0.337;
 
 /// The yield strength \[Pa\] of a body of this material whose hardness is given as mean pressure \[Pa\]. With a power law of
-/// hardening, the curve has the flow stress of the hardness at the strain [`STRAIN`]; otherwise the yield strength is that
+/// hardening, the curve has the flow stress of the hardness at the strain [`TABOR_STRAIN`]; otherwise the yield strength is that
 /// flow stress. NaN if the indenter would leave no dent.
 pub fn strength_of_hardness(mean_pressure: f64, flow: Option<&FlowCurve>, material: &Material) -> f64 {
-    let stress = flow_stress(mean_pressure, material);
+    let stress = flow_stress_of_hardness(mean_pressure, material);
     match flow {
         Some(FlowCurve::Power { exponent }) => {
-            yield_strength_of_power(stress, STRAIN, *exponent, material.youngs_modulus)
+            yield_strength_of_power(stress, TABOR_STRAIN, *exponent, material.youngs_modulus)
         }
         _ => stress,
     }
 }
 
 /// The flow stress \[Pa\] of a body of this material with this hardness; NaN if the indenter would leave no dent.
-pub fn flow_stress(mean_pressure: f64, material: &Material) -> f64 {
-    let short_of = |stress: f64| mean_pressure - pressure(stress, material);
+pub fn flow_stress_of_hardness(mean_pressure: f64, material: &Material) -> f64 {
+    let short_of = |stress: f64| mean_pressure - hardness_of_flow_stress(stress, material);
     let [low, high] = [mean_pressure / 8.0, 2.0 * mean_pressure];
     // a contact without a dent has one pressure, whatever the strength
     if !(short_of(high) <= 0.0 && high.is_finite()) {
@@ -52,18 +52,18 @@ pub fn flow_stress(mean_pressure: f64, material: &Material) -> f64 {
 
 /// The hardness, as mean pressure \[Pa\], of a body of this material with a constant flow stress \[Pa\]; NaN if they are not
 /// possible for a body.
-pub fn pressure(flow_stress: f64, material: &Material) -> f64 {
+pub fn hardness_of_flow_stress(flow_stress: f64, material: &Material) -> f64 {
     let indenter = Sphere::elastic(1.0, DIAMOND, 1.0);
     let body = HalfSpace::flat(*material, Some(flow_stress));
     let Ok(pair) = Pair::try_new(&indenter, &body) else { return f64::NAN };
     let Some(point) = pair.yield_point else { return f64::NAN };
     let ratio = point.contact_radius;
     let law = PlmCoefficients::built_in().law(&pair, ratio, UnloadingExponent::Paper);
-    let width = |x: f64| ratio * law.contact_radius(&law.loaded_to(x));
+    let width = |x: f64| ratio * law.contact_radius(&law.loaded_state(x));
     // an elastic contact is as wide at δ = a²/R, a plastic one at no less than a fifth of that
-    let elastic = (WIDTH / ratio) * (WIDTH / ratio);
-    let x = illinois((0.1 * elastic, 2.0 * elastic), |x| WIDTH - width(x));
-    point.force * law.loading.force(x) / (std::f64::consts::PI * WIDTH * WIDTH)
+    let elastic = (INDENT_RADIUS_RATIO / ratio) * (INDENT_RADIUS_RATIO / ratio);
+    let x = illinois((0.1 * elastic, 2.0 * elastic), |x| INDENT_RADIUS_RATIO - width(x));
+    point.force * law.loading.force(x) / (std::f64::consts::PI * INDENT_RADIUS_RATIO * INDENT_RADIUS_RATIO)
 }
 
 #[cfg(test)]
@@ -79,12 +79,12 @@ mod tests {
     #[test]
     fn pressure_to_strength_ratio_falls_with_strength() {
         for (strength, constraint) in [(0.5e9, 2.8897), (3.9e9, 2.3499)] {
-            assert_relative_eq!(pressure(strength, &STEEL) / strength, constraint, epsilon = 1e-4);
+            assert_relative_eq!(hardness_of_flow_stress(strength, &STEEL) / strength, constraint, epsilon = 1e-4);
         }
         let mut last = f64::INFINITY;
         for k in 0..200 {
             let strength = 1e7 * powi(1.04, k);
-            let constraint = pressure(strength, &STEEL) / strength;
+            let constraint = hardness_of_flow_stress(strength, &STEEL) / strength;
             assert!(constraint > 0.1 && constraint < last * 1.001, "{strength} {constraint} {last}");
             last = constraint;
         }
@@ -98,14 +98,14 @@ mod tests {
             let mut last = 0.0;
             for k in 0..40 {
                 let hardness = 1e-5 * modulus * powi(1.25, k);
-                let strength = flow_stress(hardness, &material);
+                let strength = flow_stress_of_hardness(hardness, &material);
                 assert!(strength > last, "{material:?} {hardness} {strength} {last}");
-                assert_relative_eq!(pressure(strength, &material), hardness, max_relative = 1e-11);
+                assert_relative_eq!(hardness_of_flow_stress(strength, &material), hardness, max_relative = 1e-11);
                 last = strength;
             }
-            assert!(flow_stress(0.4 * modulus, &material).is_nan());
+            assert!(flow_stress_of_hardness(0.4 * modulus, &material).is_nan());
         }
         let nothing = Material { youngs_modulus: f64::NAN, ..STEEL };
-        assert!(flow_stress(3e9, &nothing).is_nan());
+        assert!(flow_stress_of_hardness(3e9, &nothing).is_nan());
     }
 }

@@ -23,17 +23,17 @@ pub mod unloading_rule;
 
 use std::sync::{Arc, LazyLock};
 
-use super::contact_law::{Bodies, ContactLaw};
-use super::published::{LawParts, Loading, PeakState};
-use super::{Law, OutsideLaw, UnloadingExponent};
+use super::contact_law::{ContactLaw, YieldingPair};
+use super::published::{LawParts, LoadedState, Loading};
+use super::{Law, LawError, UnloadingExponent};
 use crate::contact::pair::Pair;
 use crate::contact::strength::flow_curve::FlowCurve;
 use crate::numerics::curve::{Cached, LoadingCurve};
-pub use approach::ElasticLine;
+pub use approach::ApproachPolyline;
 pub use coefficients::{CoefficientSource, CoefficientsError, PlmCoefficients};
 pub use flattening::Flattening;
 pub use hardening::Hardening;
-pub use unloading_rule::PlmRule;
+pub use unloading_rule::PlmUnloadingRule;
 
 /// The piecewise-linear model with the paper's unloading (Eqs. 19-25, [`super::unloading`]).
 ///
@@ -50,7 +50,7 @@ pub struct Plm {
     /// By how much the rate of strain raises the whole flow curve of the body that yields; its strength has it already.
     pub rate_factor: f64,
     /// The curve of the first pair, with the coefficients and the κ² that it was made of: pairs of the same share it.
-    pub first: Cached<(Arc<PlmCoefficients>, f64, Arc<LoadingCurve>)>,
+    pub cached_curve: Cached<(Arc<PlmCoefficients>, f64, Arc<LoadingCurve>)>,
 }
 
 impl Default for Plm {
@@ -60,7 +60,7 @@ impl Default for Plm {
             exponent: UnloadingExponent::Paper,
             flow: [None, None],
             rate_factor: 1.0,
-            first: Cached::default(),
+            cached_curve: Cached::default(),
         }
     }
 }
@@ -78,15 +78,15 @@ impl Plm {
         Self { coefficients: Arc::new(coefficients.clone()), exponent, ..Self::default() }
     }
 
-    pub fn of_bodies(&self, bodies: &Bodies) -> Law {
+    pub fn law_for_yielding_pair(&self, bodies: &YieldingPair) -> Law {
         self.unloading_by(self, bodies)
     }
 
     /// The loading of this PLM with the unloading of another one, or of itself.
-    pub(super) fn unloading_by(&self, other: &Self, bodies: &Bodies) -> Law {
-        let (loading, mut rule) = self.flattened(bodies);
+    pub(super) fn unloading_by(&self, other: &Self, bodies: &YieldingPair) -> Law {
+        let (loading, mut rule) = self.with_flat(bodies);
         if !std::ptr::eq(self, other) {
-            (_, rule) = other.flattened(bodies);
+            (_, rule) = other.with_flat(bodies);
         }
         Law::plm(loading, rule)
     }
@@ -94,86 +94,87 @@ impl Plm {
     /// Checks that the coefficients and the flow curves make a law for these bodies.
     ///
     /// # Errors
-    /// [`OutsideLaw::Coefficients`], [`OutsideLaw::BothFlow`] and [`OutsideLaw::Flow`].
-    pub(super) fn check(&self, bodies: &Bodies) -> Result<(), OutsideLaw> {
+    /// [`LawError::Coefficients`], [`LawError::BothFlow`] and [`LawError::Flow`].
+    pub(super) fn check(&self, bodies: &YieldingPair) -> Result<(), LawError> {
         // the coefficients that a file or the program brings are checked where they are read
         if !std::ptr::eq(&raw const *self.coefficients, &raw const **Self::built_in()) {
             self.coefficients.check_rules()?;
         }
-        let flows = bodies.yield_point.flow;
+        let flows = bodies.yield_point.yield_partition;
         let [sphere, half_space] = &self.flow;
-        if flows.is_of_both() && (sphere.is_some() || half_space.is_some()) {
-            return Err(OutsideLaw::BothFlow { ratio: flows.ratio });
+        if flows.is_shared() && (sphere.is_some() || half_space.is_some()) {
+            return Err(LawError::BothFlow { ratio: flows.ratio });
         }
-        if let Some(flow) = flows.of_softer([sphere, half_space]) {
-            flow.is_flatter_than(bodies.modulus(), bodies.yield_point.strength / self.rate_factor)?;
+        if let Some(flow) = flows.for_softer([sphere, half_space]) {
+            flow.check_slope(bodies.modulus(), bodies.yield_point.strength / self.rate_factor)?;
         }
         Ok(())
     }
 
-    /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_one_curve`]).
-    pub(crate) fn of_same_curve(&self, law: &Law, bodies: &Bodies) -> Law {
-        let rule = self.coefficients.rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent);
+    /// The law of bodies of other strengths, whose loading is that of `law` in its own units (see [`Law::has_universal_curve`]).
+    pub(crate) fn rescaled_law(&self, law: &Law, bodies: &YieldingPair) -> Law {
+        let rule = self.coefficients.unloading_rule(&bodies.pair, bodies.yield_radius_ratio(), self.exponent);
         Law::plm(Arc::clone(&law.loading), rule)
     }
 
     /// The curve of a half-space that does not harden.
-    fn perfect(&self, pair: &Pair) -> Arc<LoadingCurve> {
-        let [kappa, _] = pair.shares();
+    fn perfectly_plastic_curve(&self, pair: &Pair) -> Arc<LoadingCurve> {
+        let [kappa, _] = pair.law_shares();
         let square = kappa * kappa;
         let curve = || Arc::new(self.coefficients.force.curve(square));
         let (table, square_of_first, first) =
-            self.first.0.get_or_init(|| (Arc::clone(&self.coefficients), square, curve()));
+            self.cached_curve.0.get_or_init(|| (Arc::clone(&self.coefficients), square, curve()));
         if *square_of_first == square && Arc::ptr_eq(table, &self.coefficients) { Arc::clone(first) } else { curve() }
     }
 
-    fn halves(&self, bodies: &Bodies) -> (Arc<LoadingCurve>, PlmRule) {
+    fn without_flat(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, PlmUnloadingRule) {
         let (pair, ratio) = (&bodies.pair, bodies.yield_radius_ratio());
-        let (perfect, rule) = (self.perfect(pair), self.coefficients.rule(pair, ratio, self.exponent));
+        let (perfect, rule) =
+            (self.perfectly_plastic_curve(pair), self.coefficients.unloading_rule(pair, ratio, self.exponent));
         let [sphere, half_space] = &self.flow;
-        let flows = bodies.yield_point.flow;
-        let Some(flow) = flows.of_softer([sphere, half_space]) else { return (perfect, rule) };
+        let flows = bodies.yield_point.yield_partition;
+        let Some(flow) = flows.for_softer([sphere, half_space]) else { return (perfect, rule) };
         let slow = bodies.yield_point.strength / self.rate_factor;
-        let rise = flow.rise(slow, bodies.modulus());
-        let hardening = Hardening::new(rise, ratio, self.coefficients.line_slopes(pair));
-        (Arc::new(hardening.loading(&perfect)), PlmRule { hardening: Some(hardening), ..rule })
+        let rise = flow.normalised(slow, bodies.modulus());
+        let hardening = Hardening::new(rise, ratio, self.coefficients.approach_slopes(pair));
+        (Arc::new(hardening.loading(&perfect)), PlmUnloadingRule { hardening: Some(hardening), ..rule })
     }
 
     /// The halves with the flats of balls that flow.
-    fn flattened(&self, bodies: &Bodies) -> (Arc<LoadingCurve>, PlmRule) {
-        let (plain, rule) = self.halves(bodies);
+    fn with_flat(&self, bodies: &YieldingPair) -> (Arc<LoadingCurve>, PlmUnloadingRule) {
+        let (plain, rule) = self.without_flat(bodies);
         let pair = &bodies.pair;
         if pair.balls.iter().all(|ball| ball.share * ball.curvature == 0.0) {
             return (plain, rule);
         }
-        let [_, rho] = pair.shares();
-        let (curve, flattening) = Flattening::of(
+        let [_, rho] = pair.law_shares();
+        let (curve, flattening) = Flattening::new(
             pair,
             bodies.yield_radius_ratio(),
             self.coefficients.plastic_from(rho),
             plain,
-            rule.equivalents(),
-            |x, equivalent| rule.radius_at(x, equivalent),
+            rule.hertz_equivalent_radii(),
+            |x, equivalent| rule.contact_radius_at(x, equivalent),
         );
-        (Arc::new(curve), PlmRule { flattening: Some(flattening), ..rule })
+        (Arc::new(curve), PlmUnloadingRule { flattening: Some(flattening), ..rule })
     }
 }
 
 impl ContactLaw for Plm {
-    fn rules(&self, bodies: &Bodies) -> LawParts {
-        let (curve, rule) = self.flattened(bodies);
-        let (limits, of_radius) = (rule.limits(), rule.clone());
+    fn build_parts(&self, bodies: &YieldingPair) -> LawParts {
+        let (curve, rule) = self.with_flat(bodies);
+        let (limits, of_radius) = (rule.validity(), rule.clone());
         let radius = move |x, force| of_radius.contact_radius(&of_radius.state(x, force));
         let loading = Loading { curve, limits, radius: Arc::new(radius) };
         LawParts {
             loading: self.check(bodies).map(|()| loading),
-            recovery: Arc::new(move |at: PeakState| rule.recovered(&at)),
+            recovery: Arc::new(move |at: LoadedState| rule.recovered(&at)),
         }
     }
 
-    fn law(&self, bodies: &Bodies) -> Result<Law, OutsideLaw> {
+    fn law(&self, bodies: &YieldingPair) -> Result<Law, LawError> {
         self.check(bodies)?;
-        Ok(self.of_bodies(bodies))
+        Ok(self.law_for_yielding_pair(bodies))
     }
 }
 
@@ -189,7 +190,7 @@ mod tests {
             let sphere = Sphere::elastic(5e-3, Material { youngs_modulus: modulus, poissons_ratio: 0.3 }, 7850.0);
             let steel = Material { youngs_modulus: 210e9, poissons_ratio: 0.3 };
             let half_space = HalfSpace::flat(steel, Some(strength));
-            plm.of_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().loading
+            plm.law_for_pair(&Pair::try_new(&sphere, &half_space).unwrap()).unwrap().loading
         };
         let plm = Plm::default();
         let first = loading_of(&plm, 210e9, 3e8);

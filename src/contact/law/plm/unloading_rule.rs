@@ -1,19 +1,19 @@
 //! How the PLM unloads: elastic approach, exponent and contact radius at a point of its loading curve.
 
-use super::approach::ElasticLine;
+use super::approach::ApproachPolyline;
 use super::contact_radius::RadiusTable;
 use super::flattening::Flattening;
 use super::hardening::Hardening;
-use crate::contact::law::published::{Limits, PeakState, Recovered};
+use crate::contact::law::published::{LoadedState, Recovery, Validity};
 use crate::contact::law::unloading::{
     ContactState, Unloading, UnloadingExponent, UnloadingShape, allowed_exponent, pressure_shape_exponent,
 };
 
 /// How the PLM unloads beyond first yield.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PlmRule {
+pub struct PlmUnloadingRule {
     /// The elastic approach over the force.
-    pub line: ElasticLine,
+    pub approach: ApproachPolyline,
     /// How a body that hardens changes it.
     pub hardening: Option<Hardening>,
     /// How a sphere that flows changes it.
@@ -23,11 +23,11 @@ pub struct PlmRule {
     pub exponent: UnloadingExponent,
 }
 
-impl PlmRule {
+impl PlmUnloadingRule {
     /// Where loading holds.
-    pub(crate) fn limits(&self) -> Limits {
+    pub(crate) fn validity(&self) -> Validity {
         let widest = if self.hardening.is_some() { 0.32 } else { 0.45 };
-        Limits::of(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.widest))
+        Validity::new(1.0, self.flattening.as_ref().map_or(widest, |flattening| flattening.max_radius_ratio))
     }
 
     /// The state at a point (x, f) of the loading curve.
@@ -41,10 +41,10 @@ impl PlmRule {
     pub(crate) fn elastic_approach(&self, x: f64, force: f64) -> f64 {
         match (&self.flattening, &self.hardening) {
             _ if x <= 1.0 => x,
-            (None, _) => self.plain_approach(x, force),
-            (Some(flattening), None) => (self.line.at(force) * flattening.recovered(x, 1.0)).min(x),
+            (None, _) => self.approach_without_flat(x, force),
+            (Some(flattening), None) => (self.approach.at(force) * flattening.recovery_factor(x, 1.0)).min(x),
             (Some(flattening), Some(hardening)) => {
-                let share = flattening.recovered(x, hardening.strength(x));
+                let share = flattening.recovery_factor(x, hardening.representative_strength(x));
                 hardening.elastic_approach(x, force, share)
             }
         }
@@ -52,20 +52,20 @@ impl PlmRule {
 
     /// ε without the flat of a sphere, for x > 1.
     #[inline(always)]
-    pub(super) fn plain_approach(&self, x: f64, force: f64) -> f64 {
+    pub(super) fn approach_without_flat(&self, x: f64, force: f64) -> f64 {
         match &self.hardening {
-            None => self.line.at(force).min(x),
+            None => self.approach.at(force).min(x),
             Some(hardening) => hardening.elastic_approach(x, force, 1.0),
         }
     }
 
     /// A = f/ε at a peak, without the flat of a sphere.
     #[inline(always)]
-    fn equivalent(&self, peak: &ContactState) -> f64 {
+    fn hertz_equivalent_radius(&self, peak: &ContactState) -> f64 {
         match &self.flattening {
             Some(flattening) if peak.indentation > 1.0 => {
-                let force = flattening.plain.force(peak.indentation);
-                force / self.plain_approach(peak.indentation, force)
+                let force = flattening.unflattened_curve.force(peak.indentation);
+                force / self.approach_without_flat(peak.indentation, force)
             }
             _ => peak.force / peak.elastic_approach,
         }
@@ -73,13 +73,13 @@ impl PlmRule {
 
     /// At points (x, f) beyond first yield of a law without a flat: A, and A in units of the strength that the yielding body has
     /// reached at this point.
-    pub(super) fn equivalents(&self) -> impl FnMut(f64, f64) -> [f64; 2] + '_ {
-        let mut on_line = self.line.nearby();
+    pub(super) fn hertz_equivalent_radii(&self) -> impl FnMut(f64, f64) -> [f64; 2] + '_ {
+        let mut on_line = self.approach.sequential_lookup();
         move |x, force| match &self.hardening {
             None => [force / on_line(force).min(x); 2],
             Some(hardening) => {
                 let equivalent = force / hardening.elastic_approach(x, force, 1.0);
-                [equivalent, hardening.shape(x, equivalent).equivalent]
+                [equivalent, hardening.pressure_shape(x, equivalent).equivalent]
             }
         }
     }
@@ -87,26 +87,26 @@ impl PlmRule {
     /// The branch with the requested exponent, if it recovers no more than the work `spent` of loading to the peak.
     #[inline(always)]
     pub(crate) fn unloading(&self, peak: ContactState, spent: f64) -> Unloading {
-        Unloading::power(peak, allowed_exponent(spent, &peak, self.asked(&peak)))
+        Unloading::power(peak, allowed_exponent(spent, &peak, self.requested_exponent(&peak)))
     }
 
     /// The requested exponent; the exponent of Hertz without a dent.
     #[inline(always)]
-    pub(crate) fn asked(&self, peak: &ContactState) -> f64 {
-        self.exponent_at(peak, || self.equivalent(peak))
+    pub(crate) fn requested_exponent(&self, peak: &ContactState) -> f64 {
+        self.exponent_at(peak, || self.hertz_equivalent_radius(peak))
     }
 
     /// The elastic approach and the exponent at a peak on the loading curve of another law. Its force need not be that of this
     /// rule, so A is this force over the elastic approach that belongs to it.
-    pub(super) fn recovered(&self, at: &PeakState) -> Recovered {
+    pub(super) fn recovered(&self, at: &LoadedState) -> Recovery {
         let of_plm = self.state(at.indentation, at.force);
         let elastic_approach = at.elastic_approach.unwrap_or(of_plm.elastic_approach);
         let equivalent = || match at.elastic_approach {
-            None if at.indentation > 1.0 => at.force / self.plain_approach(at.indentation, at.force),
+            None if at.indentation > 1.0 => at.force / self.approach_without_flat(at.indentation, at.force),
             _ => at.force / elastic_approach,
         };
         let exponent = self.exponent_at(&ContactState { elastic_approach, ..of_plm }, equivalent);
-        Recovered { elastic_approach, shape: UnloadingShape::Power(exponent) }
+        Recovery { elastic_approach, shape: UnloadingShape::Power(exponent) }
     }
 
     /// The exponent that is asked for at a peak with this A.
@@ -126,10 +126,10 @@ impl PlmRule {
     #[inline(always)]
     fn pressure_shape(&self, x: f64, equivalent: f64) -> f64 {
         let exponent = match &self.hardening {
-            None => pressure_shape_exponent(self.radius.ratio_at(equivalent)),
+            None => pressure_shape_exponent(self.radius.pressure_shape_at(equivalent)),
             Some(hardening) => {
-                let shape = hardening.shape(x, equivalent);
-                pressure_shape_exponent(self.radius.ratio_at(shape.equivalent)) - shape.exponent_loss()
+                let shape = hardening.pressure_shape(x, equivalent);
+                pressure_shape_exponent(self.radius.pressure_shape_at(shape.equivalent)) - shape.exponent_loss()
             }
         };
         exponent.max(1.0)
@@ -137,17 +137,17 @@ impl PlmRule {
 
     /// a/a_Y at a peak, a = â/(Λ G) with the Hertz-equivalent A = f/ε.
     pub(crate) fn contact_radius(&self, peak: &ContactState) -> f64 {
-        self.radius_at(peak.indentation, self.equivalent(peak))
+        self.contact_radius_at(peak.indentation, self.hertz_equivalent_radius(peak))
     }
 
     /// a/a_Y at x, where A is this.
-    pub(super) fn radius_at(&self, x: f64, equivalent: f64) -> f64 {
+    pub(super) fn contact_radius_at(&self, x: f64, equivalent: f64) -> f64 {
         match &self.hardening {
             None => self.radius.true_radius(equivalent),
             Some(hardening) => {
-                let shape = hardening.shape(x, equivalent);
-                let geometry = self.radius.geometry_at(equivalent);
-                equivalent / (self.radius.ratio_at(shape.equivalent) * geometry * shape.narrowing())
+                let shape = hardening.pressure_shape(x, equivalent);
+                let geometry = self.radius.geometry_factor_at(equivalent);
+                equivalent / (self.radius.pressure_shape_at(shape.equivalent) * geometry * shape.pile_up_factor())
             }
         }
     }

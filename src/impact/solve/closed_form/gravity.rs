@@ -6,7 +6,7 @@
 //!
 //! so peak, rebound and capture follow from the energy, exact to rounding. The times are those of a run by rk8.
 
-use crate::contact::law::Ground;
+use crate::contact::law::Surface;
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::ACCELERATION;
 use crate::impact::solve::motion;
@@ -17,18 +17,18 @@ use crate::numerics::ode::rk8::Rk8;
 
 /// The outcome, with times of this relative tolerance.
 pub(super) fn solve(
-    ground: Ground,
+    ground: Surface,
     q: f64,
     forces: &ScaledForces,
     tolerance: f64,
 ) -> Result<Outcome, IntegrationError> {
-    let (last, distance) = ground.turn(0.4 * q * q, forces.weight);
-    let unloading = ground.turned(last, distance, None);
+    let (last, distance) = ground.turning_point(0.4 * q * q, forces.weight);
+    let unloading = ground.unloading_from_turn(last, distance, None);
     let is_captured = forces.captures(&unloading, q);
     // the sphere leaves at the end of the branch, or its run ends at the static indentation
-    let at_end = if is_captured { unloading.recovered_at(forces.weight) } else { 0.0 };
+    let at_end = if is_captured { unloading.elastic_approach_at_force(forces.weight) } else { 0.0 };
     let springback = (unloading.peak.elastic_approach - at_end).max(0.0);
-    let energy = unloading.capacity() - unloading.stored_of(at_end) - forces.weight * springback;
+    let energy = unloading.recoverable_energy() - unloading.stored_energy_at(at_end) - forces.weight * springback;
     let is_even = !is_captured && forces.is_even(ground, &unloading);
     let speed = if is_even { q } else { (2.0 * ACCELERATION * energy).max(0.0).sqrt() };
     let run = motion::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
@@ -37,7 +37,7 @@ pub(super) fn solve(
         restitution: if is_captured { 0.0 } else { speed / q },
         largest_force: ground.reported_force(&unloading, None),
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
-        end_indentation: ground.dent(&unloading.peak).residual() + at_end,
+        end_indentation: ground.deepest_state(&unloading.peak).residual() + at_end,
         end_speed: -speed,
         ..run
     })

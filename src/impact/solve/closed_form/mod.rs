@@ -8,7 +8,7 @@
 mod gravity;
 
 use super::outcome::{Fate, Outcome};
-use crate::contact::law::{Ground, Unloading};
+use crate::contact::law::{Surface, Unloading};
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::scales::ACCELERATION;
 use crate::numerics::curve::piece::{Piece, Shape};
@@ -23,7 +23,7 @@ use crate::numerics::power::{arctangent, power_time};
 /// # Errors
 /// [`IntegrationError`] where the run for the times under gravity gives up.
 pub fn solve_with<'a>(
-    ground: impl Into<Ground<'a>>,
+    ground: impl Into<Surface<'a>>,
     q: f64,
     forces: &ScaledForces,
     tolerance: f64,
@@ -51,26 +51,28 @@ pub struct Balance {
 
 /// Peak, exponent and restitution of an impact at the dimensionless speed q = v/V, without any times.
 #[inline(always)]
-pub fn energy_balance<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Balance {
+pub fn energy_balance<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> Balance {
     let ground = ground.into();
     let kinetic = 0.4 * speed * speed;
-    let (last, distance) = ground.turn(kinetic, 0.0);
-    let unloading = ground.turned(last, distance, Some(kinetic));
+    let (last, distance) = ground.turning_point(kinetic, 0.0);
+    let unloading = ground.unloading_from_turn(last, distance, Some(kinetic));
     // a share that differs from 1 by rounding only is 1, and fresh surface gives back no more than was spent
-    let share = unloading.capacity() / kinetic;
+    let share = unloading.recoverable_energy() / kinetic;
     let is_one = (share - 1.0).abs() < 8.0 * f64::EPSILON;
-    let is_all = is_one || ground.is_elastic_to(unloading.peak.indentation) || share > 1.0 && ground.branch().is_none();
+    let is_all = is_one
+        || ground.is_elastic_at(unloading.peak.indentation)
+        || share > 1.0 && ground.reloading_branch().is_none();
     let restitution = if is_all { 1.0 } else { share.sqrt() };
     Balance { unloading, restitution, kinetic, last, distance }
 }
 
 /// The whole outcome of an impact at the dimensionless speed q = v/V by the law alone, exact to rounding.
-pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
+pub fn solve<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> Outcome {
     let ground = ground.into();
     let Balance { unloading, restitution, kinetic, last, distance } = energy_balance(ground, speed);
-    let Transit { piece: first, work, time: mut loading_time } = ground.way_in.transit(kinetic, speed);
+    let Transit { piece: first, work, time: mut loading_time } = ground.reloading_path.transit(kinetic, speed);
     let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
-    let pieces = ground.way_in.pieces();
+    let pieces = ground.reloading_path.pieces();
     for pair in pieces[first..=last].windows(2) {
         let exit = (2.0 * ACCELERATION * (kinetic - pair[1].work)).sqrt();
         loading_time += time_on(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
@@ -78,7 +80,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
     }
     loading_time += time_on(&pieces[last], distance, [entry, 0.0]);
     let peak = &unloading.peak;
-    let unloading_time = unloading.turning_time() * peak.elastic_approach / (restitution * speed);
+    let unloading_time = unloading.quarter_period_factor() * peak.elastic_approach / (restitution * speed);
     Outcome {
         unloading,
         restitution,
@@ -86,7 +88,7 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, speed: f64) -> Outcome {
         loading_time,
         contact_time: loading_time + unloading_time,
         fate: Fate::Separated,
-        end_indentation: ground.dent(peak).residual(),
+        end_indentation: ground.deepest_state(peak).residual(),
         end_speed: -restitution * speed,
         loss: 0.0,
     }

@@ -90,7 +90,7 @@ pub fn has_law_error(law: &LawChoice) -> bool {
 /// The errors of e by a law on these bodies at this contact radius over the radius of the sphere; `None` where they are not known.
 pub fn law_error(law: &LawChoice, contact: &Contact, radius_ratio: f64) -> Option<&'static LawError> {
     let exponent = exponent_name(law)?;
-    let flow = contact.pair().yield_point?.flow;
+    let flow = contact.pair().yield_point?.yield_partition;
     let yields = flow.sphere_share > 0.0;
     let class = match (contact.has_hardening(), yields) {
         // no load cycle has a ball that hardens
@@ -120,7 +120,7 @@ fn pressure_ratio(poissons_ratio: f64) -> f64 {
 /// The part of the interval of e for the Poisson's ratio of the body that yields: none where it is like that of the load cycles. `None`
 /// for a negative one, of which there are no finite elements, and for bodies that stay elastic.
 pub(super) fn poissons_ratio_part(input: &Input, contact: &Contact) -> Option<Vec<IntervalPart>> {
-    let body = contact.pair().yield_point?.flow.of_softer(Body::ALL);
+    let body = contact.pair().yield_point?.yield_partition.for_softer(Body::ALL);
     let poissons_ratio = input.material(body).poissons_ratio;
     let [least, most] = POISSONS_RATIOS;
     if poissons_ratio < 0.0 {

@@ -58,7 +58,7 @@ impl HardnessRanges {
     fn from_earlier(input: &Input, law: &LawChoice, earlier: Option<[BodyRange; 2]>) -> Self {
         let known = Body::ALL.map(|body| known_range(input, body));
         let strength = |body: Body, end: usize| {
-            let flow = body.pick(law.flow());
+            let flow = body.pick(law.flow_curves());
             let hardness = body.pick(known)?.range[end].value;
             let mut input = input.clone();
             input.set(key_of!(body, "hardness"), Some(hardness));
@@ -94,7 +94,7 @@ impl HardnessRanges {
 
 fn origin(input: &Input, law: &LawChoice, body: Body) -> RangeOrigin {
     let numbers = body.strength_numbers().map(|at| input.number(at));
-    let has = [known_range(input, body).is_some(), body.pick(law.flow()).is_some()];
+    let has = [known_range(input, body).is_some(), body.pick(law.flow_curves()).is_some()];
     (numbers, input.word(key_of!(body, "material")), has)
 }
 
@@ -119,7 +119,7 @@ pub fn has_strength_parts(input: &Input) -> bool {
 /// The parts of the yielding bodies of a contact that do not depend on the speed; `None` for a body for which the law was not
 /// made.
 pub(super) fn strength_parts(input: &Input, contact: &Contact, law: &LawChoice) -> Option<Vec<IntervalPart>> {
-    let flow = contact.pair().yield_point?.flow;
+    let flow = contact.pair().yield_point?.yield_partition;
     let shares = [flow.sphere_share, 1.0 - flow.sphere_share];
     let is_alike =
         input.named_material(Body::Sphere).is_some_and(|entry| Some(entry) == input.named_material(Body::HalfSpace));
@@ -156,7 +156,7 @@ fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option
     let entry = input.named_material(body);
     let may_harden = entry.map(|entry| entry.lacks_exponent || entry.hardens());
     let is_by_hardness = input.number(key_of!(body, "hardness")).is_some();
-    let has_curve = body.pick(law.flow()).is_some();
+    let has_curve = body.pick(law.flow_curves()).is_some();
     let kind = input.strength_kind(body);
     let mut parts = Vec::new();
     if kind == Some(StrengthKind::Flow) {
@@ -196,7 +196,7 @@ pub const WHICH_STRENGTH: &str = "Which strength?";
 pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied: &[&str]) -> Vec<String> {
     let mut notes = Vec::new();
     let Some(point) = contact.pair().yield_point else { return notes };
-    let body = point.flow.of_softer(Body::ALL);
+    let body = point.yield_partition.for_softer(Body::ALL);
     let is_vague = !input.has_flow(body) && input.strength_kind(body).is_none();
     if is_no_metal(input, body) {
         notes.push(format!(

@@ -81,7 +81,7 @@ fn two_straight_lines_give_one_restitution() {
 fn uniform_pressure_unloads_like_stack_of_punches() {
     use std::f64::consts::PI;
     let law = law_of(LawChoice::from_name("mesarovic_johnson").unwrap().get());
-    let peak = law.loaded_to(200.0);
+    let peak = law.loaded_state(200.0);
     let unloading = law.unloading(peak);
     for t in [0.01_f64, 0.3, 0.7, 0.99, 1.0] {
         let root = (1.0 - t * t).sqrt();
@@ -91,6 +91,6 @@ fn uniform_pressure_unloads_like_stack_of_punches() {
     }
     // ∫ F dδ = 8 p_0² a³/(3 E*) = 4/(3π) F_m (δ_m − δ_r)
     let stored = 4.0 / (3.0 * PI) * peak.force * peak.elastic_approach;
-    assert!(off(unloading.stored(200.0), stored) < 1e-14);
-    assert!(off(unloading.branch().work_at(200.0), stored) < 1e-13);
+    assert!(off(unloading.stored_energy(200.0), stored) < 1e-14);
+    assert!(off(unloading.to_piece().work_at(200.0), stored) < 1e-13);
 }

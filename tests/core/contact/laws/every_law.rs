@@ -12,7 +12,7 @@ fn at_first_yield_nothing_is_lost() {
     let mut compared = 0;
     for (name, choice) in whole_laws() {
         let law = law_of(choice.get());
-        let until = law.limits.elastic_until;
+        let until = law.validity.elastic_until;
         // not for laws without an elastic regime, and not for unloading from uniform pressure, which is wrong at yield
         if until == 0.0 || until.is_infinite() || name.contains("mesarovic") {
             continue;
@@ -44,7 +44,7 @@ fn plm_from_its_two_halves_is_the_plm() {
 fn outside_its_range_a_law_has_no_answer() {
     let refused = |name: &str, x: f64| {
         let law = law_of(LawChoice::from_name(name).unwrap().get());
-        law.accept(&law.unloading(law.loaded_to(x))).err().map(|error| error.to_string())
+        law.check(&law.unloading(law.loaded_state(x))).err().map(|error| error.to_string())
     };
     // laws without an elastic regime: the dent would be negative
     for name in ["mesarovic_johnson", "johnson"] {
@@ -78,7 +78,7 @@ fn half_a_law_is_refused() {
     let name = "brake";
     for law in [&Brake as &dyn ContactLaw, &combined] {
         let error = Contact::try_new(sphere, half_space, law).unwrap_err();
-        assert_eq!(error, ImpactError::Law(OutsideLaw::Incomplete { name }));
+        assert_eq!(error, ImpactError::Law(LawError::Incomplete { name }));
         assert!(error.to_string().contains(name), "{error}");
         // without yield no law is needed
         let elastic = HalfSpace { yield_strength: None, ..half_space };
@@ -91,7 +91,7 @@ fn half_a_law_is_refused() {
 fn refusal_counts_yield_indentations_of_law() {
     let contact = Scene::steel().contact_by(&Stronge::default());
     let speed = 1.4 * contact.yield_speed().unwrap();
-    let Err(ImpactError::Law(OutsideLaw::Range { ratio, .. })) = contact.closed_form(speed) else { panic!() };
+    let Err(ImpactError::Law(LawError::Range { ratio, .. })) = contact.closed_form(speed) else { panic!() };
     let (scales, law, q) = contact.scaled(speed).unwrap();
     let peak = closed_form::energy_balance(law, q).unloading.peak.indentation * scales.length;
     assert!(ratio > 1.0 && off(ratio, peak / contact.yields_at().unwrap().0) < 1e-12, "{ratio}");
@@ -103,7 +103,7 @@ fn damped_impact_is_judged_by_own_peak() {
     let choice = LawChoice::from_name("thornton + jackson_green").unwrap();
     let damped = Forces { damping: Some(Damping::Viscous(0.8)), ..Forces::default() };
     let bare = Scene::steel().contact_by(choice.get());
-    assert!(matches!(bare.closed_form(200.0), Err(ImpactError::Law(OutsideLaw::Range { .. }))));
+    assert!(matches!(bare.closed_form(200.0), Err(ImpactError::Law(LawError::Range { .. }))));
     let contact = bare.with_forces(damped);
     let impact = |speed: f64| contact.impact(speed, &solver(Method::Rk8, 1e-8), None);
     assert!(impact(200.0).is_ok());
@@ -152,6 +152,6 @@ fn plm_with_its_own_unloading_is_plm() {
     let half = LawChoice::Combined(Combined { loading: thornton, unloading: Box::new(input.law()) });
     for law in [input.law(), whole, half] {
         let error = Contact::try_new(input.sphere(), input.half_space(), law.get()).unwrap_err();
-        assert!(matches!(error, ImpactError::Law(OutsideLaw::BothFlow { .. })), "{error}");
+        assert!(matches!(error, ImpactError::Law(LawError::BothFlow { .. })), "{error}");
     }
 }

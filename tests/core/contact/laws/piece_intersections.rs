@@ -5,7 +5,7 @@ use super::bodies;
 use crate::common::prelude::*;
 
 /// A half-space with this Poisson's ratio and σ_Y/E*, and a sphere of the same material.
-fn half_space(poissons_ratio: f64, strain: f64) -> Bodies {
+fn half_space(poissons_ratio: f64, strain: f64) -> YieldingPair {
     let material = Material { youngs_modulus: 1e11, poissons_ratio };
     let yield_strength = Some(strain * 0.5 * material.plane_strain_modulus());
     bodies(&Scene { sphere: material, half_space: material, yield_strength, ..Scene::case_3() })
@@ -15,8 +15,8 @@ fn half_space(poissons_ratio: f64, strain: f64) -> Bodies {
 fn crossed(yield_factor: Option<f64>) -> [(&'static str, Box<dyn ContactLaw>); 4] {
     let jackson_green = |hardness| Box::new(JacksonGreen { yield_factor, hardness }) as Box<dyn ContactLaw>;
     [
-        ("jackson_green", jackson_green(Hardness::Exponential)),
-        ("jackson_green, cosine", jackson_green(Hardness::Cosine)),
+        ("jackson_green", jackson_green(HardnessFit::Exponential)),
+        ("jackson_green, cosine", jackson_green(HardnessFit::Cosine)),
         ("kogut_etsion", Box::new(KogutEtsion { yield_factor })),
         ("kogut_komvopoulos", Box::new(KogutKomvopoulos)),
     ]
@@ -44,7 +44,7 @@ fn hertz_crosses_jackson_green_at_documented_points() {
     for (poissons_ratio, want) in [(0.34, 1.825), (0.40, 1.586), (0.45, 1.412), (0.49, 1.287)] {
         let bodies = half_space(poissons_ratio, 0.002);
         let law = JacksonGreen::default().law(&bodies).unwrap();
-        let unit = bodies.yield_at(1.295 * (0.736 * poissons_ratio).exp());
+        let unit = bodies.yield_indentation_ratio(1.295 * (0.736 * poissons_ratio).exp());
         let start = law.loading.pieces()[1].start / unit;
         assert!((start - want).abs() < 2e-3, "{poissons_ratio}: {start} against {want}");
         assert_eq!(fault(&law), None, "{poissons_ratio}");
@@ -57,7 +57,7 @@ fn kogut_etsion_differs_by_8_percent_at_most() {
     let bodies = half_space(0.3, 0.002);
     let law = KogutEtsion::default().law(&bodies).unwrap();
     let factor = 2.8 * (0.454 + 0.41 * 0.3);
-    let unit = bodies.yield_at(factor);
+    let unit = bodies.yield_indentation_ratio(factor);
     let printed = |x: f64| match x {
         _ if x <= 1.0 => x.powf(1.5),
         _ if x <= 6.0 => 1.03 * x.powf(1.425),
@@ -76,7 +76,7 @@ fn early_crossing_skips_pieces_between() {
     // K H = 5 σ_Y: f = 1.68 x meets 1.03 x^1.425 at x = (1.68/1.03)^(1/0.425) = 3.16, before 1.40 x^1.263 does at 6.65
     let bodies = half_space(0.3, 0.002);
     let law = KogutEtsion { yield_factor: Some(5.0) }.law(&bodies).unwrap();
-    let unit = bodies.yield_at(5.0);
+    let unit = bodies.yield_indentation_ratio(5.0);
     let starts: Vec<f64> = law.loading.pieces().iter().map(|piece| piece.start / unit).collect();
     assert_eq!(starts.len(), 3);
     assert!((starts[2] - (1.68_f64 / 1.03).powf(1.0 / 0.425)).abs() < 1e-9, "{starts:?}");
@@ -92,8 +92,8 @@ fn where_nothing_crosses_the_law_has_no_answer() {
     ];
     for (law, factor) in laws {
         let law = law.law(&bodies).unwrap();
-        let yields = bodies.yield_at(factor);
-        let accepts = |x: f64| law.accept(&law.unloading(law.loaded_to(x))).is_ok();
+        let yields = bodies.yield_indentation_ratio(factor);
+        let accepts = |x: f64| law.check(&law.unloading(law.loaded_state(x))).is_ok();
         assert!(accepts(0.99 * yields) && !accepts(1.01 * yields));
     }
 }

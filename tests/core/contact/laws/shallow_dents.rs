@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use plm_impact::contact::law::published::{LawParts, Loading, PeakState};
+use plm_impact::contact::law::published::{LawParts, LoadedState, Loading};
 use plm_impact::numerics::curve::LoadingCurve;
 
 use crate::common::prelude::*;
@@ -13,13 +13,13 @@ use crate::common::prelude::*;
 struct Dented(f64);
 
 impl ContactLaw for Dented {
-    fn rules(&self, _: &Bodies) -> LawParts {
+    fn build_parts(&self, _: &YieldingPair) -> LawParts {
         let recovered = 1.0 - self.0;
-        let recovery = move |peak: PeakState| Recovered {
+        let recovery = move |peak: LoadedState| Recovery {
             elastic_approach: recovered * peak.indentation,
             shape: UnloadingShape::ShiftedHertz,
         };
-        LawParts::of(Loading::new(LoadingCurve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
+        LawParts::new(Loading::new(LoadingCurve::hertz(), 1.0, |x, _| x.sqrt()), Arc::new(recovery))
     }
 }
 

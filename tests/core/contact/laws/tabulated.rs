@@ -2,7 +2,7 @@
 //! has to agree to half a unit of its last printed digit: forces one decimal, dents and e three.
 
 use plm_impact::contact::law::catalogue::yigit_christoforou::YigitChristoforou;
-use plm_impact::contact::law::published::PeakState;
+use plm_impact::contact::law::published::LoadedState;
 
 use super::{case_3, factor, law_of};
 use crate::common::prelude::*;
@@ -43,14 +43,16 @@ fn whole_laws_match_tabulated_values() {
     for row in table("whole") {
         // ω_c of Kogut and Etsion differs by 0.3 % from δ_Y; Stronge has the factor 1.5 ϑ = 1.65
         let (law, unit) = match row.text("law") {
-            "kogut_etsion" => (LawChoice::from_name("kogut_etsion"), bodies.yield_at(2.8 * (0.454 + 0.41 * 0.3))),
-            "stronge" => (LawChoice::from_name("stronge"), bodies.yield_at(1.65)),
+            "kogut_etsion" => {
+                (LawChoice::from_name("kogut_etsion"), bodies.yield_indentation_ratio(2.8 * (0.454 + 0.41 * 0.3)))
+            }
+            "stronge" => (LawChoice::from_name("stronge"), bodies.yield_indentation_ratio(1.65)),
             name => (Some(with_factor(name)), 1.0),
         };
         let law = law_of(law.unwrap().get());
         let x = unit * row.number("depth");
-        let peak = law.loaded_to(x);
-        let e = (law.unloading(peak).stored(x) / law.loading.work(x)).sqrt();
+        let peak = law.loaded_state(x);
+        let e = (law.unloading(peak).stored_energy(x) / law.loading.work(x)).sqrt();
         assert_near(&row, [peak.force / unit.powf(1.5), peak.residual() / x, e]);
     }
 }
@@ -65,7 +67,7 @@ fn other_loadings_and_radii_match_the_table() {
     }
     for row in table("radius") {
         let law = law_of(with_factor(row.text("law")).get());
-        let radius = law.contact_radius(&law.loaded_to(row.number("depth"))) * case_3().yield_radius_ratio();
+        let radius = law.contact_radius(&law.loaded_state(row.number("depth"))) * case_3().yield_radius_ratio();
         let allowed = match row.text("law") {
             "jackson_green" => 5.1e-5,
             "kogut_etsion" => 1.1e-4,
@@ -76,9 +78,9 @@ fn other_loadings_and_radii_match_the_table() {
 }
 
 /// The state of a peak as an unloading law gets it. The work of loading does not matter for the dent.
-fn loaded(peak: &ContactState, radius: f64) -> PeakState {
+fn loaded(peak: &ContactState, radius: f64) -> LoadedState {
     let ContactState { indentation, force, .. } = *peak;
-    PeakState { indentation, force, radius, elastic_approach: None, spent: f64::INFINITY }
+    LoadedState { indentation, force, contact_radius: radius, elastic_approach: None, loading_work: f64::INFINITY }
 }
 
 /// The table has δ_r/δ_m = 0.229, 0.690, 0.724, 0.892, 0.902 for the fully plastic law with its own loading. These
@@ -88,9 +90,9 @@ fn loaded(peak: &ContactState, radius: f64) -> PeakState {
 fn tabulated_fully_plastic_dents_use_half_the_pressure() {
     let choice = LawChoice::from_name("mesarovic_johnson").unwrap();
     let (bodies, law) = (case_3(), law_of(choice.get()));
-    let recovery = choice.get().rules(&bodies).recovery;
+    let recovery = choice.get().build_parts(&bodies).recovery;
     for (depth, tabulated) in [(13.5, 0.229), (83.4, 0.690), (105.1, 0.724), (683.4, 0.892), (843.1, 0.902)] {
-        let peak = law.loaded_to(depth);
+        let peak = law.loaded_state(depth);
         let radius = law.contact_radius(&peak);
         let dent = |radius| 1.0 - recovery(loaded(&peak, radius)).elastic_approach / depth;
         assert!((dent(2f64.sqrt() * radius) - tabulated).abs() < 5.1e-4);
@@ -115,11 +117,11 @@ fn unloading_from_one_state_gives_tabulated_dents() {
             "yigit_christoforou" => LawChoice::from_name("yigit_christoforou").unwrap(),
             name => with_factor(name),
         };
-        let peak = loading.loaded_to(row.number("depth"));
-        let Recovered { elastic_approach, shape } =
-            (choice.get().rules(&bodies).recovery)(loaded(&peak, loading.contact_radius(&peak)));
+        let peak = loading.loaded_state(row.number("depth"));
+        let Recovery { elastic_approach, shape } =
+            (choice.get().build_parts(&bodies).recovery)(loaded(&peak, loading.contact_radius(&peak)));
         let unloading = Unloading::new(ContactState { elastic_approach, ..peak }, shape);
-        let e = (unloading.stored(peak.indentation) / loading.loading.work(peak.indentation)).sqrt();
+        let e = (unloading.stored_energy(peak.indentation) / loading.loading.work(peak.indentation)).sqrt();
         assert_near(&row, [peak.force, 1.0 - elastic_approach / peak.indentation, e]);
     }
 }

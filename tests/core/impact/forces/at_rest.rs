@@ -10,13 +10,13 @@ fn sphere_released_at_rest_falls_at_any_tolerance() {
     // the speed at first touch is much smaller than later: k d^(n+1)/(n+1) = w d, so d_m^n = (n + 1) w/k
     let reloaded = |exponent| {
         let law = Scene { exponent, ..Scene::steel() }.law();
-        let dent = law.dented(law.loaded_to(20.0));
+        let dent = law.history_after(law.loaded_state(20.0));
         (law, Some(dent))
     };
     let dents = [UnloadingExponent::Paper, UnloadingExponent::Fixed(1.2), UnloadingExponent::Fixed(1.8)].map(reloaded);
     for (law, dent) in [Law::hertz(), Scene::steel().law()].map(|law| (law, None)).iter().chain(&dents) {
-        let ground = Ground::new(law, dent.as_ref());
-        let (k, n) = ground.branch().map_or((1.0, 1.5), |branch| (branch.stiffness(), branch.exponent));
+        let ground = Surface::new(law, dent.as_ref());
+        let (k, n) = ground.reloading_branch().map_or((1.0, 1.5), |branch| (branch.power_stiffness(), branch.exponent));
         // beyond 0.4 it also passes knots, where its speed still rises
         for weight in [1e-6, 1e-3, 0.4, 0.6, 2.0, 5.0, 12.0, 20.0, 50.0, 300.0] {
             let forces = ScaledForces { weight, ..ScaledForces::NONE };

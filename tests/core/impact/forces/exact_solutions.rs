@@ -68,21 +68,21 @@ fn excess(v: f64) -> f64 {
 }
 
 /// The outcome of a sphere that leaves, or stays without damping.
-pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -> Outcome {
+pub fn solve<'a>(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) -> Outcome {
     let ground = ground.into();
     let (speeds, weight) = (Speeds { chi: forces.drag.hunt_crossley }, forces.weight);
     assert!(
         forces.drag.viscous == 0.0 && forces.drag.plate == 0.0 && (weight == 0.0 || forces.drag.hunt_crossley == 0.0)
     );
-    let touch = ground.touch();
-    let pieces = ground.way_in.pieces();
+    let touch = ground.first_contact();
+    let pieces = ground.reloading_path.pieces();
     let kinetic = speeds.energy(q) / C;
     // the turn: W(x) − w (x − touch) is convex, and not above the energy before it
     let missing = |piece: &Piece| piece.work - weight * (piece.start - touch) - kinetic;
     let last = pieces.partition_point(|piece| missing(piece) <= 0.0).saturating_sub(1);
     // a reload that has just the energy of the branch turns on it
-    let last = if ground.branch().is_some_and(|branch| {
-        kinetic + weight * branch.peak.elastic_approach <= branch.capacity() * (1.0 + 32.0 * f64::EPSILON)
+    let last = if ground.reloading_branch().is_some_and(|branch| {
+        kinetic + weight * branch.peak.elastic_approach <= branch.recoverable_energy() * (1.0 + 32.0 * f64::EPSILON)
     }) {
         0
     } else {
@@ -96,22 +96,22 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
     }
     let distance = bisect(0.0, far, |d| spent(d) < 0.0 || piece.force_at(piece.start + d) < weight).1;
     // on the branch of a dent the distance has digits that the indentation has lost
-    let on_branch = ground.branch().filter(|branch| last == 0 && distance < branch.peak.elastic_approach);
+    let on_branch = ground.reloading_branch().filter(|branch| last == 0 && distance < branch.peak.elastic_approach);
     let unloading = match on_branch {
         Some(branch) => {
             let indentation = piece.start + distance;
-            let force = branch.stiffness() * distance.powf(branch.exponent);
-            branch.up_to(ContactState { indentation, force, elastic_approach: distance })
+            let force = branch.power_stiffness() * distance.powf(branch.exponent);
+            branch.with_peak(ContactState { indentation, force, elastic_approach: distance })
         }
-        None => ground.unloading(ground.loaded_to(piece.start + distance)),
+        None => ground.unloading(ground.loaded_state(piece.start + distance)),
     };
     let loading_time = loading_time(&pieces[..=last], distance, q, weight, speeds);
     let is_captured = forces.captures(&unloading, q);
-    let stored = unloading.capacity();
+    let stored = unloading.recoverable_energy();
     let recovered = C * (stored - weight * unloading.peak.elastic_approach);
-    let is_elastic = speeds.chi == 0.0 && ground.plastic(&unloading) == 0.0;
+    let is_elastic = speeds.chi == 0.0 && ground.plastic_work(&unloading) == 0.0;
     let rebound = if is_elastic { q } else { speeds.speed(recovered, -1.0) };
-    let branch = unloading.branch();
+    let branch = unloading.to_piece();
     let carries = |d: f64| unloading.force(unloading.peak.residual() + d) < weight;
     let at_rest = if is_captured { bisect(0.0, unloading.peak.elastic_approach, carries).1 } else { 0.0 };
     let length = (unloading.peak.elastic_approach - at_rest).max(0.0);
@@ -126,9 +126,9 @@ pub fn solve<'a>(ground: impl Into<Ground<'a>>, q: f64, forces: &ScaledForces) -
         loading_time,
         contact_time: loading_time + back,
         fate: if is_captured { Fate::Captured } else { Fate::Separated },
-        end_indentation: ground.dent(&unloading.peak).residual() + at_rest,
+        end_indentation: ground.deepest_state(&unloading.peak).residual() + at_rest,
         end_speed: -end_speed,
-        loss: 0.4 * q * q - ground.way_in.work(unloading.peak.indentation) + stored - 0.4 * rebound * rebound,
+        loss: 0.4 * q * q - ground.reloading_path.work(unloading.peak.indentation) + stored - 0.4 * rebound * rebound,
     }
 }
 

@@ -27,7 +27,7 @@ fn rate_of_one_body_keeps_yielding_body() {
         let Rated { factor, factor_at_turn, .. } = impact.rated.unwrap();
         assert!(factor > 1.6 && factor > factor_at_turn && factor_at_turn > 1.3, "{factor} {factor_at_turn}");
         let point = ball_on_wall(strength).at_speed(3.0).unwrap().pair().yield_point.unwrap();
-        assert!(point.flow.is_sphere && off(point.strength, 300e6 * factor) < 1e-15);
+        assert!(point.yield_partition.is_sphere && off(point.strength, 300e6 * factor) < 1e-15);
     }
 }
 
