@@ -31,7 +31,7 @@ named_enum! {
     /// How a material gives way.
     #[derive(Deserialize)]
     #[serde(rename_all = "snake_case")]
-    pub enum Class {
+    pub enum MaterialClass {
         /// It flows.
         Metal = "metal",
         /// It cracks.
@@ -82,7 +82,7 @@ impl Property {
 
 /// A number as it is written in the file, and its value in SI units.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Written {
+pub struct QuotedValue {
     /// The number as text, such as "63 HRC".
     pub text: String,
     pub value: f64,
@@ -90,12 +90,12 @@ pub struct Written {
 
 /// A property of a material, with its value and its sources.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Known {
+pub struct PropertyValue {
     pub property: Property,
     /// The value that is used.
-    pub used: Written,
+    pub value: QuotedValue,
     /// The smallest and the largest value that the sources give or a standard allows.
-    pub range: [Written; 2],
+    pub range: [QuotedValue; 2],
     /// The kind of number, such as a hardness of a named condition.
     pub basis: String,
     /// Every source and the value it gives.
@@ -109,7 +109,7 @@ pub struct MaterialEntry {
     pub name: String,
     /// The material and its condition, in words.
     pub title: String,
-    pub class: Class,
+    pub class: MaterialClass,
     /// The metal hardens, but no two sources agree on the exponent.
     pub lacks_exponent: bool,
     /// The class of metals by which its strength rises with the strain rate, if it is known.
@@ -119,28 +119,28 @@ pub struct MaterialEntry {
     /// A remark for the user.
     pub note: Option<String>,
     /// The known properties, in the order of [`Property::ALL`].
-    pub known: Vec<Known>,
+    pub properties: Vec<PropertyValue>,
 }
 
 impl MaterialEntry {
     /// The property, if it is known.
-    pub fn get(&self, property: Property) -> Option<&Known> {
-        self.known.iter().find(|known| known.property == property)
+    pub fn get(&self, property: Property) -> Option<&PropertyValue> {
+        self.properties.iter().find(|known| known.property == property)
     }
 
     /// The value of a property; NaN where it is not known.
     fn value(&self, property: Property) -> f64 {
-        self.get(property).map_or(f64::NAN, |known| known.used.value)
+        self.get(property).map_or(f64::NAN, |known| known.value.value)
     }
 
     /// The flow curve, if the material hardens by a power law.
     fn flow(&self) -> Option<FlowCurve> {
-        let power = |known: &Known| FlowCurve::Power { exponent: known.used.value };
+        let power = |known: &PropertyValue| FlowCurve::Power { exponent: known.value.value };
         self.get(Property::HardeningExponent).map(power)
     }
 
     /// A material with an exponent hardens by a power law.
-    pub fn hardens(&self) -> bool {
+    pub fn has_hardening(&self) -> bool {
         self.flow().is_some()
     }
 
@@ -168,6 +168,6 @@ impl MaterialEntry {
 
     /// True if the material yields. Glass, ceramics and polymers are computed as elastic.
     pub fn is_metal(&self) -> bool {
-        self.class == Class::Metal
+        self.class == MaterialClass::Metal
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Class, Known, MaterialEntry, Property, RateClass, Written};
+use super::{MaterialClass, MaterialEntry, Property, PropertyValue, QuotedValue, RateClass};
 use crate::contact::strength::hardness;
 use crate::error::Error;
 use crate::units;
@@ -11,17 +11,17 @@ use serde::Deserialize;
 /// The file as it is written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct MaterialFile {
     basis: BTreeMap<String, String>,
     sources: BTreeMap<String, String>,
-    material: Vec<Raw>,
+    material: Vec<RawMaterial>,
 }
 
 #[derive(Deserialize)]
-struct Raw {
+struct RawMaterial {
     name: String,
     title: String,
-    class: Class,
+    class: MaterialClass,
     #[serde(default)]
     lacks_exponent: bool,
     rate_class: Option<RateClass>,
@@ -29,12 +29,12 @@ struct Raw {
     creeps: bool,
     note: Option<String>,
     #[serde(flatten)]
-    known: BTreeMap<Property, RawKnown>,
+    known: BTreeMap<Property, RawProperty>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RawKnown {
+struct RawProperty {
     value: String,
     range: [String; 2],
     basis: Option<String>,
@@ -46,27 +46,28 @@ struct RawKnown {
 /// # Errors
 /// [`Error`] for a text of another form, a value that is not allowed, and a source without an entry.
 pub fn read(text: &str) -> Result<Vec<MaterialEntry>, Error> {
-    let File { basis, sources, material } = toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
-    let entry = |raw: Raw| {
-        let Raw { name, title, class, lacks_exponent, rate_class, creeps, note, known } = raw;
-        let known = known.into_iter().map(|(property, raw)| raw.known(&name, property, &basis, &sources));
+    let MaterialFile { basis, sources, material } =
+        toml::from_str(text).map_err(|error| Error::input(error.to_string()))?;
+    let entry = |raw: RawMaterial| {
+        let RawMaterial { name, title, class, lacks_exponent, rate_class, creeps, note, known } = raw;
+        let known = known.into_iter().map(|(property, raw)| raw.into_property(&name, property, &basis, &sources));
         let known = known.collect::<Result<_, Error>>()?;
-        Ok(MaterialEntry { name, title, class, lacks_exponent, rate_class, creeps, note, known })
+        Ok(MaterialEntry { name, title, class, lacks_exponent, rate_class, creeps, note, properties: known })
     };
     material.into_iter().map(entry).collect()
 }
 
-impl RawKnown {
-    fn known(
+impl RawProperty {
+    fn into_property(
         self,
         material: &str,
         property: Property,
         basis: &BTreeMap<String, String>,
         sources: &BTreeMap<String, String>,
-    ) -> Result<Known, Error> {
+    ) -> Result<PropertyValue, Error> {
         let refuse = |message: String| Error::input(format!("{material}.{}: {message}", property.name()));
         let written = |text: String| match number(&text, property) {
-            Ok(value) => Ok(Written { text, value }),
+            Ok(value) => Ok(QuotedValue { text, value }),
             Err(message) => Err(refuse(message)),
         };
         let cited = |(name, says): (String, String)| match sources.get(&name) {
@@ -74,9 +75,9 @@ impl RawKnown {
             None => Err(refuse(format!("no source is called \"{name}\""))),
         };
         let [low, high] = self.range;
-        Ok(Known {
+        Ok(PropertyValue {
             property,
-            used: written(self.value)?,
+            value: written(self.value)?,
             range: [written(low)?, written(high)?],
             basis: self.basis.or_else(|| basis.get(property.name()).cloned()).unwrap_or_default(),
             sources: self.says.into_iter().map(cited).collect::<Result<_, _>>()?,

@@ -6,7 +6,7 @@ mod file;
 
 use std::sync::LazyLock;
 
-pub use entry::{Class, Known, MaterialEntry, Property, RateClass, Written};
+pub use entry::{MaterialClass, MaterialEntry, Property, PropertyValue, QuotedValue, RateClass};
 pub use file::read;
 
 /// All materials, in the order of the file.

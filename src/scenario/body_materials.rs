@@ -7,7 +7,7 @@ use super::keys::{AnyKey, At, EVERY_KEY, NUMBER, Part, at, key_of};
 use super::plan::varied::Varied;
 use crate::contact::law::LawChoice;
 use crate::error::Error;
-use crate::materials::{Known, MaterialEntry};
+use crate::materials::{MaterialEntry, PropertyValue};
 use crate::scenario::plan::{Axis, Distribution, HARDNESS, Variable, Word, YIELD_STRENGTH};
 
 impl Varied {
@@ -111,7 +111,7 @@ fn drawn(input: &Input, choice: &BodyMaterial) -> Vec<Variable> {
     let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
     // a rigid sphere needs no Poisson's ratio
     let is_used = |path: &str| path != "sphere.poissons_ratio" || !is_rigid;
-    let drawn = |(path, known): (&'static str, &Known)| {
+    let drawn = |(path, known): (&'static str, &PropertyValue)| {
         let [from, to] = [0, 1].map(|end| known.range[end].value);
         let key = Key::find(path).filter(|_| from < to && is_used(path))?;
         Some(Variable::new(key, Distribution::Uniform { from, to }))

@@ -6,7 +6,7 @@ use crate::contact::pair::{HalfSpace, Material, Pair};
 use crate::impact::problem::contact::{Contact, is_modulus_wrong};
 use crate::impact::result::row::Essentials;
 use crate::impact::result::warning::{FULLY, Warning, WarningKind};
-use crate::materials::{Class, MaterialEntry};
+use crate::materials::{MaterialClass, MaterialEntry};
 use crate::units::{Dimension, format_four_digits, format_input, format_result};
 
 /// Bodies of a lower density \[kg/m³\] get a warning; cork has 120 to 240.
@@ -33,9 +33,9 @@ pub(in crate::impact) fn of_materials(contact: &Contact, row: &Essentials) -> im
     };
     let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
     // a ball of ceramic is harder than its target
-    let is_weak = |entry: &&MaterialEntry| matches!(entry.class, Class::Glass | Class::Polymer);
+    let is_weak = |entry: &&MaterialEntry| matches!(entry.class, MaterialClass::Glass | MaterialClass::Polymer);
     let sphere = named.sphere.filter(|entry| !is_damped && is_weak(entry));
-    let hardens = |entry: &&MaterialEntry| entry.lacks_exponent || entry.hardens();
+    let hardens = |entry: &&MaterialEntry| entry.lacks_exponent || entry.has_hardening();
     let flow = contact.pair().yield_point.map(|point| point.yield_partition);
     let share = flow.map_or(0.0, |flow| flow.sphere_share);
     // a flow curve is refused if both bodies yield
@@ -89,7 +89,7 @@ pub(crate) fn of_elastic(half_space: &HalfSpace, entry: &MaterialEntry) -> Optio
 
 /// How a material that is not a metal fails.
 fn fate(entry: &MaterialEntry) -> &'static str {
-    if entry.class == Class::Polymer { "creeps" } else { "cracks" }
+    if entry.class == MaterialClass::Polymer { "creeps" } else { "cracks" }
 }
 
 /// The body whose strength the law of a contact ignores, its partner, and this strength. This is the sphere if nothing yields by the

@@ -99,7 +99,7 @@ fn warnings(found: &Calibration) -> Vec<String> {
 /// Doubts a strength or a hardness that is far from that of the material that the body names.
 fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
     let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table()))?;
-    let hardness = choice.material.get(Property::Hardness)?.used.value;
+    let hardness = choice.material.get(Property::Hardness)?.value.value;
     let usual = match key.free.key.path {
         path if path == choice.body.hardness() => hardness,
         path if path == choice.body.yield_strength() && input.flow_curve(choice.body).is_none() => {

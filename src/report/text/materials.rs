@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use crate::materials::{Known, MaterialEntry, Property, all};
+use crate::materials::{MaterialEntry, Property, PropertyValue, all};
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_result};
 
@@ -19,7 +19,7 @@ pub fn rows(text: &str) -> Vec<[String; 7]> {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
     rows.extend(all().iter().filter(|entry| has(entry, text)).map(|entry| {
-        let text = |property| entry.get(property).map_or_else(|| "-".to_owned(), |known| known.used.text.clone());
+        let text = |property| entry.get(property).map_or_else(|| "-".to_owned(), |known| known.value.text.clone());
         let [density, modulus, ratio, hardness, exponent, _] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
     }));
@@ -37,8 +37,8 @@ pub fn list(text: &str) -> String {
 
 /// These materials as JSON, with all values in SI.
 pub fn data(entries: &[&MaterialEntry]) -> Value {
-    let property = |known: &Known| {
-        let Known { property, used, range: [low, high], basis, sources } = known;
+    let property = |known: &PropertyValue| {
+        let PropertyValue { property, value: used, range: [low, high], basis, sources } = known;
         let sources = sources.iter().map(|[source, says]| json!({ "source": source, "says": says }));
         let about = json!({
             "written": used.text, "value": used.value, "low": low.value, "high": high.value,
@@ -49,7 +49,7 @@ pub fn data(entries: &[&MaterialEntry]) -> Value {
     let entry = |entry: &&MaterialEntry| {
         json!({
             "name": entry.name, "title": entry.title, "class": entry.class.name(), "note": entry.note,
-            "properties": entry.known.iter().map(property).collect::<Map<_, _>>(),
+            "properties": entry.properties.iter().map(property).collect::<Map<_, _>>(),
         })
     };
     entries.iter().map(entry).collect()
@@ -61,7 +61,7 @@ pub fn one(entry: &MaterialEntry) -> String {
     if let Some(note) = &entry.note {
         let _ = writeln!(text, "  {note}");
     }
-    for Known { property, used, range: [low, high], basis, sources } in &entry.known {
+    for PropertyValue { property, value: used, range: [low, high], basis, sources } in &entry.properties {
         let _ = writeln!(text, "\n{} = \"{}\"", property.name(), used.text);
         let _ = writeln!(text, "  from {} to {}; {basis}", low.text, high.text);
         if *property == Property::Hardness {
@@ -88,7 +88,7 @@ fn strength(entry: &MaterialEntry, mean_pressure: f64) -> String {
         format_result(stress, Dimension::Pressure),
         format_four_digits(mean_pressure / stress)
     );
-    if !entry.hardens() {
+    if !entry.has_hardening() {
         return flow;
     }
     format!("{flow}; the power law begins at {}", format_result(entry.strength(mean_pressure), Dimension::Pressure))

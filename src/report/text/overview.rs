@@ -77,7 +77,7 @@ pub fn of_calibration(measured: &Measurements, calibration: &Calibration) -> Str
 fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
     let body = softer?;
     let choice = input.materials().iter().find(|choice| choice.body == body)?;
-    let c = choice.material.get(Property::RateSensitivity)?.used.value;
+    let c = choice.material.get(Property::RateSensitivity)?.value.value;
     if input.has_rate() || !matches!(input.law(), LawChoice::Plm(_)) {
         return None;
     }

@@ -1,6 +1,6 @@
 //! The values that the bodies of a scene take from named materials, if the scenario does not give them itself.
 
-use crate::materials::{Known, MaterialEntry, Property};
+use crate::materials::{MaterialEntry, Property, PropertyValue};
 use crate::scenario::keys::{At, NUMBER, key_of};
 
 /// A body that may name its material.
@@ -60,14 +60,14 @@ pub struct BodyMaterial {
 
 impl BodyMaterial {
     /// The keys that take a value, each with the property of the material.
-    pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static Known)> {
+    pub fn values(&self) -> impl Iterator<Item = (&'static str, &'static PropertyValue)> {
         let material = self.material;
         self.defaults.iter().filter_map(move |(key, property)| Some((key.path(), material.get(*property)?)))
     }
 
     /// The values taken from the material, for a summary, each with its name: the value as written, its range, and the kind of number.
     pub fn notes(&self) -> impl Iterator<Item = (String, String)> {
-        self.values().map(|(_, Known { property, used, range: [low, high], basis, .. })| {
+        self.values().map(|(_, PropertyValue { property, value: used, range: [low, high], basis, .. })| {
             let name = format!("{}_{}", self.body.material(), property.name());
             (name, format!("{} ({} to {}); {basis}", used.text, low.text, high.text))
         })

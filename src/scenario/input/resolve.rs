@@ -215,7 +215,7 @@ impl Input {
             self.set_materials(others.chain([choice]).cloned().collect());
         }
         for &(at, property) in &choice.defaults {
-            self.set(at, choice.material.get(property).map(|known| known.used.value));
+            self.set(at, choice.material.get(property).map(|known| known.value.value));
         }
     }
 

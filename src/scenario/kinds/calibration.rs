@@ -143,7 +143,7 @@ impl Scenario {
         let given = [key.path, &end].into_iter().find_map(|path| self.document.value(path));
         let of_material =
             self.input.materials().iter().flat_map(BodyMaterial::values).find(|(path, _)| *path == key.path);
-        let text = given.or(of_material.map(|(_, known)| known.used.text.as_str()))?;
+        let text = given.or(of_material.map(|(_, known)| known.value.text.as_str()))?;
         key.quantity.is_hardness.then(|| hardness::parse(text)).flatten().map(|(_, scale)| scale)
     }
 

@@ -21,7 +21,7 @@ fn scene(text: &str) -> Input {
 }
 
 fn value(name: &str, property: Property) -> f64 {
-    find(name).unwrap().get(property).unwrap().used.value
+    find(name).unwrap().get(property).unwrap().value.value
 }
 
 #[test]
@@ -202,7 +202,7 @@ fn calibration_frees_the_strength_of_the_material() {
 #[test]
 fn every_interface_uses_hardness_of_material() {
     let keys = |name: &str| {
-        let of = |property| find(name).unwrap().get(property).map(|known| known.used.text.clone());
+        let of = |property| find(name).unwrap().get(property).map(|known| known.value.text.clone());
         let line = |(key, property)| of(property).map_or_else(String::new, |text| format!("{key} = \"{text}\"\n"));
         let all = [
             ("density", Property::Density),

@@ -34,13 +34,13 @@ fn values_are_valid_and_have_two_sources() {
             assert!(entry.get(needed).is_some(), "{name}: {}", needed.name());
         }
         assert!(entry.is_metal() || entry.get(Property::HardeningExponent).is_none(), "{name}");
-        for known in &entry.known {
+        for known in &entry.properties {
             let place = format!("{name}.{}", known.property.name());
             let [low, high] = &known.range;
-            for written in [&known.used, low, high] {
+            for written in [&known.value, low, high] {
                 assert_eq!(quantity(known.property).parse(&written.text), Ok(written.value), "{place}");
             }
-            assert!(low.value <= known.used.value && known.used.value <= high.value, "{place}");
+            assert!(low.value <= known.value.value && known.value.value <= high.value, "{place}");
             let sources: BTreeSet<_> = known.sources.iter().map(|[source, _]| source).collect();
             assert!(sources.len() >= 2 && !known.basis.is_empty(), "{place}");
             assert!(known.sources.iter().all(|[source, says]| !source.is_empty() && !says.is_empty()), "{place}");
@@ -50,7 +50,7 @@ fn values_are_valid_and_have_two_sources() {
 }
 
 fn value(name: &str, property: Property) -> f64 {
-    find(name).and_then(|entry| entry.get(property)).map_or(f64::NAN, |known| known.used.value)
+    find(name).and_then(|entry| entry.get(property)).map_or(f64::NAN, |known| known.value.value)
 }
 
 #[test]
@@ -58,10 +58,10 @@ fn values_are_those_that_are_published() {
     let rows: Vec<(String, String, String, f64, String)> = records(include_str!("materials_published.csv"));
     assert_eq!(rows.len(), 20);
     for (name, property, published, tolerance, source) in rows {
-        let known = &find(&name).unwrap().known;
+        let known = &find(&name).unwrap().properties;
         let known = known.iter().find(|known| known.property.name() == property).unwrap();
         let published = quantity(known.property).parse(&published).unwrap();
-        assert!(off(known.used.value, published) <= tolerance, "{name}.{property} of {source}");
+        assert!(off(known.value.value, published) <= tolerance, "{name}.{property} of {source}");
     }
 }
 
@@ -111,7 +111,7 @@ fn named_power_law_keeps_proof_stress() {
         let Some(exponent) = entry.get(Property::HardeningExponent) else { continue };
         let [hardness, modulus] =
             [Property::Hardness, Property::YoungsModulus].map(|property| value(&entry.name, property));
-        let (start, exponent) = (entry.strength(hardness), exponent.used.value);
+        let (start, exponent) = (entry.strength(hardness), exponent.value.value);
         // the curve goes through the flow stress of the hardness
         assert_relative_eq!(power(start, modulus, exponent, 0.08), flow_stress(&entry.name), max_relative = 1e-9);
         let proof = power(start, modulus, exponent, 0.002);
@@ -177,8 +177,8 @@ fn the_command_lists_all_and_prints_one() {
             entry.name
         );
         let one = materials(&[&entry.name]);
-        for known in &entry.known {
-            assert!(one.contains(&format!("{} = \"{}\"\n", known.property.name(), known.used.text)), "{one}");
+        for known in &entry.properties {
+            assert!(one.contains(&format!("{} = \"{}\"\n", known.property.name(), known.value.text)), "{one}");
             for [source, says] in &known.sources {
                 assert!(one.contains(&format!("  {source}: {says}\n")), "{one}");
             }

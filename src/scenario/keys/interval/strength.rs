@@ -6,7 +6,7 @@ use super::parts::{HARDNESS, IntervalPart, PartKind};
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::strength::kind::StrengthKind;
 use crate::impact::{Contact, TOO_HIGH_BY};
-use crate::materials::{Known, MaterialEntry};
+use crate::materials::{MaterialEntry, PropertyValue};
 use crate::scenario::input::{Body, Input};
 use crate::scenario::keys::{at, key_of};
 use crate::units::{Dimension, format_input};
@@ -69,7 +69,7 @@ impl HardnessRanges {
             let same = earlier.map(|bodies| body.pick(bodies)).filter(|one| one.origin == origin);
             same.unwrap_or_else(|| BodyRange { origin, strengths: [0, 1].map(|end| strength(body, end)) })
         });
-        let range = |of: &[Body], name: &str, known: &Known| {
+        let range = |of: &[Body], name: &str, known: &PropertyValue| {
             let at_end =
                 |end: usize| Body::ALL.map(|body| body.pick(bodies).strengths[end].filter(|_| of.contains(&body)));
             let [low, high] = known.range.each_ref().map(|end| end.text.as_str());
@@ -99,11 +99,11 @@ fn origin(input: &Input, law: &LawChoice, body: Body) -> RangeOrigin {
 }
 
 /// The property of the material behind the hardness of a body; `None` if the hardness is not taken from a material.
-fn known_range(input: &Input, body: Body) -> Option<&'static Known> {
+fn known_range(input: &Input, body: Body) -> Option<&'static PropertyValue> {
     let at = key_of!(body, "hardness");
     let choice = input.materials().iter().find(|choice| choice.body == body)?;
     let (_, known) = choice.values().find(|(key, _)| *key == at.path())?;
-    (input.number(at) == Some(known.used.value) && !input.is_calibrated(body)).then_some(known)
+    (input.number(at) == Some(known.value.value) && !input.is_calibrated(body)).then_some(known)
 }
 
 /// True if the interval of e has a part for the strength of a body, whatever the impact.
@@ -154,7 +154,7 @@ fn is_no_metal(input: &Input, body: Body) -> bool {
 /// The parts of one yielding body: names, and both ends relative to e, minus 1; `None` for an error of unknown size.
 fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option<[f64; 2]>)> {
     let entry = input.named_material(body);
-    let may_harden = entry.map(|entry| entry.lacks_exponent || entry.hardens());
+    let may_harden = entry.map(|entry| entry.lacks_exponent || entry.has_hardening());
     let is_by_hardness = input.number(key_of!(body, "hardness")).is_some();
     let has_curve = body.pick(law.flow_curves()).is_some();
     let kind = input.strength_kind(body);
