@@ -1,11 +1,11 @@
 //! A half-space that hardens: the materials of an unloading by finite elements.
 
-use super::Row;
+use super::ReferenceRow;
 use crate::contact::law::YieldingPair;
 use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere};
 use crate::contact::strength::flow_curve::{FlowCurve, FlowPoint};
 
-impl Row {
+impl ReferenceRow {
     /// The elastic constants of a body, which have this prefix.
     fn material(&self, body: &str) -> Material {
         Material {

@@ -12,70 +12,70 @@ use std::collections::BTreeMap;
 use crate::error::Error;
 
 /// Name of the quasi-static finite elements in reports.
-pub const STATIC: &str = "finite elements, CalculiX 2.20, src/reference/fe_*.csv";
+pub const QUASI_STATIC_SOURCE: &str = "finite elements, CalculiX 2.20, src/reference/fe_*.csv";
 /// Name of the finite elements of whole impacts in reports.
-pub const DYNAMIC: &str = "explicit finite elements, src/reference/fe_dynamic.csv";
+pub const DYNAMIC_SOURCE: &str = "explicit finite elements, src/reference/fe_dynamic.csv";
 
 /// A table that is compiled in: its name and its text.
 #[derive(Debug, Clone, Copy)]
-pub struct Table(&'static str, &'static str);
+pub struct ReferenceTable(&'static str, &'static str);
 
 macro_rules! table {
     ($file:literal) => {
-        Table($file, include_str!($file))
+        ReferenceTable($file, include_str!($file))
     };
 }
 
 /// Whole impacts by explicit finite elements, and their curves.
-pub const IMPACTS: Table = table!("fe_dynamic.csv");
-pub const CURVES_OF_IMPACTS: Table = table!("fe_dynamic_curves.csv");
+pub const IMPACTS: ReferenceTable = table!("fe_dynamic.csv");
+pub const CURVES_OF_IMPACTS: ReferenceTable = table!("fe_dynamic_curves.csv");
 /// Whole impacts on half-spaces whose strength rises with the strain rate.
-pub const RATED_IMPACTS: Table = table!("fe_rate.csv");
+pub const RATE_IMPACTS: ReferenceTable = table!("fe_rate.csv");
 /// Full unloadings on half-spaces that do not harden, their curves, and full unloadings on those that harden.
-pub const UNLOADINGS: Table = table!("fe_unloading.csv");
-pub const CURVES_OF_UNLOADINGS: Table = table!("fe_unloading_curves.csv");
-pub const HARDENING: Table = table!("fe_hardening.csv");
+pub const UNLOADINGS: ReferenceTable = table!("fe_unloading.csv");
+pub const CURVES_OF_UNLOADINGS: ReferenceTable = table!("fe_unloading_curves.csv");
+pub const HARDENING: ReferenceTable = table!("fe_hardening.csv");
 /// Load cycles in which the sphere yields, alone or with the half-space.
-pub const YIELDING: Table = table!("fe_yielding.csv");
+pub const YIELDING: ReferenceTable = table!("fe_yielding.csv");
 /// Impact devices after Leeb with what they show on two test blocks, and the ranges of hardness and strength of steels.
-pub const DEVICES: Table = table!("leeb.csv");
-pub const STEELS: Table = table!("leeb_tensile.csv");
+pub const LEEB_DEVICES: ReferenceTable = table!("leeb.csv");
+pub const LEEB_STEELS: ReferenceTable = table!("leeb_tensile.csv");
 /// Times between the bounces of a table-tennis ball; the height stands in the first line of a drop.
-pub const CLICKS: Table = table!("../../scenarios/clicks.csv");
+pub const BOUNCE_INTERVALS: ReferenceTable = table!("../../scenarios/clicks.csv");
 /// Oblique rebounds: measured, and by finite elements.
-pub const REBOUNDS: Table = table!("kharaz.csv");
-pub const SLIPS: Table = table!("fe_oblique.csv");
+pub const REBOUNDS: ReferenceTable = table!("kharaz.csv");
+pub const OBLIQUE_SLIPS: ReferenceTable = table!("fe_oblique.csv");
 
 /// A row of a table: its cells by the names of their columns.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row(BTreeMap<String, String>);
+pub struct ReferenceRow(BTreeMap<String, String>);
 
-impl Table {
+impl ReferenceTable {
     /// Its rows.
     ///
     /// # Errors
     /// [`Error`] if the table is damaged.
-    pub fn rows(&self) -> Result<Vec<Row>, Error> {
+    pub fn rows(&self) -> Result<Vec<ReferenceRow>, Error> {
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(self.1.as_bytes());
-        let rows = reader.deserialize().map(|row| row.map(Row)).collect::<Result<_, csv::Error>>();
-        rows.map_err(|error| damaged(self.0, &error.to_string()))
+        let rows = reader.deserialize().map(|row| row.map(ReferenceRow)).collect::<Result<_, csv::Error>>();
+        rows.map_err(|error| damaged_table(self.0, &error.to_string()))
     }
 }
 
-impl Row {
+impl ReferenceRow {
     /// The text of a cell; empty if the cell does not exist.
     pub fn text(&self, column: &str) -> &str {
         self.0.get(column).map_or("", String::as_str)
     }
 
     /// The number in a cell; `None` where it is empty.
-    pub fn maybe(&self, column: &str) -> Option<f64> {
+    pub fn optional_number(&self, column: &str) -> Option<f64> {
         self.text(column).parse().ok()
     }
 
     /// The number in a cell; NaN if the cell holds no number.
     pub fn number(&self, column: &str) -> f64 {
-        self.maybe(column).unwrap_or(f64::NAN)
+        self.optional_number(column).unwrap_or(f64::NAN)
     }
 
     /// The keys of a scenario that the row gives: the columns whose names have a dot.
@@ -86,6 +86,6 @@ impl Row {
 }
 
 /// The error of a damaged table; the tables are compiled in.
-pub(crate) fn damaged(table: &str, problem: &str) -> Error {
+pub(crate) fn damaged_table(table: &str, problem: &str) -> Error {
     Error::failed(format!("reference table {table}: {problem}"))
 }

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::{Row, UNLOADINGS};
+use super::{ReferenceRow, UNLOADINGS};
 use crate::contact::law::YieldingPair;
 use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::error::Error;
@@ -17,16 +17,16 @@ const MATERIALS: [(&str, [f64; 3]); 5] = [
 ];
 
 // a damaged table gives no points in pictures; the test below would find it
-static UNLOADED: LazyLock<Vec<Row>> = LazyLock::new(|| unloaded().unwrap_or_default());
+static UNLOADED: LazyLock<Vec<ReferenceRow>> = LazyLock::new(|| read_unloadings().unwrap_or_default());
 
 /// The unloadings whose loading is known back to first yield.
-fn unloaded() -> Result<Vec<Row>, Error> {
-    Ok(UNLOADINGS.rows()?.into_iter().filter(|row| row.maybe("spent").is_some()).collect())
+fn read_unloadings() -> Result<Vec<ReferenceRow>, Error> {
+    Ok(UNLOADINGS.rows()?.into_iter().filter(|row| row.optional_number("spent").is_some()).collect())
 }
 
 /// The unloadings of the case that has these materials, by rising depth; none for other materials. Quasi-static results in
 /// units of the yield point do not depend on the radius.
-pub fn unloadings(sphere_modulus: f64, bodies: &YieldingPair) -> Vec<&'static Row> {
+pub fn unloadings(sphere_modulus: f64, bodies: &YieldingPair) -> Vec<&'static ReferenceRow> {
     let materials = [sphere_modulus, bodies.modulus(), bodies.yield_point.strength];
     let is_near = |(a, b): (f64, f64)| (a / b - 1.0).abs() < 1e-6;
     let case = MATERIALS.iter().find(|(_, of_case)| of_case.iter().copied().zip(materials).all(is_near));
@@ -47,7 +47,7 @@ pub(super) fn bodies(case: &str) -> Option<(Material, HalfSpace)> {
 }
 
 /// Every unloading, with a sphere of 5 mm and the half-space of its case.
-pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static Row)> {
+pub fn load_cycles() -> impl Iterator<Item = (Sphere, HalfSpace, &'static ReferenceRow)> {
     UNLOADED.iter().filter_map(|row| {
         let (sphere, half_space) = bodies(row.text("case"))?;
         Some((Sphere::elastic(5e-3, sphere, 7850.0), half_space, row))
@@ -61,7 +61,7 @@ mod tests {
     #[test]
     fn the_tables_are_whole() {
         // of 63 unloadings four have no loading curve that reaches back to first yield
-        let rows = unloaded().unwrap_or_default();
+        let rows = read_unloadings().unwrap_or_default();
         assert_eq!((rows.len(), UNLOADINGS.rows().unwrap_or_default().len()), (59, 63));
         for (case, _) in MATERIALS {
             assert!(rows.iter().any(|row| row.text("case") == case));

@@ -6,7 +6,7 @@ use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
 use crate::impact::STANDARD_GRAVITY;
 use crate::impact::flight::free_flight::{Flying, Medium};
-use crate::reference::{CLICKS, Row};
+use crate::reference::{BOUNCE_INTERVALS, ReferenceRow};
 
 const SOURCE: &str = "intervals between bounces of a table-tennis ball by students (Ali, Broggi, Cantarini), without a second witness, scenarios/clicks.csv";
 const IN_AIR: Group = Group::new("measured: restitution at a drop height over that at 8 cm, with air", SOURCE, "");
@@ -20,7 +20,7 @@ const AIR: Medium = Medium { density: 1.2, drag: Some(0.5), viscosity: f64::NAN 
 
 /// The restitution of the bounces between these intervals: the speed of each take-off over that of the landing before it. A contact
 /// lasts about a millisecond, which changes a restitution by 0.02 %, and is left in the intervals.
-fn restitution(drop: &[Row], flying: &Flying) -> f64 {
+fn restitution(drop: &[ReferenceRow], flying: &Flying) -> f64 {
     let take_offs: Vec<f64> =
         drop.iter().map(|click| flying.take_off_speed(click.number("bounce_interval_s"))).collect();
     let ratio = |pair: &[f64]| pair[1] / flying.landing_speed(flying.rise(pair[0]));
@@ -30,8 +30,9 @@ fn restitution(drop: &[Row], flying: &Flying) -> f64 {
 /// The higher drops against the lowest, on which air has the least effect. The contact law has no part in it, so its coefficients
 /// change nothing.
 pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let clicks = CLICKS.rows()?;
-    let drops: Vec<&[Row]> = clicks.chunk_by(|_, next| next.maybe("drop_height_cm").is_none()).collect();
+    let clicks = BOUNCE_INTERVALS.rows()?;
+    let drops: Vec<&[ReferenceRow]> =
+        clicks.chunk_by(|_, next| next.optional_number("drop_height_cm").is_none()).collect();
     let Some((lowest, higher)) = drops.split_first() else { return Ok(Vec::new()) };
     let mut compared = Vec::new();
     for (group, flying) in [

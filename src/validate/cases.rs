@@ -5,13 +5,13 @@
 use crate::contact::law::{ContactState, Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::reference::loading;
-use crate::reference::loading::LoadingCurve;
-use crate::reference::{CURVES_OF_UNLOADINGS, Row, UNLOADINGS};
+use crate::reference::loading::ReferenceLoadingCurve;
+use crate::reference::{CURVES_OF_UNLOADINGS, ReferenceRow, UNLOADINGS};
 
 /// One of the five pairs of materials.
 #[derive(Debug, Clone)]
 pub struct Case {
-    pub loading: LoadingCurve,
+    pub loading: ReferenceLoadingCurve,
     /// The unloadings, in the order of rising depth.
     pub cycles: Vec<Cycle>,
 }
@@ -20,7 +20,7 @@ pub struct Case {
 #[derive(Debug, Clone)]
 pub struct Cycle {
     /// The results of the finite elements.
-    pub row: Row,
+    pub row: ReferenceRow,
     /// The peak of the finite elements: x_m, f_m and the recovered approach ε_m = x_s,m/κ, with the indentation x_s,m of the sphere.
     pub peak: ContactState,
     /// x and f at points between peak and separation.
@@ -58,9 +58,10 @@ impl Case {
 
 pub fn cases() -> Result<Vec<Case>, Error> {
     let (rows, points) = (UNLOADINGS.rows()?, CURVES_OF_UNLOADINGS.rows()?);
-    let cycle = |row: &Row, kappa: f64| {
-        let is_same = |point: &&Row| ["run", "cycle"].iter().all(|column| point.text(column) == row.text(column));
-        let point = |row: &Row| (row.number("x"), row.number("f"));
+    let cycle = |row: &ReferenceRow, kappa: f64| {
+        let is_same =
+            |point: &&ReferenceRow| ["run", "cycle"].iter().all(|column| point.text(column) == row.text(column));
+        let point = |row: &ReferenceRow| (row.number("x"), row.number("f"));
         let (indentation, force) = point(row);
         let elastic_approach = indentation * row.number("sphere_share") / kappa;
         Cycle {
@@ -69,7 +70,7 @@ pub fn cases() -> Result<Vec<Case>, Error> {
             row: row.clone(),
         }
     };
-    let case = |loading: LoadingCurve| {
+    let case = |loading: ReferenceLoadingCurve| {
         let of_case = rows.iter().filter(|row| row.text("case") == loading.case);
         let mut cycles: Vec<Cycle> = of_case.map(|row| cycle(row, loading.pair.sphere_compliance)).collect();
         cycles.sort_by(|a, b| a.peak.indentation.total_cmp(&b.peak.indentation));

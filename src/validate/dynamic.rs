@@ -5,33 +5,33 @@ use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::error::Error;
 use crate::impact::Impact;
 use crate::reference;
-use crate::reference::{CURVES_OF_IMPACTS, DYNAMIC, IMPACTS, Row};
+use crate::reference::{CURVES_OF_IMPACTS, DYNAMIC_SOURCE, IMPACTS, ReferenceRow};
 use crate::scenario::Scenario;
 use crate::scenario::input::Input;
 
 const QUANTITIES: [Quantity<Case>; 8] = [
-    (Group::new("impact: restitution, exponent 3/2", DYNAMIC, ""), |case| {
+    (Group::new("impact: restitution, exponent 3/2", DYNAMIC_SOURCE, ""), |case| {
         Some([case.reference.number("restitution"), case.impacts[0].restitution])
     }),
-    (Group::new("impact: restitution, pressure-shape", DYNAMIC, ""), |case| {
+    (Group::new("impact: restitution, pressure-shape", DYNAMIC_SOURCE, ""), |case| {
         Some([case.reference.number("restitution"), case.impacts[1].restitution])
     }),
-    (Group::new("impact: restitution, pressure-shape with waves", DYNAMIC, ""), |case| {
+    (Group::new("impact: restitution, pressure-shape with waves", DYNAMIC_SOURCE, ""), |case| {
         Some([case.reference.number("restitution"), case.impacts[1].restitution_with_waves()?])
     }),
-    (Group::new("impact: energy radiated as waves", DYNAMIC, ""), |case| {
+    (Group::new("impact: energy radiated as waves", DYNAMIC_SOURCE, ""), |case| {
         Some([case.reference.number("radiated_share"), case.impacts[1].wave_loss_fraction?])
     }),
-    (Group::new("impact: contact time, exponent 3/2", DYNAMIC, "s"), |case| {
+    (Group::new("impact: contact time, exponent 3/2", DYNAMIC_SOURCE, "s"), |case| {
         Some([case.reference.number("contact_time_s"), case.impacts[0].contact_time])
     }),
-    (Group::new("impact: contact time, pressure-shape", DYNAMIC, "s"), |case| {
+    (Group::new("impact: contact time, pressure-shape", DYNAMIC_SOURCE, "s"), |case| {
         Some([case.reference.number("contact_time_s"), case.impacts[1].contact_time])
     }),
-    (Group::new("impact: peak force", DYNAMIC, "N"), |case| {
+    (Group::new("impact: peak force", DYNAMIC_SOURCE, "N"), |case| {
         Some([case.reference.number("peak_force_N"), case.impacts[0].peak_force])
     }),
-    (Group::new("impact: residual indentation", DYNAMIC, "m"), |case| {
+    (Group::new("impact: residual indentation", DYNAMIC_SOURCE, "m"), |case| {
         Some([case.reference.number("residual_indentation_m"), case.impacts[0].residual_indentation])
     }),
 ];
@@ -49,19 +49,20 @@ const SCENARIOS: [(&str, &str); 3] = [
 #[derive(Debug, Clone)]
 pub struct Case {
     /// The results of the finite elements, with the name, such as "D1".
-    pub reference: Row,
+    pub reference: ReferenceRow,
     /// Samples of the finite elements, in the order of time.
-    pub samples: Vec<Row>,
+    pub samples: Vec<ReferenceRow>,
     /// The impact by the law with each of [`EXPONENTS`], with a trace.
     pub impacts: [Impact; 2],
 }
 
 /// The inputs of the three impacts, and what the finite elements gave: results, and samples in the order of time.
-pub(super) fn scenes() -> Result<Vec<(Input, Row, Vec<Row>)>, Error> {
+pub(super) fn scenes() -> Result<Vec<(Input, ReferenceRow, Vec<ReferenceRow>)>, Error> {
     let (references, samples) = (IMPACTS.rows()?, CURVES_OF_IMPACTS.rows()?);
     let scene = |&(name, text): &(&'static str, &str)| {
         let reference = references.iter().find(|row| row.text("case") == name).cloned();
-        let reference = reference.ok_or_else(|| reference::damaged(DYNAMIC, &format!("has no row {name}")))?;
+        let reference =
+            reference.ok_or_else(|| reference::damaged_table(DYNAMIC_SOURCE, &format!("has no row {name}")))?;
         let input = Scenario::from_text(name, text, &[])?.resolve()?;
         Ok((input, reference, samples.iter().filter(|sample| sample.text("case") == name).cloned().collect()))
     };
@@ -70,7 +71,7 @@ pub(super) fn scenes() -> Result<Vec<(Input, Row, Vec<Row>)>, Error> {
 
 /// The three impacts.
 pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
-    let case = |(input, reference, samples): (Input, Row, Vec<Row>)| {
+    let case = |(input, reference, samples): (Input, ReferenceRow, Vec<ReferenceRow>)| {
         let impact = |exponent| -> Result<Impact, Error> {
             let law = LawChoice::Plm(Plm::new(coefficients, exponent));
             let (sphere, half_space) = input.bodies(&law);

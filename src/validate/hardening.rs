@@ -3,12 +3,12 @@
 use super::comparison::{Comparison, Group, Quantity, compared};
 use crate::contact::law::{ContactState, Law, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
-use crate::reference::{HARDENING, Row};
+use crate::reference::{HARDENING, ReferenceRow};
 
 const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 
 /// A load cycle by finite elements, and by the law.
-type Case = (Row, AtEnergy);
+type Case = (ReferenceRow, AtEnergy);
 
 const QUANTITIES: [Quantity<Case>; 5] = [
     (group("hardening: restitution, pressure-shape"), |(row, state)| {
@@ -48,7 +48,11 @@ pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEne
 }
 
 /// The law of these materials, and a_Y/R. Without `hardens` the law has no flow curve.
-pub(super) fn law(materials: &Row, coefficients: &PlmCoefficients, hardens: bool) -> Result<Option<(Law, f64)>, Error> {
+pub(super) fn law(
+    materials: &ReferenceRow,
+    coefficients: &PlmCoefficients,
+    hardens: bool,
+) -> Result<Option<(Law, f64)>, Error> {
     let flow = [None, materials.curve().filter(|_| hardens)];
     let plm = Plm { flow, ..Plm::new(coefficients, UnloadingExponent::PressureShape) };
     Ok(materials.bodies()?.map(|bodies| (plm.law_for_yielding_pair(&bodies), bodies.yield_radius_ratio())))

@@ -30,7 +30,7 @@ pub fn cycle_errors(coefficients: &PlmCoefficients, exponent: UnloadingExponent)
     for case in cases()? {
         let law = case.law(coefficients, exponent);
         errors.extend(case.cycles.iter().filter_map(|cycle| {
-            let error = deviation(cycle.row.maybe("restitution")?, restitution(&law, cycle.peak.indentation));
+            let error = deviation(cycle.row.optional_number("restitution")?, restitution(&law, cycle.peak.indentation));
             Some((BodyClass::PerfectlyPlastic, cycle.row.number("contact_radius_over_R"), error))
         }));
     }

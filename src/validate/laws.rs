@@ -58,7 +58,7 @@ fn references() -> Result<Vec<Reference>, Error> {
             peak_force: row.number("peak_force_N"),
             peak_indentation: samples.iter().map(|sample| sample.number("indentation_m")).fold(0.0, f64::max),
             residual_indentation: row.number("residual_indentation_m"),
-            contact_time: row.maybe("contact_time_s"),
+            contact_time: row.optional_number("contact_time_s"),
         });
     }
     for (sphere, half_space, row) in quasi_static::load_cycles() {

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::impact::Contact;
 use crate::numerics::functions::{exp, ln};
 use crate::numerics::root;
-use crate::reference::{DEVICES, Row};
+use crate::reference::{LEEB_DEVICES, ReferenceRow};
 
 const REFERENCE: &str = "Leeb test blocks, nominal values of public manuals, leeb.csv";
 
@@ -27,7 +27,7 @@ const GROUP: Group = Group::new("measured: rebound of Leeb devices", REFERENCE, 
 const BLOCKS: [(&str, &str); 2] = [("hard block", "hard_block"), ("soft block", "soft_block")];
 
 /// Restitution by a device on steel of this yield strength \[Pa\]; it arrives with √(2 W/m).
-pub(super) fn restitution(device: &Row, strength: f64, coefficients: &PlmCoefficients) -> Result<f64, Error> {
+pub(super) fn restitution(device: &ReferenceRow, strength: f64, coefficients: &PlmCoefficients) -> Result<f64, Error> {
     let [energy, mass] = ["energy_J", "mass_kg"].map(|column| device.number(column));
     let [youngs_modulus, poissons_ratio] =
         ["tip_youngs_modulus_Pa", "tip_poissons_ratio"].map(|column| device.number(column));
@@ -40,7 +40,7 @@ pub(super) fn restitution(device: &Row, strength: f64, coefficients: &PlmCoeffic
 
 /// The yield strength \[Pa\] of a block on which the device measures this restitution, by bisection: e rises with the
 /// strength.
-fn strength_for(device: &Row, wanted: f64, coefficients: &PlmCoefficients) -> f64 {
+fn strength_for(device: &ReferenceRow, wanted: f64, coefficients: &PlmCoefficients) -> f64 {
     let is_low = |strength: f64| restitution(device, exp(strength), coefficients).is_ok_and(|e| e < wanted);
     let (low, high) = root::bisect(ln(1e7), ln(1e11), is_low);
     exp(0.5 * (low + high))
@@ -57,7 +57,7 @@ fn vickers(number: f64) -> f64 {
 
 /// Nothing is fitted: the strength is that of the hardness, without a strain rate.
 pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let devices = DEVICES.rows()?;
+    let devices = LEEB_DEVICES.rows()?;
     let Some(device) = devices.first() else { return Ok(Vec::new()) };
     let compared = |number: u16| {
         let (number, hardness) = (f64::from(number), vickers(number.into()));
@@ -71,7 +71,7 @@ pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Compariso
 }
 
 pub(super) fn rebounds(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let devices = DEVICES.rows()?;
+    let devices = LEEB_DEVICES.rows()?;
     let Some((first, others)) = devices.split_first() else { return Ok(Vec::new()) };
     let mut compared = Vec::new();
     for (block, column) in BLOCKS {

@@ -7,7 +7,7 @@ use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::error::Error;
 use crate::impact::{Approach, Contact, Incidence, Rebound, Solver};
 use crate::numerics::functions::atan;
-use crate::reference::{REBOUNDS, SLIPS};
+use crate::reference::{OBLIQUE_SLIPS, REBOUNDS};
 
 const KHARAZ: &str = "Kharaz, Gorham and Salman 2001, kharaz.csv";
 const FINITE_ELEMENTS: &str = "finite elements, Chung and Ooi 2011, fe_oblique.csv";
@@ -55,7 +55,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
     let half_space = HalfSpace::flat(body, None);
     let equal = Contact::try_new(Sphere::elastic(RADIUS, body, 2700.0), half_space, &Plm::default())?;
-    for row in SLIPS.rows()? {
+    for row in OBLIQUE_SLIPS.rows()? {
         let before = row.number("slip_before");
         let angle = atan(FRICTION_OF_ELEMENTS * before);
         let Some(after) = rebound(&equal, angle, FRICTION_OF_ELEMENTS)? else { continue };

@@ -17,7 +17,7 @@ use crate::files::{OutputFile, Progress};
 use crate::impact::oblique::normal_motion::TangentialMotion;
 use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
-use crate::reference::{DEVICES, HARDENING, REBOUNDS, Row, STEELS};
+use crate::reference::{HARDENING, LEEB_DEVICES, LEEB_STEELS, REBOUNDS, ReferenceRow};
 use crate::report::chart::{Axis, Chart, Panel, Pictures, Series, Style};
 use crate::units::{Dimension, format_result};
 
@@ -71,7 +71,7 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
             let points = case
                 .cycles
                 .iter()
-                .filter_map(|cycle| Some(off(cycle.peak.indentation, cycle.row.maybe("restitution")?)));
+                .filter_map(|cycle| Some(off(cycle.peak.indentation, cycle.row.optional_number("restitution")?)));
             let name = if which == 0 { case.name() } else { String::new() };
             Series::points(name, points.collect()).styled(i)
         };
@@ -88,7 +88,10 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
 
 fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.peak.indentation);
-    let cycles = case.cycles.iter().filter_map(|cycle| Some((cycle.peak.indentation, cycle.row.maybe("restitution")?)));
+    let cycles = case
+        .cycles
+        .iter()
+        .filter_map(|cycle| Some((cycle.peak.indentation, cycle.row.optional_number("restitution")?)));
     let mut series = vec![Series::points("finite elements", cycles.collect())];
     for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
         let law = case.law(coefficients, exponent);
@@ -152,7 +155,7 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     for (i, (name, called)) in METALS.into_iter().enumerate() {
         let of_material: Vec<_> = rows.iter().filter(|row| row.text("material") == name).collect();
         let Some(materials) = of_material.first() else { continue };
-        let point = |row: &&Row| (row.number("x"), row.number("restitution"));
+        let point = |row: &&ReferenceRow| (row.number("x"), row.number("restitution"));
         let points: Vec<(f64, f64)> = of_material.iter().map(point).collect();
         let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
         series.push(Series::points(called, points).styled(i));
@@ -186,7 +189,8 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
     };
     for case in cases.iter().filter(|case| case.loading.case == "case3") {
         let law = case.law(coefficients, UnloadingExponent::PressureShape);
-        let point = |row: &Row| Some((row.number("contact_radius_over_R"), row.maybe("restitution")?));
+        let point =
+            |row: &ReferenceRow| Some((row.number("contact_radius_over_R"), row.optional_number("restitution")?));
         let points = case.cycles.iter().filter_map(|cycle| point(&cycle.row)).collect();
         let deepest = case.cycles.iter().map(|cycle| cycle.peak.indentation).fold(1.0, f64::max);
         add("half-space: dent", &law, case.loading.yield_radius_ratio, points, deepest);
@@ -194,7 +198,7 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
     for (name, called) in YIELDING {
         let of_pair: Vec<_> = all.iter().filter(|cycle| cycle.row.text("case") == name).collect();
         let Some(first) = of_pair.first() else { continue };
-        let point = |row: &Row| (row.number("contact_radius_over_R"), row.number("e"));
+        let point = |row: &ReferenceRow| (row.number("contact_radius_over_R"), row.number("e"));
         let points = of_pair.iter().map(|cycle| point(&cycle.row)).collect();
         let deepest = of_pair.iter().map(|cycle| cycle.at_depth).fold(1.0, f64::max);
         add(called, &first.law, first.bodies.yield_radius_ratio(), points, deepest);
@@ -211,8 +215,8 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
 /// The rebound hardness of steels against their tensile strength: as measured, and by the law with two strengths that are
 /// often used as yield strength. The 0.2 % strength of a structural steel is 0.65 of the tensile.
 fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
-    let steels = STEELS.rows()?;
-    let end = |steel: &Row, which: &str| {
+    let steels = LEEB_STEELS.rows()?;
+    let end = |steel: &ReferenceRow, which: &str| {
         (steel.number(&format!("{which}_tensile_strength_MPa")), steel.number(&format!("{which}_HLD")))
     };
     // a point of NaN separates the steels
@@ -222,7 +226,7 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
         vec![Series::line("measured, ten steels", ranges).and("each from end to end of its range").styled(0)];
     let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
     for (device, (i, (share, name, assumption))) in
-        DEVICES.rows()?.iter().take(1).cycle().zip(lines.into_iter().enumerate())
+        LEEB_DEVICES.rows()?.iter().take(1).cycle().zip(lines.into_iter().enumerate())
     {
         let mut points = Vec::new();
         for step in 0..=60 {

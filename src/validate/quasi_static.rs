@@ -5,7 +5,7 @@ use super::cases::{Case, Cycle, cases};
 use super::comparison::{Comparison, Group};
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
-use crate::reference::STATIC;
+use crate::reference::QUASI_STATIC_SOURCE;
 use crate::units::format_four_digits;
 
 /// The exponents of the unloading with which the law is compared.
@@ -16,11 +16,11 @@ const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
 type LoadingQuantity = (Group, &'static str, fn(&Case, &Law, f64) -> f64);
 
 const LOADING: [LoadingQuantity; 3] = [
-    (Group::new("loading: force", STATIC, "F_Y"), "F_over_FY", |_, law, x| law.loading.force(x)),
-    (Group::new("loading: sphere indentation", STATIC, "delta"), "delta_s_over_delta", |case, law, x| {
+    (Group::new("loading: force", QUASI_STATIC_SOURCE, "F_Y"), "F_over_FY", |_, law, x| law.loading.force(x)),
+    (Group::new("loading: sphere indentation", QUASI_STATIC_SOURCE, "delta"), "delta_s_over_delta", |case, law, x| {
         case.sphere_compliance() * law.loaded_state(x).elastic_approach / x
     }),
-    (Group::new("loading: contact radius", STATIC, "R"), "a_over_R", |case, law, x| {
+    (Group::new("loading: contact radius", QUASI_STATIC_SOURCE, "R"), "a_over_R", |case, law, x| {
         law.contact_radius(&law.loaded_state(x)) * case.loading.yield_radius_ratio
     }),
 ];
@@ -52,24 +52,32 @@ type CycleQuantity = (Group, UnloadingExponent, fn(&Law, &Cycle) -> Option<[f64;
 
 const CYCLES: [CycleQuantity; 4] = [
     (
-        Group::new("unloading: residual indentation from the reference's peak (Eq. 23)", STATIC, "delta_Y"),
+        Group::new(
+            "unloading: residual indentation from the reference's peak (Eq. 23)",
+            QUASI_STATIC_SOURCE,
+            "delta_Y",
+        ),
         PAPER,
         |_, cycle| Some([cycle.residual(), cycle.peak.residual()]),
     ),
     (
-        Group::of_differences("load cycle: residual indentation, deviation over peak indentation", STATIC, "delta_m"),
+        Group::of_differences(
+            "load cycle: residual indentation, deviation over peak indentation",
+            QUASI_STATIC_SOURCE,
+            "delta_m",
+        ),
         PAPER,
         |law, cycle| {
             let x = cycle.peak.indentation;
             Some([cycle.row.number("residual_share"), law.loaded_state(x).residual() / x])
         },
     ),
-    (Group::new("load cycle: restitution, exponent 3/2", STATIC, ""), PAPER, of_restitution),
-    (Group::new("load cycle: restitution, pressure-shape", STATIC, ""), SHAPE, of_restitution),
+    (Group::new("load cycle: restitution, exponent 3/2", QUASI_STATIC_SOURCE, ""), PAPER, of_restitution),
+    (Group::new("load cycle: restitution, pressure-shape", QUASI_STATIC_SOURCE, ""), SHAPE, of_restitution),
 ];
 
 fn of_restitution(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
-    Some([cycle.row.maybe("restitution")?, restitution(law, cycle.peak.indentation)])
+    Some([cycle.row.optional_number("restitution")?, restitution(law, cycle.peak.indentation)])
 }
 
 /// Compares every load cycle: first the dent that the law gives from the peak of the finite elements, then dent and restitution

@@ -5,13 +5,13 @@ use super::comparison::{Comparison, Group, Quantity, compared};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::Impact;
-use crate::reference::{RATED_IMPACTS, Row};
+use crate::reference::{RATE_IMPACTS, ReferenceRow};
 use crate::scenario::Scenario;
 
 const SOURCE: &str = "explicit finite elements, src/reference/fe_rate.csv";
 
 /// An impact by finite elements, and by the law.
-type Case = (Row, Impact);
+type Case = (ReferenceRow, Impact);
 
 const QUANTITIES: [Quantity<Case>; 5] = [
     (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |(row, impact)| {
@@ -38,7 +38,7 @@ const QUANTITIES: [Quantity<Case>; 5] = [
 ];
 
 /// A row has the keys of a scenario.
-fn impact(row: &Row, coefficients: &PlmCoefficients) -> Result<Impact, Error> {
+fn impact(row: &ReferenceRow, coefficients: &PlmCoefficients) -> Result<Impact, Error> {
     let input = Scenario::from_text(row.text("case"), "", &row.keys())?.resolve()?;
     let law = LawChoice::Plm(Plm::new(coefficients, UnloadingExponent::PressureShape));
     let (sphere, half_space) = input.bodies(&law);
@@ -46,7 +46,7 @@ fn impact(row: &Row, coefficients: &PlmCoefficients) -> Result<Impact, Error> {
 }
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let case = |row: Row| impact(&row, coefficients).map(|impact| (row, impact));
-    let cases: Vec<Case> = RATED_IMPACTS.rows()?.into_iter().map(case).collect::<Result<_, Error>>()?;
+    let case = |row: ReferenceRow| impact(&row, coefficients).map(|impact| (row, impact));
+    let cases: Vec<Case> = RATE_IMPACTS.rows()?.into_iter().map(case).collect::<Result<_, Error>>()?;
     Ok(compared(&QUANTITIES, &cases, |(row, _)| row.text("case").to_owned()))
 }

@@ -6,7 +6,7 @@ use crate::contact::law::{Law, Plm, PlmCoefficients, UnloadingExponent, Yielding
 use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere, Support};
 use crate::error::Error;
 use crate::impact::Contact;
-use crate::reference::{Row, YIELDING};
+use crate::reference::{ReferenceRow, YIELDING};
 
 const SOURCE: &str = "finite elements, CalculiX 2.20, src/reference/fe_yielding.csv";
 
@@ -15,7 +15,7 @@ const LEAST_ELEMENTS: f64 = 9.0;
 
 /// A load cycle by the finite elements and by the law.
 pub(super) struct Compared {
-    pub(super) row: Row,
+    pub(super) row: ReferenceRow,
     pub(super) law: Law,
     pub(super) bodies: YieldingPair,
     /// x of the finite elements.
@@ -24,7 +24,11 @@ pub(super) struct Compared {
 }
 
 impl Compared {
-    fn new(row: Row, coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Result<Option<Self>, Error> {
+    fn new(
+        row: ReferenceRow,
+        coefficients: &PlmCoefficients,
+        exponent: UnloadingExponent,
+    ) -> Result<Option<Self>, Error> {
         let Some(bodies) = YieldingPair::new(&pair(&row)?) else { return Ok(None) };
         let law = Plm::new(coefficients, exponent).law_for_yielding_pair(&bodies);
         let point = bodies.yield_point;
@@ -36,11 +40,11 @@ impl Compared {
 }
 
 /// The two bodies of a row. A load cycle is slow, so they have no density.
-fn pair(row: &Row) -> Result<Pair, PairError> {
+fn pair(row: &ReferenceRow) -> Result<Pair, PairError> {
     let body = |name: &str| {
         let [youngs_modulus, poissons_ratio] =
             ["youngs_modulus", "poissons_ratio"].map(|key| row.number(&format!("{name}.{key}")));
-        (Material { youngs_modulus, poissons_ratio }, row.maybe(&format!("{name}.yield_strength")))
+        (Material { youngs_modulus, poissons_ratio }, row.optional_number(&format!("{name}.yield_strength")))
     };
     let ((material, yield_strength), (half_space, strength)) = (body("sphere"), body("half_space"));
     let sphere = Sphere::elastic(row.number("sphere.radius"), material, f64::NAN);

@@ -14,7 +14,7 @@ fn medium(row: &Row) -> Medium {
     Medium {
         density: row.number("air_density_kg_per_m3"),
         drag,
-        viscosity: row.maybe("air_viscosity_Pa_s").unwrap_or(f64::NAN),
+        viscosity: row.optional_number("air_viscosity_Pa_s").unwrap_or(f64::NAN),
     }
 }
 
@@ -37,16 +37,16 @@ fn flights() -> Vec<(Row, Flying)> {
 fn nine_flights_are_those_of_the_reference() {
     for (row, flying) in flights() {
         let near = |got: f64, name: &str| {
-            if let Some(want) = row.maybe(name) {
+            if let Some(want) = row.optional_number(name) {
                 assert!((got / want - 1.0).abs() < 1e-12, "{}, {name}: {got} for {want}", row.name());
             }
         };
         near(flying.terminal_speed(), "terminal_speed_m_per_s");
-        let take_off = if let Some(height) = row.maybe("drop_height_m") {
+        let take_off = if let Some(height) = row.optional_number("drop_height_m") {
             let arrival = flying.landing_speed(height);
             near(arrival, "arrival_speed_m_per_s");
             near(flying.fall_time(height), "drop_time_s");
-            if let Some(want) = row.maybe("air_loss_fraction") {
+            if let Some(want) = row.optional_number("air_loss_fraction") {
                 let lost = 1.0 - arrival * arrival / (2.0 * row.number("gravity_m_per_s2") * height);
                 assert_abs_diff_eq!(lost, want, epsilon = 1e-14);
             }

@@ -66,20 +66,20 @@ fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
         ("lambda", of_plate(|plate| plate.inelasticity), of_plate(|plate| plate.inelasticity)),
         ("plate_displacement_m", of_plate(|plate| plate.displacement), of_plate(|plate| plate.displacement)),
     ] {
-        let Some(want) = row.maybe(name) else { continue };
+        let Some(want) = row.optional_number(name) else { continue };
         let error = (got - want).abs() / unit;
         assert!(error <= allowed, "{}: {name} {got:e}, not {want:e}: {error:e}", row.name());
         compared += 1;
     }
     assert!(compared >= 7, "{}: {compared}", row.name());
-    if let Some(share) = row.maybe("harder_body_residual_share") {
+    if let Some(share) = row.optional_number("harder_body_residual_share") {
         let flow = point.unwrap().yield_partition;
         let of_harder = if flow.is_sphere { impact.dent_depth() } else { impact.flat_depth };
         assert!((of_harder - share * impact.residual_indentation).abs() < 1e-11 * size, "{}: {of_harder}", row.name());
         return;
     }
-    let is_plain = row.maybe("yield_speed_m_per_s").is_some();
-    assert!(!is_plain || impact.residual_radius.is_some() == row.maybe("residual_radius_m").is_some());
+    let is_plain = row.optional_number("yield_speed_m_per_s").is_some();
+    assert!(!is_plain || impact.residual_radius.is_some() == row.optional_number("residual_radius_m").is_some());
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn every_method_matches_references() {
             let of_default = 2e-11;
             // a row of a table has the closed form
             let mut row_allows = of_default;
-            if row.maybe("half_space.thickness").is_none() {
+            if row.optional_number("half_space.thickness").is_none() {
                 assert_near(&row, &contact, &contact.closed_form(scene.speed()).unwrap(), exact);
                 row_allows = 1e-12;
             }
@@ -126,20 +126,20 @@ fn peak_row_matches_reference() {
     for row in [BUILT_IN, PLAIN, HARDENING, YIELDING, PLATE].iter().flat_map(References::rows) {
         let (scene, _, impact) = run::impact::compute(&read("", &row.keys(&[])), Some(200)).unwrap();
         let peak = *impact.trace.iter().find(|at| at.event == Some(Event::Peak)).unwrap();
-        if let Some(want) = row.maybe("sphere_speed_at_peak_m_s") {
+        if let Some(want) = row.optional_number("sphere_speed_at_peak_m_s") {
             assert!(off(peak.sphere_speed.unwrap_or(peak.speed), want) < 1e-8, "{}", row.name());
         }
         // the share of the sphere of what is elastic, and the flat that it keeps
         let compliance =
             |body: &plm_impact::contact::pair::Material| (1.0 - body.poissons_ratio.powi(2)) / body.youngs_modulus;
         let [of_sphere, of_half_space] = [&scene.sphere().material, &scene.half_space().material].map(compliance);
-        if let Some(elastic) = row.maybe("elastic_approach_m") {
-            let kept = row.maybe("harder_body_residual_share").unwrap_or(0.0);
+        if let Some(elastic) = row.optional_number("elastic_approach_m") {
+            let kept = row.optional_number("harder_body_residual_share").unwrap_or(0.0);
             let is_softer =
                 scene.contact().unwrap().pair().yield_point.is_some_and(|point| point.yield_partition.is_sphere);
             let flat = if is_softer { 1.0 - kept } else { kept };
             let want = of_sphere / (of_sphere + of_half_space) * elastic
-                + flat * row.maybe("residual_indentation_m").unwrap_or(0.0);
+                + flat * row.optional_number("residual_indentation_m").unwrap_or(0.0);
             for got in [peak.sphere_indentation, impact.peak_sphere_indentation] {
                 // a rigid sphere has no indentation
                 assert!((got - want).abs() <= 1e-8 * want, "{}: {got} {want}", row.name());

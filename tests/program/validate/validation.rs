@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use plm_impact::reference::{DEVICES, STEELS};
+use plm_impact::reference::{LEEB_DEVICES, LEEB_STEELS};
 use plm_impact::validate;
 use plm_impact::validate::Comparison;
 use plm_impact::validate::comparison::{mean, rms};
@@ -238,7 +238,7 @@ fn whole_impacts_are_those_of_the_scenarios() {
 
 /// The restitution of device D on steel of this yield strength \[Pa\].
 pub fn rebound_of_device(strength: f64) -> f64 {
-    let device = DEVICES.rows().unwrap().remove(0);
+    let device = LEEB_DEVICES.rows().unwrap().remove(0);
     let [energy, mass, youngs_modulus, poissons_ratio] =
         ["energy_J", "mass_kg", "tip_youngs_modulus_Pa", "tip_poissons_ratio"].map(|column| device.number(column));
     let density = mass / (4.0 / 3.0 * std::f64::consts::PI * 1.5e-3_f64.powi(3));
@@ -256,7 +256,7 @@ pub fn rebound_of_device(strength: f64) -> f64 {
 #[test]
 fn restitution_bias_of_common_strengths_is_as_documented() {
     let off = |hardness: f64, strength: f64| rebound_of_device(1e6 * strength) / (hardness / 1000.0) - 1.0;
-    for steel in STEELS.rows().unwrap() {
+    for steel in LEEB_STEELS.rows().unwrap() {
         for end in ["low", "high"] {
             let tensile = steel.number(&format!("{end}_tensile_strength_MPa"));
             let hardness = steel.number(&format!("{end}_HLD"));

@@ -31,7 +31,7 @@ fn assert_near(row: &Row, [force, dent, e]: [f64; 3]) {
     // the table has the work of the printed force of Kogut and Etsion, whose pieces do not meet
     let of_work = if row.text("law") == "kogut_etsion" { 1e-3 } else { 5.1e-4 };
     for (name, got, allowed) in [("force", force, 0.051), ("residual", dent, 5.1e-4), ("restitution", e, of_work)] {
-        if let Some(want) = row.maybe(name) {
+        if let Some(want) = row.optional_number(name) {
             assert!((got - want).abs() < allowed, "{row:?}: {name} {got}");
         }
     }
