@@ -10,7 +10,7 @@ use allocation_counter::measure;
 use common::Scene;
 use plm_impact::contact::law::{Law, UnloadingExponent};
 use plm_impact::impact::solve::{closed_form, motion};
-use plm_impact::impact::{Damping, Recorder, ScaledForces};
+use plm_impact::impact::{Damping, ScaledForces, TraceRecorder};
 use plm_impact::numerics::ode::DampingCoefficients;
 use plm_impact::numerics::ode::Integrator;
 use plm_impact::numerics::ode::rk8::Rk8;
@@ -41,13 +41,13 @@ fn impacts_allocate_nothing() {
         assert!(outcome.restitution > 0.0, "{name}");
         let damping = [None, Some(Damping::Viscous(0.1)), Some(Damping::HuntCrossley(0.1 / speed))];
         for (damping, weight) in damping.into_iter().flat_map(|damping| [(damping, 0.0), (damping, 0.5)]) {
-            let drag = damping.map_or(DampingCoefficients::NONE, |damping| damping.drag(1.0));
-            let forces = ScaledForces { weight, drag };
+            let drag = damping.map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(1.0));
+            let forces = ScaledForces { weight, damping: drag };
             for tolerance in [1e-3, 1e-9, 1e-13] {
                 let mut stepper = Rk8::new(tolerance);
                 let counted = measure(|| {
-                    black_box(closed_form::solve_with(black_box(&law), speed, &forces, 1e-10)).unwrap();
-                    motion::integrate(&law, speed, &forces, &mut stepper, &mut Recorder::default()).unwrap();
+                    black_box(closed_form::solve_conservative(black_box(&law), speed, &forces, 1e-10)).unwrap();
+                    motion::integrate(&law, speed, &forces, &mut stepper, &mut TraceRecorder::default()).unwrap();
                 });
                 assert_eq!(counted.count_total, 0, "{name} {forces:?} at {tolerance:e}");
                 assert!(stepper.stats().steps > 0, "{name} {forces:?} at {tolerance:e}");

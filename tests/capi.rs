@@ -130,7 +130,12 @@ fn friction_along_the_path(contact: &Contact) -> String {
     for (step, indentation) in path().enumerate() {
         let slip = [2e-8, if step < 200 { 1e-8 } else { -3e-8 }, 0.0];
         let force = contact.force(indentation, &mut memory);
-        assert!(contact.friction(0.2, &FrictionStep { before, indentation, force, slip }, &memory, &mut history));
+        assert!(contact.friction(
+            0.2,
+            &FrictionStep { previous_indentation: before, indentation, force, slip },
+            &memory,
+            &mut history
+        ));
         before = indentation;
         if step % 50 == 49 {
             writeln!(text, "friction {}", words(&history)).unwrap();
@@ -220,13 +225,13 @@ fn c_program_prints_bits_of_library() {
     assert_eq!(printed[..expected.len()], expected);
     let waves = Scenario::load(&with_waves, &[]).unwrap().resolve_bodies().unwrap().contact().unwrap();
     let waves = waves.closed_form(3.0).unwrap().restitution_with_waves().unwrap();
-    let bits = [("deepest", contact.deepest()), ("waves", waves)]
+    let bits = [("deepest", contact.validated_indentation()), ("waves", waves)]
         .map(|(name, number)| format!("{name} {:016x}", number.to_bits()));
     // a strength that rises with the rate, at the speed of the scenario
     let rated = ["half_space.rate.johnson_cook.c=0.03".to_owned()];
     let rated = Scenario::load(&scenario, &rated).unwrap().resolve().unwrap().contact().unwrap();
     let impact = rated.closed_form(3.0).unwrap();
-    assert!(impact.rated.unwrap().factor > 1.1);
+    assert!(impact.strain_rate_result.unwrap().factor > 1.1);
     let (rated, mut memory) = (rated.at_speed(3.0).unwrap(), Memory::default());
     let forces = [30e-6, 29e-6].map(|indentation| rated.force(indentation, &mut memory));
     let of_rate = words(&[impact.contact_time, impact.restitution, forces[0], forces[1]]);

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::problems::Problem;
 use crate::impact::solve::{closed_form, verlet};
-use crate::impact::{Computed, Method, Solver, run};
+use crate::impact::{Method, Solution, Solver, solve};
 use crate::numerics::functions::pow;
 use crate::numerics::ode::{IntegrationError, SolverStats};
 use crate::numerics::power::nan_max;
@@ -71,16 +71,16 @@ impl Measurement {
 
 impl Setting {
     /// One impact with its cost. Fixed steps have a phase.
-    fn run(self, method: Method, phase: f64, problem: &Problem) -> Result<Computed, IntegrationError> {
+    fn run(self, method: Method, phase: f64, problem: &Problem) -> Result<Solution, IntegrationError> {
         let (law, speed, forces) = (black_box(&problem.law), black_box(problem.speed), &problem.forces);
         match self {
-            Self::Exact => Ok(Computed::new(closed_form::solve(law, speed), SolverStats::default())),
+            Self::Exact => Ok(Solution::new(closed_form::solve(law, speed), SolverStats::default())),
             Self::Tolerance(tolerance) => {
-                run(law, speed, forces, None, &Solver { method, tolerance, ..Solver::default() }, None)
+                solve(law, speed, forces, None, &Solver { method, tolerance, ..Solver::default() }, None)
             }
             Self::Steps(steps) => {
                 let step = problem.exact.contact_time / (f64::from(steps) + phase);
-                verlet::march(law.into(), speed, forces, step, 10 * u64::from(steps), None)
+                verlet::integrate_fixed_steps(law.into(), speed, forces, step, 10 * u64::from(steps), None)
             }
         }
     }
@@ -99,16 +99,16 @@ impl Setting {
         let relative = |got: f64, want: f64| (got / want - 1.0).abs();
         let phases = if matches!(self, Self::Steps(_)) { &PHASES[..] } else { &PHASES[..1] };
         let exact = &problem.exact;
-        let runs: Result<Vec<Computed>, _> = phases.iter().map(|phase| self.run(method, *phase, problem)).collect();
+        let runs: Result<Vec<Solution>, _> = phases.iter().map(|phase| self.run(method, *phase, problem)).collect();
         let runs = runs.ok()?;
-        let worst = |error: &dyn Fn(&Computed) -> f64| runs.iter().map(error).fold(0.0, nan_max);
+        let worst = |error: &dyn Fn(&Solution) -> f64| runs.iter().map(error).fold(0.0, nan_max);
         Some(Measurement {
             method,
             setting: self,
             restitution_error: worst(&|run| relative(run.outcome.restitution, exact.restitution)),
             contact_time_error: worst(&|run| relative(run.outcome.contact_time, exact.contact_time)),
             peak_force_error: worst(&|run| relative(run.outcome.largest_force, exact.largest_force)),
-            work: runs.first()?.work,
+            work: runs.first()?.stats,
             ns_per_impact: f64::INFINITY,
         })
     }

@@ -11,10 +11,10 @@ use crate::contact::law::published::{Loading, hertz_unloading};
 use crate::contact::law::{ContactLaw, Law, Plm};
 use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::contact::strength::flow_curve::FlowCurve;
-use crate::impact::problem::scales::ACCELERATION;
+use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::impact::solve::closed_form;
-use crate::impact::solve::closed_form::energy_balance;
-use crate::impact::{Contact, Damping, ImpactError, Method, Outcome, ScaledForces, Solver, run};
+use crate::impact::solve::closed_form::solve_energy_balance;
+use crate::impact::{Contact, Damping, ImpactError, Method, ScaledForces, ScaledResult, Solver, solve};
 use crate::numerics::curve::LoadingCurve;
 use crate::numerics::functions::pow;
 use crate::numerics::ode::DampingCoefficients;
@@ -35,18 +35,18 @@ pub struct Problem {
     /// The exact outcome: e and contact time from 16 or more printed digits, the peak by the balance of energy. The hardened
     /// problem has that of the closed form, the damped one that of rk8 at a tolerance of 1e-14, the plate that of 30-digit
     /// arithmetic.
-    pub exact: Outcome,
+    pub exact: ScaledResult,
 }
 
 impl Problem {
     /// `contact_time` in units of L/V.
     fn new(name: &'static str, about: &'static str, law: Law, speed: f64, restitution: f64, contact_time: f64) -> Self {
-        let unloading = energy_balance(&law, speed).unloading;
+        let unloading = solve_energy_balance(&law, speed).unloading;
         let unloading_time =
             quarter_period_factor(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
         let loading_time = contact_time - unloading_time;
         let by_formula = closed_form::solve(&law, speed);
-        let exact = Outcome { unloading, restitution, loading_time, contact_time, ..by_formula };
+        let exact = ScaledResult { unloading, restitution, loading_time, contact_time, ..by_formula };
         Self { name, about, law, speed, forces: ScaledForces::NONE, exact }
     }
 }
@@ -89,7 +89,7 @@ pub fn steel_on_steel(law: &dyn ContactLaw) -> Result<Contact, ImpactError> {
 fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactError> {
     let plm = Plm { flow: [None, exponent.map(|exponent| FlowCurve::Power { exponent })], ..Plm::default() };
     let contact = steel_on_steel(&plm)?;
-    let (_, law, q) = contact.scaled(speed)?;
+    let (_, law, q) = contact.scaling(speed)?;
     Ok((law.clone(), q))
 }
 
@@ -101,19 +101,19 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
         "PLM, steel sphere of 5 mm radius at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
     let hardened = Problem { name: "hardened", about, law, speed, forces: ScaledForces::NONE, exact };
     let (law, speed) = steel_ball(None, 3.0)?;
-    let forces = ScaledForces { drag: Damping::Viscous(0.1).drag(1.0), ..ScaledForces::NONE };
+    let forces = ScaledForces { damping: Damping::Viscous(0.1).scaled_coefficients(1.0), ..ScaledForces::NONE };
     let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
-    let exact = run(&law, speed, &forces, None, &solver, None)?.outcome;
+    let exact = solve(&law, speed, &forces, None, &solver, None)?.outcome;
     let about = "PLM, steel sphere of 5 mm radius on steel at 3 m/s, with a tenth of critical viscous damping";
     let damped = Problem { name: "damped", about, law, speed, forces, exact };
     let (law, speed) = steel_ball(None, 1.0)?;
     let forces = ScaledForces {
-        drag: DampingCoefficients { plate: 0.090_413_272_576_400_49 / ACCELERATION, ..DampingCoefficients::NONE },
+        damping: DampingCoefficients { plate: 0.090_413_272_576_400_49 / FORCE_FACTOR, ..DampingCoefficients::NONE },
         ..ScaledForces::NONE
     };
-    let by_rk8 = run(&law, speed, &forces, None, &solver, None)?.outcome;
+    let by_rk8 = solve(&law, speed, &forces, None, &solver, None)?.outcome;
     // 30-digit arithmetic of Zener's equation with this law: restitution, and the times in units of L/V
-    let exact = Outcome {
+    let exact = ScaledResult {
         restitution: 0.429_962_209_070_157_3,
         contact_time: 1.202_249_512_645_784_7,
         loading_time: 0.672_461_093_074_569_8,
@@ -134,7 +134,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
     let plm = |name, about, sphere, yield_strength, speed, restitution, contact_time| {
         let half_space = HalfSpace::flat(STEEL, Some(yield_strength));
         let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
-        let (scales, law, q) = contact.scaled(speed)?;
+        let (scales, law, q) = contact.scaling(speed)?;
         Ok::<_, ImpactError>(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
     };
     let [hardened, damped, plate] = of_users()?;

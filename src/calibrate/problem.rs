@@ -9,8 +9,8 @@ use super::data::{Data, Row, Value};
 use crate::contact::pair::Sphere;
 use crate::files::Progress;
 use crate::impact::ImpactError;
-use crate::impact::flight::free_flight::Flying;
-use crate::impact::indentation::{IndentationError, StaticContact, Target};
+use crate::impact::flight::free_flight::FreeFlight;
+use crate::impact::indentation::{IndentationError, SetPoint, StaticContact};
 use crate::numerics::functions::{ln, ln_1p};
 use crate::scenario::input::Input;
 use crate::scenario::plan::Free;
@@ -192,8 +192,8 @@ impl<'a> Problem<'a> {
             key.set(input, Some(*value));
         }
         if let Some(interval) = interval_before {
-            let flying = input.flying().unwrap_or(Flying::in_vacuum(input.falling_gravity()));
-            let height = flying.rise(flying.take_off_speed((interval - in_contact).max(0.0)));
+            let flying = input.flying().unwrap_or(FreeFlight::in_vacuum(input.falling_gravity()));
+            let height = flying.rise_height(flying.take_off_speed((interval - in_contact).max(0.0)));
             for (key, _) in self.data.keys.iter().zip(keys).filter(|(_, value)| value.is_nan()) {
                 let is_height = key.path == "impact.drop_height";
                 key.set(input, Some(if is_height { height } else { flying.landing_speed(height) }));
@@ -234,7 +234,7 @@ impl<'a> Problem<'a> {
         for row in rows {
             let indentation = self.data.rows[*row].indentation.unwrap_or(0.0);
             if (indentation - last).abs() > 1e-9 * indentation.max(last) {
-                targets.push(Target::Indentation(indentation));
+                targets.push(SetPoint::Indentation(indentation));
                 last = indentation;
             }
             steps.push(targets.len());

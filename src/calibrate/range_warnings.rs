@@ -31,7 +31,7 @@ impl Calibration<'_> {
                 warning.keep_worst(&mut worst, || line);
             }
         }
-        worst.sort_by_key(|(warning, _)| !warning.is_grave());
+        worst.sort_by_key(|(warning, _)| !warning.is_fatal());
         worst
     }
 }

@@ -23,21 +23,23 @@ mod warnings;
 
 pub use dem::force::{ContactEnergy, Memory};
 pub use dem::friction::FrictionStep;
-pub use oblique::{Approach, FrictionState, Incidence, Oblique, Rebound};
-pub use problem::contact::{Contact, Named, Rated};
+pub use oblique::{Approach, FrictionState, Incidence, ObliqueResult, Rebound};
+pub use problem::contact::{Contact, MaterialNames, StrainRateResult};
 pub use problem::error::ImpactError;
 pub use problem::forces::{Damping, Forces, STANDARD_GRAVITY, ScaledForces};
 pub use problem::plate::{Plate, PlateError, PlateTheory};
 pub use problem::scales::Scales;
 pub use result::energy_balance::TraceRow;
 pub use result::impact::{Accuracy, Energy, ForcesResult, Impact};
-pub use result::row::{Essentials, OnPlate};
+pub use result::row::{ImpactRow, PlateResult};
 pub use result::warning::{Warning, WarningKind};
 pub use series::spot::Spot;
-pub use solve::outcome::{Computed, Fate, FixedSteps, Outcome};
-pub use solve::recorder::{Event, Point, Recorder};
-pub use solve::{Method, Solver, run};
+pub use solve::outcome::{FixedSteps, ImpactEnd, ScaledResult, Solution};
+pub use solve::recorder::{Event, TracePoint, TraceRecorder};
+pub use solve::{Method, Solver, solve};
 pub use warnings::Bias;
-pub use warnings::bodies::{TOO_HIGH, TOO_HIGH_BY};
-pub(crate) use warnings::bodies::{left_out, of_elastic, of_flow, of_half_space, of_sphere, of_yielding};
-pub(crate) use warnings::{of_dent, of_exponent, of_peak};
+pub use warnings::bodies::{RESTITUTION_BIAS_TEXT, TOO_HIGH_BY};
+pub(crate) use warnings::bodies::{
+    elastic_material_warning, flow_warnings, half_space_warnings, ignored_strength, sphere_warnings, yielding_warning,
+};
+pub(crate) use warnings::{dent_warning, exponent_warning, peak_warnings};

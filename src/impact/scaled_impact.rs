@@ -6,15 +6,15 @@ use super::problem::contact::Contact;
 use super::problem::error::ImpactError;
 use super::problem::forces::ScaledForces;
 use super::problem::plate::ScaledPlate;
-use super::problem::scales::{ACCELERATION, Scales};
-use super::solve::free_time;
+use super::problem::scales::{FORCE_FACTOR, Scales};
+use super::solve::undamped_contact_time;
 use crate::contact::law::{Law, LoadingHistory, Surface};
 use crate::contact::pair::finite_positive;
 use crate::numerics::ode::DampingCoefficients;
 
 /// The input of one impact.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Case<'a> {
+pub(super) struct ScaledImpact<'a> {
     pub(super) scales: Scales,
     pub(super) ground: Surface<'a>,
     /// v/V.
@@ -28,15 +28,19 @@ impl Contact {
     ///
     /// # Errors
     /// [`ImpactError::Range`] if peak force, indentation or energy leave double precision.
-    pub fn scaled(&self, speed: f64) -> Result<(Scales, &Law, f64), ImpactError> {
-        let Case { scales, ground, q, .. } = self.case(None, speed)?;
+    pub fn scaling(&self, speed: f64) -> Result<(Scales, &Law, f64), ImpactError> {
+        let ScaledImpact { scales, ground, q, .. } = self.scaled_impact(None, speed)?;
         Ok((scales, ground.law, q))
     }
 
     /// The impact at a speed. On a spot with a dent, the units are the units of the yield point. Under gravity the speed may be 0: the
     /// sphere is released at rest.
     #[inline]
-    pub(super) fn case<'a>(&'a self, dent: Option<&'a LoadingHistory>, speed: f64) -> Result<Case<'a>, ImpactError> {
+    pub(super) fn scaled_impact<'a>(
+        &'a self,
+        dent: Option<&'a LoadingHistory>,
+        speed: f64,
+    ) -> Result<ScaledImpact<'a>, ImpactError> {
         self.forces().check()?;
         let gravity = self.forces().gravity.unwrap_or(0.0);
         if gravity > 0.0 && self.target_mass().is_some() {
@@ -59,27 +63,30 @@ impl Contact {
             finite_positive(quantity, q * q + weight / self.scales.force)?;
             (self.scales, Surface::new(&self.law, dent), q)
         } else {
-            let scales = Scales::of_hertz(self.pair(), self.reduced_mass(), speed, gravity)?;
-            (scales, hertz().into(), speed / scales.speed)
+            let scales = Scales::from_hertz_impact(self.pair(), self.reduced_mass(), speed, gravity)?;
+            (scales, hertz_law().into(), speed / scales.speed)
         };
         if self.forces().is_none() {
-            return Ok(Case { scales, ground, q, forces: ScaledForces::NONE, plate: None });
+            return Ok(ScaledImpact { scales, ground, q, forces: ScaledForces::NONE, plate: None });
         }
-        let drag = self.forces().damping.map_or(DampingCoefficients::NONE, |damping| damping.drag(scales.speed));
-        let mut forces = ScaledForces { weight: weight / scales.force, drag };
+        let drag = self
+            .forces()
+            .damping
+            .map_or(DampingCoefficients::NONE, |damping| damping.scaled_coefficients(scales.speed));
+        let mut forces = ScaledForces { weight: weight / scales.force, damping: drag };
         let mut plate = None;
-        if let Some(under) = self.on_plate()? {
-            let free_time = free_time(ground, q, &forces)? * scales.time();
+        if let Some(under) = self.contact_plate()? {
+            let free_time = undamped_contact_time(ground, q, &forces)? * scales.time();
             let scaled = under.scaled(speed, self.pair().hertz_stiffness(), &scales, free_time)?;
-            forces.drag.plate = scaled.mobility / ACCELERATION;
+            forces.damping.plate = scaled.mobility / FORCE_FACTOR;
             plate = Some(scaled);
         }
-        Ok(Case { scales, ground, q, forces, plate })
+        Ok(ScaledImpact { scales, ground, q, forces, plate })
     }
 }
 
 /// Hertz without limit: the law of every impact that stays elastic, in its own units.
-pub(super) fn hertz() -> &'static Law {
+pub(super) fn hertz_law() -> &'static Law {
     static HERTZ: LazyLock<Law> = LazyLock::new(Law::hertz);
     &HERTZ
 }

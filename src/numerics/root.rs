@@ -6,7 +6,7 @@
 const MAX_EVALUATIONS: u32 = 200;
 
 /// The zero of a function that falls from `low` to `high`, by Newton's method from `first` on until two guesses are near each
-/// other by `is_near`. `at` gives the value and its derivative. A guess outside of the bounds that the values so far leave is
+/// other by `is_converged`. `at` gives the value and its derivative. A guess outside of the bounds that the values so far leave is
 /// replaced by their middle, and a value that is zero or NaN counts as beyond the zero.
 ///
 /// Without a zero between the bounds the result is one of them.

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use crate::impact::{Contact, Essentials};
+use crate::impact::{Contact, ImpactRow};
 use crate::units::Dimension;
 
 /// A result that is computed from a `T`.
@@ -71,20 +71,20 @@ pub struct Column {
     pub name: &'static str,
     pub needs: Needs,
     /// The value of a row; `None` is an empty field.
-    pub value: fn(&Essentials) -> Option<f64>,
+    pub value: fn(&ImpactRow) -> Option<f64>,
 }
 
 impl Needs {
     /// The condition under which an impact has the result, in words and as a function.
-    const fn rule(self) -> (&'static str, fn(&Contact, &Essentials) -> bool) {
+    const fn rule(self) -> (&'static str, fn(&Contact, &ImpactRow) -> bool) {
         match self {
             Self::Nothing => ("", |_, _| true),
             Self::Strength => (YIELDS, |contact, _| contact.pair().yield_point.is_some()),
             Self::Interval => (INTERVAL, |_, row| row.restitution_interval.is_some()),
-            Self::Rate => (RATES, |contact, _| contact.rated().is_some()),
+            Self::Rate => (RATES, |contact, _| contact.strain_rate_result().is_some()),
             Self::Flat => (FLATTENS, |contact, _| contact.sphere().yield_strength.is_some()),
             Self::Density => (WAVES, |_, row| row.wave_loss_fraction.is_some()),
-            Self::Thickness => (PLATE, |_, row| row.on_plate.is_some()),
+            Self::Thickness => (PLATE, |_, row| row.plate.is_some()),
             Self::Incidence => (OBLIQUE, |_, row| row.rebound.is_some()),
             Self::Target => (FREE, |_, row| row.target_speed.is_some()),
             Self::Struck => (STRUCK, |_, row| row.rebound.is_some_and(|after| after.target.is_some())),
@@ -98,7 +98,7 @@ impl Needs {
     }
 
     /// True if an impact on this contact has the result.
-    pub fn is_met(self, contact: &Contact, row: &Essentials) -> bool {
+    pub fn is_met(self, contact: &Contact, row: &ImpactRow) -> bool {
         self.rule().1(contact, row)
     }
 }

@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use super::{Needs, Reported, results};
 use crate::contact::pair::YieldPartition;
-use crate::impact::flight::free_flight::Flying;
-use crate::impact::{Contact, Essentials, FixedSteps, ForcesResult, Impact, Oblique, OnPlate, Rebound};
+use crate::impact::flight::free_flight::FreeFlight;
+use crate::impact::{Contact, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound};
 use crate::scenario::keys::interval::RestitutionInterval;
 
 /// One impact.
@@ -26,7 +26,7 @@ pub struct Single<'a> {
 
 impl Single<'_> {
     /// The value of a column of tables, if the impact has it.
-    fn of_row(&self, needs: Needs, value: fn(&Essentials) -> Option<f64>) -> Option<Value> {
+    fn of_row(&self, needs: Needs, value: fn(&ImpactRow) -> Option<f64>) -> Option<Value> {
         let row = &self.impact.essentials;
         needs.is_met(self.contact, row).then(|| value(row).into())
     }
@@ -60,37 +60,37 @@ impl Single<'_> {
 
     /// The value, if there is gravity or damping.
     fn forced<V>(&self, value: fn(&ForcesResult) -> V) -> Option<V> {
-        self.impact.under_forces.as_ref().map(value)
+        self.impact.forces_result.as_ref().map(value)
     }
 
     /// The value, if a plate is hit.
-    fn on_plate<V>(&self, value: impl FnOnce(&OnPlate) -> V) -> Option<V> {
-        self.impact.on_plate.as_ref().map(value)
+    fn on_plate<V>(&self, value: impl FnOnce(&PlateResult) -> V) -> Option<V> {
+        self.impact.plate.as_ref().map(value)
     }
 
     /// The value, if the sphere came in at an angle, or spinning.
-    fn oblique(&self, value: fn(&Oblique) -> f64) -> Option<f64> {
+    fn oblique(&self, value: fn(&ObliqueResult) -> f64) -> Option<f64> {
         self.impact.oblique.as_ref().map(value)
     }
 
     /// The flight, if there is air.
-    fn in_air(&self) -> Option<Flying> {
-        self.contact.forces().flying.filter(Flying::is_in_air)
+    fn in_air(&self) -> Option<FreeFlight> {
+        self.contact.forces().flight.filter(FreeFlight::has_air)
     }
 
     /// The value, if the steps are fixed.
     fn verlet<V>(&self, value: fn(&FixedSteps) -> V) -> Option<V> {
-        self.impact.in_fixed_steps.as_ref().map(value)
+        self.impact.fixed_steps.as_ref().map(value)
     }
 }
 
 /// A value of an oblique impact; none where it is no number.
-fn rebound(row: &Essentials, value: fn(&Rebound) -> f64) -> Option<f64> {
+fn rebound(row: &ImpactRow, value: fn(&Rebound) -> f64) -> Option<f64> {
     row.rebound.as_ref().map(value).filter(|value| value.is_finite())
 }
 
 /// Speed along the surface and spin of a second ball.
-fn target(row: &Essentials, place: usize) -> Option<f64> {
+fn target(row: &ImpactRow, place: usize) -> Option<f64> {
     row.rebound.as_ref().and_then(|after| after.target).map(|target| target[place])
 }
 
@@ -116,22 +116,22 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Energy in the plate at separation over the kinetic energy of the motion normal to the plate at first touch; under
         /// gravity it may exceed 1, as the weight does work too.
         "plate_loss_fraction" in Percent as "the plate takes {} of the normal energy"
-            [Thickness: Essentials::plate_loss_fraction];
+            [Thickness: ImpactRow::plate_loss_fraction];
         /// Zener's inelasticity parameter: 0 for a thick plate; from 1 on little comes back.
-        "inelasticity" as "Zener's number {}" [Thickness: |row| row.on_plate.map(|plate| plate.inelasticity)];
+        "inelasticity" as "Zener's number {}" [Thickness: |row| row.plate.map(|plate| plate.inelasticity)];
         /// How many plate thicknesses a wave travels during the contact time on a half-space: below 2 the plate acts as a
         /// half-space, from 10 on it is thin.
         "plate_thinness" as "wave travels {} thicknesses" if PLATE: single.on_plate(|plate| plate.thinness);
         /// How far the plate has moved at separation.
         "plate_displacement_m" in Length as "plate moves by"
-            [Thickness: |row| row.on_plate.map(|plate| plate.displacement)];
+            [Thickness: |row| row.plate.map(|plate| plate.displacement)];
         /// How far away an edge must be, so that no bending wave comes back from it during the contact.
         "plate_reach_m" in Length as "edges beyond {}"
-            [Thickness: |row| row.on_plate.map(|plate| plate.reach).filter(|reach| reach.is_finite())];
+            [Thickness: |row| row.plate.map(|plate| plate.reach).filter(|reach| reach.is_finite())];
         /// Energy radiated as elastic waves, to first order, over the kinetic energy of the motion normal to the half-space.
         "wave_loss_fraction" in Percent as "waves take {} of the normal energy" [Density: |row| row.wave_loss_fraction];
         /// Restitution after the waves have taken their energy; 0 where they would take more than comes back.
-        "restitution_with_waves" as "with waves" [Density: Essentials::restitution_with_waves];
+        "restitution_with_waves" as "with waves" [Density: ImpactRow::restitution_with_waves];
         /// Speed of the sphere when it separates, normal to the half-space; negative where it pushes a lighter body on and follows it.
         "rebound_speed_m_per_s" in Speed as "rebound speed": single.impact.rebound_speed;
         /// Speed of the body that is hit after the impact, in the direction of the approach.
@@ -228,17 +228,17 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "yield_speed_m_per_s" in Speed as "yield speed" if REACHES: single.at_first_yield(single.contact.yield_speed());
         /// Indentation at first yield.
         "yield_indentation_m" in Length if REACHES:
-            single.at_first_yield(single.contact.yields_at().map(|(indentation, _)| indentation));
+            single.at_first_yield(single.contact.yield_indentation_and_force().map(|(indentation, _)| indentation));
         /// Force at first yield.
         "yield_force_N" in Force as "first yield at {}" if REACHES:
-            single.at_first_yield(single.contact.yields_at().map(|(_, force)| force));
+            single.at_first_yield(single.contact.yield_indentation_and_force().map(|(_, force)| force));
         /// Rate of strain while the sphere goes in; empty for an impact in the dent of another one that leaves it as it was, as the
         /// two factors below.
-        "strain_rate_per_s" in StrainRate as "strain rate" [Rate: |row| row.rated.map(|rated| rated.strain_rate)];
+        "strain_rate_per_s" in StrainRate as "strain rate" [Rate: |row| row.strain_rate_result.map(|rated| rated.strain_rate)];
         /// By how much the strength of the body that yields is raised at that rate.
-        "rate_factor" as "strength raised by {}" [Rate: |row| row.rated.map(|rated| rated.factor)];
+        "rate_factor" as "strength raised by {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor)];
         /// By how much that strength is raised where the sphere turns, as the metal relaxes there.
-        "rate_factor_at_turn" as "at the turn {}" [Rate: |row| row.rated.map(|rated| rated.factor_at_turn)];
+        "rate_factor_at_turn" as "at the turn {}" [Rate: |row| row.strain_rate_result.map(|rated| rated.factor_at_turn)];
         /// Share of the normal kinetic energy that comes back: the square of the restitution.
         "recovered_fraction" in Percent if TABLES [Nothing: |row| row.has_speed().then(|| row.recovered_fraction())];
         /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
@@ -269,7 +269,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Energy spent on the dent.
         "energy.plastic_J" in Energy as "{%} into the dent" if YIELDS: single.impact.energy.plastic;
         /// Kinetic energy of the common motion of sphere and body that is hit: of their centre of mass, which stays.
-        "energy.centre_of_mass_J" in Energy as "{} stays in the common motion" if FREE: single.impact.energy.of_centre;
+        "energy.centre_of_mass_J" in Energy as "{} stays in the common motion" if FREE: single.impact.energy.centre_of_mass;
         /// Energy in the plate at separation, or where the computation of a captured sphere ends.
         "energy.plate_J" in Energy as "{%} into the plate" if PLATE: single.on_plate(|plate| plate.energy);
         /// Energy taken by damping.
@@ -299,11 +299,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Relative difference of the contact time from the closed form.
         "accuracy.contact_time_error" in Error as "contact time by {}": single.impact.accuracy.contact_time_error;
         /// Steps of the integration.
-        "work.steps" as "steps": single.impact.work.steps;
+        "work.steps" as "steps": single.impact.stats.steps;
         /// Steps that were repeated with a shorter length.
-        "work.rejected" as "{} rejected": single.impact.work.rejected;
+        "work.rejected" as "{} rejected": single.impact.stats.rejected;
         /// How often the contact force was computed.
-        "work.force_evaluations" as "{} force evaluations": single.impact.work.force_evaluations;
+        "work.force_evaluations" as "{} force evaluations": single.impact.stats.force_evaluations;
         /// Notes for the user on the strength and on the exponent behind e, if the scenario leaves them open.
         "notes" if NOTES: (!single.notes.is_empty()).then(|| single.notes.to_vec());
         /// Where the scene, the model or the run is doubtful.

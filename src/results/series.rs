@@ -2,7 +2,7 @@
 
 use super::{Reported, results};
 use crate::impact::Contact;
-use crate::impact::series::{Drive, End, Hit, Repeat, Sequence};
+use crate::impact::series::{ImpactSeries, SeriesEnd, SeriesImpact, SeriesMode, SeriesResult};
 use crate::numerics::power::nan_max;
 use crate::units::{Dimension, format_result};
 
@@ -10,8 +10,8 @@ use crate::units::{Dimension, format_result};
 #[derive(Debug, Clone, Copy)]
 pub struct Series<'a> {
     pub contact: &'a Contact,
-    pub repeat: &'a Repeat,
-    pub sequence: &'a Sequence,
+    pub repeat: &'a ImpactSeries,
+    pub sequence: &'a SeriesResult,
     /// Warnings about the scene and the impacts.
     pub warnings: &'a [String],
 }
@@ -23,29 +23,29 @@ impl Series<'_> {
 
     /// Height of the first fall, most impacts, and the speed at which bouncing ends, if the sphere bounces.
     fn bouncing(&self) -> Option<(Option<f64>, u64, Option<f64>)> {
-        match self.repeat.drive {
-            Drive::Bouncing { drop_height, most, until, .. } => Some((drop_height, most, until)),
-            Drive::Shots(_) => None,
+        match self.repeat.mode {
+            SeriesMode::Bouncing { drop_height, most, until, .. } => Some((drop_height, most, until)),
+            SeriesMode::Shots(_) => None,
         }
     }
 
     /// A value of the first impact; 0 for none.
-    fn first(&self, value: fn(&Hit) -> f64) -> f64 {
-        self.sequence.hits.first().map_or(0.0, value)
+    fn first(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
+        self.sequence.impacts.first().map_or(0.0, value)
     }
 
     /// A value of the last impact; 0 for none.
-    fn last(&self, value: fn(&Hit) -> f64) -> f64 {
-        self.sequence.hits.last().map_or(0.0, value)
+    fn last(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
+        self.sequence.impacts.last().map_or(0.0, value)
     }
 
     /// The energy in the plate after all impacts, if there is a plate.
     fn plate_energy(&self) -> Option<f64> {
-        self.contact.forces().plate.map(|_| self.sequence.hits.iter().filter_map(Hit::plate_energy).sum())
+        self.contact.forces().plate.map(|_| self.sequence.impacts.iter().filter_map(SeriesImpact::plate_energy).sum())
     }
 
-    fn largest(&self, value: fn(&Hit) -> f64) -> f64 {
-        self.sequence.hits.iter().map(value).fold(0.0, nan_max)
+    fn largest(&self, value: fn(&SeriesImpact) -> f64) -> f64 {
+        self.sequence.impacts.iter().map(value).fold(0.0, nan_max)
     }
 }
 
@@ -58,9 +58,9 @@ const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last
 pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
     results! { |series: Series<'a>|
         /// Number of impacts.
-        "impacts" as "impacts": series.sequence.hits.len();
+        "impacts" as "impacts": series.sequence.impacts.len();
         /// Where they hit: `same` or `fresh`.
-        "spot" as "{} spot": series.repeat.place.name();
+        "spot" as "{} spot": series.repeat.spot_mode.name();
         /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
         "ended_by": series.sequence.end.name();
         /// Why the series ended, as a sentence.
@@ -85,7 +85,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "until_speed_m_per_s" in Speed if BOUNCES: series.bouncing().map(|(.., until)| until);
         /// Time of the last separation; `null` where the first impact captures the sphere.
         "last_separation_time_s" in Time as "last separation" if BOUNCES:
-            series.bouncing().map(|_| series.sequence.hits.iter().rev().find_map(Hit::separation_time));
+            series.bouncing().map(|_| series.sequence.impacts.iter().rev().find_map(SeriesImpact::separation_time));
         /// Estimate of the time at which the sphere would be at rest, counted as all times of the series: the last separation
         /// and the remaining time; `null` as that is.
         "rest_time_s" in Time as "time to rest" if BOUNCES: series.bouncing().map(|_| series.sequence.rest_time());
@@ -97,33 +97,33 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "remaining_time" if BOUNCES: series.bouncing().map(|_| REMAINING);
         /// Highest rebound over the original surface.
         "highest_rebound_m" in Length if BOUNCES: series.bouncing().map(|_| {
-            let flights = series.sequence.hits.iter().filter_map(|hit| hit.flight);
-            flights.map(|flight| flight.top()).reduce(nan_max)
+            let flights = series.sequence.impacts.iter().filter_map(|hit| hit.flight);
+            flights.map(|flight| flight.apex_height()).reduce(nan_max)
         });
         /// How far along the surface the last impact is from the first.
         "path_m" in Length as "path" if OBLIQUE:
-            series.sequence.hits.last().filter(|hit| hit.speed_along().is_some()).map(|hit| hit.position);
+            series.sequence.impacts.last().filter(|hit| hit.tangential_speed().is_some()).map(|hit| hit.position);
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "rests at" if CAPTURED:
-            series.bouncing().and_then(|_| series.sequence.hits.last()?.forced(|forces| forces.static_indentation));
+            series.bouncing().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
         /// Kinetic energy at the first touch.
         "energy.first_kinetic_in_J" in Energy: series.first(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
         "energy.last_recovered_J" in Energy: series.last(|hit| hit.energy.recovered);
         /// Energy radiated as elastic waves.
         "energy.waves_J" in Energy if WAVES:
-            series.sequence.hits.iter().filter_map(Hit::radiated).reduce(|all, one| all + one);
+            series.sequence.impacts.iter().filter_map(SeriesImpact::radiated_energy).reduce(|all, one| all + one);
         /// Energy spent on dents.
-        "energy.plastic_J" in Energy if YIELDS: series.plastic(series.sequence.hits.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
+        "energy.plastic_J" in Energy if YIELDS: series.plastic(series.sequence.impacts.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Energy that the plate has taken in all impacts.
         "energy.plate_J" in Energy if PLATE: series.plate_energy();
         /// Energy that friction has taken in all impacts.
         "energy.friction_J" in Energy if OBLIQUE:
-            series.sequence.hits.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
+            series.sequence.impacts.iter().filter_map(|hit| hit.oblique).map(|friction| friction.loss).reduce(|all, one| all + one);
         /// Largest error of the energy balance of any impact.
-        "energy.drift" in Error as "energy balance off by": series.sequence.drift();
+        "energy.drift" in Error as "energy balance off by": series.sequence.max_drift();
         /// Impacts that the trace has: the first ones of a long series.
-        "traced_impacts": series.sequence.traced.len();
+        "traced_impacts": series.sequence.traced_impacts.len();
         /// Where the scene, the model or the run is doubtful.
         "warnings": series.warnings.to_vec();
         /// Effective modulus E* of the pair of bodies.
@@ -138,33 +138,33 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
 }
 
 /// Why the series ended, for a person.
-fn end_text(repeat: &Repeat, sequence: &Sequence) -> String {
-    let until = match repeat.drive {
-        Drive::Bouncing { until: Some(until), .. } => format_result(until, Dimension::Speed),
+fn end_text(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
+    let until = match repeat.mode {
+        SeriesMode::Bouncing { until: Some(until), .. } => format_result(until, Dimension::Speed),
         _ => String::new(),
     };
     match sequence.end {
-        End::Shots => "all shots are fired".to_owned(),
-        End::Impacts => "as many impacts as were asked for".to_owned(),
-        End::Until => format!("the next impact would be slower than {until}"),
-        End::Captured => "captured: the sphere does not leave the half-space".to_owned(),
-        End::InDent => "the rebound does not lift the sphere out of its dent onto fresh surface".to_owned(),
+        SeriesEnd::Shots => "all shots are fired".to_owned(),
+        SeriesEnd::Impacts => "as many impacts as were asked for".to_owned(),
+        SeriesEnd::Until => format!("the next impact would be slower than {until}"),
+        SeriesEnd::Captured => "captured: the sphere does not leave the half-space".to_owned(),
+        SeriesEnd::InDent => "the rebound does not lift the sphere out of its dent onto fresh surface".to_owned(),
     }
 }
 
 /// The columns of `impacts.csv`, behind the number of the impact.
-pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
-    results! { |row: (usize, Hit)|
+pub fn impacts() -> Vec<Reported<(usize, SeriesImpact)>> {
+    results! { |row: (usize, SeriesImpact)|
         /// Number of the impact, from 1.
         "impact" as "impact": row.0;
         /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
         "time_s" in Time as "time" if BOUNCES: row.1.time;
         /// Place of the impact along the surface, from the first.
-        "position_m" in Length as "place" if OBLIQUE: row.1.speed_along().map(|_| row.1.position);
+        "position_m" in Length as "place" if OBLIQUE: row.1.tangential_speed().map(|_| row.1.position);
         /// Speed at first touch, normal to the half-space.
         "impact_speed_m_per_s" in Speed as "speed": row.1.speed;
         /// Speed of the sphere along the half-space at first touch.
-        "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.speed_along();
+        "tangential_speed_m_per_s" in Speed as "along" if OBLIQUE: row.1.tangential_speed();
         /// Spin of the sphere at first touch; positive for rolling forward.
         "spin_rad_per_s" in AngularSpeed as "spin" if OBLIQUE: row.1.approach.incidence.map(|incidence| incidence.spin);
         /// Rebound speed over impact speed by the law; 0 if captured.
@@ -192,21 +192,21 @@ pub fn impacts() -> Vec<Reported<(usize, Hit)>> {
         /// Kinetic energy with which the flight begins.
         "recovered_J" in Energy: row.1.energy.recovered;
         /// Energy radiated as elastic waves.
-        "waves_J" in Energy if WAVES: row.1.radiated();
+        "waves_J" in Energy if WAVES: row.1.radiated_energy();
         /// Energy spent on the dent.
         "plastic_J" in Energy if YIELDS: row.1.energy.plastic;
         /// Energy in the plate at separation, or where the computation of a captured sphere ends.
         "plate_J" in Energy if PLATE: row.1.plate_energy();
         /// Energy taken by damping.
-        "damping_J" in Energy if DAMPING: row.1.forced(|forces| forces.damping_loss);
+        "damping_J" in Energy if DAMPING: row.1.forces_value(|forces| forces.damping_loss);
         /// Energy taken by friction.
         "friction_J" in Energy if OBLIQUE: row.1.oblique.map(|friction| friction.loss);
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
-        "stored_at_separation_J" in Energy if VISCOUS: row.1.forced(|forces| forces.stored_at_separation);
+        "stored_at_separation_J" in Energy if VISCOUS: row.1.forces_value(|forces| forces.stored_at_separation);
         /// Kinetic and elastic energy where the computation of a captured sphere ends.
-        "left_J" in Energy if CAPTURED: row.1.forced(|forces| forces.left);
+        "left_J" in Energy if CAPTURED: row.1.forces_value(|forces| forces.left);
         /// Work of gravity since first touch.
-        "gravity_work_J" in Energy if GRAVITY: row.1.forced(|forces| forces.gravity_work);
+        "gravity_work_J" in Energy if GRAVITY: row.1.forces_value(|forces| forces.gravity_work);
         /// Error of the energy balance.
         "energy_drift" in Error: row.1.energy.drift;
     }

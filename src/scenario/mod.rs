@@ -226,6 +226,6 @@ impl Scenario {
         let keys =
             EVERY_KEY.iter().map(|key| key.path).filter(|path| !path.starts_with("law.") && self.document.has(path));
         let given = keys.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
-        given.filter_map(|path| Some(Warning::unused(path, without_effect(path, inputs, purpose)?))).collect()
+        given.filter_map(|path| Some(Warning::unused_key(path, without_effect(path, inputs, purpose)?))).collect()
     }
 }

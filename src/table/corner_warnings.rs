@@ -62,7 +62,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Corners {
             warning.keep_worst(&mut worst, || axes.iter().zip(&places).map(text).collect::<Vec<_>>().join(", "));
         }
     }
-    worst.sort_by_key(|(warning, _)| !warning.is_grave());
+    worst.sort_by_key(|(warning, _)| !warning.is_fatal());
     let mut warnings: Vec<String> =
         worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect();
     if all > MOST_CORNERS {

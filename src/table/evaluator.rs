@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 use crate::contact::law::LawChoice;
-use crate::impact::{Contact, Essentials, ImpactError};
+use crate::impact::{Contact, ImpactError, ImpactRow};
 use crate::numerics::ode::IntegrationError;
 use crate::results::Needs;
 use crate::scenario::input::{Body, Input, Key};
@@ -73,7 +73,7 @@ pub struct Rows {
     /// Swept values, case after case. On a grid each entry is the index of the value on its axis, not the value; it is an `f64` because
     /// Monte Carlo rows hold values. Yield strengths that follow from the swept values ([`Plan::derives_strength`]) are the last entries.
     pub swept: Vec<f64>,
-    pub results: Vec<Result<Essentials, Failure>>,
+    pub results: Vec<Result<ImpactRow, Failure>>,
 }
 
 impl Rows {

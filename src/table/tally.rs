@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::statistics::{Distribution, Statistics};
-use crate::impact::Essentials;
+use crate::impact::ImpactRow;
 use crate::results::Column;
 use crate::scenario::plan::Plan;
 
@@ -10,8 +10,8 @@ use crate::scenario::plan::Plan;
 pub type Count = Result<Vec<f64>, Failure>;
 
 /// Classifies a computed row. `columns` are the columns with statistics.
-pub fn count(result: &Result<Essentials, Failure>, columns: &[Column]) -> Count {
-    let values = |row: &Essentials| columns.iter().map(|column| (column.value)(row).unwrap_or(f64::NAN)).collect();
+pub fn count(result: &Result<ImpactRow, Failure>, columns: &[Column]) -> Count {
+    let values = |row: &ImpactRow| columns.iter().map(|column| (column.value)(row).unwrap_or(f64::NAN)).collect();
     result.as_ref().map(values).map_err(|failure| *failure)
 }
 
@@ -26,7 +26,7 @@ pub(super) fn written(status: &str, values: Vec<f64>) -> Option<Count> {
 /// The status of a row with a result.
 pub(super) const OK: &str = "ok";
 
-pub(super) fn status(result: &Result<Essentials, Failure>) -> &'static str {
+pub(super) fn status(result: &Result<ImpactRow, Failure>) -> &'static str {
     result.as_ref().map_or_else(|failure| failure.name(), |_| OK)
 }
 

@@ -5,7 +5,7 @@ use super::comparison::{Comparison, Group, mean};
 use crate::contact::law::PlmCoefficients;
 use crate::error::Error;
 use crate::impact::STANDARD_GRAVITY;
-use crate::impact::flight::free_flight::{Flying, Medium};
+use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::reference::{BOUNCE_INTERVALS, ReferenceRow};
 
 const SOURCE: &str = "intervals between bounces of a table-tennis ball by students (Ali, Broggi, Cantarini), without a second witness, scenarios/clicks.csv";
@@ -20,10 +20,10 @@ const AIR: Medium = Medium { density: 1.2, drag: Some(0.5), viscosity: f64::NAN 
 
 /// The restitution of the bounces between these intervals: the speed of each take-off over that of the landing before it. A contact
 /// lasts about a millisecond, which changes a restitution by 0.02 %, and is left in the intervals.
-fn restitution(drop: &[ReferenceRow], flying: &Flying) -> f64 {
+fn restitution(drop: &[ReferenceRow], flying: &FreeFlight) -> f64 {
     let take_offs: Vec<f64> =
         drop.iter().map(|click| flying.take_off_speed(click.number("bounce_interval_s"))).collect();
-    let ratio = |pair: &[f64]| pair[1] / flying.landing_speed(flying.rise(pair[0]));
+    let ratio = |pair: &[f64]| pair[1] / flying.landing_speed(flying.rise_height(pair[0]));
     mean(&take_offs.windows(2).map(ratio).collect::<Vec<_>>())
 }
 
@@ -36,8 +36,8 @@ pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let Some((lowest, higher)) = drops.split_first() else { return Ok(Vec::new()) };
     let mut compared = Vec::new();
     for (group, flying) in [
-        (IN_AIR, Flying::in_air(STANDARD_GRAVITY, &AIR, RADIUS, MASS)),
-        (IN_VACUUM, Flying::in_vacuum(STANDARD_GRAVITY)),
+        (IN_AIR, FreeFlight::in_air(STANDARD_GRAVITY, &AIR, RADIUS, MASS)),
+        (IN_VACUUM, FreeFlight::in_vacuum(STANDARD_GRAVITY)),
     ] {
         let reference = restitution(lowest, &flying);
         for drop in higher {

@@ -8,7 +8,7 @@ use super::dynamic::scenes;
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::contact::pair::{HalfSpace, Sphere};
 use crate::error::Error;
-use crate::impact::{Contact, Essentials, Solver};
+use crate::impact::{Contact, ImpactRow, Solver};
 use crate::reference::quasi_static;
 
 /// The deviations of a law from the finite elements, as root mean squares.
@@ -35,7 +35,7 @@ struct Reference {
 
 impl Reference {
     /// Deviations of a result of a law, in the order of [`LawDeviations::rms`].
-    fn off(&self, by_law: &Essentials) -> [Option<f64>; 4] {
+    fn off(&self, by_law: &ImpactRow) -> [Option<f64>; 4] {
         let restitution = by_law.measured_restitution();
         [
             Some(deviation(self.restitution, restitution)),

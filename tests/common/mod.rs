@@ -13,7 +13,7 @@ use std::ops::Range;
 use plm_impact::contact::law::{ContactLaw, Law, Plm, PlmCoefficients, Surface, UnloadingExponent};
 use plm_impact::contact::pair::{HalfSpace, Material, Sphere};
 use plm_impact::impact::solve::closed_form;
-use plm_impact::impact::{Contact, Impact, ImpactError, Method, Outcome, ScaledForces, Solver, Spot};
+use plm_impact::impact::{Contact, Impact, ImpactError, Method, ScaledForces, ScaledResult, Solver, Spot};
 use plm_impact::numerics::ode::{IntegrationError, SolverStats};
 use plm_impact::numerics::power::nan_max;
 use plm_impact::scenario::Scenario;
@@ -124,12 +124,12 @@ pub fn run<'a>(
     speed: f64,
     method: Method,
     tolerance: f64,
-) -> Result<(Outcome, SolverStats), IntegrationError> {
+) -> Result<(ScaledResult, SolverStats), IntegrationError> {
     let ground = ground.into();
     let exact = closed_form::solve(ground, speed);
     let run =
-        plm_impact::impact::run(ground, speed, &ScaledForces::NONE, Some(&exact), &solver(method, tolerance), None);
-    run.map(|computed| (computed.outcome, computed.work))
+        plm_impact::impact::solve(ground, speed, &ScaledForces::NONE, Some(&exact), &solver(method, tolerance), None);
+    run.map(|computed| (computed.outcome, computed.stats))
 }
 
 /// |got/want − 1|.
@@ -138,7 +138,7 @@ pub fn off(got: f64, want: f64) -> f64 {
 }
 
 /// The largest relative error among restitution, contact time, loading time and peak force.
-pub fn worst(got: &Outcome, want: &Outcome) -> f64 {
+pub fn worst(got: &ScaledResult, want: &ScaledResult) -> f64 {
     [
         off(got.restitution, want.restitution),
         off(got.contact_time, want.contact_time),
@@ -240,7 +240,7 @@ impl Scene {
     /// The PLM law of the scene, in units of its yield point.
     pub fn law(&self) -> Law {
         let contact = self.contact();
-        let (_, law, _) = contact.scaled(10.0 * self.yield_speed()).unwrap();
+        let (_, law, _) = contact.scaling(10.0 * self.yield_speed()).unwrap();
         law.clone()
     }
 

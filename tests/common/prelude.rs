@@ -19,7 +19,7 @@ pub use plm_impact::contact::strength::flow_curve::FlowCurve;
 pub use plm_impact::error::Error;
 pub use plm_impact::files::progress::Progress;
 pub use plm_impact::impact::indentation::{Indentation, IndentationError, StaticContact};
-pub use plm_impact::impact::series::{Drive, Place, Repeat};
+pub use plm_impact::impact::series::{ImpactSeries, SeriesMode, SpotMode};
 pub use plm_impact::materials::{Property, all, find};
 pub use plm_impact::numerics::ode::damped_stepper::DampedStepper;
 pub use plm_impact::numerics::ode::rk8::Rk8;

@@ -51,8 +51,8 @@ fn bodies(axes: &[(&str, &[&str])]) -> String {
 }
 
 /// Asserts that a row has the bits of a single run. With partial slip a row is within 1e-5 and a single run within 1e-7.
-pub fn assert_same(row: &Result<Essentials, Failure>, single: &Result<Essentials, Failure>, what: &str) {
-    let slips = |of: &Result<Essentials, Failure>| {
+pub fn assert_same(row: &Result<ImpactRow, Failure>, single: &Result<ImpactRow, Failure>, what: &str) {
+    let slips = |of: &Result<ImpactRow, Failure>| {
         let rebound = of.as_ref().ok().and_then(|of| of.rebound)?;
         (!rebound.is_sliding && rebound.psi != 0.0).then_some(rebound.contact_point_restitution)
     };
@@ -68,10 +68,10 @@ pub fn assert_same(row: &Result<Essentials, Failure>, single: &Result<Essentials
 }
 
 /// The results of the single run that a row is compared with. If the row has the interval of e, the single run has its own.
-pub fn single_of(input: &Input, row: &Result<Essentials, Failure>) -> Result<Essentials, Failure> {
+pub fn single_of(input: &Input, row: &Result<ImpactRow, Failure>) -> Result<ImpactRow, Failure> {
     let contact = input.contact().map_err(Failure::from)?;
     let mut single = contact.impact(input.approach(), &input.solver(), None).map_err(Failure::from)?.essentials;
-    if let Ok(Essentials { restitution_interval: Some(_), .. }) = row {
+    if let Ok(ImpactRow { restitution_interval: Some(_), .. }) = row {
         let interval = restitution_interval(input, &contact, input.speed(), &single);
         single.restitution_interval = interval.map(|interval| [interval.low, interval.high]);
     }
@@ -128,7 +128,7 @@ fn law_and_material_rows_equal_single_impacts() {
         let interval = restitution_interval(&single, &single.contact().unwrap(), 3.0, &want).unwrap();
         assert_eq!(
             row.unwrap(),
-            Essentials { restitution_interval: Some([interval.low, interval.high]), ..want },
+            ImpactRow { restitution_interval: Some([interval.low, interval.high]), ..want },
             "{metal}"
         );
     }

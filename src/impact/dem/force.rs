@@ -20,12 +20,12 @@ pub struct Memory {
 
 impl Memory {
     /// Depth of the dent δ_r = δ_m − δ_e \[m\].
-    pub fn dent(&self) -> f64 {
+    pub fn dent_depth(&self) -> f64 {
         self.indentation - self.elastic_approach
     }
 
     /// True if a contact can have this memory and this indentation. By rounding, the recovered part may be larger than δ_m.
-    pub(in crate::impact) fn is_possible_at(&self, indentation: f64) -> bool {
+    pub(in crate::impact) fn is_valid_at(&self, indentation: f64) -> bool {
         let Self { indentation: largest, force, elastic_approach } = *self;
         [indentation, largest, force, elastic_approach].into_iter().all(f64::is_finite)
             && force >= 0.0
@@ -33,7 +33,7 @@ impl Memory {
             && elastic_approach <= largest * (1.0 + 1e-9)
     }
 
-    pub(in crate::impact) fn peak(&self, length: f64, force: f64) -> Option<ContactState> {
+    pub(in crate::impact) fn to_state(&self, length: f64, force: f64) -> Option<ContactState> {
         (self.indentation > 0.0).then(|| ContactState {
             indentation: self.indentation / length,
             force: self.force / force,
@@ -58,7 +58,7 @@ impl Contact {
     /// δ ≤ 0. The force is NaN, and the memory does not change, if δ or the force would be NaN or infinite, or if the memory is not
     /// possible for a contact (a number is negative, NaN or infinite, or more is recovered than δ_m).
     pub fn force(&self, indentation: f64, memory: &mut Memory) -> f64 {
-        if !memory.is_possible_at(indentation) {
+        if !memory.is_valid_at(indentation) {
             return f64::NAN;
         }
         let Self { scales, law, .. } = self;
@@ -66,7 +66,7 @@ impl Contact {
         if indentation == memory.indentation && indentation > 0.0 {
             return memory.force;
         }
-        let before = memory.peak(scales.length, scales.force);
+        let before = memory.to_state(scales.length, scales.force);
         let (force, after) = law.force_and_memory(indentation / scales.length, before);
         if let Some(peak) = after.filter(|_| after != before) {
             let reached = Memory {
@@ -74,7 +74,7 @@ impl Contact {
                 force: peak.force * scales.force,
                 elastic_approach: peak.elastic_approach * scales.length,
             };
-            if !reached.is_possible_at(indentation) {
+            if !reached.is_valid_at(indentation) {
                 return f64::NAN;
             }
             // an elastic contact unloads along its loading curve
@@ -87,11 +87,11 @@ impl Contact {
 
     /// The division of the work, for the result `force` of [`Contact::force`] at this indentation and memory.
     pub fn energy(&self, indentation: f64, force: f64, memory: &Memory) -> ContactEnergy {
-        if !memory.is_possible_at(indentation) {
+        if !memory.is_valid_at(indentation) {
             return ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
         }
         let Self { scales, law, .. } = self;
-        let Some(peak) = memory.peak(scales.length, scales.force) else {
+        let Some(peak) = memory.to_state(scales.length, scales.force) else {
             // an elastic contact follows Hertz
             return ContactEnergy { stored: 0.4 * indentation.max(0.0) * force, plastic: 0.0 };
         };
@@ -106,12 +106,12 @@ impl Contact {
     /// dF/dδ \[N/m\] at this indentation, the tangent stiffness: of the unloading branch up to the largest indentation so far, of the
     /// loading curve beyond it.
     pub fn stiffness(&self, indentation: f64, memory: &Memory) -> f64 {
-        if !memory.is_possible_at(indentation) {
+        if !memory.is_valid_at(indentation) {
             return f64::NAN;
         }
         let Self { scales, law, .. } = self;
         let x = indentation / scales.length;
-        let slope = match memory.peak(scales.length, scales.force) {
+        let slope = match memory.to_state(scales.length, scales.force) {
             Some(peak) if x <= peak.residual() => 0.0,
             Some(peak) if x <= peak.indentation => law.unloading(peak).slope_at(x - peak.residual()),
             None if x <= 0.0 => 0.0,

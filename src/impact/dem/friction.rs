@@ -10,7 +10,7 @@ use crate::impact::problem::contact::Contact;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionStep {
     /// δ at the last step \[m\]; 0 in the first one.
-    pub before: f64,
+    pub previous_indentation: f64,
     /// δ after this step \[m\].
     pub indentation: f64,
     /// The result of [`Contact::force`] after this step \[N\].
@@ -24,7 +24,7 @@ impl Contact {
     /// Hertz with the force and the elastic approach of the law; during unloading it is proportional to the stiffness.
     fn friction_radius(&self, indentation: f64, memory: &Memory) -> f64 {
         let Self { scales, law, .. } = self;
-        let Some(peak) = memory.peak(scales.length, scales.force) else {
+        let Some(peak) = memory.to_state(scales.length, scales.force) else {
             // an elastic contact follows Hertz
             return (self.pair().radius * indentation.max(0.0)).sqrt();
         };
@@ -49,11 +49,12 @@ impl Contact {
     /// is not possible for a contact.
     #[must_use]
     pub fn friction(&self, coefficient: f64, rub: &FrictionStep, memory: &Memory, history: &mut [f64; 3]) -> bool {
-        let numbers = [coefficient, rub.before, rub.force].into_iter().chain(rub.slip).chain(*history);
-        if !numbers.into_iter().all(f64::is_finite) || coefficient < 0.0 || !memory.is_possible_at(rub.indentation) {
+        let numbers = [coefficient, rub.previous_indentation, rub.force].into_iter().chain(rub.slip).chain(*history);
+        if !numbers.into_iter().all(f64::is_finite) || coefficient < 0.0 || !memory.is_valid_at(rub.indentation) {
             return false;
         }
-        let [old, radius] = [rub.before, rub.indentation].map(|indentation| self.friction_radius(indentation, memory));
+        let [old, radius] =
+            [rub.previous_indentation, rub.indentation].map(|indentation| self.friction_radius(indentation, memory));
         let share = if radius < old { radius / old } else { 1.0 };
         let stiffness = 8.0 * self.shear_ratio() * self.pair().effective_modulus * radius;
         let (mut after, mut sum) = (*history, 0.0);

@@ -38,7 +38,7 @@ pub struct Medium {
 
 /// The drag of a sphere in flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Drag {
+enum DragLaw {
     None,
     /// k \[1/m\].
     Constant(f64),
@@ -54,32 +54,32 @@ enum Drag {
 
 /// The free flight of a sphere under gravity. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Flying {
+pub struct FreeFlight {
     /// g \[m/s²\].
     pub gravity: f64,
     /// g' \[m/s²\].
-    pull: f64,
-    drag: Drag,
+    effective_gravity: f64,
+    drag: DragLaw,
 }
 
 /// e^−40 is below the last bit of 1.
-const DEEPEST: f64 = 40.0;
+const MAX_DEPTH: f64 = 40.0;
 
 /// True if two values differ by no more than rounding.
-fn is_near(x: f64, next: f64) -> bool {
+fn is_converged(x: f64, next: f64) -> bool {
     (x - next).abs() <= 4.0 * f64::EPSILON * next.abs()
 }
 
-impl Flying {
+impl FreeFlight {
     /// Without air.
     pub fn in_vacuum(gravity: f64) -> Self {
-        Self { gravity, pull: gravity, drag: Drag::None }
+        Self { gravity, effective_gravity: gravity, drag: DragLaw::None }
     }
 
     /// A sphere of this radius and mass in air. Its buoyancy must be less than its weight.
     pub fn in_air(gravity: f64, medium: &Medium, radius: f64, mass: f64) -> Self {
         let Medium { density, drag, viscosity } = *medium;
-        let pull = gravity * (1.0 - Self::buoyancy(density, radius, mass));
+        let effective_gravity = gravity * (1.0 - Self::buoyancy_ratio(density, radius, mass));
         let per_drag = density * PI * radius * radius / (2.0 * mass);
         let drag = drag.map_or_else(
             || {
@@ -90,29 +90,32 @@ impl Flying {
                 let of_low = |v: f64| a * v + b * pow(v, 1.687);
                 let low = || {
                     let slope = |v: f64| -(a + 1.687 * b * pow(v, 0.687));
-                    newton_bisection((0.0, turn), (pull / a).min(turn), is_near, |v| (pull - of_low(v), slope(v)))
+                    newton_bisection((0.0, turn), (effective_gravity / a).min(turn), is_converged, |v| {
+                        (effective_gravity - of_low(v), slope(v))
+                    })
                 };
-                let terminal = if of_low(turn) >= pull { low() } else { (pull / c).sqrt().max(turn) };
-                Drag::Sphere { a, b, c, turn, terminal }
+                let terminal =
+                    if of_low(turn) >= effective_gravity { low() } else { (effective_gravity / c).sqrt().max(turn) };
+                DragLaw::Sphere { a, b, c, turn, terminal }
             },
-            |coefficient| Drag::Constant(coefficient * per_drag),
+            |coefficient| DragLaw::Constant(coefficient * per_drag),
         );
-        Self { gravity, pull, drag: if drag == Drag::Constant(0.0) { Drag::None } else { drag } }
+        Self { gravity, effective_gravity, drag: if drag == DragLaw::Constant(0.0) { DragLaw::None } else { drag } }
     }
 
     /// ρ V/m: the buoyancy over the weight.
-    pub fn buoyancy(density: f64, radius: f64, mass: f64) -> f64 {
+    pub fn buoyancy_ratio(density: f64, radius: f64, mass: f64) -> f64 {
         density * sphere_volume(radius) / mass
     }
 
     /// True if the flight is in air.
-    pub fn is_in_air(&self) -> bool {
-        self.drag != Drag::None || self.pull != self.gravity
+    pub fn has_air(&self) -> bool {
+        self.drag != DragLaw::None || self.effective_gravity != self.gravity
     }
 
     /// g minus the buoyancy \[m/s²\].
     pub fn pull(&self) -> f64 {
-        self.pull
+        self.effective_gravity
     }
 
     /// Fraction of the energy m g h of a fall from this height \[m\] that the air absorbs, with the buoyancy.
@@ -124,31 +127,31 @@ impl Flying {
     /// The speed at which the drag balances the weight \[m/s\]; infinite without air.
     pub fn terminal_speed(&self) -> f64 {
         match self.drag {
-            Drag::None => f64::INFINITY,
-            Drag::Constant(k) => (self.pull / k).sqrt(),
-            Drag::Sphere { terminal, .. } => terminal,
+            DragLaw::None => f64::INFINITY,
+            DragLaw::Constant(k) => (self.effective_gravity / k).sqrt(),
+            DragLaw::Sphere { terminal, .. } => terminal,
         }
     }
 
     /// Speed \[m/s\] after a fall from rest through `height` \[m\].
     pub fn landing_speed(&self, height: f64) -> f64 {
         match self.drag {
-            Drag::None => (2.0 * self.pull * height).sqrt(),
-            Drag::Constant(k) => (self.pull * -exp_m1(-2.0 * k * height) / k).sqrt(),
-            Drag::Sphere { terminal, .. } => terminal * -exp_m1(-self.depth(height)),
+            DragLaw::None => (2.0 * self.effective_gravity * height).sqrt(),
+            DragLaw::Constant(k) => (self.effective_gravity * -exp_m1(-2.0 * k * height) / k).sqrt(),
+            DragLaw::Sphere { terminal, .. } => terminal * -exp_m1(-self.log_speed_deficit(height)),
         }
     }
 
     /// The time \[s\] of a fall from rest through `height` \[m\].
     pub fn fall_time(&self, height: f64) -> f64 {
         match self.drag {
-            Drag::None => self.landing_speed(height) / self.pull,
+            DragLaw::None => self.landing_speed(height) / self.effective_gravity,
             // acosh(e^x) = x + ln(1 + √(1 − e^(−2x)))
-            Drag::Constant(k) => {
+            DragLaw::Constant(k) => {
                 let x = k * height;
-                (x + ln_1p((-exp_m1(-2.0 * x)).sqrt())) / (k * self.pull).sqrt()
+                (x + ln_1p((-exp_m1(-2.0 * x)).sqrt())) / (k * self.effective_gravity).sqrt()
             }
-            Drag::Sphere { .. } => self.fallen(self.depth(height), |_| 1.0),
+            DragLaw::Sphere { .. } => self.fall_integral(self.log_speed_deficit(height), |_| 1.0),
         }
     }
 
@@ -156,62 +159,66 @@ impl Flying {
     pub fn drop_height(&self, speed: f64) -> f64 {
         match self.drag {
             _ if speed >= self.terminal_speed() => f64::INFINITY,
-            Drag::None => 0.5 * speed * speed / self.pull,
-            Drag::Constant(k) => -ln_1p(-k * speed * speed / self.pull) / (2.0 * k),
-            Drag::Sphere { terminal, .. } => self.fallen(-ln_1p(-speed / terminal), |v| v),
+            DragLaw::None => 0.5 * speed * speed / self.effective_gravity,
+            DragLaw::Constant(k) => -ln_1p(-k * speed * speed / self.effective_gravity) / (2.0 * k),
+            DragLaw::Sphere { terminal, .. } => self.fall_integral(-ln_1p(-speed / terminal), |v| v),
         }
     }
 
     /// The height \[m\] to which a sphere rises that starts with this speed \[m/s\].
-    pub fn rise(&self, speed: f64) -> f64 {
+    pub fn rise_height(&self, speed: f64) -> f64 {
         match self.drag {
-            Drag::None => 0.5 * speed * speed / self.pull,
-            Drag::Constant(k) => ln_1p(k * speed * speed / self.pull) / (2.0 * k),
-            Drag::Sphere { .. } => self.risen(speed, |v| v),
+            DragLaw::None => 0.5 * speed * speed / self.effective_gravity,
+            DragLaw::Constant(k) => ln_1p(k * speed * speed / self.effective_gravity) / (2.0 * k),
+            DragLaw::Sphere { .. } => self.rise_integral(speed, |v| v),
         }
     }
 
     /// The time \[s\] of a rise that starts with this speed \[m/s\].
     pub fn rise_time(&self, speed: f64) -> f64 {
         match self.drag {
-            Drag::None => speed / self.pull,
-            Drag::Constant(k) => atan(speed * (k / self.pull).sqrt()) / (k * self.pull).sqrt(),
-            Drag::Sphere { .. } => self.risen(speed, |_| 1.0),
+            DragLaw::None => speed / self.effective_gravity,
+            DragLaw::Constant(k) => {
+                atan(speed * (k / self.effective_gravity).sqrt()) / (k * self.effective_gravity).sqrt()
+            }
+            DragLaw::Sphere { .. } => self.rise_integral(speed, |_| 1.0),
         }
     }
 
     /// The take-off speed \[m/s\] of a sphere that returns to the same height after this time \[s\].
     pub fn take_off_speed(&self, time: f64) -> f64 {
-        let whole = |v: f64| self.rise_time(v) + self.fall_time(self.rise(v));
-        let (first, mut high) = (0.5 * self.pull * time, self.pull * time);
+        let whole = |v: f64| self.rise_time(v) + self.fall_time(self.rise_height(v));
+        let (first, mut high) = (0.5 * self.effective_gravity * time, self.effective_gravity * time);
         while whole(high) < time && high.is_finite() {
             high *= 2.0;
         }
-        let rate = |v: f64| (1.0 + v / self.landing_speed(self.rise(v))) / (self.pull + self.deceleration(v));
-        newton_bisection((0.0, high), first, is_near, |v| (time - whole(v), -rate(v)))
+        let rate = |v: f64| {
+            (1.0 + v / self.landing_speed(self.rise_height(v))) / (self.effective_gravity + self.deceleration(v))
+        };
+        newton_bisection((0.0, high), first, is_converged, |v| (time - whole(v), -rate(v)))
     }
 
     /// The upward speed \[m/s\] at a time \[s\] after a take-off with `speed`; negative during the fall.
     pub fn speed_after(&self, speed: f64, time: f64) -> f64 {
         let to_top = self.rise_time(speed) - time;
         match self.drag {
-            Drag::None => speed - self.pull * time,
-            Drag::Constant(k) => {
-                let (angle, terminal) = ((k * self.pull).sqrt() * to_top, self.terminal_speed());
+            DragLaw::None => speed - self.effective_gravity * time,
+            DragLaw::Constant(k) => {
+                let (angle, terminal) = ((k * self.effective_gravity).sqrt() * to_top, self.terminal_speed());
                 let (sin, cos) = sin_cos(angle.max(0.0));
                 terminal * if angle > 0.0 { sin / cos } else { tanh(angle) }
             }
-            Drag::Sphere { .. } if to_top >= 0.0 => {
-                let slope = |v: f64| 1.0 / -(self.pull + self.deceleration(v));
-                newton_bisection((0.0, speed), self.pull * to_top, is_near, |v| {
-                    (to_top - self.risen(v, |_| 1.0), slope(v))
+            DragLaw::Sphere { .. } if to_top >= 0.0 => {
+                let slope = |v: f64| 1.0 / -(self.effective_gravity + self.deceleration(v));
+                newton_bisection((0.0, speed), self.effective_gravity * to_top, is_converged, |v| {
+                    (to_top - self.rise_integral(v, |_| 1.0), slope(v))
                 })
             }
-            Drag::Sphere { terminal, .. } => {
-                let rate = |depth: f64| -self.falling(depth.min(DEEPEST)).1;
-                let first = (-to_top * self.pull / terminal).min(DEEPEST);
-                let depth = newton_bisection((0.0, 50.0), first, is_near, |depth| {
-                    (-to_top - self.fallen(depth, |_| 1.0), rate(depth))
+            DragLaw::Sphere { terminal, .. } => {
+                let rate = |depth: f64| -self.fall_state(depth.min(MAX_DEPTH)).1;
+                let first = (-to_top * self.effective_gravity / terminal).min(MAX_DEPTH);
+                let depth = newton_bisection((0.0, 50.0), first, is_converged, |depth| {
+                    (-to_top - self.fall_integral(depth, |_| 1.0), rate(depth))
                 });
                 terminal * exp_m1(-depth)
             }
@@ -220,33 +227,35 @@ impl Flying {
 
     /// The height \[m\] above the take-off, for the upward speed of [`Self::speed_after`].
     pub fn height_at(&self, take_off: f64, speed: f64) -> f64 {
-        let top = self.rise(take_off);
-        if speed >= 0.0 { top - self.rise(speed) } else { top - self.drop_height(-speed) }
+        let top = self.rise_height(take_off);
+        if speed >= 0.0 { top - self.rise_height(speed) } else { top - self.drop_height(-speed) }
     }
 
     /// d \[m/s²\] at a speed.
     fn deceleration(&self, v: f64) -> f64 {
         match self.drag {
-            Drag::None => 0.0,
-            Drag::Constant(k) => k * v * v,
-            Drag::Sphere { a, b, turn, .. } if v <= turn => a * v + b * pow(v, 1.687),
-            Drag::Sphere { c, .. } => c * v * v,
+            DragLaw::None => 0.0,
+            DragLaw::Constant(k) => k * v * v,
+            DragLaw::Sphere { a, b, turn, .. } if v <= turn => a * v + b * pow(v, 1.687),
+            DragLaw::Sphere { c, .. } => c * v * v,
         }
     }
 
     /// ∫ part du/(g' + d) from rest to a speed.
-    fn risen(&self, speed: f64, part: fn(f64) -> f64) -> f64 {
-        let Drag::Sphere { turn, .. } = self.drag else { return f64::NAN };
+    fn rise_integral(&self, speed: f64, part: fn(f64) -> f64) -> f64 {
+        let DragLaw::Sphere { turn, .. } = self.drag else { return f64::NAN };
         let between = |from: f64, to: f64| {
-            tanh_sinh(to - from, |below, _| part(from + below) / (self.pull + self.deceleration(from + below)))
+            tanh_sinh(to - from, |below, _| {
+                part(from + below) / (self.effective_gravity + self.deceleration(from + below))
+            })
         };
         let middle = turn.min(speed);
         between(0.0, middle) + between(middle, speed)
     }
 
     /// During the fall, at the speed v_t (1 − e^(−depth)): this speed, and dt/d(depth) = v_t e^(−depth)/(g' − d).
-    fn falling(&self, depth: f64) -> (f64, f64) {
-        let Drag::Sphere { a, b, c, turn, terminal } = self.drag else { return (f64::NAN, f64::NAN) };
+    fn fall_state(&self, depth: f64) -> (f64, f64) {
+        let DragLaw::Sphere { a, b, c, turn, terminal } = self.drag else { return (f64::NAN, f64::NAN) };
         let (v, short) = (terminal * -exp_m1(-depth), exp(-depth));
         // g' − d(v) without the difference of two nearly equal numbers
         let net = if terminal <= turn {
@@ -254,36 +263,36 @@ impl Flying {
         } else if v > turn {
             c * terminal * terminal * short * (2.0 - short)
         } else {
-            self.pull - self.deceleration(v)
+            self.effective_gravity - self.deceleration(v)
         };
         (v, terminal * short / net)
     }
 
     /// ∫ part du/(g' − d) from rest to the speed v_t (1 − e^(−depth)).
-    fn fallen(&self, depth: f64, part: fn(f64) -> f64) -> f64 {
-        let Drag::Sphere { turn, terminal, .. } = self.drag else { return f64::NAN };
+    fn fall_integral(&self, depth: f64, part: fn(f64) -> f64) -> f64 {
+        let DragLaw::Sphere { turn, terminal, .. } = self.drag else { return f64::NAN };
         let between = |from: f64, to: f64| {
             tanh_sinh(to - from, |below, _| {
-                let (v, rate) = self.falling(from + below);
+                let (v, rate) = self.fall_state(from + below);
                 part(v) * rate
             })
         };
         // at a larger depth the speed is the terminal speed to the last bit
-        let last = depth.min(DEEPEST);
+        let last = depth.min(MAX_DEPTH);
         let middle = if turn < terminal { (-ln_1p(-turn / terminal)).clamp(0.0, last) } else { 0.0 };
-        let (v, rate) = self.falling(last);
+        let (v, rate) = self.fall_state(last);
         between(0.0, middle) + between(middle, last) + part(v) * rate * (depth - last)
     }
 
     /// −ln(1 − v/v_t) after a fall from rest through `height` \[m\].
-    fn depth(&self, height: f64) -> f64 {
+    fn log_speed_deficit(&self, height: f64) -> f64 {
         let terminal = self.terminal_speed();
         // without drag the speed is √(2 g' h); at the terminal speed the height grows by v_t²/2g' to v_t²/g' a unit
-        let first = -ln_1p(-((2.0 * self.pull * height).sqrt() / terminal).min(0.999));
-        let most = DEEPEST + 2.0 * height * self.pull / (terminal * terminal);
-        newton_bisection((0.0, most), first, is_near, |depth| {
-            let (v, rate) = self.falling(depth.min(DEEPEST));
-            (height - self.fallen(depth, |v| v), -v * rate)
+        let first = -ln_1p(-((2.0 * self.effective_gravity * height).sqrt() / terminal).min(0.999));
+        let most = MAX_DEPTH + 2.0 * height * self.effective_gravity / (terminal * terminal);
+        newton_bisection((0.0, most), first, is_converged, |depth| {
+            let (v, rate) = self.fall_state(depth.min(MAX_DEPTH));
+            (height - self.fall_integral(depth, |v| v), -v * rate)
         })
     }
 }

@@ -1,7 +1,7 @@
-//! Free flight under gravity, in closed form or in air ([`Flying`]). Heights are those of the sphere's lowest point over the
+//! Free flight under gravity, in closed form or in air ([`FreeFlight`]). Heights are those of the sphere's lowest point over the
 //! original surface, −δ while in contact.
 
-use super::free_flight::Flying;
+use super::free_flight::FreeFlight;
 
 /// From leaving a place until touching another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,19 +17,19 @@ pub struct Flight {
     /// Speed downwards at the next touch \[m/s\].
     pub landing_speed: f64,
     /// Gravity and air.
-    pub flying: Flying,
+    pub flying: FreeFlight,
     /// The place along the surface at which it begins \[m\].
     pub position: f64,
     /// Speed along the surface \[m/s\], which stays.
-    pub speed_along: f64,
+    pub tangential_speed: f64,
 }
 
 impl Flight {
     /// The fall from rest at `height` to the surface.
-    pub fn fall(flying: Flying, height: f64) -> Self {
+    pub fn from_drop(flying: FreeFlight, height: f64) -> Self {
         let landing_speed = flying.landing_speed(height);
         let duration = flying.fall_time(height);
-        Self { begin: 0.0, duration, height, speed: 0.0, landing_speed, flying, position: 0.0, speed_along: 0.0 }
+        Self { begin: 0.0, duration, height, speed: 0.0, landing_speed, flying, position: 0.0, tangential_speed: 0.0 }
     }
 
     /// Upwards at `speed` from the depth `from` until the next touch at the depth `to`, both below the original surface;
@@ -38,7 +38,7 @@ impl Flight {
     /// ```text
     /// u² = v² − 2 g (from − to),   duration = (v + u)/g
     /// ```
-    pub fn between(flying: Flying, begin: f64, from: f64, speed: f64, to: f64) -> Option<Self> {
+    pub fn from_rebound(flying: FreeFlight, begin: f64, from: f64, speed: f64, to: f64) -> Option<Self> {
         let gravity = flying.gravity;
         let flight = |[duration, landing_speed]: [f64; 2]| Self {
             begin,
@@ -48,10 +48,10 @@ impl Flight {
             landing_speed,
             flying,
             position: 0.0,
-            speed_along: 0.0,
+            tangential_speed: 0.0,
         };
-        if flying.is_in_air() {
-            let fall = flying.rise(speed) - (from - to);
+        if flying.has_air() {
+            let fall = flying.rise_height(speed) - (from - to);
             return (fall > 0.0)
                 .then(|| flight([flying.rise_time(speed) + flying.fall_time(fall), flying.landing_speed(fall)]));
         }
@@ -66,28 +66,28 @@ impl Flight {
 
     /// Returns the flight with the same take-off, without air.
     pub fn without_air(&self) -> Self {
-        let flying = Flying::in_vacuum(self.flying.gravity);
+        let flying = FreeFlight::in_vacuum(self.flying.gravity);
         let begun = if self.speed > 0.0 {
-            Self::between(flying, self.begin, -self.height, self.speed, -self.height)
+            Self::from_rebound(flying, self.begin, -self.height, self.speed, -self.height)
         } else {
-            Some(Self { begin: self.begin, ..Self::fall(flying, self.height) })
+            Some(Self { begin: self.begin, ..Self::from_drop(flying, self.height) })
         };
         begun.unwrap_or(*self)
     }
 
     /// Returns the flight of a ball that starts at this place along the surface, and moves along the surface at this speed.
-    pub fn along(self, position: f64, speed_along: f64) -> Self {
-        Self { position, speed_along, ..self }
+    pub fn with_tangential_motion(self, position: f64, speed_along: f64) -> Self {
+        Self { position, tangential_speed: speed_along, ..self }
     }
 
     /// The place along the surface \[m\] at a time since the beginning \[s\].
     pub fn position_at(&self, time: f64) -> f64 {
-        self.position + self.speed_along * time
+        self.position + self.tangential_speed * time
     }
 
     /// Height over the original surface \[m\] at a time since the beginning \[s\].
     pub fn height_at(&self, time: f64) -> f64 {
-        if self.flying.is_in_air() {
+        if self.flying.has_air() {
             return self.height + self.flying.height_at(self.speed, -self.speed_at(time));
         }
         self.height + time * (self.speed - 0.5 * self.flying.gravity * time)
@@ -99,7 +99,7 @@ impl Flight {
     }
 
     /// The highest point \[m\].
-    pub fn top(&self) -> f64 {
-        self.height + self.flying.rise(self.speed)
+    pub fn apex_height(&self) -> f64 {
+        self.height + self.flying.rise_height(self.speed)
     }
 }

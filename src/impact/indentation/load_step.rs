@@ -4,7 +4,7 @@ use crate::contact::law::{Branch, ContactState, Surface, Unloading};
 
 /// One stroke of the machine: in or out, never both.
 #[derive(Debug, Clone)]
-pub(super) struct Stroke<'a> {
+pub(super) struct LoadStep<'a> {
     /// The law, and the dent before this stroke.
     pub ground: Surface<'a>,
     pub from: f64,
@@ -13,14 +13,14 @@ pub(super) struct Stroke<'a> {
     pub memory: Unloading,
 }
 
-impl Stroke<'_> {
+impl LoadStep<'_> {
     /// True if the stroke goes deeper than all before it.
     pub fn is_new_peak(&self) -> bool {
         self.ground.reloading_branch_at(self.to).is_none()
     }
 
     /// The state at x between the two ends, and its branch.
-    pub fn point(&self, x: f64) -> (ContactState, Branch) {
+    pub fn state_at(&self, x: f64) -> (ContactState, Branch) {
         if let Some(unloading) = self.ground.reloading_branch_at(x) {
             let recovered = x - unloading.peak.residual();
             let branch = match (recovered < 0.0, self.to > self.from) {
@@ -43,7 +43,7 @@ impl Stroke<'_> {
     }
 
     /// `samples` ≥ 2 states, evenly spaced in x, both ends among them, and one at every change of branch.
-    pub fn points(&self, samples: usize) -> impl Iterator<Item = (ContactState, Branch)> {
+    pub fn sampled_states(&self, samples: usize) -> impl Iterator<Item = (ContactState, Branch)> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
         let changes = self.ground.reloading_branch().map(|branch| [branch.peak.residual(), branch.peak.indentation]);
         #[allow(clippy::cast_precision_loss)] // at most 10^7 samples
@@ -57,7 +57,7 @@ impl Stroke<'_> {
             indentations.reverse();
         }
         indentations.dedup();
-        indentations.into_iter().map(|x| self.point(x))
+        indentations.into_iter().map(|x| self.state_at(x))
     }
 
     /// ∫ f dx over the stroke.

@@ -14,15 +14,18 @@ use thiserror::Error;
 use super::problem::scales::Units;
 use crate::contact::law::{Branch, ContactLaw, ContactState, Law, LawError, LoadingHistory, Surface};
 use crate::contact::pair::{HalfSpace, OutOfFloatRange, Pair, PairError, Sphere, finite_positive};
-use crate::impact::{Warning, WarningKind, left_out, of_dent, of_exponent, of_flow, of_peak, of_yielding};
-use load_step::Stroke;
+use crate::impact::{
+    Warning, WarningKind, dent_warning, exponent_warning, flow_warnings, ignored_strength, peak_warnings,
+    yielding_warning,
+};
+use load_step::LoadStep;
 
 /// A step that moves by a smaller fraction of the indentation is rounding, and counts as no motion.
-const STILL: f64 = 1e-12;
+const MIN_MOVE: f64 = 1e-12;
 
 /// The set point at which a step ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Target {
+pub enum SetPoint {
     /// F \[N\], ≥ 0.
     Load(f64),
     /// δ \[m\], ≥ 0. Below the residual indentation there is no contact, and the load is zero.
@@ -39,7 +42,7 @@ pub struct Specimen {
 
 /// A half-space and its results.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tested {
+pub struct SpecimenResult {
     /// The half-space.
     pub specimen: Specimen,
     /// The sphere and this half-space as a pair.
@@ -119,8 +122,8 @@ pub struct IndentationMemory {
 
 /// The result of a step. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Step {
-    pub target: Target,
+pub struct StepResult {
+    pub set_point: SetPoint,
     pub branch: Branch,
     /// δ at its end \[m\].
     pub indentation: f64,
@@ -154,7 +157,7 @@ pub struct IndentationRow {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Indentation {
-    pub steps: Vec<Step>,
+    pub steps: Vec<StepResult>,
     /// The trace; empty if none was asked for.
     pub trace: Vec<IndentationRow>,
     pub warnings: Vec<StepWarning>,
@@ -178,7 +181,7 @@ impl StaticContact {
     /// has no loading or no unloading.
     pub fn try_new(sphere: &Sphere, half_space: &HalfSpace, law: &dyn ContactLaw) -> Result<Self, IndentationError> {
         let pair = Pair::try_new(sphere, half_space)?;
-        let units = Units::of(&pair);
+        let units = Units::from_pair(&pair);
         finite_positive("force of the contact at first yield, or one radius deep (N)", units.force)?;
         let strengths = [sphere.yield_strength, half_space.yield_strength];
         Ok(Self { strengths, pair, units, law: law.law_for_pair(&pair)? })
@@ -203,7 +206,7 @@ impl StaticContact {
     ///
     /// # Errors
     /// [`IndentationError`] naming the step.
-    pub fn indent(&self, targets: &[Target], samples: Option<usize>) -> Result<Indentation, IndentationError> {
+    pub fn indent(&self, targets: &[SetPoint], samples: Option<usize>) -> Result<Indentation, IndentationError> {
         let Units { length, force, .. } = self.units;
         // the place of the sphere, and the dent that the half-space remembers
         let (mut from, mut dent) = (0.0, None::<LoadingHistory>);
@@ -211,23 +214,23 @@ impl StaticContact {
         for (number, target) in (1..).zip(targets) {
             let ground = Surface::new(&self.law, dent.as_ref());
             let to = match *target {
-                Target::Load(load) => ground.indentation_at_force(load / force),
-                Target::Indentation(indentation) => indentation / length,
+                SetPoint::Load(load) => ground.indentation_at_force(load / force),
+                SetPoint::Indentation(indentation) => indentation / length,
             };
             let (indentation, radius) = (to * length, self.pair.smaller_radius);
             if indentation.is_nan() || indentation > radius {
                 return Err(IndentationError::TooDeep { step: number, indentation, radius });
             }
-            if (to - from).abs() <= STILL * from.max(to) {
+            if (to - from).abs() <= MIN_MOVE * from.max(to) {
                 return Err(IndentationError::NoMove { step: number });
             }
             let after = dent.clone().filter(|_| ground.reloading_branch_at(to).is_some());
             let after = after.unwrap_or_else(|| self.law.history_after(self.law.loaded_state(to)));
-            let stroke = Stroke { ground, from, to, memory: after.unloading };
+            let stroke = LoadStep { ground, from, to, memory: after.unloading };
             let peak = &stroke.memory.peak;
             self.law.check(&stroke.memory).map_err(|reason| IndentationError::Outside { step: number, reason })?;
             if let Some(samples) = samples {
-                trace.extend(stroke.points(samples).map(|point| self.row(number, &stroke, point)));
+                trace.extend(stroke.sampled_states(samples).map(|point| self.row(number, &stroke, point)));
             }
             let step = self.step(*target, &stroke)?;
             let IndentationMemory { contact_radius, .. } = step.memory;
@@ -235,17 +238,18 @@ impl StaticContact {
                 return Err(IndentationError::TooWide { step: number, contact_radius, radius });
             }
             if stroke.is_new_peak() {
-                let new = of_peak((&self.law).into(), peak).chain(of_exponent((&self.law).into(), &stroke.memory));
+                let new =
+                    peak_warnings((&self.law).into(), peak).chain(exponent_warning((&self.law).into(), &stroke.memory));
                 warnings.extend(new.map(|warning| StepWarning { step: number, warning }));
             }
-            self.warn(number, &step, steps.last(), &mut warnings);
+            self.push_warnings(number, &step, steps.last(), &mut warnings);
             steps.push(step);
             (from, dent) = (to, Some(after));
         }
         Ok(Indentation { steps, trace, warnings })
     }
 
-    fn row(&self, step: usize, stroke: &Stroke, (state, branch): (ContactState, Branch)) -> IndentationRow {
+    fn row(&self, step: usize, stroke: &LoadStep, (state, branch): (ContactState, Branch)) -> IndentationRow {
         let Units { length, force, .. } = self.units;
         let approach = if branch == Branch::Separated { stroke.ground.first_contact() } else { state.indentation };
         let sphere_indentation = self.pair.sphere_indentation(approach, state.elastic_approach) * length;
@@ -259,17 +263,17 @@ impl StaticContact {
         }
     }
 
-    fn step(&self, target: Target, stroke: &Stroke) -> Result<Step, OutOfFloatRange> {
+    fn step(&self, target: SetPoint, stroke: &LoadStep) -> Result<StepResult, OutOfFloatRange> {
         let Units { length, force, contact_radius } = self.units;
         let energy = self.units.energy();
-        let end = stroke.point(stroke.to);
+        let end = stroke.state_at(stroke.to);
         let row = self.row(0, stroke, end);
         let unloading = &stroke.memory;
         let peak = unloading.peak;
         let peak_force = finite_positive("peak force (N)", peak.force * force)?;
         let radius = finite_positive("contact radius (m)", self.law.contact_radius(&peak) * contact_radius)?;
-        Ok(Step {
-            target,
+        Ok(StepResult {
+            set_point: target,
             branch: row.branch,
             indentation: row.indentation,
             sphere_indentation: row.sphere_indentation,
@@ -293,13 +297,19 @@ impl StaticContact {
     }
 
     /// Adds the warnings that no step before this one had.
-    fn warn(&self, number: usize, step: &Step, before: Option<&Step>, warnings: &mut Vec<StepWarning>) {
+    fn push_warnings(
+        &self,
+        number: usize,
+        step: &StepResult,
+        before: Option<&StepResult>,
+        warnings: &mut Vec<StepWarning>,
+    ) {
         let radius = self.pair.smaller_radius;
-        let left_out = left_out(&self.pair, &self.law, self.strengths);
-        let of_step = |step: &Step| {
+        let left_out = ignored_strength(&self.pair, &self.law, self.strengths);
+        let of_step = |step: &StepResult| {
             let IndentationMemory { contact_radius, mean_pressure, .. } = step.memory;
-            let yields = of_yielding(mean_pressure, left_out, "less comes back than computed");
-            of_dent(&self.law, contact_radius / radius).into_iter().chain(yields).chain(of_flow(&self.pair))
+            let yields = yielding_warning(mean_pressure, left_out, "less comes back than computed");
+            dent_warning(&self.law, contact_radius / radius).into_iter().chain(yields).chain(flow_warnings(&self.pair))
         };
         let known: Vec<_> = before.into_iter().flat_map(of_step).map(|warning| warning.kind).collect();
         let gain = (step.plastic_work < 0.0).then(|| {

@@ -6,45 +6,45 @@
 //! slips as a whole  the last springs that stick are those in the middle, until they meet their stop
 //! ```
 
-use super::profile::Rim;
+use super::profile::NormalState;
 
 /// The first kink of a step, as a share of it, that is not this `near` to an end of the step. The rims are those at its quarters,
 /// M' and M those at start, middle and end. `middle` is the stretch of the spring in the middle, less M, at the start.
-pub(super) fn kink(rims: &[Rim; 5], motion: [[f64; 2]; 3], middle: f64, near: f64) -> Option<f64> {
+pub(super) fn first_kink(rims: &[NormalState; 5], motion: [[f64; 2]; 3], middle: f64, near: f64) -> Option<f64> {
     let length = rims[4].time - rims[0].time;
     let speeds = motion.map(|[speed, _]| speed);
     let shares = [1.0, -1.0].into_iter().flat_map(|side| {
-        let gaps = std::array::from_fn(|i| rims[2 * i].stop - side * (middle + motion[i][1]));
-        closings(rims, speeds, side).into_iter().chain([gaps]).map(falls_through)
+        let gaps = std::array::from_fn(|i| rims[2 * i].coulomb_limit - side * (middle + motion[i][1]));
+        slip_speed_excess(rims, speeds, side).into_iter().chain([gaps]).map(parabola_zero)
     });
     let is_far = |share: &f64| share.min(1.0 - share) * length > near;
     shares.flatten().filter(is_far).min_by(f64::total_cmp)
 }
 
 /// The share of a step up to which springs that slip to this side go on slipping: 1 if they do so to its end.
-pub(super) fn sliding(rims: &[Rim; 5], speeds: [f64; 3], side: f64) -> f64 {
+pub(super) fn sliding_share(rims: &[NormalState; 5], speeds: [f64; 3], side: f64) -> f64 {
     let until = |closing: [f64; 3]| {
         let ends = closing[1] < 0.0 || closing[2] < 0.0;
-        if ends { falls_through(closing).unwrap_or(0.0) } else { 1.0 }
+        if ends { parabola_zero(closing).unwrap_or(0.0) } else { 1.0 }
     };
-    closings(rims, speeds, side).map(until).into_iter().fold(1.0, f64::min)
+    slip_speed_excess(rims, speeds, side).map(until).into_iter().fold(1.0, f64::min)
 }
 
 /// How much faster the springs in the middle and at the rim slip to this side than their stops move away, times the length of
 /// the step; at start, middle and end.
-fn closings(rims: &[Rim; 5], speeds: [f64; 3], side: f64) -> [[f64; 3]; 2] {
+fn slip_speed_excess(rims: &[NormalState; 5], speeds: [f64; 3], side: f64) -> [[f64; 3]; 2] {
     let length = rims[4].time - rims[0].time;
-    let of_middle = slopes_of_five(rims.map(|rim| rim.stop));
+    let of_middle = slopes_of_five(rims.map(|rim| rim.coulomb_limit));
     let of_square = slopes_of_five(rims.map(|rim| rim.square));
     let of_rim: [f64; 3] = std::array::from_fn(|i| {
-        let Rim { stop, square, .. } = rims[2 * i];
+        let NormalState { coulomb_limit: stop, square, .. } = rims[2 * i];
         if square > 0.0 { stop * of_square[i] / square } else { of_middle[i] }
     });
     [of_middle, of_rim].map(|stops| std::array::from_fn(|i| side * speeds[i] * length - stops[i]))
 }
 
 /// The slopes of the parabola through values at start, middle and end, over a step of length 1.
-pub(super) fn slopes([a, b, c]: [f64; 3]) -> [f64; 3] {
+pub(super) fn parabola_slopes([a, b, c]: [f64; 3]) -> [f64; 3] {
     [4.0 * b - 3.0 * a - c, c - a, a - 4.0 * b + 3.0 * c]
 }
 
@@ -55,14 +55,14 @@ fn slopes_of_five([a, b, c, d, e]: [f64; 5]) -> [f64; 3] {
 }
 
 /// Where values at start, middle and end of a step of length 1 fall through 0: on the parabola through them.
-fn falls_through(values: [f64; 3]) -> Option<f64> {
+fn parabola_zero(values: [f64; 3]) -> Option<f64> {
     let [a, b, c] = values;
     let half = if a > 0.0 && b < 0.0 { 0.0 } else { 0.5 };
     let [from, to] = if half == 0.0 { [a, b] } else { [b, c] };
     if !(from > 0.0 && to < 0.0) {
         return None;
     }
-    let ([slope, ..], curve) = (slopes(values), 2.0 * (a - 2.0 * b + c));
+    let ([slope, ..], curve) = (parabola_slopes(values), 2.0 * (a - 2.0 * b + c));
     let mut share = half + 0.5 * from / (from - to);
     for _ in 0..3 {
         share -= (a + share * (slope + share * curve)) / (slope + 2.0 * share * curve);

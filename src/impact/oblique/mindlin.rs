@@ -19,15 +19,15 @@
 //! step. Two half steps are compared with a whole step, and the difference improves them. A step ends where T has a kink
 //! (`kinks.rs`).
 
-use super::kinks::{kink, sliding, slopes};
-use super::normal_motion::TangentialMotion;
-use super::profile::{Profile, Rim};
-use crate::impact::problem::scales::ACCELERATION;
+use super::kinks::{first_kink, parabola_slopes, sliding_share};
+use super::normal_motion::NormalMotion;
+use super::profile::{NormalState, SpringProfile};
+use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::numerics::ode::IntegrationError;
 
 /// The change of the slip speed.
 #[derive(Debug)]
-pub(in crate::impact) struct SlipChange {
+pub(in crate::impact) struct SlipResult {
     /// σ_1/σ_0, which is s_1/s_0.
     pub(super) ratio: f64,
     /// Its error: the sum of the errors of the steps.
@@ -37,12 +37,12 @@ pub(in crate::impact) struct SlipChange {
     /// The time of its end.
     pub(super) end: f64,
     /// The steps, in order of time; empty if they are not requested or not needed.
-    pub(super) steps: Vec<Step>,
+    pub(super) steps: Vec<SlipStep>,
 }
 
 /// A step of a run, for its trace.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step {
+pub(super) struct SlipStep {
     start: f64,
     length: f64,
     /// σ/σ_0 at the start.
@@ -61,7 +61,7 @@ enum Friction {
     Partial([f64; 3]),
 }
 
-impl Step {
+impl SlipStep {
     /// σ/σ_0 and T at a time of the step, where the contact has this force and this impulse so far.
     fn at(&self, time: f64, force: f64, impulse: f64) -> [f64; 2] {
         match self.friction {
@@ -78,9 +78,9 @@ impl Step {
     }
 }
 
-impl SlipChange {
+impl SlipResult {
     /// A change that is known without steps.
-    pub(super) fn known(ratio: f64, is_sliding: bool) -> Self {
+    pub(super) fn without_steps(ratio: f64, is_sliding: bool) -> Self {
         Self { ratio, error: 0.0, is_sliding, end: 0.0, steps: Vec::new() }
     }
 
@@ -105,9 +105,9 @@ impl SlipChange {
 
 /// The state of a run.
 #[derive(Debug, Clone)]
-struct State {
-    profile: Profile,
-    rim: Rim,
+struct TangentialState {
+    profile: SpringProfile,
+    rim: NormalState,
     /// M', where M is the shift of the profile.
     speed: f64,
     /// M''.
@@ -116,9 +116,9 @@ struct State {
     jerk: f64,
 }
 
-impl State {
+impl TangentialState {
     /// One step over the middle to the end. M'' = `rate` T. Returns T at start, middle and end.
-    fn step(&mut self, middle: Rim, end: Rim, rate: f64) -> [f64; 3] {
+    fn step(&mut self, middle: NormalState, end: NormalState, rate: f64) -> [f64; 3] {
         let length = end.time - self.rim.time;
         let (half, first) = (0.5 * length, self.acceleration);
         // η is a parabola over the step
@@ -129,9 +129,9 @@ impl State {
             if growth > 0.0 { curved } else { 0.0 }
         };
         let rims = [&self.rim, &middle, &end];
-        let [stops, squares] = [rims.map(|rim| rim.stop), rims.map(|rim| rim.square)].map(slopes);
+        let [stops, squares] = [rims.map(|rim| rim.coulomb_limit), rims.map(|rim| rim.square)].map(parabola_slopes);
         let fronts = |i: usize, speed: f64| {
-            let Rim { stop, square, .. } = rims[i];
+            let NormalState { coulomb_limit: stop, square, .. } = rims[i];
             let fall = stop / square;
             let of_fall = (stops[i] - fall * squares[i]) / square;
             [1.0, -1.0].map(|side| (stops[i] - side * speed * length) / of_fall)
@@ -146,24 +146,24 @@ impl State {
         let third = rate * self.profile.advance([&middle, &end], whole - way, bent, fronts(2, speed));
         self.speed += length * (first + 4.0 * second + third) / 6.0;
         self.acceleration = third;
-        self.jerk = slopes([first, second, third])[2] / length;
+        self.jerk = parabola_slopes([first, second, third])[2] / length;
         self.rim = end;
         [first / rate, second / rate, third / rate]
     }
 
     /// Slides over the middle to the end with all springs at their stops on this side, if they keep slipping; otherwise returns the
     /// fraction of the step up to which they slip. T then equals the contact force, whose impulse is known.
-    fn slide(&mut self, rims: &[Rim; 5], side: f64, rate: f64, near: f64) -> f64 {
+    fn slide(&mut self, rims: &[NormalState; 5], side: f64, rate: f64, near: f64) -> f64 {
         let ends = [rims[0], rims[2], rims[4]];
         let speeds = ends.map(|rim| self.speed - side * rate * (rim.impulse - self.rim.impulse));
-        let (share, length) = (sliding(rims, speeds, side), rims[4].time - rims[0].time);
+        let (share, length) = (sliding_share(rims, speeds, side), rims[4].time - rims[0].time);
         // a short rest of a longer step slides too; in a step that is as short as the rest, nothing says that the springs slide
         let share = if share * length > near && (1.0 - share) * length <= near { 1.0 } else { share };
         if share == 1.0 {
             self.profile.slide(&rims[4], side);
             let friction = ends.map(|rim| -side * rate * rim.force());
             (self.speed, self.acceleration) = (speeds[2], friction[2]);
-            self.jerk = slopes(friction)[2] / length;
+            self.jerk = parabola_slopes(friction)[2] / length;
             self.rim = rims[4];
         }
         share
@@ -175,7 +175,7 @@ impl State {
     }
 
     /// Improves two half steps by their difference to a whole step.
-    fn improve(&mut self, [speed, shift, acceleration]: [f64; 3]) {
+    fn extrapolate(&mut self, [speed, shift, acceleration]: [f64; 3]) {
         self.speed += speed;
         self.profile.shift += shift;
         self.acceleration += acceleration;
@@ -187,11 +187,11 @@ impl State {
     }
 }
 
-impl TangentialMotion<'_> {
+impl NormalMotion<'_> {
     /// The phase angle \[rad\] of a contact that sticks, at its largest stiffness: ω² = (15/4) χ α.
-    pub(super) fn swings(&self, chi: f64) -> f64 {
-        let largest = self.rim(self.durations[0]).square.sqrt();
-        (3.0 * ACCELERATION * chi * largest).sqrt() * self.durations[1]
+    pub(super) fn phase_angle(&self, chi: f64) -> f64 {
+        let largest = self.state_at(self.durations[0]).square.sqrt();
+        (3.0 * FORCE_FACTOR * chi * largest).sqrt() * self.durations[1]
     }
 
     /// σ_1/σ_0 to about this accuracy.
@@ -206,65 +206,69 @@ impl TangentialMotion<'_> {
         chi: f64,
         accuracy: f64,
         has_steps: bool,
-    ) -> Result<SlipChange, IntegrationError> {
+    ) -> Result<SlipResult, IntegrationError> {
         /// The longest step and the first step, as fractions of half the contact time.
-        const LONGEST: f64 = 0.3;
-        const FIRST: f64 = 0.01;
+        const MAX_STEP: f64 = 0.3;
+        const FIRST_STEP: f64 = 0.01;
         /// Two half steps are compared with a whole step, and the difference improves them. This fraction of the difference is the
         /// estimate of the error that remains.
-        const LEFT: f64 = 0.12;
+        const REMAINING_ERROR_SHARE: f64 = 0.12;
         /// The fraction of the accuracy that every step may use, however short it is.
-        const SHARE: f64 = 0.02;
+        const MIN_STEP_ACCURACY_SHARE: f64 = 0.02;
         /// The fraction of the accuracy that is allowed as the error of a piece of the profile.
-        const JOINED: f64 = 0.2;
+        const MERGE_ACCURACY_SHARE: f64 = 0.2;
         /// Maximum number of steps of a run.
-        const MOST: u64 = 50_000;
+        const MAX_STEPS: u64 = 50_000;
         // behind a jump a step is of first order, and the improved half steps have a larger error
-        let accuracy = if self.jumps || !self.is_smooth_at_touch { 0.2 * accuracy } else { accuracy };
-        let rate = 1.5 * 2.0 * ACCELERATION * chi;
+        let accuracy = if self.has_limit_jumps || !self.is_smooth_at_touch { 0.2 * accuracy } else { accuracy };
+        let rate = 1.5 * 2.0 * FORCE_FACTOR * chi;
         let start = 1.5 * sigma;
-        let rim = self.rim(0.0);
-        let mut state = State { profile: Profile::new(), rim, speed: start, acceleration: 0.0, jerk: 0.0 };
+        let rim = self.state_at(0.0);
+        let mut state =
+            TangentialState { profile: SpringProfile::new(), rim, speed: start, acceleration: 0.0, jerk: 0.0 };
         let (mut whole, mut halves) = (state.clone(), state.clone());
         let (mut steps, mut sum, mut is_sliding) = (Vec::new(), 0.0, true);
         let [peak, last] = self.durations;
         let duration = 0.5 * last;
         // on a plate the sphere arrives fast and separates slowly
         let quick = duration.min(peak);
-        let mut length = FIRST * quick;
+        let mut length = FIRST_STEP * quick;
         // a kink that is nearer to the end of a step costs less than allowed, and so does a joint that is nearer to the joint before
         let near = 0.025 * accuracy.sqrt() * quick;
         let apart = 0.3 * accuracy.sqrt().sqrt() * quick;
-        let joined = JOINED * accuracy * start / (rate * self.rim(peak).square.sqrt() * duration);
+        let joined = MERGE_ACCURACY_SHARE * accuracy * start / (rate * self.state_at(peak).square.sqrt() * duration);
         let mut count = 0;
-        for &end in &self.ends {
+        for &end in &self.smooth_ends {
             if end < peak && (end - state.rim.time).min(peak - end) < apart {
                 continue;
             }
             while state.rim.time < end {
                 count += 1;
-                if count > MOST {
-                    return Err(IntegrationError::TooManyFrictionSteps { steps: MOST });
+                if count > MAX_STEPS {
+                    return Err(IntegrationError::TooManyFrictionSteps { steps: MAX_STEPS });
                 }
                 let left = end - state.rim.time;
-                length = length.min(LONGEST * duration);
+                length = length.min(MAX_STEP * duration);
                 let is_last = length >= left * (1.0 - 1e-9);
                 length = if is_last { left } else { length.min(0.5 * left) };
                 let at = state.rim.time;
                 let to = if is_last { end } else { at + length };
-                let [first, second, third] = [0.25, 0.5, 0.75].map(|share| self.rim(at + share * length));
-                let rims = [state.rim, first, second, third, self.rim(to)];
-                let side =
-                    if at == 0.0 { self.is_smooth_at_touch.then_some(1.0) } else { state.profile.side(state.rim.stop) };
-                if let Some(side) = side.filter(|_| !self.jumps) {
+                let [first, second, third] = [0.25, 0.5, 0.75].map(|share| self.state_at(at + share * length));
+                let rims = [state.rim, first, second, third, self.state_at(to)];
+                let side = if at == 0.0 {
+                    self.is_smooth_at_touch.then_some(1.0)
+                } else {
+                    state.profile.slip_side(state.rim.coulomb_limit)
+                };
+                if let Some(side) = side.filter(|_| !self.has_limit_jumps) {
                     let friction = Friction::Sliding { side, impulse: state.rim.impulse };
-                    let step = Step { start: at, length, slip: state.speed / start, friction, rate: rate / start };
+                    let step = SlipStep { start: at, length, slip: state.speed / start, friction, rate: rate / start };
                     let share = state.slide(&rims, side, rate, near);
                     if share == 1.0 {
                         if has_steps {
                             steps.push(step);
                         }
-                        length = LONGEST * duration;
+                        length = MAX_STEP * duration;
                         continue;
                     }
                     if share * length > near {
@@ -278,39 +282,39 @@ impl TangentialMotion<'_> {
                 let middle = halves.motion();
                 let second = halves.step(rims[3], rims[4], rate);
                 let motion = [state.motion(), middle, halves.motion()];
-                if let Some(share) = kink(&rims, motion, state.profile.middle(), near) {
+                if let Some(share) = first_kink(&rims, motion, state.profile.central_stretch(), near) {
                     length *= share;
                     continue;
                 }
                 whole.clone_from_state(&state);
                 whole.step(rims[2], rims[4], rate);
-                let off = |part: fn(&State) -> f64| part(&halves) - part(&whole);
+                let off = |part: fn(&TangentialState) -> f64| part(&halves) - part(&whole);
                 let offs = [off(|s| s.speed), off(|s| s.profile.shift), off(|s| s.acceleration)];
                 // an error of the force acts for one oscillation at most
                 let swing = (rate * rims[4].square.sqrt()).sqrt().recip();
                 let weights = [1.0, duration.recip(), swing.min(last - to)];
                 let error: f64 = offs.iter().zip(weights).map(|(off, weight)| off.abs() * weight).sum();
-                let error = LEFT * error / start.abs();
-                let tolerance = accuracy * (length / last + SHARE);
+                let error = REMAINING_ERROR_SHARE * error / start.abs();
+                let tolerance = accuracy * (length / last + MIN_STEP_ACCURACY_SHARE);
                 if error <= tolerance || length < 1e-7 * duration {
                     if has_steps {
                         let half = |time: f64, speed: f64, friction| {
                             let slip = speed / start;
                             let friction = Friction::Partial(friction);
-                            Step { start: time, length: 0.5 * length, slip, friction, rate: rate / start }
+                            SlipStep { start: time, length: 0.5 * length, slip, friction, rate: rate / start }
                         };
                         steps.push(half(at, state.speed, first));
                         steps.push(half(rims[2].time, middle[0], second));
                     }
                     sum += error;
-                    halves.improve(offs.map(|off| off / 15.0));
+                    halves.extrapolate(offs.map(|off| off / 15.0));
                     std::mem::swap(&mut state, &mut halves);
-                    state.profile.join(joined);
+                    state.profile.merge_pieces(joined);
                 }
                 length *= (0.9 * (tolerance / error).sqrt().sqrt()).clamp(0.2, 3.0);
             }
         }
-        Ok(SlipChange { ratio: state.speed / start, error: sum, is_sliding, end: last, steps })
+        Ok(SlipResult { ratio: state.speed / start, error: sum, is_sliding, end: last, steps })
     }
 
     /// σ_1/σ_0 with one spring in place of all, as the contact of a DEM code carries it (`mindlin_rescale/force` of LAMMPS;
@@ -320,14 +324,15 @@ impl TangentialMotion<'_> {
     /// ```text
     /// T' = −(3/2) α σ,   |T| ≤ f
     /// ```
-    pub fn run_on_one_spring(&self, sigma: f64, chi: f64) -> f64 {
+    pub fn single_spring_ratio(&self, sigma: f64, chi: f64) -> f64 {
         const STEPS: u32 = 1000;
-        let rate = 2.0 * ACCELERATION * chi;
+        let rate = 2.0 * FORCE_FACTOR * chi;
         let (mut at, mut force, mut before, mut begun) = (sigma, 0.0, 0.0, 0.0);
         for end in self.durations {
             let dt = (end - begun) / f64::from(STEPS);
             for k in 1..=STEPS {
-                let Rim { square, stop, .. } = self.rim(if k == STEPS { end } else { begun + dt * f64::from(k) });
+                let NormalState { square, coulomb_limit: stop, .. } =
+                    self.state_at(if k == STEPS { end } else { begun + dt * f64::from(k) });
                 let after = square.sqrt();
                 let half = at + 0.5 * dt * rate * force;
                 let kept: f64 = if after < before { force * after / before } else { force };

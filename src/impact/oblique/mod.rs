@@ -33,15 +33,15 @@ mod profile;
 
 use super::problem::contact::Contact;
 use super::problem::error::ImpactError;
-use super::problem::scales::ACCELERATION;
-use super::scaled_impact::Case;
-use super::solve::outcome::{Fate, Outcome};
+use super::problem::scales::FORCE_FACTOR;
+use super::scaled_impact::ScaledImpact;
+use super::solve::outcome::{ImpactEnd, ScaledResult};
 use crate::contact::law::UnloadingRule;
 use crate::contact::pair::{InvalidInput, Material, OutOfFloatRange, Support};
 use crate::numerics::functions::atan2;
 pub use approach::{Approach, Incidence};
-use mindlin::SlipChange;
-use normal_motion::TangentialMotion;
+use mindlin::SlipResult;
+use normal_motion::NormalMotion;
 
 /// The results of an oblique impact that are columns of a table. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +79,7 @@ impl Rebound {
 
 /// The energies and the momentum of an oblique impact. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Oblique {
+pub struct ObliqueResult {
     /// ½ m v_t² + ½ I ω² before the impact \[J\].
     pub kinetic_in: f64,
     /// This energy after the impact \[J\], with the energy of a second ball.
@@ -150,8 +150,8 @@ impl Contact {
 /// An oblique impact with a known normal motion.
 pub(super) struct ObliqueImpact<'a> {
     contact: &'a Contact,
-    case: &'a Case<'a>,
-    outcome: &'a Outcome,
+    case: &'a ScaledImpact<'a>,
+    outcome: &'a ScaledResult,
     incidence: Incidence,
     /// v_n, v_t.
     speeds: [f64; 2],
@@ -164,7 +164,7 @@ pub(super) struct ObliqueImpact<'a> {
 
 /// The largest phase angle \[rad\] of the tangential oscillation of a contact point; a solid sphere has about 7. The cost of a run
 /// grows with the square of this angle.
-const LARGEST_SWINGS: f64 = 100.0;
+const MAX_PHASE_ANGLE: f64 = 100.0;
 
 /// s_1/s_0 has a limit as ψ_1 → 0, where only the rim slips. At this ψ_1 it differs from the limit by at most 2e-7. At smaller ψ_1
 /// the stops are so large against the displacement of the springs that rounding dominates, so the ratio at this ψ_1 is used.
@@ -172,9 +172,9 @@ const MIN_PSI: f64 = 1e-8;
 
 /// Requested accuracy of s_1/s_0 in a table. The error of a row may exceed it: in random impacts the largest error is 1.3e-5 under the
 /// PLM (also with damping, with gravity and on plates), and 5e-5 under other laws.
-const OF_ROWS: f64 = 5e-6;
+const ROW_ACCURACY: f64 = 5e-6;
 /// Requested accuracy of s_1/s_0 in a single run; the error in random impacts is at most 1e-7.
-const OF_RUNS: f64 = 2e-9;
+const RUN_ACCURACY: f64 = 2e-9;
 
 impl<'a> ObliqueImpact<'a> {
     /// `None` for an impact without angle and spin, and for a sphere that does not separate.
@@ -183,11 +183,13 @@ impl<'a> ObliqueImpact<'a> {
     /// [`ImpactError::NoBall`] if the target is free to move and is no ball.
     pub(super) fn new(
         contact: &'a Contact,
-        case: &'a Case,
-        outcome: &'a Outcome,
+        case: &'a ScaledImpact,
+        outcome: &'a ScaledResult,
         approach: Approach,
     ) -> Result<Option<Self>, ImpactError> {
-        let Some(incidence) = approach.incidence.filter(|_| outcome.fate == Fate::Separated) else { return Ok(None) };
+        let Some(incidence) = approach.incidence.filter(|_| outcome.end == ImpactEnd::Separated) else {
+            return Ok(None);
+        };
         if matches!(contact.half_space().support, Support::Free(_)) {
             return Err(ImpactError::NoBall);
         }
@@ -207,8 +209,8 @@ impl<'a> ObliqueImpact<'a> {
 
     /// The normal impulse over m v_n: 1 + e, and under gravity also the impulse of the weight.
     fn impulse(&self) -> f64 {
-        let Outcome { restitution, contact_time, .. } = self.outcome;
-        1.0 + restitution + ACCELERATION * self.case.forces.weight * contact_time / self.case.q
+        let ScaledResult { restitution, contact_time, .. } = self.outcome;
+        1.0 + restitution + FORCE_FACTOR * self.case.forces.weight * contact_time / self.case.q
     }
 
     /// s_1/s_0 if the contact point slides during the whole contact.
@@ -225,8 +227,8 @@ impl<'a> ObliqueImpact<'a> {
     /// First condition: at separation the contact point still slides faster than the stops at the rim close in. Second condition: at
     /// the peak it still slides faster than the stops rise. r bounds the rate of the stops: 1 for Hertz, and 2 for the PLM, whose
     /// stops rise by at most 1.3. The stops of other laws may jump; these laws are integrated.
-    fn slides(&self) -> bool {
-        let Outcome { unloading, restitution: e, .. } = self.outcome;
+    fn slides_throughout(&self) -> bool {
+        let ScaledResult { unloading, restitution: e, .. } = self.outcome;
         let rate = match self.case.ground.law.unloading_rule {
             _ if self.psi.is_infinite() => 0.0,
             _ if !self.case.forces.is_none() => return false,
@@ -243,51 +245,51 @@ impl<'a> ObliqueImpact<'a> {
     ///
     /// # Errors
     /// [`ImpactError::SmallInertia`] if the contact point oscillates too often for a run.
-    pub(super) fn slip(&self, is_followed: bool) -> Result<SlipChange, ImpactError> {
+    pub(super) fn slip_result(&self, is_followed: bool) -> Result<SlipResult, ImpactError> {
         if self.slip == 0.0 {
-            return Ok(SlipChange::known(0.0, false));
+            return Ok(SlipResult::without_steps(0.0, false));
         }
-        if self.slides() {
-            return Ok(SlipChange::known(self.sliding_ratio(), true));
+        if self.slides_throughout() {
+            return Ok(SlipResult::without_steps(self.sliding_ratio(), true));
         }
         // all elastic impacts have the same normal motion
         let is_elastic =
             matches!(self.case.ground.law.unloading_rule, UnloadingRule::Hertz) && self.case.forces.is_none();
         let motion;
         let motion = if is_elastic {
-            TangentialMotion::elastic()?
+            NormalMotion::elastic()?
         } else {
-            motion = TangentialMotion::new(self.case.ground, self.case.q, &self.case.forces)?;
+            motion = NormalMotion::new(self.case.ground, self.case.q, &self.case.forces)?;
             &motion
         };
-        self.resolves(motion)?;
+        self.check_resolution(motion)?;
         let psi = self.psi.abs();
         let computed = psi.max(MIN_PSI);
-        let accuracy = if is_followed { OF_RUNS } else { OF_ROWS };
+        let accuracy = if is_followed { RUN_ACCURACY } else { ROW_ACCURACY };
         let run = motion.run(computed * self.case.q, self.chi, accuracy, is_followed)?;
         let run = if psi < computed { run.scaled(psi / computed) } else { run };
-        Ok(if run.is_sliding { SlipChange { ratio: self.sliding_ratio(), ..run } } else { run })
+        Ok(if run.is_sliding { SlipResult { ratio: self.sliding_ratio(), ..run } } else { run })
     }
 
     /// Checks that the contact point does not oscillate too often for a run.
-    fn resolves(&self, motion: &TangentialMotion) -> Result<(), ImpactError> {
-        let (swings, mass, radius) = (motion.swings(self.chi), self.contact.mass(), self.contact.sphere().radius);
-        if swings <= LARGEST_SWINGS {
+    fn check_resolution(&self, motion: &NormalMotion) -> Result<(), ImpactError> {
+        let (swings, mass, radius) = (motion.phase_angle(self.chi), self.contact.mass(), self.contact.sphere().radius);
+        if swings <= MAX_PHASE_ANGLE {
             return Ok(());
         }
         // the angle is proportional to √j, and j − 1 to 1/I
-        let share = LARGEST_SWINGS / swings;
+        let share = MAX_PHASE_ANGLE / swings;
         let j = self.contact.slip_factor() * share * share;
         let of_sphere = mass * radius * radius;
         let least = (j > 1.0).then(|| of_sphere / (j - 1.0));
         Err(ImpactError::SmallInertia { least, solid: 0.4 * of_sphere })
     }
 
-    pub(super) fn rebound(&self, slip: &SlipChange) -> Result<Rebound, OutOfFloatRange> {
+    pub(super) fn rebound(&self, slip: &SlipResult) -> Result<Rebound, OutOfFloatRange> {
         let [normal, tangential] = self.speeds;
         let (rebound, _) = self.contact.speeds_after(normal, self.outcome.restitution);
-        let [tangential_speed, spin] = self.at(self.slip * slip.ratio);
-        let lost = self.lost(slip);
+        let [tangential_speed, spin] = self.tangential_speed_and_spin(self.slip * slip.ratio);
+        let lost = self.friction_loss(slip);
         let whole = normal * normal + tangential * tangential;
         if !(tangential_speed.is_finite() && spin.is_finite() && lost.is_finite()) {
             return Err(OutOfFloatRange {
@@ -307,7 +309,7 @@ impl<'a> ObliqueImpact<'a> {
             } else {
                 self.slip * (1.0 - slip.ratio) / (self.contact.slip_factor() * self.impulse() * normal)
             },
-            target: self.target(self.slip * slip.ratio),
+            target: self.target_motion(self.slip * slip.ratio),
             loss_fraction: lost / whole,
             is_sliding: slip.is_sliding,
             psi: self.psi,
@@ -316,35 +318,35 @@ impl<'a> ObliqueImpact<'a> {
     }
 
     /// (s_0² − s_1²)/j: the energy absorbed by friction, over ½ m*.
-    fn lost(&self, slip: &SlipChange) -> f64 {
+    fn friction_loss(&self, slip: &SlipResult) -> f64 {
         self.slip * self.slip * (1.0 - slip.ratio * slip.ratio) / self.contact.slip_factor()
     }
 
     /// The rest of the results of one impact.
-    pub(super) fn oblique(&self, slip: &SlipChange) -> Oblique {
+    pub(super) fn result(&self, slip: &SlipResult) -> ObliqueResult {
         let (mass, radius) = (self.contact.mass(), self.contact.sphere().radius);
         let of_solid = || mass * radius / 2.5 * radius;
         let moment = self.contact.moment_of_inertia().unwrap_or_else(of_solid);
         let energy = |speed: f64, spin: f64| 0.5 * (mass * speed * speed + moment * spin * spin);
-        let [speed, spin] = self.at(self.slip * slip.ratio);
+        let [speed, spin] = self.tangential_speed_and_spin(self.slip * slip.ratio);
         let (before, spin_before) = (self.speeds[1], self.incidence.spin);
         let parts = [mass * radius * (speed - before), moment * (spin - spin_before)];
-        let of_target = self.target(self.slip * slip.ratio).zip(self.contact.target_mass());
+        let of_target = self.target_motion(self.slip * slip.ratio).zip(self.contact.target_mass());
         let of_target = of_target.map_or(0.0, |([speed, spin], mass)| {
             let rim = self.contact.half_space().ball_radius().unwrap_or(0.0) * spin;
             0.5 * mass * (speed * speed + 0.4 * rim * rim)
         });
         let size = (mass * radius * before).abs().max((moment * spin_before).abs()).max(parts[0].abs());
-        Oblique {
+        ObliqueResult {
             kinetic_in: energy(before, spin_before),
             recovered: energy(speed, spin) + of_target,
-            loss: 0.5 * self.contact.reduced_mass() * self.lost(slip),
+            loss: 0.5 * self.contact.reduced_mass() * self.friction_loss(slip),
             momentum_drift: if size > 0.0 { (parts[0] + parts[1]).abs() / size } else { 0.0 },
         }
     }
 
     /// Tangential speed and spin at this slip speed.
-    fn at(&self, slip: f64) -> [f64; 2] {
+    fn tangential_speed_and_spin(&self, slip: f64) -> [f64; 2] {
         let share = self.contact.reduced_mass() / self.contact.mass();
         let change = share * ((slip - self.slip) / self.contact.slip_factor());
         let spin = self.incidence.spin - self.contact.spin_factor() * change / self.contact.sphere().radius;
@@ -352,14 +354,14 @@ impl<'a> ObliqueImpact<'a> {
     }
 
     /// Tangential speed and spin of a second ball at this slip speed.
-    fn target(&self, slip: f64) -> Option<[f64; 2]> {
+    fn target_motion(&self, slip: f64) -> Option<[f64; 2]> {
         let share = self.contact.reduced_mass() / self.contact.target_mass()?;
         let speed = share * ((self.slip - slip) / self.contact.slip_factor());
         Some([speed, 2.5 * speed / self.contact.half_space().ball_radius()?])
     }
 
     /// Friction at a time \[s\], for this speed of the sphere towards the half-space and this contact force. SI units.
-    pub(super) fn friction_at(&self, slip: &SlipChange, time: f64, speed: f64, force: f64) -> FrictionState {
+    pub(super) fn friction_at(&self, slip: &SlipResult, time: f64, speed: f64, force: f64) -> FrictionState {
         let (mu, scales) = (self.incidence.friction, &self.case.scales);
         let direction = self.slip.signum();
         let (slip_speed, friction_force) = match () {
@@ -370,13 +372,13 @@ impl<'a> ObliqueImpact<'a> {
             }
             () if time >= (1.0 - 1e-8) * slip.end * scales.time() => (self.slip * slip.ratio, 0.0),
             () => {
-                let impulse = (self.speeds[0] - speed) / scales.speed / ACCELERATION
+                let impulse = (self.speeds[0] - speed) / scales.speed / FORCE_FACTOR
                     + self.case.forces.weight * time / scales.time();
                 let [share, of_force] = slip.at(time / scales.time(), force / scales.force, impulse);
                 (share * self.slip, direction * mu * scales.force * of_force)
             }
         };
-        let [tangential_speed, spin] = self.at(slip_speed);
+        let [tangential_speed, spin] = self.tangential_speed_and_spin(slip_speed);
         FrictionState { slip_speed, friction_force, tangential_speed, spin }
     }
 }

@@ -12,21 +12,21 @@
 
 /// The values of the normal motion that friction needs, at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rim {
+pub(super) struct NormalState {
     /// τ.
     pub(super) time: f64,
     /// α²: η of the rim.
     pub(super) square: f64,
     /// P: the stop of the spring in the middle.
-    pub(super) stop: f64,
+    pub(super) coulomb_limit: f64,
     /// The impulse of the contact force so far.
     pub(super) impulse: f64,
 }
 
-impl Rim {
+impl NormalState {
     /// f: the contact force.
     pub(super) fn force(&self) -> f64 {
-        self.stop * self.square.sqrt() / 1.5
+        self.coulomb_limit * self.square.sqrt() / 1.5
     }
 }
 
@@ -34,7 +34,7 @@ impl Rim {
 const ROUNDING: f64 = 1e-13;
 
 /// Capacity for most profiles.
-const ROOM: usize = 32;
+const INITIAL_CAPACITY: usize = 32;
 
 /// The end of a piece of the displacement. The piece begins at the knot before:
 /// `ζ = straight line + bend (η − η_before)(η − η_here)`.
@@ -53,19 +53,19 @@ struct Knot {
 
 /// ζ over η, from the middle to the rim.
 #[derive(Debug, PartialEq)]
-pub(super) struct Profile {
+pub(super) struct SpringProfile {
     knots: Vec<Knot>,
     /// The shift of all springs so far. Springs that stick keep their knots.
     pub(super) shift: f64,
     /// The ranges of η in which springs slip to either side, at their stops.
-    rings: [Option<[f64; 2]>; 2],
+    slip_annuli: [Option<[f64; 2]>; 2],
     /// How many knots are joined already.
-    joined: usize,
+    merged: usize,
     /// Memory for the knots that are clipped.
     spare: Vec<Knot>,
 }
 
-impl Clone for Profile {
+impl Clone for SpringProfile {
     fn clone(&self) -> Self {
         let mut same = Self::new();
         same.clone_from(self);
@@ -75,20 +75,20 @@ impl Clone for Profile {
     /// Copies the knots into the existing memory.
     fn clone_from(&mut self, from: &Self) {
         self.knots.clone_from(&from.knots);
-        (self.shift, self.rings, self.joined) = (from.shift, from.rings, from.joined);
+        (self.shift, self.slip_annuli, self.merged) = (from.shift, from.slip_annuli, from.merged);
     }
 }
 
-impl Profile {
+impl SpringProfile {
     /// A contact of one point, before first contact.
     pub(super) fn new() -> Self {
-        let mut knots = Vec::with_capacity(ROOM);
+        let mut knots = Vec::with_capacity(INITIAL_CAPACITY);
         knots.push(Knot::default());
-        Self { knots, shift: 0.0, rings: [None; 2], joined: 0, spare: Vec::with_capacity(ROOM) }
+        Self { knots, shift: 0.0, slip_annuli: [None; 2], merged: 0, spare: Vec::with_capacity(INITIAL_CAPACITY) }
     }
 
     /// The side that all springs slip to, if they are at their stops.
-    pub(super) fn side(&self, stop: f64) -> Option<f64> {
+    pub(super) fn slip_side(&self, stop: f64) -> Option<f64> {
         let [middle, rim] = self.knots[..] else { return None };
         let stretch = middle.stretch + self.shift;
         let is_at_stop = rim.bend == 0.0 && stretch.abs() >= stop * (1.0 - ROUNDING);
@@ -96,37 +96,37 @@ impl Profile {
     }
 
     /// All springs are at their stops on this side.
-    pub(super) fn slide(&mut self, rim: &Rim, side: f64) {
+    pub(super) fn slide(&mut self, rim: &NormalState, side: f64) {
         self.knots.truncate(1);
         self.shift = 0.0;
-        self.knots[0].stretch = side * rim.stop;
+        self.knots[0].stretch = side * rim.coulomb_limit;
         self.push(rim.square, 0.0, 0.0);
         let ring = Some([0.0, rim.square]);
-        self.rings = if side > 0.0 { [ring, None] } else { [None, ring] };
+        self.slip_annuli = if side > 0.0 { [ring, None] } else { [None, ring] };
     }
 
     /// The displacement of the spring in the middle, minus the shift.
-    pub(super) fn middle(&self) -> f64 {
+    pub(super) fn central_stretch(&self) -> f64 {
         self.knots.first().map_or(0.0, |knot| knot.stretch)
     }
 
     /// Shifts all springs, adds or removes springs up to the new rim, clips the springs at their stops, and returns the friction T.
     /// `bend` is the curvature of the displacement of the springs that enter. `fronts` are the η at which the springs at either stop
     /// have the speed of their stop at the end of the step.
-    pub(super) fn advance(&mut self, [from, to]: [&Rim; 2], shift: f64, bend: f64, fronts: [f64; 2]) -> f64 {
+    pub(super) fn advance(&mut self, [from, to]: [&NormalState; 2], shift: f64, bend: f64, fronts: [f64; 2]) -> f64 {
         self.shift += shift;
         let rim = to.square;
         if self.knots.last().is_some_and(|last| last.square < rim) {
             self.push(rim, -self.shift, bend);
         } else {
-            self.cut(rim);
+            self.truncate(rim);
         }
-        let rings = std::mem::take(&mut self.rings);
+        let rings = std::mem::take(&mut self.slip_annuli);
         if rim <= 0.0 {
             return 0.0;
         }
-        let fall = to.stop / rim;
-        let (level, moved) = (to.stop, self.shift);
+        let fall = to.coulomb_limit / rim;
+        let (level, moved) = (to.coulomb_limit, self.shift);
         let is_beyond = |knot: &Knot| (knot.stretch + moved).abs() > level * (1.0 + ROUNDING) - fall * knot.square;
         if let Some(first) = self.knots.iter().position(is_beyond) {
             let (side, from) = ((self.knots[first].stretch + moved).signum(), first.saturating_sub(1));
@@ -139,13 +139,13 @@ impl Profile {
         }
         for (i, side) in [1.0, -1.0].into_iter().enumerate() {
             if let (Some(ring), true) = (rings[i], from.square > 0.0) {
-                let more = fall - from.stop / from.square;
-                let corner = (to.stop - from.stop - side * shift) / more;
+                let more = fall - from.coulomb_limit / from.square;
+                let corner = (to.coulomb_limit - from.coulomb_limit - side * shift) / more;
                 let bend = 0.25 * more / (corner - fronts[i]);
                 let [inner, outer] = ring;
                 let width = outer - inner;
                 if bend < 0.0 && fronts[i] > inner - width && fronts[i] < outer + width {
-                    self.round(i, ring, [corner, fronts[i]], bend, [level, fall]);
+                    self.smooth_stick_slip_edge(i, ring, [corner, fronts[i]], bend, [level, fall]);
                 }
             }
         }
@@ -154,7 +154,14 @@ impl Profile {
 
     /// Rounds the corner of the displacement between springs that stick and springs that slip, if the front between them has moved
     /// over springs of this ring.
-    fn round(&mut self, i: usize, ring: [f64; 2], [corner, front]: [f64; 2], bend: f64, [level, fall]: [f64; 2]) {
+    fn smooth_stick_slip_edge(
+        &mut self,
+        i: usize,
+        ring: [f64; 2],
+        [corner, front]: [f64; 2],
+        bend: f64,
+        [level, fall]: [f64; 2],
+    ) {
         let side = [1.0, -1.0][i];
         let width = (front - corner).abs();
         let rim = self.knots.last().map_or(0.0, |last| last.square);
@@ -177,7 +184,7 @@ impl Profile {
             self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
         }
         self.spare = old;
-        if let Some(ring) = &mut self.rings[i] {
+        if let Some(ring) = &mut self.slip_annuli[i] {
             if front > corner { ring[0] = ring[0].max(end) } else { ring[1] = ring[1].min(start) }
         }
     }
@@ -207,10 +214,10 @@ impl Profile {
     }
 
     /// Joins pieces that one parabola represents to this accuracy.
-    pub(super) fn join(&mut self, accuracy: f64) {
+    pub(super) fn merge_pieces(&mut self, accuracy: f64) {
         let mut old = std::mem::take(&mut self.spare);
         old.clear();
-        old.extend(self.knots.drain(self.joined.min(self.knots.len())..));
+        old.extend(self.knots.drain(self.merged.min(self.knots.len())..));
         for knot in &old {
             if let [.., before, middle] = self.knots[..] {
                 let (first, second) = (middle.square - before.square, knot.square - middle.square);
@@ -227,11 +234,11 @@ impl Profile {
             self.push_at(knot.square, knot.radius, knot.stretch, knot.bend);
         }
         self.spare = old;
-        self.joined = self.knots.len();
+        self.merged = self.knots.len();
     }
 
     /// Removes the part outside of the rim.
-    fn cut(&mut self, rim: f64) {
+    fn truncate(&mut self, rim: f64) {
         while self.knots.len() > 1 && self.knots[self.knots.len() - 2].square >= rim {
             self.knots.pop();
         }
@@ -260,7 +267,7 @@ impl Profile {
             let is_beyond = here < if was_beyond { ROUNDING * stop } else { -ROUNDING * stop };
             let mut edge = knot.square;
             if let Some((before, there)) = last.filter(|_| was_beyond != is_beyond) {
-                let square = crossing(&before, &knot, [there, here], -side);
+                let square = gap_zero(&before, &knot, [there, here], -side);
                 edge = square;
                 if before.square < square && square < knot.square {
                     self.push(square, on_stop(square), if was_beyond { 0.0 } else { knot.bend });
@@ -284,12 +291,12 @@ impl Profile {
             last = Some((knot, if is_beyond { here.min(-f64::MIN_POSITIVE) } else { here }));
         }
         self.spare = old;
-        self.rings[usize::from(side < 0.0)] = Some(ring);
+        self.slip_annuli[usize::from(side < 0.0)] = Some(ring);
     }
 }
 
 /// Where the gap of the piece that ends at `to` vanishes, in η. It has one sign at either end; `sign` is that of ζ in the gap.
-fn crossing(from: &Knot, to: &Knot, [there, here]: [f64; 2], sign: f64) -> f64 {
+fn gap_zero(from: &Knot, to: &Knot, [there, here]: [f64; 2], sign: f64) -> f64 {
     let width = to.square - from.square;
     let straight = there / (there - here);
     let bend = sign * to.bend * width * width;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::error::ImpactError;
 use super::forces::Forces;
-use super::plate::{LoadedPlate, PlateError};
+use super::plate::{ContactPlate, PlateError};
 use super::scales::Scales;
 use super::waves::Waves;
 use crate::contact::law::{ContactLaw, ContactState, Law, LawChoice, Surface};
@@ -15,7 +15,7 @@ use crate::numerics::functions::pow;
 
 /// The materials of the bodies that have a named material.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Named {
+pub struct MaterialNames {
     /// The material of the sphere, if it is named.
     pub sphere: Option<&'static MaterialEntry>,
     /// The material of the half-space, if it is named.
@@ -28,7 +28,7 @@ pub struct Named {
 
 /// How the strengths of the bodies rise with the strain rate, and the law that uses them.
 #[derive(Debug, Clone)]
-pub(in crate::impact) struct Rates {
+pub(in crate::impact) struct RateDependence {
     /// The strain-rate hardening of sphere and half-space.
     pub(in crate::impact) of_bodies: [Option<StrainRateHardening>; 2],
     pub(in crate::impact) law: LawChoice,
@@ -36,7 +36,7 @@ pub(in crate::impact) struct Rates {
 
 /// The strain rate of an impact, and the factors by which it raises the strength; `strain_rate.rs` computes them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rated {
+pub struct StrainRateResult {
     /// 0.2 w \[1/s\].
     pub strain_rate: f64,
     /// g of the yielding body; if both bodies yield, the mean of both weighted by their fractions of the yielding.
@@ -60,7 +60,7 @@ pub struct Contact {
     /// m* \[kg\]: the reduced mass.
     reduced_mass: f64,
     /// True if the sphere is only the tip of a body, and the mass is the mass of this body.
-    is_tip: bool,
+    has_attached_mass: bool,
     pub(in crate::impact) law: Law,
     /// The units of first yield, or of the radius of the sphere for bodies that stay elastic.
     pub(in crate::impact) scales: Scales,
@@ -69,16 +69,16 @@ pub struct Contact {
     /// Speed of the fastest impact without any loss \[m/s\]: the yield speed, or less if the metal relaxes.
     pub(in crate::impact) elastic_speed: f64,
     /// How the strengths rise with the strain rate.
-    pub(in crate::impact) rates: Option<Arc<Rates>>,
+    pub(in crate::impact) rate_dependence: Option<Arc<RateDependence>>,
     /// The strain rate of the strength of this contact; `None` without a strain-rate dependence, and before a speed is known.
-    pub(in crate::impact) rated: Option<Rated>,
+    pub(in crate::impact) strain_rate_result: Option<StrainRateResult>,
     forces: Forces,
     /// The radiation of the half-space, if its density is known.
     waves: Option<Waves>,
     /// Moment of inertia of all moving parts about the centre of the sphere \[kg m²\]; `None` for a solid sphere.
     moment_of_inertia: Option<f64>,
     /// The materials of the bodies, if they are named.
-    pub(in crate::impact) named: Named,
+    pub(in crate::impact) material_names: MaterialNames,
 }
 
 /// Below this modulus \[Pa\] the modulus is wrong, and not the strength: soft rubber is stiffer.
@@ -112,8 +112,8 @@ impl Contact {
             None => mass,
         };
         let pair = Pair::try_new(&sphere, &half_space)?;
-        let waves = if half_space.support == Support::Fixed { Waves::of(&half_space)? } else { None };
-        let (scales, law, yield_speed) = Self::law_of(&pair, reduced_mass, law)?;
+        let waves = if half_space.support == Support::Fixed { Waves::try_new(&half_space)? } else { None };
+        let (scales, law, yield_speed) = Self::build_law(&pair, reduced_mass, law)?;
         Ok(Self {
             sphere,
             half_space,
@@ -121,23 +121,23 @@ impl Contact {
             mass,
             target_mass,
             reduced_mass,
-            is_tip: false,
+            has_attached_mass: false,
             law,
             scales,
             yield_speed,
             elastic_speed: yield_speed,
-            rates: None,
-            rated: None,
+            rate_dependence: None,
+            strain_rate_result: None,
             forces: Forces::default(),
             waves,
             moment_of_inertia: None,
-            named: Named::default(),
+            material_names: MaterialNames::default(),
         })
     }
 
     /// The scales, the law and the yield speed of a pair.
-    fn law_of(pair: &Pair, mass: f64, law: &dyn ContactLaw) -> Result<(Scales, Law, f64), ImpactError> {
-        let (scales, law) = (Scales::of_pair(pair, mass)?, law.law_for_pair(pair)?);
+    fn build_law(pair: &Pair, mass: f64, law: &dyn ContactLaw) -> Result<(Scales, Law, f64), ImpactError> {
+        let (scales, law) = (Scales::from_pair(pair, mass)?, law.law_for_pair(pair)?);
         // up to this x the contact is Hertz's, ½ m v² = W = (2/5) x^2.5 in units of F_Y δ_Y
         let until = law.validity.elastic_until;
         let yield_speed = if until == 1.0 { scales.speed } else { scales.speed * pow(until, 1.25) };
@@ -145,15 +145,15 @@ impl Contact {
     }
 
     /// This contact with the strengths of another pair of the same bodies. No strain rate raises these strengths.
-    pub(in crate::impact) fn of_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
-        let (scales, law, yield_speed) = Self::law_of(&pair, self.reduced_mass, law)?;
-        Ok(self.of_law(pair, law, scales, yield_speed))
+    pub(in crate::impact) fn with_pair(&self, pair: Pair, law: &dyn ContactLaw) -> Result<Self, ImpactError> {
+        let (scales, law, yield_speed) = Self::build_law(&pair, self.reduced_mass, law)?;
+        Ok(self.with_law(pair, law, scales, yield_speed))
     }
 
     /// This contact with another pair of the same bodies, and with the law, the scales and the yield speed of this pair.
-    pub(in crate::impact) fn of_law(&self, pair: Pair, law: Law, scales: Scales, yield_speed: f64) -> Self {
+    pub(in crate::impact) fn with_law(&self, pair: Pair, law: Law, scales: Scales, yield_speed: f64) -> Self {
         let elastic_speed = yield_speed;
-        Self { pair, law, scales, yield_speed, elastic_speed, rates: None, rated: None, ..*self }
+        Self { pair, law, scales, yield_speed, elastic_speed, rate_dependence: None, strain_rate_result: None, ..*self }
     }
 
     /// Returns this contact with a body that has this moment of inertia about the sphere's centre \[kg m²\].
@@ -177,21 +177,21 @@ impl Contact {
 
     /// Returns this contact with the names of its materials, which some warnings need.
     #[inline]
-    pub fn of_materials(mut self, named: Named) -> Self {
-        self.named = named;
+    pub fn with_materials(mut self, named: MaterialNames) -> Self {
+        self.material_names = named;
         self
     }
 
     /// Returns this contact with the sphere as the tip of the moving body. The wave speed of this body is not known.
     #[inline]
-    pub(crate) fn of_a_body(mut self) -> Self {
-        self.is_tip = true;
+    pub(crate) fn with_attached_mass(mut self) -> Self {
+        self.has_attached_mass = true;
         self
     }
 
     /// True if the sphere is only the tip of the moving body.
-    pub(crate) fn is_of_a_body(&self) -> bool {
-        self.is_tip
+    pub(crate) fn has_attached_mass(&self) -> bool {
+        self.has_attached_mass
     }
 
     pub fn sphere(&self) -> &Sphere {
@@ -210,24 +210,24 @@ impl Contact {
         &self.forces
     }
 
-    pub(in crate::impact) fn on_plate(&self) -> Result<Option<LoadedPlate>, PlateError> {
+    pub(in crate::impact) fn contact_plate(&self) -> Result<Option<ContactPlate>, PlateError> {
         let Some(plate) = self.forces.plate else { return Ok(None) };
         match self.forces.damping {
             _ if self.half_space.radius.is_some() || self.target_mass.is_some() => Err(PlateError::Curved),
             Some(_) => Err(PlateError::Damped),
-            None => LoadedPlate::new(plate, &self.half_space, self.mass, &self.scales, &self.law).map(Some),
+            None => ContactPlate::new(plate, &self.half_space, self.mass, &self.scales, &self.law).map(Some),
         }
     }
 
     /// Checks the plate of this contact, if it has one, for everything that does not depend on the speed.
     pub fn check_plate(&self) -> Result<(), PlateError> {
-        self.on_plate().map(drop)
+        self.contact_plate().map(drop)
     }
 
     /// The radiation of elastic waves from the half-space. `None` if its density is not known or it is free to move; under damping, as
     /// the force then is not the force of the law; and on a plate, which absorbs energy in another way.
     pub fn waves(&self) -> Option<&Waves> {
-        self.waves.as_ref().filter(|_| !self.forces.have_drag())
+        self.waves.as_ref().filter(|_| !self.forces.has_dissipation())
     }
 
     /// True if the law has a flow curve of the yielding body.
@@ -313,7 +313,7 @@ impl Contact {
     }
 
     /// Indentation \[m\] and force \[N\] at which the contact yields by the law; `None` like [`Contact::yield_speed`].
-    pub fn yields_at(&self) -> Option<(f64, f64)> {
+    pub fn yield_indentation_and_force(&self) -> Option<(f64, f64)> {
         self.yield_speed()?;
         let until = self.law.validity.elastic_until;
         Some((self.scales.length * until, self.scales.force * crate::numerics::power::power(until, 1.5)))

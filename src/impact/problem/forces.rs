@@ -16,11 +16,11 @@
 //! a slow sphere to hundreds of times its speed, and the error of the first step grows with the speed.
 
 use super::plate::Plate;
-use super::scales::ACCELERATION;
+use super::scales::FORCE_FACTOR;
 use crate::contact::law::unloading::OLD_PEAK_ROUNDING;
 use crate::contact::law::{Surface, Unloading};
 use crate::contact::pair::InvalidInput;
-use crate::impact::flight::free_flight::Flying;
+use crate::impact::flight::free_flight::FreeFlight;
 use crate::numerics::ode::{DampingCoefficients, RestCriterion};
 
 /// Damping on top of the contact law; the total contact force never pulls.
@@ -35,7 +35,7 @@ pub enum Damping {
 
 impl Damping {
     /// The resistance in the units of an impact whose unit of speed is `speed` \[m/s\].
-    pub fn drag(self, speed: f64) -> DampingCoefficients {
+    pub fn scaled_coefficients(self, speed: f64) -> DampingCoefficients {
         match self {
             Self::HuntCrossley(chi) => DampingCoefficients { hunt_crossley: chi * speed, ..DampingCoefficients::NONE },
             Self::Viscous(zeta) => DampingCoefficients { viscous: 2.0 * zeta, ..DampingCoefficients::NONE },
@@ -52,7 +52,7 @@ pub struct Forces {
     /// The plate in place of the half-space.
     pub plate: Option<Plate>,
     /// The flight before and after the impact, if there is gravity or a drop height. It does not act in the contact.
-    pub flying: Option<Flying>,
+    pub flight: Option<FreeFlight>,
 }
 
 impl Forces {
@@ -78,8 +78,9 @@ impl Forces {
     }
 
     /// True if damping or a plate absorbs energy.
-    pub(crate) fn have_drag(&self) -> bool {
-        self.plate.is_some() || self.damping.is_some_and(|damping| damping.drag(1.0) != DampingCoefficients::NONE)
+    pub(crate) fn has_dissipation(&self) -> bool {
+        self.plate.is_some()
+            || self.damping.is_some_and(|damping| damping.scaled_coefficients(1.0) != DampingCoefficients::NONE)
     }
 }
 
@@ -92,12 +93,12 @@ pub struct ScaledForces {
     /// w = m g/Φ; 0 without gravity.
     pub weight: f64,
     /// Damping in the contact, and the plate, which gives way by y f' u: θ = y/(5/4) with y = Y Φ/V.
-    pub drag: DampingCoefficients,
+    pub damping: DampingCoefficients,
 }
 
 impl ScaledForces {
     /// No force but the law.
-    pub const NONE: Self = Self { weight: 0.0, drag: DampingCoefficients::NONE };
+    pub const NONE: Self = Self { weight: 0.0, damping: DampingCoefficients::NONE };
 
     /// True if only the law acts.
     #[inline]
@@ -108,11 +109,11 @@ impl ScaledForces {
     /// True if there is no damping and no plate, so that only the dent absorbs energy.
     #[inline]
     pub(in crate::impact) fn is_conservative(&self) -> bool {
-        self.drag == DampingCoefficients::NONE
+        self.damping == DampingCoefficients::NONE
     }
 
     /// True if a sphere that came at q = v/V stays in its dent. It is for impacts without damping.
-    pub fn captures(&self, unloading: &Unloading, q: f64) -> bool {
+    pub fn is_captured(&self, unloading: &Unloading, q: f64) -> bool {
         let largest = (unloading.exponent + 1.0) * self.weight;
         // an elastic contact recovers the energy that it absorbed, except for rounding
         let largest = if unloading.peak.residual() > 0.0 { largest } else { largest * (1.0 - OLD_PEAK_ROUNDING) };
@@ -120,50 +121,54 @@ impl ScaledForces {
     }
 
     /// The distance from first contact to the point where an impact of energy `kinetic` (in units of Φ L) turns without damping.
-    pub(in crate::impact) fn way_to_turn(&self, ground: Surface, kinetic: f64) -> f64 {
+    pub(in crate::impact) fn turning_distance(&self, ground: Surface, kinetic: f64) -> f64 {
         let (last, distance) = ground.turning_point(kinetic, self.weight);
         ground.piece(last).start - ground.first_contact() + distance
     }
 
     /// True if the rebound speed equals the impact speed: nothing absorbs energy, and the sphere separates where it touched. If it
     /// separates deeper, in a dent that cost no energy, its weight does work over this distance.
-    pub(in crate::impact) fn is_even(&self, ground: Surface, unloading: &Unloading) -> bool {
+    pub(in crate::impact) fn is_lossless(&self, ground: Surface, unloading: &Unloading) -> bool {
         let sinks = self.weight > 0.0 && ground.deepest_state(&unloading.peak).residual() > ground.first_contact();
         self.is_conservative() && ground.plastic_work(unloading) == 0.0 && !sinks
     }
 
     /// The point at which the contact carries the weight: on the unloading branch, or on the loading curve if the sphere has not yet
     /// reached this depth.
-    pub(in crate::impact) fn static_point(&self, ground: Surface, unloading: &Unloading) -> StaticPoint {
+    pub(in crate::impact) fn static_equilibrium(&self, ground: Surface, unloading: &Unloading) -> StaticEquilibrium {
         if unloading.peak.force < self.weight {
-            self.static_on_loading(ground)
+            self.equilibrium_on_loading(ground)
         } else {
-            self.static_on_unloading(ground, unloading)
+            self.equilibrium_on_unloading(ground, unloading)
         }
     }
 
     /// The point at which the unloading branch carries the weight; at most its peak.
-    pub(in crate::impact) fn static_on_unloading(&self, ground: Surface, unloading: &Unloading) -> StaticPoint {
+    pub(in crate::impact) fn equilibrium_on_unloading(
+        &self,
+        ground: Surface,
+        unloading: &Unloading,
+    ) -> StaticEquilibrium {
         let distance = unloading.elastic_approach_at_force(self.weight);
         let indentation = ground.deepest_state(&unloading.peak).residual() + distance;
-        StaticPoint { indentation, distance, slope: unloading.slope_at(distance) }
+        StaticEquilibrium { indentation, distance, slope: unloading.slope_at(distance) }
     }
 
-    pub(in crate::impact) fn static_on_loading(&self, ground: Surface) -> StaticPoint {
+    pub(in crate::impact) fn equilibrium_on_loading(&self, ground: Surface) -> StaticEquilibrium {
         let indentation = ground.indentation_at_force(self.weight);
         let slope = ground.piece(ground.reloading_path.index_at(indentation)).slope_at(indentation);
-        StaticPoint { indentation, distance: indentation - ground.first_contact(), slope }
+        StaticEquilibrium { indentation, distance: indentation - ground.first_contact(), slope }
     }
 
     /// The criterion of rest for an overdamped sphere, at this distance of the leg: the sphere creeps up to the static point, and never
     /// passes it. `None` for a sphere that oscillates about this point. A run ends as soon as the sphere is near enough and slow
     /// enough: its speed is at most the faster of the two decay rates times the remaining distance.
-    pub(in crate::impact) fn rest(&self, point: &StaticPoint, distance: f64) -> Option<RestCriterion> {
-        let omega = (ACCELERATION * point.slope).sqrt();
-        let DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta } = self.drag;
+    pub(in crate::impact) fn rest_criterion(&self, point: &StaticEquilibrium, distance: f64) -> Option<RestCriterion> {
+        let omega = (FORCE_FACTOR * point.slope).sqrt();
+        let DampingCoefficients { hunt_crossley: chi, viscous: eta, plate: theta } = self.damping;
         // the fraction of critical damping of small oscillations
-        let zeta = 0.5 * (ACCELERATION * self.weight * chi / omega + eta + theta * omega);
-        let tolerance = NEAR * point.distance;
+        let zeta = 0.5 * (FORCE_FACTOR * self.weight * chi / omega + eta + theta * omega);
+        let tolerance = CREEP_TOLERANCE * point.distance;
         // from ζ = 0.9 on every half oscillation is below e^(−πζ/√(1−ζ²)) = 0.2 % of the one before: too small to be resolved
         let fast = zeta + (zeta * zeta - 1.0).max(0.0).sqrt();
         let is_overdamped = self.weight > 0.0 && zeta >= 0.9;
@@ -173,7 +178,7 @@ impl ScaledForces {
 
 /// The point at which a contact carries the weight of its sphere.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::impact) struct StaticPoint {
+pub(in crate::impact) struct StaticEquilibrium {
     /// x.
     pub(in crate::impact) indentation: f64,
     /// Distance from the start of its branch: first contact, or the residual indentation.
@@ -183,4 +188,4 @@ pub(in crate::impact) struct StaticPoint {
 }
 
 /// An overdamped sphere counts as captured if its distance to the static indentation is a smaller fraction of the static depth.
-const NEAR: f64 = 1e-3;
+const CREEP_TOLERANCE: f64 = 1e-3;

@@ -53,7 +53,7 @@ named_enum! {
 }
 
 /// The largest λ with a result: e is below 3e-7 there.
-const LARGEST: f64 = 20.0;
+const MAX_INELASTICITY: f64 = 20.0;
 
 /// Why an impact on a plate is not possible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -80,7 +80,7 @@ pub enum PlateError {
         least: f64,
     },
     #[error(
-        "the plate takes all of the impact: Zener's number is {inelasticity:.4}, above {LARGEST}, where an elastic contact has a restitution of 0.679/{inelasticity:.4}^5 = {restitution:.1e}; half_space.thickness must be above {least:.3e} m"
+        "the plate takes all of the impact: Zener's number is {inelasticity:.4}, above {MAX_INELASTICITY}, where an elastic contact has a restitution of 0.679/{inelasticity:.4}^5 = {restitution:.1e}; half_space.thickness must be above {least:.3e} m"
     )]
     TooThin {
         /// λ.
@@ -94,7 +94,7 @@ pub enum PlateError {
 
 /// A plate under a sphere: everything that does not depend on the speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::impact) struct LoadedPlate {
+pub(in crate::impact) struct ContactPlate {
     plate: Plate,
     /// Mass of the sphere \[kg\].
     mass: f64,
@@ -107,7 +107,7 @@ pub(in crate::impact) struct LoadedPlate {
 /// A plate in the units of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::impact) struct ScaledPlate {
-    pub(in crate::impact) under: LoadedPlate,
+    pub(in crate::impact) plate: ContactPlate,
     /// y = Y Φ/V.
     pub(in crate::impact) mobility: f64,
     /// λ.
@@ -116,7 +116,7 @@ pub(in crate::impact) struct ScaledPlate {
     pub(in crate::impact) thinness: f64,
 }
 
-impl LoadedPlate {
+impl ContactPlate {
     /// `law` is the law of the contact, in these scales.
     pub(in crate::impact) fn new(
         plate: Plate,
@@ -144,7 +144,7 @@ impl LoadedPlate {
         2.0 * (self.wave_speed * self.plate.thickness / 12.0_f64.sqrt() * time).sqrt()
     }
 
-    /// The plate in the units of an impact at `speed` \[m/s\] with Hertz's stiffness K. `free_time` is the contact time \[s\]
+    /// The plate in the units of an impact at `speed` \[m/s\] with Hertz's stiffness K. `undamped_contact_time` is the contact time \[s\]
     /// without a plate.
     pub(in crate::impact) fn scaled(
         &self,
@@ -156,15 +156,15 @@ impl LoadedPlate {
         let Self { plate: Plate { thickness, theory, .. }, mass, wave_speed, mobility: thin } = *self;
         let thinness = wave_speed * free_time / thickness;
         let inelasticity = thin * mass * pow(hertz_stiffness * speed.sqrt() / mass, 0.4);
-        if inelasticity > LARGEST {
+        if inelasticity > MAX_INELASTICITY {
             let restitution = 0.679 * powi(inelasticity, -5);
-            let least = thickness * (inelasticity / LARGEST).sqrt();
+            let least = thickness * (inelasticity / MAX_INELASTICITY).sqrt();
             return Err(PlateError::TooThin { inelasticity, restitution, least });
         }
         let mobility = match theory {
             PlateTheory::Zener => thin,
             PlateTheory::Thick => thin * (1.0 + 1.86 / thinness),
         };
-        Ok(ScaledPlate { under: *self, mobility: mobility * scales.force / scales.speed, inelasticity, thinness })
+        Ok(ScaledPlate { plate: *self, mobility: mobility * scales.force / scales.speed, inelasticity, thinness })
     }
 }

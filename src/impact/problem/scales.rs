@@ -11,7 +11,7 @@ use crate::numerics::functions::pow;
 use crate::numerics::power::power_turning_distance;
 
 /// c of x'' = −c f.
-pub const ACCELERATION: f64 = 1.25;
+pub const FORCE_FACTOR: f64 = 1.25;
 
 /// The units of a contact, with or without a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,7 @@ pub struct Units {
 
 impl Units {
     /// The units of first yield; for bodies without a yield strength, the units of a Hertz contact that is as deep as R.
-    pub(crate) fn of(pair: &Pair) -> Self {
+    pub(crate) fn from_pair(pair: &Pair) -> Self {
         let Some(point) = pair.yield_point else {
             let length = pair.radius;
             return Self { length, force: pair.hertz_stiffness() * length * length.sqrt(), contact_radius: length };
@@ -59,8 +59,8 @@ impl Deref for Scales {
 
 impl Scales {
     /// The units of a pair, with the speed at which this mass \[kg\] has the energy (2/5) Φ L: v_Y for bodies that yield.
-    pub(crate) fn of_pair(pair: &Pair, mass: f64) -> Result<Self, OutOfFloatRange> {
-        let units = Units::of(pair);
+    pub(crate) fn from_pair(pair: &Pair, mass: f64) -> Result<Self, OutOfFloatRange> {
+        let units = Units::from_pair(pair);
         let speed = (0.8 * (units.force / mass) * units.length).sqrt();
         let speed = if pair.yield_point.is_some() { finite_positive("yield speed (m/s)", speed)? } else { speed };
         Ok(Self { units, speed })
@@ -71,7 +71,7 @@ impl Scales {
     ///
     /// # Errors
     /// [`OutOfFloatRange`] if indentation, force or kinetic energy underflow or overflow.
-    pub(crate) fn of_hertz(pair: &Pair, mass: f64, speed: f64, gravity: f64) -> Result<Self, OutOfFloatRange> {
+    pub(crate) fn from_hertz_impact(pair: &Pair, mass: f64, speed: f64, gravity: f64) -> Result<Self, OutOfFloatRange> {
         let stiffness = pair.hertz_stiffness();
         let (square, per_stiffness) = (speed * speed, 1.25 * mass / stiffness);
         let power = per_stiffness * square;

@@ -20,7 +20,7 @@
 
 use std::sync::Arc;
 
-use super::contact::{Contact, Rated, Rates};
+use super::contact::{Contact, RateDependence, StrainRateResult};
 use super::error::ImpactError;
 use super::scales::Scales;
 use crate::contact::law::{LawChoice, Surface, YieldingPair};
@@ -29,12 +29,12 @@ use crate::contact::strength::strain_rate_hardening::StrainRateHardening;
 use crate::numerics::ode::IntegrationError;
 
 /// The strain rates of loading and of maximum compression, over w.
-const SHARES: [f64; 2] = [0.2, 0.015];
+const RATE_SHARES: [f64; 2] = [0.2, 0.015];
 
 /// The limit of iterations. Each one gains at least one digit, and with usual constants two.
-const MOST_ROUNDS: u64 = 60;
+const MAX_ITERATIONS: u64 = 60;
 
-impl Rates {
+impl RateDependence {
     /// The factor of the strength of bodies with this partition of the yielding, at a strain rate \[1/s\].
     fn factor(&self, flow: &YieldPartition, strain_rate: f64) -> f64 {
         let [sphere, half_space] = self.of_bodies.map(|of_body| of_body.map_or(1.0, |rise| rise.factor(strain_rate)));
@@ -52,21 +52,21 @@ impl Rates {
 
 impl Contact {
     /// Returns this contact of bodies whose strengths rise with the strain rate; the order is sphere, half-space.
-    pub fn with_rates(mut self, of_bodies: [Option<StrainRateHardening>; 2], law: &LawChoice) -> Self {
+    pub fn with_rate_dependence(mut self, of_bodies: [Option<StrainRateHardening>; 2], law: &LawChoice) -> Self {
         let has_rate = of_bodies.iter().any(Option::is_some) && self.pair().yield_point.is_some();
-        self.rates = has_rate.then(|| Arc::new(Rates { of_bodies, law: law.clone() }));
+        self.rate_dependence = has_rate.then(|| Arc::new(RateDependence { of_bodies, law: law.clone() }));
         self
     }
 
     /// True if the strength depends on the speed.
     pub fn has_rate(&self) -> bool {
-        self.rates.is_some()
+        self.rate_dependence.is_some()
     }
 
     /// The strain rate of the strength of this contact, with its factors; `None` without a strain-rate dependence, and
     /// before a speed is known.
-    pub fn rated(&self) -> Option<&Rated> {
-        self.rated.as_ref()
+    pub fn strain_rate_result(&self) -> Option<&StrainRateResult> {
+        self.strain_rate_result.as_ref()
     }
 
     /// The contact with the strength of an impact at this speed \[m/s\]; the contact itself if its strength does not depend on the speed.
@@ -74,41 +74,47 @@ impl Contact {
     /// # Errors
     /// [`ImpactError`] if a constant of the pair over- or underflows, or a factor is NaN.
     pub fn at_speed(&self, speed: f64) -> Result<Self, ImpactError> {
-        Ok(self.rated_at(speed)?.unwrap_or_else(|| self.clone()))
+        Ok(self.contact_at_speed(speed)?.unwrap_or_else(|| self.clone()))
     }
 
     /// Like [`Contact::at_speed`]; `None` if the strength does not depend on the speed.
     #[inline]
-    pub(in crate::impact) fn rated_at(&self, speed: f64) -> Result<Option<Self>, ImpactError> {
-        match &self.rates {
+    pub(in crate::impact) fn contact_at_speed(&self, speed: f64) -> Result<Option<Self>, ImpactError> {
+        match &self.rate_dependence {
             None => Ok(None),
-            Some(rates) => self.of_rate(rates, speed).map(Some),
+            Some(rates) => self.solve_rate(rates, speed).map(Some),
         }
     }
 
     #[cold]
-    fn of_rate(&self, rates: &Rates, speed: f64) -> Result<Self, ImpactError> {
-        let Some(point) = self.pair().yield_point else { return self.raised(rates, 1.0) };
+    fn solve_rate(&self, rates: &RateDependence, speed: f64) -> Result<Self, ImpactError> {
+        let Some(point) = self.pair().yield_point else { return self.with_factors(rates, 1.0) };
         let (w, factor) = self.loading_factor(rates, &point.yield_partition, speed)?;
-        let factor_at_turn = rates.factor(&point.yield_partition, SHARES[1] * w);
-        let raised = self.raised(rates, factor)?;
+        let factor_at_turn = rates.factor(&point.yield_partition, RATE_SHARES[1] * w);
+        let raised = self.with_factors(rates, factor)?;
         let mut contact = if factor_at_turn == factor {
             raised
         } else {
-            raised.relaxing_to(self.raised(rates, factor_at_turn)?, factor_at_turn / factor)
+            raised.with_peak_strength(self.with_factors(rates, factor_at_turn)?, factor_at_turn / factor)
         };
         let rate = rates.of_flow(&point.yield_partition);
-        contact.rated = Some(Rated { strain_rate: SHARES[0] * w, factor, factor_at_turn, rate });
+        contact.strain_rate_result =
+            Some(StrainRateResult { strain_rate: RATE_SHARES[0] * w, factor, factor_at_turn, rate });
         Ok(contact)
     }
 
     /// w, and the factor of the strength during loading.
-    fn loading_factor(&self, rates: &Rates, flow: &YieldPartition, speed: f64) -> Result<(f64, f64), ImpactError> {
+    fn loading_factor(
+        &self,
+        rates: &RateDependence,
+        flow: &YieldPartition,
+        speed: f64,
+    ) -> Result<(f64, f64), ImpactError> {
         let mut factor = 1.0;
-        for _ in 0..MOST_ROUNDS {
-            let depth = self.depth(rates, factor, speed)?;
+        for _ in 0..MAX_ITERATIONS {
+            let depth = self.peak_indentation(rates, factor, speed)?;
             let w = if speed == 0.0 { 0.0 } else { speed / (self.pair().radius * depth).sqrt() };
-            let next = rates.factor(flow, SHARES[0] * w);
+            let next = rates.factor(flow, RATE_SHARES[0] * w);
             let is_found = (next - factor).abs() < 1e-14 * next;
             factor = next;
             if is_found {
@@ -119,11 +125,11 @@ impl Contact {
                 return Err(OutOfFloatRange { quantity, value: factor }.into());
             }
         }
-        Err(IntegrationError::UnsettledRate { rounds: MOST_ROUNDS }.into())
+        Err(IntegrationError::UnsettledRate { rounds: MAX_ITERATIONS }.into())
     }
 
     /// δ_m \[m\] of the impact on fresh surface with this factor, without gravity, damping and plate.
-    fn depth(&self, rates: &Rates, factor: f64, speed: f64) -> Result<f64, ImpactError> {
+    fn peak_indentation(&self, rates: &RateDependence, factor: f64, speed: f64) -> Result<f64, ImpactError> {
         let deepest = |contact: &Self, scales: &Scales| {
             let q = speed / scales.speed;
             let ground = Surface::from(&contact.law);
@@ -135,33 +141,33 @@ impl Contact {
         }
         if self.law.has_universal_curve() {
             let pair = self.pair().with_raised_strength(factor)?;
-            return Ok(deepest(self, &Scales::of_pair(&pair, self.reduced_mass())?));
+            return Ok(deepest(self, &Scales::from_pair(&pair, self.reduced_mass())?));
         }
-        let raised = self.raised(rates, factor)?;
+        let raised = self.with_factors(rates, factor)?;
         Ok(deepest(&raised, &raised.scales))
     }
 
     /// This contact with its strength raised by this factor, without a strain-rate dependence.
-    fn raised(&self, rates: &Rates, factor: f64) -> Result<Self, ImpactError> {
+    fn with_factors(&self, rates: &RateDependence, factor: f64) -> Result<Self, ImpactError> {
         if factor == 1.0 {
             let mut contact = self.clone();
-            contact.rates = None;
+            contact.rate_dependence = None;
             return Ok(contact);
         }
         let pair = self.pair().with_raised_strength(factor)?;
         if let (LawChoice::Plm(plm), true, Some(bodies)) =
             (&rates.law, self.law.has_universal_curve(), YieldingPair::new(&pair))
         {
-            let scales = Scales::of_pair(&pair, self.reduced_mass())?;
-            return Ok(self.of_law(pair, plm.rescaled_law(&self.law, &bodies), scales, scales.speed));
+            let scales = Scales::from_pair(&pair, self.reduced_mass())?;
+            return Ok(self.with_law(pair, plm.rescaled_law(&self.law, &bodies), scales, scales.speed));
         }
         let mut law = rates.law.clone();
         law.set_rate_factor(factor);
-        self.of_pair(pair, law.get())
+        self.with_pair(pair, law.get())
     }
 
     /// This contact, which relaxes to the strength of another contact at maximum compression.
-    fn relaxing_to(mut self, turn: Self, ratio: f64) -> Self {
+    fn with_peak_strength(mut self, turn: Self, ratio: f64) -> Self {
         self.law = self.law.with_peak_law(turn.law, ratio);
         self.elastic_speed = turn.yield_speed.min(self.yield_speed);
         self

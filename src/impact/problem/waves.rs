@@ -12,7 +12,7 @@
 //! under a normal load; Hunter (1957), J. Mech. Phys. Solids 5, 162-171, for the loss of an elastic impact, which grows as
 //! v^(3/5). Finite elements of whole impacts radiate 1.00 to 1.07 times this.
 
-use super::scales::{ACCELERATION, Scales};
+use super::scales::{FORCE_FACTOR, Scales};
 use crate::contact::law::{Surface, Unloading};
 use crate::contact::pair::{HalfSpace, OutOfFloatRange, finite_positive};
 use crate::numerics::curve::piece::{Piece, Shape};
@@ -31,7 +31,7 @@ impl Waves {
     ///
     /// # Errors
     /// [`OutOfFloatRange`] where ρ c_s³ over- or underflows.
-    pub fn of(half_space: &HalfSpace) -> Result<Option<Self>, OutOfFloatRange> {
+    pub fn try_new(half_space: &HalfSpace) -> Result<Option<Self>, OutOfFloatRange> {
         let Some(density) = half_space.density else { return Ok(None) };
         let nu = half_space.material.poissons_ratio;
         let shear_modulus = half_space.material.youngs_modulus / (2.0 * (1.0 + nu));
@@ -76,7 +76,7 @@ pub fn restitution_with_waves(restitution: f64, loss_fraction: f64) -> f64 {
 /// ∫ f'² |u| dx along these pieces to a turning point at x = `turn`, or back from it.
 fn integral(pieces: &[Piece], turn: f64) -> f64 {
     let most = pieces.last().map_or(0.0, |last| last.work_at(turn));
-    let speed_at = |work: f64| (2.0 * ACCELERATION * (most - work)).max(0.0).sqrt();
+    let speed_at = |work: f64| (2.0 * FORCE_FACTOR * (most - work)).max(0.0).sqrt();
     let mut integral = 0.0;
     let mut entry = speed_at(0.0);
     for (i, piece) in pieces.iter().enumerate() {
@@ -100,13 +100,13 @@ fn integral(pieces: &[Piece], turn: f64) -> f64 {
 /// From rest at a force f_m along f = f_m (d/ε)^n to d = 0, or the other way:
 /// n² (f_m²/ε) u_0 B((2n − 1)/(n + 1), 3/2)/(n + 1) with u_0² = 2c f_m ε/(n + 1).
 fn power_integral(force: f64, length: f64, n: f64) -> f64 {
-    let fastest = (2.0 * ACCELERATION * force * length / (n + 1.0)).sqrt();
-    let shape = if n == 1.5 { HERTZ } else { n * n / (n + 1.0) * beta((2.0 * n - 1.0) / (n + 1.0)) };
+    let fastest = (2.0 * FORCE_FACTOR * force * length / (n + 1.0)).sqrt();
+    let shape = if n == 1.5 { HERTZ_FACTOR } else { n * n / (n + 1.0) * beta((2.0 * n - 1.0) / (n + 1.0)) };
     shape * (force * force / length) * fastest
 }
 
 /// n²/(n + 1) B((2n − 1)/(n + 1), 3/2) for n = 3/2: 0.9 B(0.8, 1.5).
-const HERTZ: f64 = 0.795_907_321_770_451_1;
+const HERTZ_FACTOR: f64 = 0.795_907_321_770_451_1;
 
 /// B(a, 3/2).
 fn beta(a: f64) -> f64 {
@@ -118,7 +118,7 @@ fn beta(a: f64) -> f64 {
 /// On a straight piece u² + (5/4) f²/s = u² + g² is constant, so the integral s ∫ u df is a sector of an ellipse:
 /// s^(3/2)/√5 [g u + (u² + g²) θ], tan θ = g/u.
 fn straight_integral(slope: f64, to_force: f64, from_force: f64, entry: f64, exit: f64) -> f64 {
-    let scale = (ACCELERATION / slope).sqrt();
+    let scale = (FORCE_FACTOR / slope).sqrt();
     let (from, to) = (scale * from_force, scale * to_force);
     // the angle between the two states, without the difference of two nearly equal ones
     let angle = atan2(to * entry - from * exit, entry * exit + from * to);
@@ -139,7 +139,7 @@ fn integral_by_quadrature(piece: &Piece, end: f64, speed_at: impl Fn(f64) -> f64
 /// Chebyshev's polynomials in z = 2 artanh(γ)/artanh(√¾) − 1, with γ² = (1 − 2ν)/(2 (1 − ν)).
 pub fn radiation_factor(poissons_ratio: f64) -> f64 {
     /// artanh(√¾), that of ν = −1.
-    const WHOLE: f64 = 1.316_957_896_924_816_7;
+    const FULL_ROW: f64 = 1.316_957_896_924_816_7;
     const ROW: [f64; 22] = [
         0.245_051_744_118_894_3,
         0.219_008_176_166_169_33,
@@ -165,7 +165,7 @@ pub fn radiation_factor(poissons_ratio: f64) -> f64 {
         2.727_682_219_488_268e-15,
     ];
     let gamma = ((1.0 - 2.0 * poissons_ratio) / (2.0 * (1.0 - poissons_ratio))).sqrt();
-    let z = ln_1p(2.0 * gamma / (1.0 - gamma)) / WHOLE - 1.0;
+    let z = ln_1p(2.0 * gamma / (1.0 - gamma)) / FULL_ROW - 1.0;
     let (last, before) = ROW.iter().rev().fold((0.0, 0.0), |(b, c), a| (a + 2.0 * z * b - c, b));
     last - z * before
 }

@@ -3,10 +3,10 @@
 use crate::contact::law::{Branch, ContactState};
 use crate::impact::oblique::FrictionState;
 use crate::impact::problem::contact::Contact;
-use crate::impact::problem::scales::ACCELERATION;
-use crate::impact::scaled_impact::Case;
-use crate::impact::solve::outcome::{Fate, Outcome};
-use crate::impact::solve::recorder::{Event, Point};
+use crate::impact::problem::scales::FORCE_FACTOR;
+use crate::impact::scaled_impact::ScaledImpact;
+use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
+use crate::impact::solve::recorder::{Event, TracePoint};
 use crate::numerics::ode::MotionState;
 
 /// A row of the trace of an impact. SI units.
@@ -38,20 +38,20 @@ pub struct TraceRow {
 
 /// The energy balance of one impact, in units of Φ L: kinetic + stored + lost in dent and drag − m g δ = ½ m v². On a plate its
 /// "kinetic" and "lost" differ from the energies of sphere and plate, which [`crate::impact::problem::plate`] defines; their sum is equal.
-pub(in crate::impact) struct Ledger<'a> {
+pub(in crate::impact) struct EnergyBalance<'a> {
     contact: &'a Contact,
-    case: &'a Case<'a>,
-    outcome: &'a Outcome,
+    case: &'a ScaledImpact<'a>,
+    outcome: &'a ScaledResult,
     /// ½ m v²; 0 for a sphere released at rest.
     kinetic: f64,
     /// The work spent on the dent.
-    spent: f64,
+    input_energy: f64,
 }
 
-impl<'a> Ledger<'a> {
-    pub(in crate::impact) fn new(contact: &'a Contact, case: &'a Case, outcome: &'a Outcome) -> Self {
-        let spent = case.ground.plastic_work_unrounded(&outcome.unloading);
-        Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, spent }
+impl<'a> EnergyBalance<'a> {
+    pub(in crate::impact) fn new(contact: &'a Contact, case: &'a ScaledImpact, outcome: &'a ScaledResult) -> Self {
+        let input_energy = case.ground.plastic_work_unrounded(&outcome.unloading);
+        Self { contact, case, outcome, kinetic: 0.4 * case.q * case.q, input_energy }
     }
 
     /// The error of the sum, over ½ m v² + m g δ_m. During loading W(x) is the stored and the plastic energy together.
@@ -62,24 +62,24 @@ impl<'a> Ledger<'a> {
     }
 
     /// The error at the end of the contact.
-    pub(in crate::impact) fn at_end(&self) -> f64 {
-        let Outcome { unloading, end_indentation: x, end_speed, loss, fate, .. } = *self.outcome;
+    pub(in crate::impact) fn drift_at_end(&self) -> f64 {
+        let ScaledResult { unloading, end_indentation: x, end_speed, loss, end: fate, .. } = *self.outcome;
         // at the bottom of the dent no energy is stored, but x has too few digits to show this
-        let is_at_dent = fate == Fate::Separated && !self.case.forces.drag.can_lift_off();
+        let is_at_dent = fate == ImpactEnd::Separated && !self.case.forces.damping.can_lift_off();
         let stored = if is_at_dent { 0.0 } else { unloading.stored_energy(x) };
-        self.drift(end_speed, self.spent + stored, loss, x)
+        self.drift(end_speed, self.input_energy + stored, loss, x)
     }
 
     /// Kinetic and elastic energy at the end of the contact. On a plate the sphere moves with the plate.
-    pub(in crate::impact) fn left(&self) -> f64 {
-        let Outcome { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
+    pub(in crate::impact) fn remaining_energy(&self) -> f64 {
+        let ScaledResult { unloading, end_indentation: x, end_speed, .. } = *self.outcome;
         let force = unloading.force_at_elastic_approach(x - self.case.ground.deepest_state(&unloading.peak).residual());
         let speed = end_speed + self.case.plate.map_or(0.0, |plate| plate.mobility * force);
         0.4 * speed * speed + unloading.stored_energy(x)
     }
 
     /// The error at the peak. With damping the loss up to the peak is not known, and the error is set to 0.
-    pub(in crate::impact) fn at_peak(&self) -> f64 {
+    pub(in crate::impact) fn drift_at_peak(&self) -> f64 {
         if !self.case.forces.is_conservative() {
             return 0.0;
         }
@@ -88,12 +88,12 @@ impl<'a> Ledger<'a> {
     }
 
     /// The row of the trace at a point of the motion.
-    pub(in crate::impact) fn row(&self, point: &Point) -> TraceRow {
-        let Point { at: MotionState { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
+    pub(in crate::impact) fn row(&self, point: &TracePoint) -> TraceRow {
+        let TracePoint { at: MotionState { time, speed, loss, .. }, state, total_force, is_unloading, event } = *point;
         let ContactState { indentation: x, force, elastic_approach } = state;
-        let Case { ground, scales, .. } = self.case;
+        let ScaledImpact { ground, scales, .. } = self.case;
         let potential = if is_unloading {
-            self.outcome.unloading.stored_energy_at(elastic_approach) + self.spent
+            self.outcome.unloading.stored_energy_at(elastic_approach) + self.input_energy
         } else {
             ground.loading_work(&state)
         };
@@ -117,7 +117,7 @@ impl<'a> Ledger<'a> {
             branch,
             friction: None,
             event,
-            energy_drift: self.drift(speed, potential, loss / ACCELERATION, x),
+            energy_drift: self.drift(speed, potential, loss / FORCE_FACTOR, x),
         }
     }
 }

@@ -2,15 +2,15 @@
 
 use std::ops::Deref;
 
-use super::energy_balance::{Ledger, TraceRow};
-use super::row::Essentials;
+use super::energy_balance::{EnergyBalance, TraceRow};
+use super::row::ImpactRow;
 use super::warning::Warning;
-use crate::impact::oblique::{Approach, Oblique, ObliqueImpact};
+use crate::impact::oblique::{Approach, ObliqueImpact, ObliqueResult};
 use crate::impact::problem::contact::Contact;
 use crate::impact::problem::error::ImpactError;
-use crate::impact::scaled_impact::Case;
+use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::Method;
-use crate::impact::solve::outcome::{Computed, Fate, FixedSteps, Outcome};
+use crate::impact::solve::outcome::{FixedSteps, ImpactEnd, ScaledResult, Solution};
 use crate::numerics::ode::{IntegrationError, SolverStats};
 use crate::numerics::power::nan_max;
 
@@ -20,7 +20,7 @@ pub struct Energy {
     /// ½ m* v².
     pub kinetic_in: f64,
     /// Kinetic energy of the common motion of the sphere and a free target. It does not change.
-    pub of_centre: Option<f64>,
+    pub centre_of_mass: Option<f64>,
     /// ½ m* (e v)².
     pub recovered: f64,
     /// Plastic work, W(δ_m) − F_m δ_e/(n + 1); `None` if no body has a yield strength.
@@ -44,9 +44,10 @@ pub struct Accuracy {
 
 impl Accuracy {
     /// The errors of an outcome; NaN without a closed form.
-    fn of(outcome: &Outcome, exact: Option<&Outcome>) -> Self {
+    fn from_outcomes(outcome: &ScaledResult, exact: Option<&ScaledResult>) -> Self {
         let relative = |got: f64, want: f64| if got == want { 0.0 } else { (got / want - 1.0).abs() };
-        let error = |part: fn(&Outcome) -> f64| exact.map_or(f64::NAN, |exact| relative(part(outcome), part(exact)));
+        let error =
+            |part: fn(&ScaledResult) -> f64| exact.map_or(f64::NAN, |exact| relative(part(outcome), part(exact)));
         Self {
             closed_form_restitution: exact.map_or(f64::NAN, |exact| exact.restitution),
             restitution_error: error(|outcome| outcome.restitution),
@@ -58,7 +59,7 @@ impl Accuracy {
 /// Additional results under gravity, under damping, or on a plate. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForcesResult {
-    pub fate: Fate,
+    pub fate: ImpactEnd,
     /// Time of separation, or of the end of the run of a captured sphere \[s\].
     pub end_time: f64,
     /// δ at that time \[m\].
@@ -76,7 +77,7 @@ pub struct ForcesResult {
     pub gravity_work: Option<f64>,
 }
 
-/// One impact, for reports and pictures. It derefs to its [`Essentials`], the results in a row of a table, as in
+/// One impact, for reports and pictures. It derefs to its [`ImpactRow`], the results in a row of a table, as in
 /// `impact.peak_force`. SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impact {
@@ -84,7 +85,7 @@ pub struct Impact {
     pub speed: f64,
     /// The method that computed the impact. For `Auto` it is the method that `Auto` chose.
     pub method: Method,
-    pub essentials: Essentials,
+    pub essentials: ImpactRow,
     /// Speed of the sphere \[m/s\], normal to the half-space: e v if the target is fixed.
     pub rebound_speed: f64,
     /// First contact to maximum compression \[s\], by [`Method::Verlet`] within a step.
@@ -106,15 +107,15 @@ pub struct Impact {
     /// Radius of the rim of the dent \[m\]: the contact radius at the peak that shaped it; `None` without a dent.
     pub dent_radius: Option<f64>,
     pub energy: Energy,
-    pub work: SolverStats,
+    pub stats: SolverStats,
     /// Error against the closed form; NaN if there is no closed form.
     pub accuracy: Accuracy,
     /// End, losses and work under gravity or damping or on a plate, if the scene names them.
-    pub under_forces: Option<ForcesResult>,
+    pub forces_result: Option<ForcesResult>,
     /// The times in fixed steps, by [`Method::Verlet`].
-    pub in_fixed_steps: Option<FixedSteps>,
+    pub fixed_steps: Option<FixedSteps>,
     /// Energy, momentum and error of an oblique impact; its other results are in `essentials.rebound`.
-    pub oblique: Option<Oblique>,
+    pub oblique: Option<ObliqueResult>,
     /// The warnings about the model and the run.
     pub warnings: Vec<Warning>,
     /// The trace, in order of time; empty if no trace is requested.
@@ -122,9 +123,9 @@ pub struct Impact {
 }
 
 impl Deref for Impact {
-    type Target = Essentials;
+    type Target = ImpactRow;
 
-    fn deref(&self) -> &Essentials {
+    fn deref(&self) -> &ImpactRow {
         &self.essentials
     }
 }
@@ -134,48 +135,50 @@ impl Impact {
     pub(in crate::impact) fn new(
         contact: &Contact,
         speed: f64,
-        case: &Case,
+        case: &ScaledImpact,
         method: Method,
-        computed: &Computed,
-        exact: Option<&Outcome>,
+        computed: &Solution,
+        exact: Option<&ScaledResult>,
     ) -> Result<Self, ImpactError> {
-        let Case { scales, ground, forces, .. } = case;
-        let Computed { outcome, work, fixed_steps, points } = computed;
-        let essentials = Essentials::new(contact, speed, case, outcome)?;
-        let Essentials { restitution, kinetic_in, peak_contact_radius, .. } = essentials;
+        let ScaledImpact { scales, ground, forces, .. } = case;
+        let Solution { outcome, stats: work, fixed_steps, trace_points: points } = computed;
+        let essentials = ImpactRow::new(contact, speed, case, outcome)?;
+        let ImpactRow { restitution, kinetic_in, peak_contact_radius, .. } = essentials;
         let pair = contact.pair();
         let peak = &outcome.unloading.peak;
-        let ledger = Ledger::new(contact, case, outcome);
+        let ledger = EnergyBalance::new(contact, case, outcome);
         let mut trace: Vec<TraceRow> = points.iter().map(|point| ledger.row(point)).collect();
         let rows = trace.iter().map(|row| row.energy_drift);
-        let drift = rows.chain([ledger.at_peak(), ledger.at_end()]).fold(0.0, |worst, d: f64| nan_max(worst, d.abs()));
+        let drift = rows
+            .chain([ledger.drift_at_peak(), ledger.drift_at_end()])
+            .fold(0.0, |worst, d: f64| nan_max(worst, d.abs()));
         if !drift.is_finite() {
             // from the first row of the trace on, or from the end
             let row = trace.iter().find(|row| !row.energy_drift.is_finite());
             let time = row.map_or(outcome.contact_time, |row| row.time / scales.time());
             return Err(IntegrationError::NotFinite { time }.into());
         }
-        drop_twin_of_end(&mut trace);
+        remove_duplicate_end_rows(&mut trace);
         let has_dent = essentials.has_dent();
         let is_in_half_space = essentials.dent_depth() > 0.0;
         let dent = ground.deepest_state(peak);
         let radius_ratio = dent.unloading_radius_ratio();
-        let is_captured = outcome.fate == Fate::Captured;
+        let is_captured = outcome.end == ImpactEnd::Captured;
         let energy = scales.energy();
         let under_forces = (!contact.forces().is_none()).then(|| {
-            let lifts_off = !is_captured && forces.drag.can_lift_off();
-            let moved = essentials.on_plate.map_or(0.0, |plate| plate.displacement / scales.length);
+            let lifts_off = !is_captured && forces.damping.can_lift_off();
+            let moved = essentials.plate.map_or(0.0, |plate| plate.displacement / scales.length);
             let sunk = outcome.end_indentation - ground.first_contact() + moved;
             ForcesResult {
-                fate: outcome.fate,
+                fate: outcome.end,
                 end_time: outcome.contact_time * scales.time(),
                 end_indentation: outcome.end_indentation * scales.length,
                 static_indentation: is_captured
-                    .then(|| forces.static_point(*ground, &outcome.unloading).indentation * scales.length),
+                    .then(|| forces.static_equilibrium(*ground, &outcome.unloading).indentation * scales.length),
                 damping_loss: contact.forces().damping.map(|_| outcome.loss * energy),
                 stored_at_separation: lifts_off
                     .then(|| outcome.unloading.stored_energy(outcome.end_indentation) * energy),
-                left: is_captured.then(|| ledger.left() * energy),
+                left: is_captured.then(|| ledger.remaining_energy() * energy),
                 gravity_work: contact.forces().gravity.map(|_| forces.weight * sunk * energy),
             }
         });
@@ -198,16 +201,16 @@ impl Impact {
             dent_radius: is_in_half_space.then(|| scales.contact_radius * ground.contact_radius(&dent)),
             energy: Energy {
                 kinetic_in,
-                of_centre: contact.target_mass().map(|target| kinetic_in * (contact.mass() / target)),
+                centre_of_mass: contact.target_mass().map(|target| kinetic_in * (contact.mass() / target)),
                 recovered: kinetic_in * essentials.recovered_fraction(),
                 plastic: pair.yield_point.map(|_| ground.plastic_work(&outcome.unloading) * energy),
                 drift,
-                drift_at_end: ledger.at_end(),
+                drift_at_end: ledger.drift_at_end(),
             },
-            work: *work,
-            accuracy: Accuracy::of(outcome, exact),
-            under_forces,
-            in_fixed_steps: fixed_steps.map(|seen| seen.in_seconds(scales.time())),
+            stats: *work,
+            accuracy: Accuracy::from_outcomes(outcome, exact),
+            forces_result: under_forces,
+            fixed_steps: fixed_steps.map(|seen| seen.in_seconds(scales.time())),
             oblique: None,
             warnings: Vec::new(),
             trace,
@@ -220,10 +223,10 @@ impl Impact {
         inclined: &ObliqueImpact,
         approach: Approach,
     ) -> Result<(), ImpactError> {
-        let slip = inclined.slip(true)?;
+        let slip = inclined.slip_result(true)?;
         self.speed = approach.speed;
         self.essentials.rebound = Some(inclined.rebound(&slip)?);
-        self.oblique = Some(inclined.oblique(&slip));
+        self.oblique = Some(inclined.result(&slip));
         for row in &mut self.trace {
             row.friction =
                 Some(inclined.friction_at(&slip, row.time, row.sphere_speed.unwrap_or(row.speed), row.force));
@@ -232,18 +235,18 @@ impl Impact {
     }
 
     /// The results of a captured sphere; `None` for a sphere that separates.
-    pub fn captured(&self) -> Option<&ForcesResult> {
-        self.under_forces.as_ref().filter(|under| under.fate == Fate::Captured)
+    pub fn captured_result(&self) -> Option<&ForcesResult> {
+        self.forces_result.as_ref().filter(|under| under.fate == ImpactEnd::Captured)
     }
 
     /// The simulated time \[s\]: the contact time, or the time to the end of the run of a captured sphere.
     pub fn duration(&self) -> f64 {
-        self.captured().map_or(self.contact_time, |under| under.end_time)
+        self.captured_result().map_or(self.contact_time, |under| under.end_time)
     }
 }
 
 /// Removes rows at the time of the last row, a sample or a peak, because the last row holds the same values.
-fn drop_twin_of_end(trace: &mut Vec<TraceRow>) {
+fn remove_duplicate_end_rows(trace: &mut Vec<TraceRow>) {
     while let [.., before, end] = trace.as_slice()
         && before.time == end.time
     {

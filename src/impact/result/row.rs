@@ -2,19 +2,19 @@
 
 use crate::contact::pair::{OutOfFloatRange, finite_positive, imprint_name};
 use crate::impact::oblique::Rebound;
-use crate::impact::problem::contact::{Contact, Rated};
+use crate::impact::problem::contact::{Contact, StrainRateResult};
 use crate::impact::problem::error::ImpactError;
 use crate::impact::problem::forces::ScaledForces;
 use crate::impact::problem::plate::ScaledPlate;
 use crate::impact::problem::waves;
-use crate::impact::scaled_impact::Case;
+use crate::impact::scaled_impact::ScaledImpact;
 use crate::impact::solve::closed_form;
-use crate::impact::solve::outcome::{Fate, Outcome};
+use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
 use crate::numerics::ode::IntegrationError;
 
 /// The results of an impact in a row of a table. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Essentials {
+pub struct ImpactRow {
     /// e \[1\].
     pub restitution: f64,
     /// Both ends of the interval of e \[1\], which a table sets.
@@ -44,9 +44,9 @@ pub struct Essentials {
     /// Fraction of the energy that is radiated as elastic waves \[1\], to first order and without gravity. `None` if the density of the
     /// half-space is not known, under damping or on a plate, and for a sphere that does not separate.
     pub wave_loss_fraction: Option<f64>,
-    pub on_plate: Option<OnPlate>,
+    pub plate: Option<PlateResult>,
     /// Strain rate and factors of strength; `None` without a strain-rate dependence, and for an impact that turned in a dent.
-    pub rated: Option<Rated>,
+    pub strain_rate_result: Option<StrainRateResult>,
     /// Speed \[m/s\] of a free target after the impact, normal to the surface.
     pub target_speed: Option<f64>,
     /// Rebound height \[m\], with waves and air if they are known; `None` without gravity and height, and for a sphere that does not
@@ -58,7 +58,7 @@ pub struct Essentials {
 
 /// The additional results of an impact on a plate; [`crate::impact::problem::plate`] has the equations. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OnPlate {
+pub struct PlateResult {
     /// λ \[1\].
     pub inelasticity: f64,
     /// X \[1\]: number of plate thicknesses that a wave travels in the contact time on a half-space.
@@ -71,16 +71,16 @@ pub struct OnPlate {
     pub reach: f64,
 }
 
-impl OnPlate {
+impl PlateResult {
     /// The results from an outcome; `contact_time` \[s\] may be infinite.
-    fn of(case: &Case, outcome: &Outcome, contact_time: f64) -> Option<Self> {
-        let ScaledPlate { under, mobility: y, inelasticity, thinness } = case.plate?;
-        let Case { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;
-        let Outcome { unloading, end_indentation, end_speed: u, .. } = outcome;
+    fn from_scaled(case: &ScaledImpact, outcome: &ScaledResult, contact_time: f64) -> Option<Self> {
+        let ScaledPlate { plate: under, mobility: y, inelasticity, thinness } = case.plate?;
+        let ScaledImpact { scales, ground, q, forces: ScaledForces { weight, .. }, .. } = *case;
+        let ScaledResult { unloading, end_indentation, end_speed: u, .. } = outcome;
         // the run of a captured sphere ends where the contact still has a force
-        let f = match outcome.fate {
-            Fate::Separated => 0.0,
-            Fate::Captured => {
+        let f = match outcome.end {
+            ImpactEnd::Separated => 0.0,
+            ImpactEnd::Captured => {
                 unloading.force_at_elastic_approach(end_indentation - ground.deepest_state(&unloading.peak).residual())
             }
         };
@@ -96,34 +96,34 @@ impl OnPlate {
     }
 }
 
-impl Essentials {
+impl ImpactRow {
     /// In SI units.
     #[inline]
     pub(in crate::impact) fn new(
         contact: &Contact,
         speed: f64,
-        case: &Case,
-        outcome: &Outcome,
+        case: &ScaledImpact,
+        outcome: &ScaledResult,
     ) -> Result<Self, ImpactError> {
-        let Case { scales, ground, q, forces, .. } = case;
+        let ScaledImpact { scales, ground, q, forces, .. } = case;
         // a sphere released at rest has the kinetic energy 0, which is no underflow
         let kinetic_in = 0.5 * contact.reduced_mass() * speed * speed;
         let is_at_rest = speed == 0.0 && !contact.forces().is_none();
         let kinetic_in = if is_at_rest { 0.0 } else { finite_positive("kinetic energy (J)", kinetic_in)? };
-        let radiating = contact.waves().filter(|_| outcome.fate == Fate::Separated && !is_at_rest);
+        let radiating = contact.waves().filter(|_| outcome.end == ImpactEnd::Separated && !is_at_rest);
         let waves = match radiating {
             // the first-order estimate belongs to the impact without gravity
             Some(waves) if forces.weight > 0.0 => Some(waves.loss_fraction(
                 speed,
                 scales,
                 *ground,
-                &closed_form::energy_balance(*ground, *q).unloading,
+                &closed_form::solve_energy_balance(*ground, *q).unloading,
             )?),
             Some(waves) => Some(waves.loss_fraction(speed, scales, *ground, &outcome.unloading)?),
             None => None,
         };
         let peak = outcome.unloading.peak;
-        let Outcome { restitution, loading_time, .. } = *outcome;
+        let ScaledResult { restitution, loading_time, .. } = *outcome;
         if ![restitution, loading_time, peak.indentation, peak.elastic_approach].iter().all(|part| part.is_finite()) {
             return Err(IntegrationError::NotFinite { time: outcome.contact_time }.into());
         }
@@ -138,9 +138,9 @@ impl Essentials {
             return Err(OutOfFloatRange { quantity: "plastic energy / kinetic energy", value: share }.into());
         }
         // the flight of two bodies is not modelled
-        let flying = contact.forces().flying.filter(|_| contact.target_mass().is_none());
+        let flying = contact.forces().flight.filter(|_| contact.target_mass().is_none());
         let contact_time = finite_positive("contact time (s)", outcome.contact_time * scales.time())?;
-        let contact_time = if outcome.fate == Fate::Captured { f64::INFINITY } else { contact_time };
+        let contact_time = if outcome.end == ImpactEnd::Captured { f64::INFINITY } else { contact_time };
         Ok(Self {
             restitution: outcome.restitution,
             restitution_interval: None,
@@ -158,14 +158,14 @@ impl Essentials {
             kinetic_in,
             plastic_fraction: share,
             wave_loss_fraction: waves,
-            on_plate: OnPlate::of(case, outcome, contact_time),
+            plate: PlateResult::from_scaled(case, outcome, contact_time),
             target_speed: contact.speeds_after(speed, outcome.restitution).1,
-            rebound_height: flying.filter(|_| outcome.fate == Fate::Separated).map(|flying| {
+            rebound_height: flying.filter(|_| outcome.end == ImpactEnd::Separated).map(|flying| {
                 let restitution =
                     waves.map_or(outcome.restitution, |loss| waves::restitution_with_waves(outcome.restitution, loss));
-                flying.rise(restitution * speed)
+                flying.rise_height(restitution * speed)
             }),
-            rated: contact.rated.filter(|_| law.is_some()),
+            strain_rate_result: contact.strain_rate_result.filter(|_| law.is_some()),
             rebound: None,
         })
     }
@@ -181,7 +181,7 @@ impl Essentials {
     }
 
     /// The imprint of the impact: `deepest_state`, `flat`, or `deepest_state and flat`.
-    pub fn left_behind(&self) -> &'static str {
+    pub fn imprint_name(&self) -> &'static str {
         imprint_name(self.flat_depth / self.residual_indentation)
     }
 
@@ -198,7 +198,7 @@ impl Essentials {
 
     /// Fraction of the kinetic energy that the plate absorbs \[1\].
     pub fn plate_loss_fraction(&self) -> Option<f64> {
-        self.on_plate.filter(|_| self.has_speed()).map(|plate| plate.energy / self.kinetic_in)
+        self.plate.filter(|_| self.has_speed()).map(|plate| plate.energy / self.kinetic_in)
     }
 
     /// (e v)²/v² \[1\]: recovered fraction of the kinetic energy.

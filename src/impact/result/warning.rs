@@ -34,7 +34,7 @@ pub enum WarningKind {
     /// Two balls of one material, of which only one has a strength.
     OneBallYields,
     /// A body that cracks or creeps where a metal would yield.
-    NoMetal,
+    NotAMetal,
     /// The hardness of a metal that hardens, without its exponent.
     NoExponent,
     /// A contact time that is too short for a quasi-static sphere.
@@ -44,7 +44,7 @@ pub enum WarningKind {
     /// A plate so thick that the impact ends before the plate bends.
     ThickPlate,
     /// A plate in the range between half-space and thin plate.
-    BetweenTheories,
+    ModeratelyThickPlate,
     /// A contact as wide as the plate is thick.
     WideContactOnPlate,
     NearEdge,
@@ -59,7 +59,7 @@ pub enum WarningKind {
     /// An oblique impact whose dent is so deep that the sphere ploughs.
     Ploughing,
     /// Bodies whose pressure and friction are coupled.
-    Mismatch,
+    DundursCoupling,
     /// A fall that air would slow, or a ball so light that air moves with it.
     InAir,
     /// A drop height far above the range of a test, as from a mistaken unit.
@@ -67,11 +67,11 @@ pub enum WarningKind {
     /// A sphere so small and slow that adhesion matters.
     Adhesion,
     /// A key or a table of the scenario that has no effect.
-    Unused,
+    UnusedKey,
     /// A strain rate outside of the range of the constants.
     StrainRate,
     /// A test of the strength that was nearly as fast as an impact.
-    FastTest,
+    DynamicTest,
     /// Constants of Cowper and Symonds for the lower yield point.
     LowerYield,
     /// An unloading exponent that is raised, because it would recover more energy than was spent.
@@ -81,11 +81,11 @@ pub enum WarningKind {
     /// Integration and closed form disagree.
     Inaccurate,
     /// An energy balance that does not close.
-    OpenLedger,
+    EnergyImbalance,
 }
 
 /// Above this ratio of mean pressure to yield strength, a sphere yields as fully as a half-space does at 2.9.
-pub(in crate::impact) const FULLY: f64 = 2.0;
+pub(in crate::impact) const FULL_PLASTICITY_RATIO: f64 = 2.0;
 
 impl Warning {
     pub(crate) fn new(kind: WarningKind, size: f64, text: String) -> Self {
@@ -93,19 +93,20 @@ impl Warning {
     }
 
     /// True if the result must not be used. Such a warning comes before the others.
-    pub fn is_grave(&self) -> bool {
-        self.kind == WarningKind::NoMetal || self.kind == WarningKind::SphereYields && self.size > FULLY
+    pub fn is_fatal(&self) -> bool {
+        self.kind == WarningKind::NotAMetal
+            || self.kind == WarningKind::SphereYields && self.size > FULL_PLASTICITY_RATIO
     }
 
     /// True if two warnings have the same meaning, so that one of them suffices. Every material may have its own warning.
-    pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let is_of_material = matches!(self.kind, WarningKind::NoMetal | WarningKind::NoExponent);
+    pub(crate) fn is_same_kind(&self, other: &Self) -> bool {
+        let is_of_material = matches!(self.kind, WarningKind::NotAMetal | WarningKind::NoExponent);
         self.kind == other.kind && (!is_of_material || self.text == other.text)
     }
 
     /// Adds a warning and its position to a list that keeps the worst warning of each meaning.
     pub(crate) fn keep_worst<P>(self, worst: &mut Vec<(Self, P)>, place: impl FnOnce() -> P) {
-        match worst.iter_mut().find(|(known, _)| known.is_like(&self)) {
+        match worst.iter_mut().find(|(known, _)| known.is_same_kind(&self)) {
             None => worst.push((self, place())),
             Some(known) if self.size.is_nan() || self.size > known.0.size => *known = (self, place()),
             Some(_) => {}
@@ -113,11 +114,11 @@ impl Warning {
     }
 
     /// The warning of a key or a table without effect; `reason` states the cause and the remedy.
-    pub(crate) fn unused(key: &str, reason: &str) -> Self {
-        Self::new(WarningKind::Unused, 0.0, format!("{key} is not used: {reason}"))
+    pub(crate) fn unused_key(key: &str, reason: &str) -> Self {
+        Self::new(WarningKind::UnusedKey, 0.0, format!("{key} is not used: {reason}"))
     }
 
-    pub(in crate::impact) fn when(
+    pub(in crate::impact) fn new_if(
         is_doubtful: bool,
         kind: WarningKind,
         size: f64,

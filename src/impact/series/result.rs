@@ -2,15 +2,15 @@
 
 use std::ops::Deref;
 
-use crate::impact::flight::free_flight::Flying;
+use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::flight::trajectory::Flight;
-use crate::impact::{Approach, Energy, Essentials, Fate, ForcesResult, Impact, Method, Oblique, Warning};
+use crate::impact::{Approach, Energy, ForcesResult, Impact, ImpactEnd, ImpactRow, Method, ObliqueResult, Warning};
 use crate::numerics::power::nan_max;
 use crate::strings::names::named_enum;
 
 named_enum! {
     /// Why a series ended.
-    pub enum End {
+    pub enum SeriesEnd {
         /// The list of shots is finished.
         Shots = "shots",
         /// The requested number of impacts is reached.
@@ -27,7 +27,7 @@ named_enum! {
 
 /// One impact of a series. It derefs to the results in a row of a table, as in `hit.peak_force`. SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
+pub struct SeriesImpact {
     /// Time of first contact \[s\]; `None` for shots.
     pub time: Option<f64>,
     /// Position of this impact along the surface \[m\]; 0 for the first impact.
@@ -37,10 +37,10 @@ pub struct Hit {
     /// How the sphere comes in, if it comes at an angle or spins.
     pub approach: Approach,
     /// Energy and momentum of friction, if the sphere comes at an angle or spins.
-    pub oblique: Option<Oblique>,
+    pub oblique: Option<ObliqueResult>,
     /// Take-off speed of the flight \[m/s\]: e v, where e includes the loss by waves if the half-space has a density.
     pub rebound_speed: f64,
-    pub essentials: Essentials,
+    pub essentials: ImpactRow,
     /// The energies; the recovered energy belongs to the rebound speed.
     pub energy: Energy,
     /// Fate, losses and work under gravity or damping.
@@ -50,23 +50,23 @@ pub struct Hit {
     pub flight: Option<Flight>,
 }
 
-impl Deref for Hit {
-    type Target = Essentials;
+impl Deref for SeriesImpact {
+    type Target = ImpactRow;
 
-    fn deref(&self) -> &Essentials {
+    fn deref(&self) -> &ImpactRow {
         &self.essentials
     }
 }
 
 /// The results of a series.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sequence {
-    pub hits: Vec<Hit>,
+pub struct SeriesResult {
+    pub impacts: Vec<SeriesImpact>,
     /// The first impacts with their traces.
-    pub traced: Vec<Impact>,
+    pub traced_impacts: Vec<Impact>,
     /// The fall before the first impact.
     pub fall: Option<Flight>,
-    pub end: End,
+    pub end: SeriesEnd,
     /// Time from the last separation until rest, if the last e held for all later bounces \[s\]:
     /// (2 v/g)(1 + e + e² + …) = 2 v/(g (1 − e)) with the last rebound speed v; in air the sum of the flights in air. Contact times are
     /// not included, and if e rises as the speed falls, this is a lower bound. `None` if the time is infinite (e of 1 or more), if
@@ -77,9 +77,9 @@ pub struct Sequence {
     pub warnings: Vec<(usize, Warning)>,
 }
 
-impl Hit {
-    pub(super) fn of(impact: &Impact, approach: Approach, time: Option<f64>, dent_before: f64) -> Self {
-        let &Impact { essentials, energy, under_forces, oblique, .. } = impact;
+impl SeriesImpact {
+    pub(super) fn new(impact: &Impact, approach: Approach, time: Option<f64>, dent_before: f64) -> Self {
+        let &Impact { essentials, energy, forces_result: under_forces, oblique, .. } = impact;
         let [speed, _] = approach.components();
         let restitution = essentials.measured_restitution();
         let rebound_speed = restitution * speed;
@@ -101,18 +101,18 @@ impl Hit {
     }
 
     /// Speed along the surface before the impact \[m/s\], if the sphere comes at an angle or spins.
-    pub fn speed_along(&self) -> Option<f64> {
+    pub fn tangential_speed(&self) -> Option<f64> {
         self.approach.incidence.map(|_| self.approach.components()[1])
     }
 
     /// Speed along the surface after the impact \[m/s\].
-    pub(super) fn rebound_along(&self) -> f64 {
+    pub(super) fn rebound_tangential_speed(&self) -> f64 {
         self.rebound.map_or(0.0, |rebound| rebound.tangential_speed)
     }
 
     /// Displacement of the sphere along the surface in contact \[m\], at the mean of the speeds before and after.
-    pub(super) fn way_in_contact(&self) -> f64 {
-        0.5 * (self.speed_along().unwrap_or(0.0) + self.rebound_along()) * self.contact_time
+    pub(super) fn tangential_travel(&self) -> f64 {
+        0.5 * (self.tangential_speed().unwrap_or(0.0) + self.rebound_tangential_speed()) * self.contact_time
     }
 
     /// The speed and the incidence of the next impact, for this landing speed.
@@ -123,23 +123,23 @@ impl Hit {
     }
 
     /// The energy that elastic waves carry away \[J\], if the half-space has a density.
-    pub fn radiated(&self) -> Option<f64> {
+    pub fn radiated_energy(&self) -> Option<f64> {
         self.wave_loss_fraction.map(|_| (self.recovered_fraction() * self.kinetic_in - self.energy.recovered).max(0.0))
     }
 
     /// A result that only an impact under gravity or damping has.
-    pub fn forced(&self, value: fn(&ForcesResult) -> Option<f64>) -> Option<f64> {
+    pub fn forces_value(&self, value: fn(&ForcesResult) -> Option<f64>) -> Option<f64> {
         self.under_forces.as_ref().and_then(value)
     }
 
     /// Energy in the plate at the end of the impact \[J\], if there is a plate.
     pub fn plate_energy(&self) -> Option<f64> {
-        self.on_plate.map(|plate| plate.energy)
+        self.plate.map(|plate| plate.energy)
     }
 
     /// True if the sphere does not separate: without damping F_m ≤ (n + 1) m g.
     pub fn is_captured(&self) -> bool {
-        self.under_forces.is_some_and(|forces| forces.fate == Fate::Captured)
+        self.under_forces.is_some_and(|forces| forces.fate == ImpactEnd::Captured)
     }
 
     /// δ at separation \[m\]: the depth of the dent, or more under viscous damping.
@@ -153,41 +153,41 @@ impl Hit {
     }
 }
 
-impl Sequence {
+impl SeriesResult {
     /// The deepest dent \[m\].
     pub fn deepest_dent(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.residual_indentation).fold(0.0, nan_max)
+        self.impacts.iter().map(|hit| hit.residual_indentation).fold(0.0, nan_max)
     }
 
     /// The imprint of the first impact: `dent`, `flat`, or `dent and flat`.
-    pub fn left_behind(&self) -> &'static str {
-        self.hits.first().map_or("dent", |hit| hit.left_behind())
+    pub fn imprint_name(&self) -> &'static str {
+        self.impacts.first().map_or("dent", |hit| hit.imprint_name())
     }
 
     /// Estimated time of rest \[s\]: the last separation and the remaining time.
     pub fn rest_time(&self) -> Option<f64> {
-        Some(self.hits.iter().rev().find_map(Hit::separation_time)? + self.remaining_time?)
+        Some(self.impacts.iter().rev().find_map(SeriesImpact::separation_time)? + self.remaining_time?)
     }
 
     /// Largest error of the energy balances of the impacts.
-    pub fn drift(&self) -> f64 {
-        self.hits.iter().map(|hit| hit.energy.drift).fold(0.0, nan_max)
+    pub fn max_drift(&self) -> f64 {
+        self.impacts.iter().map(|hit| hit.energy.drift).fold(0.0, nan_max)
     }
 
-    pub(super) fn warn(&mut self, number: usize, warnings: &[Warning]) {
+    pub(super) fn push_warnings(&mut self, number: usize, warnings: &[Warning]) {
         for warning in warnings {
-            if !self.warnings.iter().any(|(_, known)| known.is_like(warning)) {
+            if !self.warnings.iter().any(|(_, known)| known.is_same_kind(warning)) {
                 self.warnings.push((number, warning.clone()));
             }
         }
     }
 
-    /// [`Sequence::remaining_time`] for flights under these forces.
-    pub(super) fn estimated_rest(&self, flying: &Flying) -> Option<f64> {
-        let last = self.hits.last().filter(|_| matches!(self.end, End::Impacts | End::Until))?;
+    /// [`SeriesResult::remaining_time`] for flights under these forces.
+    pub(super) fn estimated_rest(&self, flying: &FreeFlight) -> Option<f64> {
+        let last = self.impacts.last().filter(|_| matches!(self.end, SeriesEnd::Impacts | SeriesEnd::Until))?;
         let (speed, restitution) = (last.rebound_speed, last.measured_restitution());
         let missing = 1.0 - restitution;
-        match flying.is_in_air() {
+        match flying.has_air() {
             _ if missing <= 0.0 => None,
             true => rest_in_air(flying, speed, restitution),
             false => Some(2.0 * speed / flying.gravity / missing),
@@ -199,7 +199,7 @@ impl Sequence {
 ///
 /// After a take-off at v the series has two bounds: every flight loses the fraction of the next flight (lower bound), or there is no
 /// drag (upper bound). The two bounds meet as the speed falls.
-fn rest_in_air(flying: &Flying, take_off: f64, restitution: f64) -> Option<f64> {
+fn rest_in_air(flying: &FreeFlight, take_off: f64, restitution: f64) -> Option<f64> {
     const MAX_FLIGHTS: u32 = 10_000;
     const REST_TIME_TOLERANCE: f64 = 1e-6;
     let (mut time, mut speed) = (0.0, take_off);
@@ -207,7 +207,7 @@ fn rest_in_air(flying: &Flying, take_off: f64, restitution: f64) -> Option<f64> 
         if speed <= 0.0 {
             return Some(time);
         }
-        let height = flying.rise(speed);
+        let height = flying.rise_height(speed);
         let flight = flying.rise_time(speed) + flying.fall_time(height);
         let next = restitution * flying.landing_speed(height);
         let least = flight / (1.0 - next / speed);

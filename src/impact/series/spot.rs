@@ -17,7 +17,7 @@ pub struct Spot {
 
 impl Spot {
     /// A spot without an impact.
-    pub fn fresh() -> Self {
+    pub fn new() -> Self {
         Self::default()
     }
 
@@ -46,10 +46,10 @@ impl Contact {
     ) -> Result<Impact, ImpactError> {
         let approach = approach.into();
         let [speed, _] = approach.components();
-        if let Some(rated) = self.rated_at(speed)? {
-            return self.rated_on(spot, &rated, approach, solver, samples);
+        if let Some(rated) = self.contact_at_speed(speed)? {
+            return self.rate_dependent_impact_on(spot, &rated, approach, solver, samples);
         }
-        let (impact, ground, unloading) = self.impact_under(spot.dent.as_ref(), approach, solver, samples)?;
+        let (impact, ground, unloading) = self.impact_on_surface(spot.dent.as_ref(), approach, solver, samples)?;
         if ground.keeps_mark_of(&unloading.peak) {
             spot.dent = Some(self.law.history_after(unloading.peak));
         }
@@ -58,7 +58,7 @@ impl Contact {
 
     /// An impact of a contact with a strain rate: reloading follows the old branch to its end, and then its continuation until it meets
     /// the loading curve at the new rate. The memory of the spot is in the units of this contact.
-    fn rated_on(
+    fn rate_dependent_impact_on(
         &self,
         spot: &mut Spot,
         rated: &Self,
@@ -71,7 +71,7 @@ impl Contact {
             .dent
             .as_ref()
             .map(|dent| rated.law.dent_of_other_rate(&dent.unloading.scaled(1.0 / length, 1.0 / force)));
-        let (impact, ground, unloading) = rated.impact_under(met.as_ref(), approach, solver, samples)?;
+        let (impact, ground, unloading) = rated.impact_on_surface(met.as_ref(), approach, solver, samples)?;
         if ground.keeps_mark_of(&unloading.peak) {
             spot.dent = Some(self.law.history_after_unloading(unloading.scaled(length, force)));
         }

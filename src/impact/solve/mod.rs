@@ -7,8 +7,8 @@ pub mod recorder;
 pub mod verlet;
 
 use super::problem::forces::{Forces, ScaledForces};
-use outcome::{Computed, Outcome};
-use recorder::{Recorder, even_times};
+use outcome::{ScaledResult, Solution};
+use recorder::{TraceRecorder, sample_times};
 
 use crate::contact::law::Surface;
 use crate::numerics::ode::ode_solvers::{OdeSolvers, Scheme};
@@ -19,7 +19,7 @@ use crate::strings::names::named_enum;
 named_enum! {
     #[derive(Hash)]
     pub enum Method {
-        /// The cheapest exact method for the scene, see [`Method::chosen`].
+        /// The cheapest exact method for the scene, see [`Method::resolve`].
         Auto = "auto",
         /// Our adaptive Runge-Kutta-Nyström of order 8.
         Rk8 = "rk8",
@@ -39,11 +39,11 @@ impl Method {
     /// The method that computes an impact under these forces. [`Method::Auto`] stands for the closed form if nothing damps the motion
     /// and no trace is requested, and otherwise for rk8. Every other method stands for itself. `None` for [`Method::ClosedForm`] if
     /// there is no closed form.
-    pub fn chosen(self, forces: &Forces, has_trace: bool) -> Option<Self> {
+    pub fn resolve(self, forces: &Forces, has_trace: bool) -> Option<Self> {
         match self {
-            Self::Auto if has_trace || forces.have_drag() => Some(Self::Rk8),
+            Self::Auto if has_trace || forces.has_dissipation() => Some(Self::Rk8),
             Self::Auto => Some(Self::ClosedForm),
-            Self::ClosedForm if forces.have_drag() => None,
+            Self::ClosedForm if forces.has_dissipation() => None,
             method => Some(method),
         }
     }
@@ -71,14 +71,14 @@ impl Default for Solver {
 }
 
 /// Tolerance of the run that computes the trace of a closed form, or its times under gravity.
-pub(super) const FINEST: f64 = 1e-13;
+pub(super) const TRACE_TOLERANCE: f64 = 1e-13;
 
 /// The contact time of an impact at q = v/V without damping and plate.
-pub(super) fn free_time(ground: Surface, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
-    let exact = closed_form::solve_with(
+pub(super) fn undamped_contact_time(ground: Surface, q: f64, forces: &ScaledForces) -> Result<f64, IntegrationError> {
+    let exact = closed_form::solve_conservative(
         ground,
         q,
-        &ScaledForces { drag: DampingCoefficients::NONE, ..*forces },
+        &ScaledForces { damping: DampingCoefficients::NONE, ..*forces },
         Solver::AUTO.tolerance,
     )?;
     Ok(exact.map_or(f64::NAN, |exact| exact.contact_time))
@@ -87,56 +87,61 @@ pub(super) fn free_time(ground: Surface, q: f64, forces: &ScaledForces) -> Resul
 /// The tolerance that a stepper gets if its error is to be below `tolerance`. The error of a stepper is up to `delivers` times its
 /// own tolerance: 100 (dopri5) and 24 (dop853) in impacts with all forces, at tolerances from 1e-2 to 1e-11. rk8 needs no such
 /// factor. Below 1e-14 rounding decides.
-fn given(tolerance: f64, delivers: f64) -> f64 {
+fn internal_tolerance(tolerance: f64, delivers: f64) -> f64 {
     (tolerance / delivers).max(1e-14)
 }
 
 /// An impact leg by leg. `trace` holds the number of samples over the contact time, and this time if it is known.
-fn along<I: Integrator>(
+fn integrate_and_record<I: Integrator>(
     case: (Surface, f64, &ScaledForces),
     trace: Option<(usize, Option<f64>)>,
     mut integrator: I,
-) -> Result<Computed, IntegrationError> {
+) -> Result<Solution, IntegrationError> {
     let (ground, q, forces) = case;
-    let mut recorder = if trace.is_some() { Recorder::on() } else { Recorder::default() };
+    let mut recorder = if trace.is_some() { TraceRecorder::enabled() } else { TraceRecorder::default() };
     let outcome = motion::integrate(ground, q, forces, &mut integrator, &mut recorder)?;
     let points = trace.map_or_else(Vec::new, |(samples, duration)| {
-        let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
-        recorder.points(ground, &outcome.unloading, forces.drag, times)
+        let times = sample_times(samples, duration.unwrap_or(outcome.contact_time));
+        recorder.into_points(ground, &outcome.unloading, forces.damping, times)
     });
-    Ok(Computed { points, ..Computed::new(outcome, integrator.stats()) })
+    Ok(Solution { trace_points: points, ..Solution::new(outcome, integrator.stats()) })
 }
 
 /// One impact at q = v/V by any method, with its cost; `exact` is its closed form, if it exists. [`Method::Auto`] means rk8 here, and
 /// [`Method::ClosedForm`] means rk8 if there is no closed form. With `samples` the result has a trace of this number of points evenly
 /// spaced over the contact, including first contact and separation, and a point for every other event.
-pub fn run<'a>(
+pub fn solve<'a>(
     ground: impl Into<Surface<'a>>,
     q: f64,
     forces: &ScaledForces,
-    exact: Option<&Outcome>,
+    exact: Option<&ScaledResult>,
     solver: &Solver,
     samples: Option<usize>,
-) -> Result<Computed, IntegrationError> {
+) -> Result<Solution, IntegrationError> {
     let ground = ground.into();
     // equal times for every method, if the contact time is known
     let duration = exact.filter(|_| forces.is_none()).map(|exact| exact.contact_time);
     let (case, trace) = ((ground, q, forces), samples.map(|samples| (samples, duration)));
     let tolerance = solver.tolerance;
     match (solver.method, exact) {
-        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Computed::new(*exact, SolverStats::default())),
-        (Method::ClosedForm, Some(_)) => {
-            Ok(Computed { work: SolverStats::default(), ..along(case, trace, Rk8::new(FINEST))? })
+        (Method::ClosedForm, Some(exact)) if samples.is_none() => Ok(Solution::new(*exact, SolverStats::default())),
+        (Method::ClosedForm, Some(_)) => Ok(Solution {
+            stats: SolverStats::default(),
+            ..integrate_and_record(case, trace, Rk8::new(TRACE_TOLERANCE))?
+        }),
+        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => integrate_and_record(case, trace, Rk8::new(tolerance)),
+        (Method::Dopri5, _) => {
+            integrate_and_record(case, trace, OdeSolvers::new(Scheme::Dopri5, internal_tolerance(tolerance, 100.0)))
         }
-        (Method::Rk8 | Method::Auto | Method::ClosedForm, _) => along(case, trace, Rk8::new(tolerance)),
-        (Method::Dopri5, _) => along(case, trace, OdeSolvers::new(Scheme::Dopri5, given(tolerance, 100.0))),
-        (Method::Dop853, _) => along(case, trace, OdeSolvers::new(Scheme::Dop853, given(tolerance, 25.0))),
+        (Method::Dop853, _) => {
+            integrate_and_record(case, trace, OdeSolvers::new(Scheme::Dop853, internal_tolerance(tolerance, 25.0)))
+        }
         (Method::Verlet, _) => {
             let steps = solver.steps_per_contact.max(1);
-            let step = free_time(ground, q, forces)? / f64::from(steps);
+            let step = undamped_contact_time(ground, q, forces)? / f64::from(steps);
             // even with a coarse step a contact lasts at most a few times the exact time, unless gravity or damping holds it
             let most = if forces.is_none() { 10 } else { 100 } * u64::from(steps) + 10;
-            verlet::march(ground, q, forces, step, most, trace)
+            verlet::integrate_fixed_steps(ground, q, forces, step, most, trace)
         }
     }
 }

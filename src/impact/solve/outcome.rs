@@ -1,12 +1,12 @@
 //! The results of an impact in dimensionless form, the same for every method.
 
-use super::recorder::Point;
+use super::recorder::TracePoint;
 use crate::contact::law::Unloading;
 use crate::numerics::ode::SolverStats;
 use crate::strings::names::named_enum;
 
 named_enum! {
-    pub enum Fate {
+    pub enum ImpactEnd {
         /// The total contact force vanishes.
         Separated = "separated",
         /// The total contact force never vanishes: the sphere stays.
@@ -38,7 +38,7 @@ impl FixedSteps {
 
 /// The outcome of an impact in dimensionless form.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
+pub struct ScaledResult {
     /// The unloading branch: peak state and exponent.
     pub unloading: Unloading,
     /// e: rebound speed over impact speed; 0 for a captured sphere.
@@ -48,7 +48,7 @@ pub struct Outcome {
     pub loading_time: f64,
     /// Time from first contact to separation, or to the end of the run of a captured sphere.
     pub contact_time: f64,
-    pub fate: Fate,
+    pub end: ImpactEnd,
     pub end_indentation: f64,
     /// u at that end; negative during the rebound.
     pub end_speed: f64,
@@ -58,18 +58,18 @@ pub struct Outcome {
 
 /// One dimensionless impact as a method computes it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Computed {
-    pub outcome: Outcome,
-    pub work: SolverStats,
+pub struct Solution {
+    pub outcome: ScaledResult,
+    pub stats: SolverStats,
     /// The times in fixed steps; `None` for other methods.
     pub fixed_steps: Option<FixedSteps>,
     /// The trace, in order of time; empty if no trace is requested.
-    pub points: Vec<Point>,
+    pub trace_points: Vec<TracePoint>,
 }
 
-impl Computed {
+impl Solution {
     /// An outcome without fixed steps and trace.
-    pub(crate) fn new(outcome: Outcome, work: SolverStats) -> Self {
-        Self { outcome, work, fixed_steps: None, points: Vec::new() }
+    pub(crate) fn new(outcome: ScaledResult, stats: SolverStats) -> Self {
+        Self { outcome, stats, fixed_steps: None, trace_points: Vec::new() }
     }
 }

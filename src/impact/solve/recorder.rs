@@ -2,7 +2,7 @@
 //! computes the points from them. A leg is the motion along one piece of the loading curve, or along the unloading branch.
 
 use crate::contact::law::{ContactState, Surface, Unloading};
-use crate::impact::problem::scales::ACCELERATION;
+use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::numerics::ode::{DampingCoefficients, DenseOutput, MotionState};
 use crate::numerics::power::nan_max;
 use crate::numerics::root::illinois;
@@ -26,7 +26,7 @@ pub enum Event {
 
 /// A point of a trace, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct TracePoint {
     /// τ, u and the energy absorbed by drag; the distance is the distance of the leg.
     pub at: MotionState,
     /// The state of the law: x, its force, and ε, the part of x that unloading from here recovers.
@@ -37,7 +37,7 @@ pub struct Point {
     pub event: Option<Event>,
 }
 
-impl Point {
+impl TracePoint {
     /// A point of a motion on the loading curve, where the state of the law is `state`.
     pub(in crate::impact) fn loading(
         state: ContactState,
@@ -46,7 +46,7 @@ impl Point {
         at: &MotionState,
         event: Option<Event>,
     ) -> Self {
-        let of_drag = || drag.at(state.force, || slope() / ACCELERATION).0 * at.speed;
+        let of_drag = || drag.at(state.force, || slope() / FORCE_FACTOR).0 * at.speed;
         // at separation the total force is zero, except for rounding
         let total_force = if drag.acts_in_contact() { nan_max(state.force + of_drag(), 0.0) } else { state.force };
         Self { at: *at, state, total_force, is_unloading: false, event }
@@ -71,7 +71,7 @@ impl Point {
 
 /// A recorded leg of a motion.
 #[derive(Debug)]
-struct Recorded {
+struct RecordedLeg {
     /// The piece of the loading curve; `None` on the unloading branch.
     piece: Option<usize>,
     /// Its continuous solution.
@@ -82,23 +82,23 @@ struct Recorded {
 
 /// Records the continuous solution and the events of every leg of a motion, if it is switched on.
 #[derive(Debug, Default)]
-pub struct Recorder {
-    legs: Option<Vec<Recorded>>,
+pub struct TraceRecorder {
+    legs: Option<Vec<RecordedLeg>>,
 }
 
-impl Recorder {
-    pub fn on() -> Self {
+impl TraceRecorder {
+    pub fn enabled() -> Self {
         Self { legs: Some(Vec::new()) }
     }
 
     #[inline]
-    pub(in crate::impact) fn is_on(&self) -> bool {
+    pub(in crate::impact) fn is_enabled(&self) -> bool {
         self.legs.is_some()
     }
 
     /// Begins a leg on a piece of the loading curve, or on the unloading branch. The first leg begins with first contact.
     #[inline]
-    pub(in crate::impact) fn begin(
+    pub(in crate::impact) fn begin_leg(
         &mut self,
         piece: Option<usize>,
         touch: &MotionState,
@@ -108,34 +108,34 @@ impl Recorder {
 
     /// Records an event of the last leg.
     #[inline]
-    pub(in crate::impact) fn mark(&mut self, event: Event, at: &MotionState) {
+    pub(in crate::impact) fn record_event(&mut self, event: Event, at: &MotionState) {
         if let Some(legs) = &mut self.legs {
             mark(legs, event, at);
         }
     }
 
     /// Returns the recorded motion on this surface.
-    pub(in crate::impact) fn track(
+    pub(in crate::impact) fn into_motion(
         self,
         ground: Surface<'_>,
         unloading: Unloading,
         drag: DampingCoefficients,
-    ) -> Track<'_> {
-        Track { ground, unloading, drag, legs: self.legs.unwrap_or_default() }
+    ) -> RecordedMotion<'_> {
+        RecordedMotion { ground, unloading, drag, legs: self.legs.unwrap_or_default() }
     }
 
     /// The points of the motion at these rising times and at its events, in order of time.
-    pub(in crate::impact) fn points(
+    pub(in crate::impact) fn into_points(
         self,
         ground: Surface,
         unloading: &Unloading,
         drag: DampingCoefficients,
         times: impl Iterator<Item = f64>,
-    ) -> Vec<Point> {
+    ) -> Vec<TracePoint> {
         let (mut points, mut times, mut begun) = (Vec::new(), times.peekable(), 0.0);
-        for Recorded { piece, track, mut events } in self.legs.into_iter().flatten() {
-            let point = |at: &MotionState, event: Option<Event>| point_of(ground, unloading, drag, piece, at, event);
-            if let Some(state) = piece.and_then(|index| yielding(ground, index, begun, &track)) {
+        for RecordedLeg { piece, track, mut events } in self.legs.into_iter().flatten() {
+            let point = |at: &MotionState, event: Option<Event>| trace_point(ground, unloading, drag, piece, at, event);
+            if let Some(state) = piece.and_then(|index| first_yield_state(ground, index, begun, &track)) {
                 let place = events.partition_point(|(_, at)| at.time <= state.time);
                 events.insert(place, (Event::Yield, state));
             }
@@ -157,34 +157,34 @@ impl Recorder {
 }
 
 /// A point of a motion on a piece of the loading curve, or on the unloading branch.
-fn point_of(
+fn trace_point(
     ground: Surface,
     unloading: &Unloading,
     drag: DampingCoefficients,
     piece: Option<usize>,
     at: &MotionState,
     event: Option<Event>,
-) -> Point {
-    let Some(index) = piece else { return Point::unloading(unloading, drag, at, event) };
+) -> TracePoint {
+    let Some(index) = piece else { return TracePoint::unloading(unloading, drag, at, event) };
     let piece = ground.piece(index);
     // distances are measured from the zero of a power law, otherwise from the start of the piece
     let distance = at.distance - piece.shape.zero_offset();
-    Point::loading(ground.state_at(index, distance), || piece.slope_at_distance(distance), drag, at, event)
+    TracePoint::loading(ground.state_at(index, distance), || piece.slope_at_distance(distance), drag, at, event)
 }
 
 /// A recorded motion, which can be evaluated at any time.
 #[derive(Debug)]
-pub struct Track<'a> {
+pub struct RecordedMotion<'a> {
     ground: Surface<'a>,
     unloading: Unloading,
     drag: DampingCoefficients,
-    legs: Vec<Recorded>,
+    legs: Vec<RecordedLeg>,
 }
 
-impl Track<'_> {
+impl RecordedMotion<'_> {
     /// The times at which the motion passes from one formula of the force to the next, in order, and the time of its end.
     pub(in crate::impact) fn ends(&self) -> impl Iterator<Item = f64> {
-        let goes_on = |leg: Option<&Recorded>| {
+        let goes_on = |leg: Option<&RecordedLeg>| {
             leg.and_then(|leg| leg.piece).is_some_and(|piece| self.ground.piece(piece).is_subdivision)
         };
         let ends = self.legs.iter().enumerate().filter(move |(i, _)| !goes_on(self.legs.get(i + 1)));
@@ -194,32 +194,32 @@ impl Track<'_> {
     /// The state at a time, or at the nearest end of the motion for a time outside of it; and the piece of the loading curve of this
     /// state, `None` on the unloading branch.
     pub(in crate::impact) fn state(&self, time: f64) -> (MotionState, Option<usize>) {
-        let ends_before = |leg: &Recorded| leg.track.last().is_none_or(|segment| segment.end < time);
+        let ends_before = |leg: &RecordedLeg| leg.track.last().is_none_or(|segment| segment.end < time);
         let leg = self.legs.partition_point(ends_before).min(self.legs.len() - 1);
-        let Recorded { piece, track, .. } = &self.legs[leg];
+        let RecordedLeg { piece, track, .. } = &self.legs[leg];
         let segment = track.partition_point(|segment| segment.end < time).min(track.len() - 1);
         (track[segment].at(time.min(track[segment].end)), *piece)
     }
 
     /// The point of the motion at a state on this piece of the loading curve.
-    pub(in crate::impact) fn loading_point(&self, piece: usize, at: &MotionState) -> Point {
-        point_of(self.ground, &self.unloading, self.drag, Some(piece), at, None)
+    pub(in crate::impact) fn loading_point(&self, piece: usize, at: &MotionState) -> TracePoint {
+        trace_point(self.ground, &self.unloading, self.drag, Some(piece), at, None)
     }
 }
 
 #[cold] // a run without a trace is faster without this code in it
 fn begin<'a>(
-    legs: &'a mut Vec<Recorded>,
+    legs: &'a mut Vec<RecordedLeg>,
     piece: Option<usize>,
     touch: &MotionState,
 ) -> Option<&'a mut Vec<DenseOutput>> {
     let events = if legs.is_empty() { vec![(Event::Touch, *touch)] } else { Vec::new() };
-    legs.push(Recorded { piece, track: Vec::new(), events });
+    legs.push(RecordedLeg { piece, track: Vec::new(), events });
     legs.last_mut().map(|leg| &mut leg.track)
 }
 
 #[cold]
-fn mark(legs: &mut [Recorded], event: Event, at: &MotionState) {
+fn mark(legs: &mut [RecordedLeg], event: Event, at: &MotionState) {
     if let Some(leg) = legs.last_mut() {
         leg.events.push((event, *at));
     }
@@ -227,7 +227,7 @@ fn mark(legs: &mut [Recorded], event: Event, at: &MotionState) {
 
 /// The state of first yield on a leg that begins at this time, if the leg passes it. First yield ends no leg, because a trace must
 /// not change the steps.
-fn yielding(ground: Surface, index: usize, begun: f64, track: &[DenseOutput]) -> Option<MotionState> {
+fn first_yield_state(ground: Surface, index: usize, begun: f64, track: &[DenseOutput]) -> Option<MotionState> {
     let (piece, yields_at) = (ground.piece(index), ground.elastic_until());
     let distance = yields_at - piece.start + piece.shape.zero_offset();
     let number = track.iter().position(|segment| segment.at(segment.end).distance > distance)?;
@@ -240,7 +240,7 @@ fn yielding(ground: Surface, index: usize, begun: f64, track: &[DenseOutput]) ->
 
 /// The times of `samples` points evenly spaced over a motion of this length, without both ends, which are events.
 #[allow(clippy::cast_precision_loss)] // counts below 2^53
-pub(in crate::impact) fn even_times(samples: usize, duration: f64) -> impl Iterator<Item = f64> {
+pub(in crate::impact) fn sample_times(samples: usize, duration: f64) -> impl Iterator<Item = f64> {
     let inner = samples.saturating_sub(2);
     let interval = duration / (inner + 1) as f64;
     (1..=inner).map(move |k| interval * k as f64)

@@ -6,11 +6,11 @@
 //! flight after the last step back to the contact. Without damping both times are accurate to second order in the step, like the
 //! motion. [`FixedSteps`] has the times that a code with this step finds.
 
-use super::outcome::{Computed, Fate, FixedSteps, Outcome};
-use super::recorder::{Event, Point, even_times};
+use super::outcome::{FixedSteps, ImpactEnd, ScaledResult, Solution};
+use super::recorder::{Event, TracePoint, sample_times};
 use crate::contact::law::{ContactState, Surface, Unloading};
 use crate::impact::problem::forces::ScaledForces;
-use crate::impact::problem::scales::ACCELERATION;
+use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::numerics::curve::piece::Piece;
 use crate::numerics::ode::{DampingCoefficients, DenseOutput, IntegrationError, MotionState, SolverStats};
 use crate::numerics::power::nan_max;
@@ -18,7 +18,7 @@ use crate::numerics::root::bisect;
 
 /// The law as a code with fixed steps evaluates it: its memory is the largest indentation so far. Distances are measured from first
 /// contact.
-struct Remembering<'a> {
+struct FixedStepContact<'a> {
     ground: Surface<'a>,
     drag: DampingCoefficients,
     touch: f64,
@@ -36,8 +36,8 @@ enum AfterRelaxation {
     Parting,
 }
 
-impl<'a> Remembering<'a> {
-    fn of(ground: Surface<'a>, drag: DampingCoefficients) -> Self {
+impl<'a> FixedStepContact<'a> {
+    fn new(ground: Surface<'a>, drag: DampingCoefficients) -> Self {
         let deepest = ground.reloading_branch().map_or(0.0, |branch| branch.peak.elastic_approach);
         let unloading = ground.reloading_branch().copied();
         Self {
@@ -65,14 +65,14 @@ impl<'a> Remembering<'a> {
         if fall > 0.0 {
             (self.unloading, self.after_relaxation) = (Some(unloading), AfterRelaxation::Approaching);
         }
-        ACCELERATION * self.drag.plate * fall
+        FORCE_FACTOR * self.drag.plate * fall
     }
 
     /// The unloading branch from the deepest step. After a relaxation it is the branch of the relaxed metal.
     fn branch_from(&self, deepest: f64) -> Unloading {
         match self.unloading {
             Some(unloading) if self.after_relaxation != AfterRelaxation::NotYet => unloading,
-            _ => self.ground.unloading(self.loaded_to(deepest)),
+            _ => self.ground.unloading(self.loaded_state(deepest)),
         }
     }
 
@@ -82,7 +82,7 @@ impl<'a> Remembering<'a> {
     }
 
     /// The state on the loading curve at a distance.
-    fn loaded_to(&self, distance: f64) -> ContactState {
+    fn loaded_state(&self, distance: f64) -> ContactState {
         match self.ground.reloading_branch() {
             Some(branch) if distance <= branch.peak.elastic_approach => self.ground.state_at(0, distance),
             _ => self.ground.law.loaded_state(self.touch + distance),
@@ -90,27 +90,27 @@ impl<'a> Remembering<'a> {
     }
 
     /// Force of the law, what damping adds to it, and the deceleration by drag on the motion alone.
-    fn at(&mut self, distance: f64, speed: f64) -> (f64, f64, f64) {
+    fn forces_at(&mut self, distance: f64, speed: f64) -> (f64, f64, f64) {
         let drag = self.drag;
         let is_loading = distance > self.deepest && self.after_relaxation == AfterRelaxation::NotYet;
         if is_loading || (distance == self.deepest && self.unloading.is_none()) {
             (self.deepest, self.unloading) = (distance, None);
             let (x, piece) = (self.touch + distance, self.piece_at(distance));
             let force = piece.force_at(x);
-            return resisted(drag, force, || piece.slope_at(x), speed);
+            return with_damping(drag, force, || piece.slope_at(x), speed);
         }
         let (ground, touch, deepest) = (self.ground, self.touch, self.deepest);
         let unloading = self.unloading.get_or_insert_with(|| ground.unloading(ground.loaded_state(touch + deepest)));
         let recovered = distance - (unloading.peak.residual() - touch);
         let force = unloading.force_at_elastic_approach(recovered);
-        resisted(drag, force, || unloading.slope_at(recovered.max(0.0)), speed)
+        with_damping(drag, force, || unloading.slope_at(recovered.max(0.0)), speed)
     }
 
     /// The state at separation, within the step of this length from `before` to `end`. At `end` no force pushes the sphere, so
     /// its free flight is followed backwards: to the depth of the dent or, under viscous damping, to the zero of the total force.
     /// If the damping exceeds the force only because the step is coarse, there is no such zero, and the separation is at the end
     /// of the step.
-    fn left_at(
+    fn separation_within_step(
         &mut self,
         before: &MotionState,
         end: &MotionState,
@@ -135,27 +135,27 @@ impl<'a> Remembering<'a> {
         }
         let mut is_pushed = |since: f64| {
             let MotionState { distance, speed, .. } = flown_back(since);
-            let (force, of_damping, _) = self.at(distance, speed);
+            let (force, of_damping, _) = self.forces_at(distance, speed);
             force + of_damping > 0.0
         };
         let (gone, _) = bisect(since_dent, step, |since| !is_pushed(since));
         let separated = flown_back(gone);
-        let (force, of_damping, _) = self.at(separated.distance, separated.speed);
+        let (force, of_damping, _) = self.forces_at(separated.distance, separated.speed);
         let of_damping = nan_max(of_damping, -force);
-        MotionState { loss: before.loss + ACCELERATION * of_damping * separated.speed * (step - gone), ..separated }
+        MotionState { loss: before.loss + FORCE_FACTOR * of_damping * separated.speed * (step - gone), ..separated }
     }
 }
 
-/// A force of the law with the drag on it, see [`Remembering::at`].
-fn resisted(drag: DampingCoefficients, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
+/// A force of the law with the drag on it, see [`FixedStepContact::forces_at`].
+fn with_damping(drag: DampingCoefficients, force: f64, slope: impl FnOnce() -> f64, speed: f64) -> (f64, f64, f64) {
     // the drag is that of the deceleration g = c f
-    let (in_contact, on_motion) = drag.at(ACCELERATION * force, || ACCELERATION * slope());
-    (force, in_contact * speed / ACCELERATION, on_motion * speed)
+    let (in_contact, on_motion) = drag.at(FORCE_FACTOR * force, || FORCE_FACTOR * slope());
+    (force, in_contact * speed / FORCE_FACTOR, on_motion * speed)
 }
 
 /// A motion in steps of equal length.
 struct VerletMotion<'a> {
-    contact: Remembering<'a>,
+    contact: FixedStepContact<'a>,
     weight: f64,
     step: f64,
     /// Steps so far.
@@ -168,8 +168,8 @@ impl<'a> VerletMotion<'a> {
     /// At first touch.
     fn new(ground: Surface<'a>, q: f64, forces: &ScaledForces, step: f64) -> Self {
         let state = MotionState { time: 0.0, distance: 0.0, speed: q, loss: 0.0 };
-        let (contact, weight) = (Remembering::of(ground, forces.drag), forces.weight);
-        Self { contact, weight, step, count: 0, state, acceleration: ACCELERATION * weight }
+        let (contact, weight) = (FixedStepContact::new(ground, forces.damping), forces.weight);
+        Self { contact, weight, step, count: 0, state, acceleration: FORCE_FACTOR * weight }
     }
 
     /// Makes a step, with the damping force at the speed half a step earlier; returns the force of the law and the total force.
@@ -182,13 +182,13 @@ impl<'a> VerletMotion<'a> {
             half += gained;
         }
         let distance = from.distance + step * half;
-        let (force, of_damping, on_motion) = self.contact.at(distance, half);
+        let (force, of_damping, on_motion) = self.contact.forces_at(distance, half);
         let total = nan_max(force + of_damping, 0.0);
-        self.acceleration = ACCELERATION * (self.weight - total) - on_motion;
+        self.acceleration = FORCE_FACTOR * (self.weight - total) - on_motion;
         self.count += 1;
         #[allow(clippy::cast_precision_loss)] // counts below 2^53
         let time = step * self.count as f64;
-        let loss = from.loss + (ACCELERATION * (total - force) + on_motion) * half * step;
+        let loss = from.loss + (FORCE_FACTOR * (total - force) + on_motion) * half * step;
         self.state = MotionState { time, distance, speed: half + 0.5 * step * self.acceleration, loss };
         (force, total)
     }
@@ -205,14 +205,14 @@ const MAX_RESTITUTION: f64 = 1.05;
 /// # Errors
 /// [`IntegrationError::TooManyFixedSteps`] if there is no end within `most_steps`, [`IntegrationError::CoarseSteps`] if the steps
 /// are too long to follow the contact.
-pub(crate) fn march(
+pub(crate) fn integrate_fixed_steps(
     ground: Surface,
     q: f64,
     forces: &ScaledForces,
     step: f64,
     most_steps: u64,
     trace: Option<(usize, Option<f64>)>,
-) -> Result<Computed, IntegrationError> {
+) -> Result<Solution, IntegrationError> {
     let mut motion = VerletMotion::new(ground, q, forces, step);
     let (mut peak, mut track) = (motion.state, Vec::new());
     // time of zero speed near the deepest step
@@ -222,7 +222,7 @@ pub(crate) fn march(
         let (before, acceleration) = (motion.state, motion.acceleration);
         let (force, total) = motion.advance();
         if trace.is_some() {
-            track.push(parabola(before, acceleration, motion.state.time));
+            track.push(parabolic_output(before, acceleration, motion.state.time));
         }
         largest_force = nan_max(largest_force, total);
         let mut state = motion.state;
@@ -238,26 +238,27 @@ pub(crate) fn march(
         }
         let is_back = time > peak.time;
         // the total force of Hunt and Crossley vanishes before the force of the law only through rounding or a coarse step
-        let pushes = if forces.drag.can_lift_off() { total } else { force };
+        let pushes = if forces.damping.can_lift_off() { total } else { force };
         let lifts_off = is_back && pushes == 0.0 && state.speed < 0.0;
         let is_slower =
             is_back && state.speed >= 0.0 && motion.contact.after_relaxation != AfterRelaxation::Approaching;
         let deepest = || motion.contact.branch_from(peak.distance);
         let stays = || {
             if forces.is_conservative() {
-                is_back && forces.captures(&deepest(), q) && force <= forces.weight
+                is_back && forces.is_captured(&deepest(), q) && force <= forces.weight
             } else {
-                creeps(&motion, forces, &deepest())
+                has_crept_to_rest(&motion, forces, &deepest())
             }
         };
         if !(lifts_off || is_slower || forces.weight > 0.0 && stays()) {
             continue;
         }
         let unloading = deepest();
-        let separates = lifts_off && !forces.captures(&unloading, q);
+        let separates = lifts_off && !forces.is_captured(&unloading, q);
         if separates {
             let residual = ground.deepest_state(&unloading.peak).residual() - motion.contact.touch;
-            state = motion.contact.left_at(&before, &state, step, ACCELERATION * forces.weight, residual);
+            state =
+                motion.contact.separation_within_step(&before, &state, step, FORCE_FACTOR * forces.weight, residual);
         }
         let restitution = if separates { -state.speed / q } else { 0.0 };
         // under gravity a slow sphere that sinks into its dent separates faster than it arrived
@@ -265,40 +266,42 @@ pub(crate) fn march(
         if separates && n < MIN_STEPS || makes_energy {
             return Err(IntegrationError::CoarseSteps { steps: n, restitution });
         }
-        let outcome = Outcome {
+        let outcome = ScaledResult {
             unloading,
             restitution,
             largest_force: ground.reported_force(&unloading, Some(largest_force)),
             loading_time: if is_back { turns_at.min(state.time) } else { peak.time },
             contact_time: state.time,
-            fate: if separates { Fate::Separated } else { Fate::Captured },
+            end: if separates { ImpactEnd::Separated } else { ImpactEnd::Captured },
             end_indentation: motion.contact.touch + state.distance,
             end_speed: state.speed,
-            loss: state.loss / ACCELERATION,
+            loss: state.loss / FORCE_FACTOR,
         };
         // one evaluation a step, and one at first touch
         let work = SolverStats { steps: n, rejected: 0, force_evaluations: n + 1 };
         let separation_time = separates.then_some(time);
         let fixed_steps = Some(FixedSteps { step, compression_time: peak.time, separation_time });
         let of_samples = |(samples, duration): (usize, Option<f64>)| {
-            let times = even_times(samples, duration.unwrap_or(outcome.contact_time));
+            let times = sample_times(samples, duration.unwrap_or(outcome.contact_time));
             motion.contact.points(&outcome, &peak, &track, times)
         };
         let points = trace.map_or_else(Vec::new, of_samples);
-        return Ok(Computed { fixed_steps, points, ..Computed::new(outcome, work) });
+        return Ok(Solution { fixed_steps, trace_points: points, ..Solution::new(outcome, work) });
     }
     Err(IntegrationError::TooManyFixedSteps { steps: most_steps })
 }
 
 /// True if an overdamped sphere is near its static indentation.
-fn creeps(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
-    let point = forces.static_point(motion.contact.ground, unloading);
+fn has_crept_to_rest(motion: &VerletMotion, forces: &ScaledForces, unloading: &Unloading) -> bool {
+    let point = forces.static_equilibrium(motion.contact.ground, unloading);
     let indentation = motion.contact.touch + motion.state.distance;
-    forces.rest(&point, point.indentation).is_some_and(|rest| rest.excess(indentation, motion.state.speed) <= 0.0)
+    forces
+        .rest_criterion(&point, point.indentation)
+        .is_some_and(|rest| rest.excess(indentation, motion.state.speed) <= 0.0)
 }
 
 /// The motion in a step that begins in this state and ends at this time.
-fn parabola(from: MotionState, acceleration: f64, end: f64) -> DenseOutput {
+fn parabolic_output(from: MotionState, acceleration: f64, end: f64) -> DenseOutput {
     DenseOutput::new(end, move |time| {
         let t = time - from.time;
         let distance = from.distance + t * (from.speed + 0.5 * acceleration * t);
@@ -306,15 +309,15 @@ fn parabola(from: MotionState, acceleration: f64, end: f64) -> DenseOutput {
     })
 }
 
-impl Remembering<'_> {
+impl FixedStepContact<'_> {
     /// The points of this outcome at these rising times and at its events, from the steps up to its end.
     fn points(
         &self,
-        outcome: &Outcome,
+        outcome: &ScaledResult,
         peak: &MotionState,
         track: &[DenseOutput],
         times: impl Iterator<Item = f64>,
-    ) -> Vec<Point> {
+    ) -> Vec<TracePoint> {
         let mut times = times.take_while(|time| *time < outcome.contact_time).peekable();
         let mut states = Vec::new();
         for segment in track {
@@ -328,9 +331,9 @@ impl Remembering<'_> {
             time: outcome.contact_time,
             distance: outcome.end_indentation - self.touch,
             speed: outcome.end_speed,
-            loss: outcome.loss * ACCELERATION,
+            loss: outcome.loss * FORCE_FACTOR,
         };
-        let of_end = if outcome.fate == Fate::Separated { Event::Separation } else { Event::Captured };
+        let of_end = if outcome.end == ImpactEnd::Separated { Event::Separation } else { Event::Captured };
         let until_peak = states.partition_point(|(state, _)| state.time <= outcome.loading_time);
         if self.ground.force_drop_at_peak(&outcome.unloading) > 0.0 {
             states.insert(until_peak, (turning, Some(Event::Relaxation)));
@@ -342,10 +345,10 @@ impl Remembering<'_> {
         let point = |(state, event): (MotionState, Option<Event>)| {
             if state.time <= outcome.loading_time && event != Some(Event::Relaxation) {
                 let slope = || self.piece_at(state.distance).slope_at(self.touch + state.distance);
-                Point::loading(self.loaded_to(state.distance), slope, self.drag, &state, event)
+                TracePoint::loading(self.loaded_state(state.distance), slope, self.drag, &state, event)
             } else {
                 let at = MotionState { distance: state.distance - residual, ..state };
-                Point::unloading(&outcome.unloading, self.drag, &at, event)
+                TracePoint::unloading(&outcome.unloading, self.drag, &at, event)
             }
         };
         states.into_iter().map(point).collect()

@@ -4,32 +4,35 @@
 use crate::contact::law::Law;
 use crate::contact::pair::{HalfSpace, Material, Pair};
 use crate::impact::problem::contact::{Contact, is_modulus_wrong};
-use crate::impact::result::row::Essentials;
-use crate::impact::result::warning::{FULLY, Warning, WarningKind};
+use crate::impact::result::row::ImpactRow;
+use crate::impact::result::warning::{FULL_PLASTICITY_RATIO, Warning, WarningKind};
 use crate::materials::{MaterialClass, MaterialEntry};
 use crate::units::{Dimension, format_four_digits, format_input, format_result};
 
 /// Bodies of a lower density \[kg/m³\] get a warning; cork has 120 to 240.
-const LIGHT: f64 = 100.0;
+const LOW_DENSITY: f64 = 100.0;
 /// Spheres of a larger radius \[m\] get a warning.
-const LARGE: f64 = 1.0;
+const LARGE_RADIUS: f64 = 1.0;
 /// Strengths above this fraction of Young's modulus get a warning; flawless whiskers reach a tenth.
-const HIGH: f64 = 0.1;
+const HIGH_STRENGTH_RATIO: f64 = 0.1;
 
 /// The error of e from the hardness of a metal that hardens: finite elements of metals with N = 0.1 and 0.3.
-pub const TOO_HIGH: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
+pub const RESTITUTION_BIAS_TEXT: &str = "too high: by 4 to 10 % at N = 0.1, 19 to 35 % at N = 0.3";
 /// The smallest and the largest of these errors.
 pub const TOO_HIGH_BY: [f64; 2] = [0.04, 0.35];
 
 /// The warnings of an impact for the materials of its bodies. With damping, the damping models the losses in the material.
-pub(in crate::impact) fn of_materials(contact: &Contact, row: &Essentials) -> impl Iterator<Item = Warning> + use<> {
-    let named = contact.named;
+pub(in crate::impact) fn material_warnings(
+    contact: &Contact,
+    row: &ImpactRow,
+) -> impl Iterator<Item = Warning> + use<> {
+    let named = contact.material_names;
     let is_elastic = contact.half_space().yield_strength.is_none();
     let is_damped = contact.forces().damping.is_some();
     let limit = if (row.restitution - 1.0).abs() < 1e-6 { "e = 1 is the elastic limit" } else { "e is an upper limit" };
     let brittle = |body: &str, entry: &MaterialEntry| {
-        let text = format!("{body}.material = {} {}: {limit}, not a prediction", entry.name, fate(entry));
-        Warning::new(WarningKind::NoMetal, 0.0, text)
+        let text = format!("{body}.material = {} {}: {limit}, not a prediction", entry.name, failure_mode(entry));
+        Warning::new(WarningKind::NotAMetal, 0.0, text)
     };
     let half_space = named.half_space.filter(|entry| is_elastic && !is_damped && !entry.is_metal());
     // a ball of ceramic is harder than its target
@@ -50,7 +53,7 @@ pub(in crate::impact) fn of_materials(contact: &Contact, row: &Essentials) -> im
             "flow_stress.power.exponent under the law plm"
         };
         let text = format!(
-            "{body}.material = {} hardens, and its hardness is used without an exponent N: e is {TOO_HIGH}; give {body}.{way_out}",
+            "{body}.material = {} hardens, and its hardness is used without an exponent N: e is {RESTITUTION_BIAS_TEXT}; give {body}.{way_out}",
             entry.name
         );
         Some(Warning::new(WarningKind::NoExponent, 0.0, text))
@@ -61,7 +64,7 @@ pub(in crate::impact) fn of_materials(contact: &Contact, row: &Essentials) -> im
             "e is too low, and not a prediction: {body}.material = {} creeps at room temperature, and its flow stress in an impact is two to three times that of its hardness; calibrate the strength with a rebound",
             entry.name
         );
-        Warning::new(WarningKind::NoMetal, 0.0, text)
+        Warning::new(WarningKind::NotAMetal, 0.0, text)
     };
     let creeps = |place: usize, entry: Option<&'static MaterialEntry>, share: f64| {
         entry.filter(|entry| entry.creeps && row.has_dent() && share > 0.0 && !named.is_of_impact[place])
@@ -76,25 +79,25 @@ pub(in crate::impact) fn of_materials(contact: &Contact, row: &Essentials) -> im
 }
 
 /// The warning for a named material that is elastic in a quasi-static indentation, although its strength may be exceeded.
-pub(crate) fn of_elastic(half_space: &HalfSpace, entry: &MaterialEntry) -> Option<Warning> {
+pub(crate) fn elastic_material_warning(half_space: &HalfSpace, entry: &MaterialEntry) -> Option<Warning> {
     let is_elastic = half_space.yield_strength.is_none() && !entry.is_metal();
-    Warning::when(is_elastic, WarningKind::NoMetal, 0.0, || {
+    Warning::new_if(is_elastic, WarningKind::NotAMetal, 0.0, || {
         format!(
             "half_space.material = {} {}, and is computed as elastic: no dent is left; half_space.hardness gives it one",
             entry.name,
-            fate(entry)
+            failure_mode(entry)
         )
     })
 }
 
 /// How a material that is not a metal fails.
-fn fate(entry: &MaterialEntry) -> &'static str {
+fn failure_mode(entry: &MaterialEntry) -> &'static str {
     if entry.class == MaterialClass::Polymer { "creeps" } else { "cracks" }
 }
 
 /// The body whose strength the law of a contact ignores, its partner, and this strength. This is the sphere if nothing yields by the
 /// law. It is the harder body if the other body hardens, because its final strength is not known.
-pub(crate) fn left_out(
+pub(crate) fn ignored_strength(
     pair: &Pair,
     law: &Law,
     [sphere, half_space]: [Option<f64>; 2],
@@ -108,11 +111,11 @@ pub(crate) fn left_out(
 
 /// The warning for a body of this strength under a mean pressure, if the law ignores the strength. `so` states the consequence for
 /// the results.
-pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
+pub(crate) fn yielding_warning(pressure: f64, left_out: Option<([&str; 2], f64)>, so: &str) -> Option<Warning> {
     let ([body, other], strength) = left_out.filter(|(_, strength)| pressure > 1.1 * strength)?;
     let ratio = pressure / strength;
     let [peak, own] = [pressure, strength].map(|pressure| format_result(pressure, Dimension::Pressure));
-    let text = if ratio > FULLY {
+    let text = if ratio > FULL_PLASTICITY_RATIO {
         format!(
             "the {body} yields, which is left out here: {so}; the law plm lets it yield beside a {other} that does not harden (peak mean pressure {peak}, {} times the {body}'s yield strength {own})",
             format_four_digits(ratio)
@@ -126,51 +129,51 @@ pub(crate) fn of_yielding(pressure: f64, left_out: Option<([&str; 2], f64)>, so:
 }
 
 /// The smallest σ_Y/E* of a yielding ball in the finite elements.
-const WEAKEST: f64 = 5e-4;
+const MIN_FITTED_YIELD_STRAIN: f64 = 5e-4;
 
 /// The warnings for a yielding sphere that is weaker than any in the finite elements, or rigid.
-pub(crate) fn of_flow(pair: &Pair) -> impl Iterator<Item = Warning> + use<> {
+pub(crate) fn flow_warnings(pair: &Pair) -> impl Iterator<Item = Warning> + use<> {
     let is_rigid = pair.sphere_compliance == 0.0;
     let point = pair.yield_point.filter(|point| point.yield_partition.sphere_share > 0.0);
     let ratio = point.map_or(f64::NAN, |point| point.strength / pair.effective_modulus);
-    let weak = Warning::when(ratio < WEAKEST, WarningKind::WeakSphere, -ratio, || {
+    let weak = Warning::new_if(ratio < MIN_FITTED_YIELD_STRAIN, WarningKind::WeakSphere, -ratio, || {
         format!(
-            "yield strength / effective modulus = {ratio:.2e} of the sphere that flows is below {WEAKEST:.0e}: against finite elements the force is then up to 7 % and e up to 3 % too low"
+            "yield strength / effective modulus = {ratio:.2e} of the sphere that flows is below {MIN_FITTED_YIELD_STRAIN:.0e}: against finite elements the force is then up to 7 % and e up to 3 % too low"
         )
     });
-    let rigid = Warning::when(point.is_some() && is_rigid, WarningKind::RigidFlows, 0.0, || {
+    let rigid = Warning::new_if(point.is_some() && is_rigid, WarningKind::RigidFlows, 0.0, || {
         "the sphere is rigid and flows, as it has a yield strength: a rigid body keeps its shape; give sphere.youngs_modulus, or leave out what gives the sphere a strength".to_owned()
     });
     weak.into_iter().chain(rigid)
 }
 
 /// The warnings for a sphere with numbers that hardly any body has. If the mass is given separately, the density is not checked.
-pub(crate) fn of_sphere(
+pub(crate) fn sphere_warnings(
     radius: f64,
     material: &Material,
     strength: Option<f64>,
     density: Option<f64>,
 ) -> impl Iterator<Item = Warning> + use<> {
-    let large = Warning::when(radius > LARGE, WarningKind::LargeSphere, radius, || {
-        format!("sphere.radius = {radius} m is above {LARGE} m: check the unit, such as \"5 mm\"")
+    let large = Warning::new_if(radius > LARGE_RADIUS, WarningKind::LargeSphere, radius, || {
+        format!("sphere.radius = {radius} m is above {LARGE_RADIUS} m: check the unit, such as \"5 mm\"")
     });
-    large.into_iter().chain(of_body("sphere", material, strength, density))
+    large.into_iter().chain(body_warnings("sphere", material, strength, density))
 }
 
 /// The warnings for a half-space with numbers that hardly any body has.
-pub(crate) fn of_half_space(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
+pub(crate) fn half_space_warnings(half_space: &HalfSpace) -> impl Iterator<Item = Warning> + use<> {
     let HalfSpace { material, yield_strength, density, .. } = half_space;
-    of_body("half_space", material, *yield_strength, *density)
+    body_warnings("half_space", material, *yield_strength, *density)
 }
 
-fn of_body(
+fn body_warnings(
     table: &str,
     material: &Material,
     strength: Option<f64>,
     density: Option<f64>,
 ) -> impl Iterator<Item = Warning> + use<> {
     let modulus = material.youngs_modulus;
-    let high = strength.filter(|strength| *strength > HIGH * modulus).map(|strength| {
+    let high = strength.filter(|strength| *strength > HIGH_STRENGTH_RATIO * modulus).map(|strength| {
         let [given, modulus_text] = [strength, modulus].map(|pressure| format_input(pressure, Dimension::Pressure));
         let text = if is_modulus_wrong(modulus, Some(strength)) {
             format!(
@@ -183,9 +186,9 @@ fn of_body(
         };
         Warning::new(WarningKind::HighStrength, strength / modulus, text)
     });
-    let light = density.filter(|density| *density < LIGHT).map(|density| {
+    let light = density.filter(|density| *density < LOW_DENSITY).map(|density| {
         let text = format!(
-            "{table}.density = {density} kg/m^3 is below {LIGHT} kg/m^3, lighter than cork: check the unit, such as \"7850 kg/m^3\" or \"7.85 g/cm^3\""
+            "{table}.density = {density} kg/m^3 is below {LOW_DENSITY} kg/m^3, lighter than cork: check the unit, such as \"7850 kg/m^3\" or \"7.85 g/cm^3\""
         );
         Warning::new(WarningKind::LightBody, -density, text)
     });

@@ -17,14 +17,14 @@ use crate::contact::law::{ContactState, ExponentClamp, Surface, Unloading};
 use crate::contact::strength::strain_rate_hardening::RateForm;
 use crate::numerics::root::bisect;
 use crate::units::{Dimension, format_four_digits, format_input, format_percent};
-use bodies::{of_half_space, of_sphere};
+use bodies::{half_space_warnings, sphere_warnings};
 pub use restitution::Bias;
-pub(crate) use restitution::of_dent;
-use restitution::of_restitution;
-use run::{of_gain, of_rebound, of_run};
+pub(crate) use restitution::dent_warning;
+use restitution::restitution_warnings;
+use run::{energy_gain_warning, rebound_warning, run_warning};
 
 /// The warnings for a peak outside of the range of the law or of its flow curve.
-pub(crate) fn of_peak(ground: Surface, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
+pub(crate) fn peak_warnings(ground: Surface, peak: &ContactState) -> impl Iterator<Item = Warning> + use<> {
     let x = peak.indentation;
     let law = ground.law;
     let stated = ground.loading_law_at(x).and_then(|law| law.exceeded_fit_range(peak)).map(|(from, to)| {
@@ -47,7 +47,7 @@ pub(crate) fn of_peak(ground: Surface, peak: &ContactState) -> impl Iterator<Ite
 }
 
 /// The warning for an exponent of unloading that is not the one that was asked for.
-pub(crate) fn of_exponent(ground: Surface, unloading: &Unloading) -> Option<Warning> {
+pub(crate) fn exponent_warning(ground: Surface, unloading: &Unloading) -> Option<Warning> {
     let ExponentClamp { requested: asked, used, gain } =
         ground.loading_law_at(unloading.peak.indentation)?.exponent_clamp(unloading)?;
     let text = format!(
@@ -63,7 +63,7 @@ impl Contact {
     /// The indentation \[m\] up to which the data behind the law reach: beyond it an impact is warned of a dent that is too
     /// wide, of a flow curve that ends before, or of a law outside its stated range. Infinite for a law without such a
     /// limit, as for springs.
-    pub fn deepest(&self) -> f64 {
+    pub fn validated_indentation(&self) -> f64 {
         let radius = self.pair().smaller_radius;
         let Self { scales, law, .. } = self;
         let reaches = |x: f64| {
@@ -71,7 +71,7 @@ impl Contact {
             let is_wide = scales.contact_radius * law.contact_radius(&peak) > law.validity.max_radius_ratio * radius;
             let is_before = law.exceeded_fit_range(&peak).is_some_and(|(from, _)| x < from);
             let is_harmless = |warning: Warning| is_before && warning.kind == WarningKind::OutsideStated;
-            !is_wide && of_peak(law.into(), &peak).all(is_harmless)
+            !is_wide && peak_warnings(law.into(), &peak).all(is_harmless)
         };
         let far = radius / scales.length;
         if reaches(far) { f64::INFINITY } else { bisect(0.0, far, reaches).0 * scales.length }
@@ -79,7 +79,7 @@ impl Contact {
 }
 
 /// All warnings of an impact.
-pub(super) fn warnings(
+pub(super) fn impact_warnings(
     contact: &Contact,
     impact: &Impact,
     ground: Surface,
@@ -88,27 +88,27 @@ pub(super) fn warnings(
 ) -> Vec<Warning> {
     let peak = &unloading.peak;
     let sphere = contact.sphere();
-    let mut warnings = of_restitution(contact, impact.speed, impact.peak_mean_pressure, impact);
-    warnings.extend(of_peak(ground, peak));
-    warnings.extend(of_exponent(ground, unloading));
-    let density = (!contact.is_of_a_body()).then_some(sphere.density);
-    warnings.extend(of_sphere(sphere.radius, &sphere.material, sphere.yield_strength, density));
-    warnings.extend(of_half_space(contact.half_space()));
+    let mut warnings = restitution_warnings(contact, impact.speed, impact.peak_mean_pressure, impact);
+    warnings.extend(peak_warnings(ground, peak));
+    warnings.extend(exponent_warning(ground, unloading));
+    let density = (!contact.has_attached_mass()).then_some(sphere.density);
+    warnings.extend(sphere_warnings(sphere.radius, &sphere.material, sphere.yield_strength, density));
+    warnings.extend(half_space_warnings(contact.half_space()));
     warnings.extend(of_balls::of_one_strength(contact, impact));
-    warnings.extend(of_rate(contact));
-    warnings.extend(of_waves(impact));
-    warnings.extend(of_damping(contact, impact));
+    warnings.extend(strain_rate_warnings(contact));
+    warnings.extend(wave_warning(impact));
+    warnings.extend(damping_warning(contact, impact));
     let is_verlet = solver.method == Method::Verlet;
-    warnings.extend(if is_verlet { of_gain(contact, impact) } else { of_rebound(contact, impact) });
-    warnings.extend(of_run(impact, solver));
-    warnings.sort_by_key(|warning| !warning.is_grave());
+    warnings.extend(if is_verlet { energy_gain_warning(contact, impact) } else { rebound_warning(contact, impact) });
+    warnings.extend(run_warning(impact, solver));
+    warnings.sort_by_key(|warning| !warning.is_fatal());
     warnings
 }
 
 /// The warning for radiated waves that the first order does not hold for.
-fn of_waves(impact: &Impact) -> Option<Warning> {
+fn wave_warning(impact: &Impact) -> Option<Warning> {
     let (loss, recovered) = (impact.wave_loss_fraction?, impact.recovered_fraction());
-    Warning::when(loss > 0.2 * recovered, WarningKind::StrongWaves, loss / recovered, || {
+    Warning::new_if(loss > 0.2 * recovered, WarningKind::StrongWaves, loss / recovered, || {
         format!(
             "elastic waves take {loss:.3} of the kinetic energy, while the law gives {recovered:.3} of it back: too much for a first-order estimate; take restitution_with_waves as a rough value (0 where nothing is left)"
         )
@@ -116,38 +116,43 @@ fn of_waves(impact: &Impact) -> Option<Warning> {
 }
 
 /// The rates \[1/s\] for which the constants of metals were measured.
-const RATES: [f64; 2] = [1e-3, 1e5];
+const MEASURED_RATES: [f64; 2] = [1e-3, 1e5];
 /// Rates \[1/s\] of a test between those of a usual test and of an impact.
-const FAST_TESTS: [f64; 2] = [50.0, 1000.0];
+const DYNAMIC_TEST_RATES: [f64; 2] = [50.0, 1000.0];
 /// Least D \[1/s\] of a flow stress.
-const FLOWING: f64 = 1000.0;
+const MIN_FLOW_STRESS_RATE: f64 = 1000.0;
 
 /// The warnings for the strain rate of an impact, and for the constants of its metal.
-fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
-    let rate = contact.rated.and_then(|rated| rated.rate);
-    let strain_rate = contact.rated.map_or(f64::NAN, |rated| rated.strain_rate);
-    let [low, high] = RATES;
-    let outside = Warning::when(strain_rate < low || strain_rate > high, WarningKind::StrainRate, strain_rate, || {
-        format!(
-            "strain rate {} 1/s is outside of {low:e} to {high:e} 1/s, for which such constants are known: take the factor of the strength for an extrapolation",
-            format_four_digits(strain_rate)
-        )
-    });
+fn strain_rate_warnings(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
+    let rate = contact.strain_rate_result.and_then(|rated| rated.rate);
+    let strain_rate = contact.strain_rate_result.map_or(f64::NAN, |rated| rated.strain_rate);
+    let [low, high] = MEASURED_RATES;
+    let outside = Warning::new_if(
+        strain_rate < low || strain_rate > high,
+        WarningKind::StrainRate,
+        strain_rate,
+        || {
+            format!(
+                "strain rate {} 1/s is outside of {low:e} to {high:e} 1/s, for which such constants are known: take the factor of the strength for an extrapolation",
+                format_four_digits(strain_rate)
+            )
+        },
+    );
     let tested_at = rate.map_or(f64::NAN, |rate| rate.test_rate);
-    let is_fast = (FAST_TESTS[0]..=FAST_TESTS[1]).contains(&tested_at);
-    let fast = Warning::when(is_fast, WarningKind::FastTest, tested_at, || {
+    let is_fast = (DYNAMIC_TEST_RATES[0]..=DYNAMIC_TEST_RATES[1]).contains(&tested_at);
+    let fast = Warning::new_if(is_fast, WarningKind::DynamicTest, tested_at, || {
         format!(
             "tested_at = {} 1/s is nearly as fast as the impact, and only the turn of the sphere is slower than that test: e comes out below the one without a rate; give the strength of a slow test",
             format_four_digits(tested_at)
         )
     });
     let slow = match rate.map(|rate| rate.form) {
-        Some(RateForm::CowperSymonds { rate, .. }) if rate < FLOWING => Some(rate),
+        Some(RateForm::CowperSymonds { rate, .. }) if rate < MIN_FLOW_STRESS_RATE => Some(rate),
         _ => None,
     };
     let lower_yield = slow.map(|rate| {
         let text = format!(
-            "cowper_symonds.rate = {} 1/s: constants below {FLOWING} 1/s are of the lower yield point, and a dent strains the metal by 1 to 4 %: e comes out too high",
+            "cowper_symonds.rate = {} 1/s: constants below {MIN_FLOW_STRESS_RATE} 1/s are of the lower yield point, and a dent strains the metal by 1 to 4 %: e comes out too high",
             format_four_digits(rate)
         );
         Warning::new(WarningKind::LowerYield, -rate, text)
@@ -156,15 +161,15 @@ fn of_rate(contact: &Contact) -> impl Iterator<Item = Warning> + use<> {
 }
 
 /// χ v from which on the damping of Hunt and Crossley leaves less than a thousandth of the speed.
-const STIFF: f64 = 1e3;
+const STIFF_DAMPING: f64 = 1e3;
 
 /// The warning of damping that leaves next to nothing, and whose fast decay makes steps tiny.
-fn of_damping(contact: &Contact, impact: &Impact) -> Option<Warning> {
+fn damping_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let Some(Damping::HuntCrossley(chi)) = contact.forces().damping else { return None };
     let size = chi * impact.speed;
-    Warning::when(size > STIFF, WarningKind::StiffDamping, size, || {
+    Warning::new_if(size > STIFF_DAMPING, WarningKind::StiffDamping, size, || {
         format!(
-            "damping.hunt_crossley x speed = {}: above {STIFF} the sphere keeps only 1/hunt_crossley = {} of its speed; check the unit, s/m",
+            "damping.hunt_crossley x speed = {}: above {STIFF_DAMPING} the sphere keeps only 1/hunt_crossley = {} of its speed; check the unit, s/m",
             format_four_digits(size),
             format_input(1.0 / chi, Dimension::Speed)
         )
@@ -172,7 +177,7 @@ fn of_damping(contact: &Contact, impact: &Impact) -> Option<Warning> {
 }
 
 /// The warnings of an oblique impact.
-pub(super) fn of_oblique(
+pub(super) fn oblique_warnings(
     contact: &Contact,
     impact: &Impact,
     approach: Approach,
@@ -180,7 +185,7 @@ pub(super) fn of_oblique(
     let angle = approach.incidence.map_or(0.0, |Incidence { angle, .. }| angle.abs());
     let ratio = impact.radius_ratio;
     let is_ploughing = impact.has_dent() && ratio > 0.1 && angle > FRAC_PI_4;
-    let ploughing = Warning::when(is_ploughing, WarningKind::Ploughing, ratio, || {
+    let ploughing = Warning::new_if(is_ploughing, WarningKind::Ploughing, ratio, || {
         format!(
             "contact radius / sphere radius = {ratio:.3} at {:.0} deg from the normal: the sphere ploughs, a force of about {:.0} % of the contact force that friction leaves out; take tangential speed and spin as estimates",
             angle.to_degrees(),
@@ -189,8 +194,8 @@ pub(super) fn of_oblique(
     });
     let mismatch = contact.dundurs_beta();
     let slips_little = impact.rebound.is_some_and(|rebound| rebound.psi.abs() < 1.0);
-    let is_coupled = mismatch.abs() > LARGEST_MISMATCH && slips_little;
-    let coupled = Warning::when(is_coupled, WarningKind::Mismatch, mismatch.abs(), || {
+    let is_coupled = mismatch.abs() > MAX_DUNDURS_BETA && slips_little;
+    let coupled = Warning::new_if(is_coupled, WarningKind::DundursCoupling, mismatch.abs(), || {
         format!(
             "the materials differ so much (Dundurs' beta = {mismatch:.2}) that pressure and friction act on each other, which is neglected: where the contact slips as little as here, psi_2 may be off by 0.1"
         )
@@ -199,4 +204,4 @@ pub(super) fn of_oblique(
 }
 
 /// Dundurs' β from which on finite elements show that it is neglected.
-const LARGEST_MISMATCH: f64 = 0.25;
+const MAX_DUNDURS_BETA: f64 = 0.25;

@@ -14,7 +14,7 @@ pub(super) fn of_one_strength(contact: &Contact, impact: &Impact) -> Option<Warn
         [Some(_), None] => ["half_space", "sphere"],
         _ => return None,
     };
-    Warning::when(is_of_two_balls && impact.has_dent(), WarningKind::OneBallYields, 0.0, || {
+    Warning::new_if(is_of_two_balls && impact.has_dent(), WarningKind::OneBallYields, 0.0, || {
         format!(
             "e is off if both balls are of one material, mostly too high and by up to 7 %: they have the same elastic constants, but only {yielding} has a strength, and {elastic} stays elastic; give {elastic}.yield_strength too, unless that ball is much harder"
         )

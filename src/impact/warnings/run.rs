@@ -7,11 +7,11 @@ use crate::impact::solve::{Method, Solver};
 use crate::numerics::power::nan_max;
 
 /// A restitution above this one is shown as more than 1 by a number with three digits.
-const LARGEST: f64 = 1.0005;
+const MAX_RESTITUTION: f64 = 1.0005;
 
 /// The warning of a restitution above 1 by more than rounding and the error of the run, or by so much that a number with three
 /// digits shows it. By the work of gravity alone a sphere that sinks into its dent may leave faster than it came.
-pub(super) fn of_rebound(contact: &Contact, impact: &Impact) -> Option<Warning> {
+pub(super) fn rebound_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let (restitution, drift) = (impact.restitution, impact.energy.drift);
     let known = impact.accuracy.restitution_error;
     let gravity = contact.forces().gravity.unwrap_or(0.0);
@@ -20,8 +20,8 @@ pub(super) fn of_rebound(contact: &Contact, impact: &Impact) -> Option<Warning> 
     let error = if known.is_nan() { drift * (1.0 + sunk / impact.energy.kinetic_in) } else { known };
     let is_by_weight = gravity > 0.0 && impact.energy.plastic.is_none_or(|plastic| plastic >= 0.0);
     let is_real = restitution > 1.0 + 1e-12 + 10.0 * error;
-    let is_doubtful = if is_real { !is_by_weight } else { known.is_nan() && restitution > LARGEST };
-    Warning::when(is_doubtful, WarningKind::EnergyGain, restitution, || {
+    let is_doubtful = if is_real { !is_by_weight } else { known.is_nan() && restitution > MAX_RESTITUTION };
+    Warning::new_if(is_doubtful, WarningKind::EnergyGain, restitution, || {
         format!(
             "restitution {restitution:.6} is above 1, which is no physics: take it for 1. Either the run is too coarse (its balance of energy is off by {drift:.1e}: tighten the tolerance or use another method), or a second hit ended just behind a knot of the loading curve, where the plastic work of the law falls a little"
         )
@@ -29,41 +29,41 @@ pub(super) fn of_rebound(contact: &Contact, impact: &Impact) -> Option<Warning> 
 }
 
 /// An energy drift of fixed steps above this one is warned of.
-const LARGEST_DRIFT: f64 = 1e-2;
+const MAX_DRIFT: f64 = 1e-2;
 /// Why a run in fixed steps is inaccurate, and the remedy.
-const COARSE: &str =
+const COARSE_STEPS_TEXT: &str =
     "the fixed steps are too long for this contact; raise solver.steps_per_contact, or use another method than verlet";
 
 /// The warning of a run in fixed steps that makes energy: that of the rebound, or that in a plate.
-pub(super) fn of_gain(contact: &Contact, impact: &Impact) -> Option<Warning> {
+pub(super) fn energy_gain_warning(contact: &Contact, impact: &Impact) -> Option<Warning> {
     let (e, has_gravity) = (impact.restitution, contact.forces().gravity.is_some());
     let plate = impact.plate_loss_fraction().filter(|share| *share > 1.0 && !has_gravity);
     let (name, share) = plate.map_or(("restitution", e), |share| ("the share of the plate", share));
-    Warning::when(share > LARGEST && !has_gravity, WarningKind::EnergyGain, share, || {
-        format!("{name} = {share:.6} is above 1: {COARSE}")
+    Warning::new_if(share > MAX_RESTITUTION && !has_gravity, WarningKind::EnergyGain, share, || {
+        format!("{name} = {share:.6} is above 1: {COARSE_STEPS_TEXT}")
     })
 }
 
 /// The warning of a run that is further from the closed form than its tolerance allows or, without a closed form, of one
 /// that has lost energy. Damping is not smooth at first touch, which costs the methods of `ode_solvers` up to three digits.
-pub(super) fn of_run(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
+pub(super) fn run_warning(impact: &Impact, &Solver { method, tolerance, .. }: &Solver) -> Option<Warning> {
     let drift = impact.energy.drift;
     let error = nan_max(impact.accuracy.restitution_error, impact.accuracy.contact_time_error);
     let way_out = "tighten the tolerance or use another method";
     if method == Method::Verlet {
-        Warning::when(drift > LARGEST_DRIFT || drift.is_nan(), WarningKind::OpenLedger, drift, || {
-            format!("the balance of energy is off by {drift:.1e}: {COARSE}")
+        Warning::new_if(drift > MAX_DRIFT || drift.is_nan(), WarningKind::EnergyImbalance, drift, || {
+            format!("the balance of energy is off by {drift:.1e}: {COARSE_STEPS_TEXT}")
         })
     } else if impact.accuracy.closed_form_restitution.is_nan() {
         let is_open = drift > 1000.0 * tolerance || drift.is_nan();
-        Warning::when(is_open, WarningKind::OpenLedger, drift, || {
+        Warning::new_if(is_open, WarningKind::EnergyImbalance, drift, || {
             format!(
                 "the balance of energy is off by {drift:.1e}, more than 1000 x the tolerance {tolerance:.1e}: {way_out}"
             )
         })
     } else {
         let is_inaccurate = error > 100.0 * tolerance || error.is_nan();
-        Warning::when(is_inaccurate, WarningKind::Inaccurate, error, || {
+        Warning::new_if(is_inaccurate, WarningKind::Inaccurate, error, || {
             format!(
                 "integration and closed form differ by {error:.1e}, more than 100 x the tolerance {tolerance:.1e}: {way_out}"
             )

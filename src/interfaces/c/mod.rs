@@ -187,7 +187,7 @@ pub unsafe extern "C" fn plm_contact_friction(
     else {
         return FAILURE;
     };
-    let step = FrictionStep { before, indentation, force, slip: *slip };
+    let step = FrictionStep { previous_indentation: before, indentation, force, slip: *slip };
     // SAFETY: as the caller promises
     let friction = unsafe {
         read(contact, memory, None, |contact, memory| {
@@ -325,7 +325,7 @@ pub unsafe extern "C" fn plm_contact_restitution_with_waves(contact: *const plm_
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn plm_contact_deepest(contact: *const plm_contact) -> f64 {
     // SAFETY: as the caller promises
-    unsafe { number(contact, Contact::deepest) }
+    unsafe { number(contact, Contact::validated_indentation) }
 }
 
 /// Fingerprint of the bodies and of the law, for the restart file of a simulation: a memory belongs to the contact with the

@@ -6,8 +6,8 @@ use super::exported_contact::Bare;
 use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
 use crate::error::Error;
 use crate::files::PROGRAM;
-use crate::impact::flight::free_flight::Flying;
-use crate::impact::{Essentials, Impact, Rated, STANDARD_GRAVITY};
+use crate::impact::flight::free_flight::FreeFlight;
+use crate::impact::{Impact, ImpactRow, STANDARD_GRAVITY, StrainRateResult};
 use crate::numerics::functions::{atan, pow};
 use crate::scenario::Scenario;
 use crate::strings::named_enum;
@@ -94,7 +94,7 @@ impl Head<'_> {
     /// Where the numbers come from, and in which range they hold.
     fn about(&self, request: &Request) -> Vec<String> {
         let speed = self.impact.speed;
-        let (restitution, Essentials { contact_time, peak_force, .. }) = (self.e, self.impact.essentials);
+        let (restitution, ImpactRow { contact_time, peak_force, .. }) = (self.e, self.impact.essentials);
         let mut about: Vec<String> = self.impact.warnings.iter().map(|warning| format!("warning: {warning}")).collect();
         about.extend([
             format!("{PROGRAM}: {}", self.command),
@@ -104,7 +104,7 @@ impl Head<'_> {
             ),
         ]);
         about.extend(self.on_the_bench());
-        if let Some(Rated { strain_rate, factor, .. }) = self.impact.rated {
+        if let Some(StrainRateResult { strain_rate, factor, .. }) = self.impact.strain_rate_result {
             about.push(format!(
                 "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
                 format_four_digits(strain_rate),
@@ -150,8 +150,8 @@ impl Head<'_> {
         if !impact.has_dent() || impact.has_flat() || self.bare.contact.target_mass().is_some() {
             return None;
         }
-        let flight = Flying::in_vacuum(STANDARD_GRAVITY);
-        let [from, to] = [impact.speed, self.e * impact.speed].map(|speed| flight.rise(speed));
+        let flight = FreeFlight::in_vacuum(STANDARD_GRAVITY);
+        let [from, to] = [impact.speed, self.e * impact.speed].map(|speed| flight.rise_height(speed));
         let dent = 2.0 * impact.peak_contact_radius;
         Some(format!("dent diameter {dent:.6e} m, rebound height {to:.6e} m after a fall of {from:.6e} m"))
     }

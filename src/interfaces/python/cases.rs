@@ -233,7 +233,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let speeds = &given[0].numbers.values;
     let mut warnings = Vec::new();
     let forces = plan.input.forces();
-    let is_exact = forces.is_none() && plan.input.solver().method.chosen(&forces, false) == Some(Method::ClosedForm);
+    let is_exact = forces.is_none() && plan.input.solver().method.resolve(&forces, false) == Some(Method::ClosedForm);
     let computed = if is_exact {
         // friction does not change e
         let restitution_at = |speed: &f64| {

@@ -175,14 +175,14 @@ impl Contact {
     /// Indentation at first yield (m); `None` if it cannot yield.
     #[getter]
     fn yield_indentation_m(&self) -> PyResult<Option<f64>> {
-        Ok(self.of_one_strength()?.yields_at().map(|(indentation, _)| indentation))
+        Ok(self.of_one_strength()?.yield_indentation_and_force().map(|(indentation, _)| indentation))
     }
 
     /// Force at first yield (N); `None` if it cannot yield.
     #[getter]
     #[pyo3(name = "yield_force_N")]
     fn yield_force(&self) -> PyResult<Option<f64>> {
-        Ok(self.of_one_strength()?.yields_at().map(|(_, force)| force))
+        Ok(self.of_one_strength()?.yield_indentation_and_force().map(|(_, force)| force))
     }
 
     /// The name of the law.

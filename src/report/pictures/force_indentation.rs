@@ -46,7 +46,7 @@ pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
 }
 
 pub(in crate::report) fn is_damped(impact: &Impact) -> bool {
-    impact.under_forces.is_some_and(|under| under.damping_loss.is_some())
+    impact.forces_result.is_some_and(|under| under.damping_loss.is_some())
 }
 
 /// The name of the turning point. With damping it is not the peak of the force, which is largest before it.
@@ -67,7 +67,7 @@ pub(in crate::report) fn title(impact: &Impact) -> String {
     let angle = friction.map_or_else(String::new, |(normal, along)| {
         format!(" and {}°", format_four_digits(atan2(along, normal).to_degrees()))
     });
-    let end = match impact.captured() {
+    let end = match impact.captured_result() {
         Some(_) => "captured".to_owned(),
         None => format!("restitution e = {}", format_four_digits(impact.restitution)),
     };

@@ -50,7 +50,7 @@ fn times(impact: &Impact) -> Vec<Series> {
     let end = |name: &str| {
         Series::vertical(impact.duration(), name).and(format_result(impact.duration(), Dimension::Time)).styled(line)
     };
-    let mut end = match impact.captured() {
+    let mut end = match impact.captured_result() {
         None => end("Separation").and(format!("rebound at {}", format_result(impact.rebound_speed, Dimension::Speed))),
         Some(under) => {
             let rest =
@@ -61,7 +61,7 @@ fn times(impact: &Impact) -> Vec<Series> {
     if impact.has_dent() {
         end = end.and(format!(
             "{} δᵣ = {}",
-            impact.left_behind(),
+            impact.imprint_name(),
             format_result(impact.residual_indentation, Dimension::Length)
         ));
     }

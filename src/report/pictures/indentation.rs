@@ -3,16 +3,16 @@
 
 use super::loops::{self, Branches};
 use crate::contact::law::Branch;
-use crate::impact::indentation::{IndentationRow, Tested};
+use crate::impact::indentation::{IndentationRow, SpecimenResult};
 use crate::report::chart::{Axis, Chart, Series};
 use crate::units::{Dimension, format_result};
 
-pub fn indentation(tested: &[Tested]) -> Chart {
-    let branches = |one: &Tested| branches(&one.indentation.trace);
+pub fn indentation(tested: &[SpecimenResult]) -> Chart {
+    let branches = |one: &SpecimenResult| branches(&one.indentation.trace);
     let (series, of_sphere) = match tested {
         [one] => loops::arranged(&branches(one)),
         several => {
-            let one_loop = |(i, one): (usize, &Tested)| {
+            let one_loop = |(i, one): (usize, &SpecimenResult)| {
                 let name = one.specimen.name.as_deref().unwrap_or_default();
                 loops::series(name, loops::style(i, 4.0), &branches(one), 0)
             };
@@ -63,7 +63,7 @@ fn is_loading(row: &IndentationRow) -> bool {
     matches!(row.branch, Branch::Elastic | Branch::Plastic)
 }
 
-fn title(tested: &[Tested]) -> String {
+fn title(tested: &[SpecimenResult]) -> String {
     let strongest =
         tested.iter().flat_map(|one| &one.indentation.steps).map(|step| step.memory.force).fold(0.0, f64::max);
     let load = format_result(strongest, Dimension::Force);

@@ -46,7 +46,7 @@ pub fn of_impact(impact: &Impact) -> Option<Branches> {
     let trace = &impact.trace;
     // a sphere that creeps to rest has no turning point; its last row is the deepest
     let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
-    let turn = turn.or_else(|| impact.captured().and_then(|_| trace.len().checked_sub(1)))?;
+    let turn = turn.or_else(|| impact.captured_result().and_then(|_| trace.len().checked_sub(1)))?;
     let rows = |rows: &[TraceRow]| rows.iter().map(|row| (indentations(row), row.force)).collect();
     Some(vec![(true, rows(&trace[..=turn])), (false, rows(&trace[turn..]))])
 }

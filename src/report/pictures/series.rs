@@ -5,7 +5,7 @@ use super::loops;
 use crate::error::Error;
 use crate::impact::Impact;
 use crate::impact::flight::trajectory::Flight;
-use crate::impact::series::{Hit, Place, Repeat, Sequence};
+use crate::impact::series::{ImpactSeries, SeriesImpact, SeriesResult, SpotMode};
 use crate::numerics::functions::pow;
 use crate::report::chart::{Axis, Chart, GREY, Panel, Series, Style};
 use crate::strings::capital;
@@ -16,19 +16,19 @@ const FLIGHT_POINTS: u32 = 48;
 const MOST_POINTS: usize = 200_000;
 
 /// The height of the lowest point of the sphere against time. `None` for shots, which have no times.
-pub fn height(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
-    let last = sequence.hits.last()?;
+pub fn height(repeat: &ImpactSeries, sequence: &SeriesResult) -> Option<Chart> {
+    let last = sequence.impacts.last()?;
     let end = last.time? + if last.contact_time.is_finite() { last.contact_time } else { 0.0 };
     let flights: Vec<&Flight> =
-        sequence.fall.iter().chain(sequence.hits.iter().filter_map(|hit| hit.flight.as_ref())).collect();
+        sequence.fall.iter().chain(sequence.impacts.iter().filter_map(|hit| hit.flight.as_ref())).collect();
     let points = (MOST_POINTS / flights.len().max(1)).clamp(2, FLIGHT_POINTS as usize);
     let points = u32::try_from(points).unwrap_or(FLIGHT_POINTS);
     let along = |flight: &Flight| flown(flight, points, |time| flight.begin + time);
     let mut curve: Vec<(f64, f64)> = flights.iter().flat_map(|flight| along(flight)).collect();
     curve.extend(last.time.map(|time| (time, 0.0)));
     // where the air takes more than 1 % of a height
-    let free = flights.iter().map(|flight| (flight.top(), flight.without_air()));
-    let free = free.filter(|(top, free)| free.top() > 1.01 * top).map(|(_, free)| along(&free));
+    let free = flights.iter().map(|flight| (flight.apex_height(), flight.without_air()));
+    let free = free.filter(|(top, free)| free.apex_height() > 1.01 * top).map(|(_, free)| along(&free));
     let mut without_air: Vec<Series> =
         free.map(|points| Series::line("", points).styled(Style::line(GREY, 1.5))).collect();
     if let Some(first) = without_air.first_mut() {
@@ -51,38 +51,38 @@ fn flown(flight: &Flight, points: u32, over: impl Fn(f64) -> f64) -> Vec<(f64, f
 }
 
 /// The path of a ball that hops along: the height of its lowest point over the place along the surface.
-pub fn path(repeat: &Repeat, sequence: &Sequence) -> Option<Chart> {
-    let flights: Vec<&Flight> = sequence.hits.iter().filter_map(|hit| hit.flight.as_ref()).collect();
-    sequence.hits.first()?.speed_along().filter(|_| !flights.is_empty())?;
+pub fn path(repeat: &ImpactSeries, sequence: &SeriesResult) -> Option<Chart> {
+    let flights: Vec<&Flight> = sequence.impacts.iter().filter_map(|hit| hit.flight.as_ref()).collect();
+    sequence.impacts.first()?.tangential_speed().filter(|_| !flights.is_empty())?;
     let points = flights.iter().flat_map(|flight| flown(flight, FLIGHT_POINTS, |time| flight.position_at(time)));
-    let hits = sequence.hits.iter().map(|hit| (hit.position, 0.0)).collect();
+    let hits = sequence.impacts.iter().map(|hit| (hit.position, 0.0)).collect();
     let series = vec![Series::line("Lowest point of the sphere", points.collect()), Series::points("Impacts", hits)];
     let axes = [Axis::linear("Place along the surface", "m"), Axis::linear("Height", "m")];
     Some(Chart::new(title(repeat, sequence), axes, series))
 }
 
-fn title(repeat: &Repeat, sequence: &Sequence) -> String {
+fn title(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
     let impacts = if repeat.is_bouncing() { "bounces" } else { "shots" };
-    let place = match repeat.place {
-        Place::Same => "on the same spot",
-        Place::Fresh => "on fresh surface",
+    let place = match repeat.spot_mode {
+        SpotMode::Same => "on the same spot",
+        SpotMode::Fresh => "on fresh surface",
     };
-    let count = sequence.hits.len();
+    let count = sequence.impacts.len();
     let impacts = if count == 1 { impacts.trim_end_matches('s') } else { impacts };
     format!("{count} {impacts} {place}")
 }
 
 /// Impact speed, e, and the depth of the dent against the number of the impact.
-pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
-    let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&Hit) -> f64| {
-        let points = sequence.hits.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
+pub fn impacts(repeat: &ImpactSeries, sequence: &SeriesResult) -> Chart {
+    let panel = |y: Axis, highest: f64, name: &str, style: usize, value: fn(&SeriesImpact) -> f64| {
+        let points = sequence.impacts.iter().enumerate().map(|(i, hit)| ((i + 1) as f64, value(hit)));
         let series = Series::marked_line(name, points.collect()).styled(Style::new(style).solid());
         Panel::new(y.between(0.0, highest), vec![series])
     };
-    let last = sequence.hits.len() as f64;
-    let fastest = sequence.hits.iter().map(|hit| hit.speed).fold(0.0, f64::max);
-    let largest = sequence.hits.iter().map(|hit| hit.measured_restitution()).fold(0.0, f64::max);
-    let has_waves = sequence.hits.iter().any(|hit| hit.wave_loss_fraction.is_some());
+    let last = sequence.impacts.len() as f64;
+    let fastest = sequence.impacts.iter().map(|hit| hit.speed).fold(0.0, f64::max);
+    let largest = sequence.impacts.iter().map(|hit| hit.measured_restitution()).fold(0.0, f64::max);
+    let has_waves = sequence.impacts.iter().any(|hit| hit.wave_loss_fraction.is_some());
     let name = if has_waves { "Restitution e with waves" } else { "Restitution e" };
     let top = if largest > 0.8 { 1.1 } else { 1.2 * largest };
     let mut panels = vec![
@@ -91,7 +91,7 @@ pub fn impacts(repeat: &Repeat, sequence: &Sequence) -> Chart {
     ];
     let deepest = sequence.deepest_dent();
     if deepest > 0.0 {
-        let mark = capital(sequence.left_behind());
+        let mark = capital(sequence.imprint_name());
         let y = Axis::linear(&format!("{mark} depth"), "m");
         panels.push(panel(y, 1.15 * deepest, &format!("{mark} δᵣ"), 1, |hit| hit.residual_indentation));
     }
@@ -111,8 +111,8 @@ const WIDE: f64 = 20.0;
 const DRAWN: usize = 300;
 
 /// Force against approach of all traced impacts, for loading and unloading.
-pub fn loops(repeat: &Repeat, sequence: &Sequence) -> Result<Chart, Error> {
-    let traced = &sequence.traced;
+pub fn loops(repeat: &ImpactSeries, sequence: &SeriesResult) -> Result<Chart, Error> {
+    let traced = &sequence.traced_impacts;
     if traced.is_empty() {
         return Err(Error::failed("loops need traces: run the series with samples"));
     }

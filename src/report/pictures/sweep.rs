@@ -5,7 +5,7 @@ use crate::report::chart;
 
 use super::{axis_of, caption, captioned, law_title, title_of, words_of};
 use crate::contact::law::YieldingPair;
-use crate::impact::{Essentials, Rebound};
+use crate::impact::{ImpactRow, Rebound};
 use crate::reference::quasi_static;
 use crate::report::chart::{Chart, Look, Panel, Series, heatmap, histogram};
 use crate::report::chart::{Style, extremes};
@@ -73,7 +73,7 @@ fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
 }
 
-fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<Essentials, Failure>> {
+fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<ImpactRow, Failure>> {
     let case = axes
         .iter()
         .zip(places.iter().copied().chain(std::iter::repeat(0)))

@@ -40,7 +40,7 @@ pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
 
 /// Refuses a method without a trace, which a run writes.
 pub(super) fn can_be_traced(scenario: &Scenario, input: &Input) -> Result<(), Error> {
-    let method = input.solver().method.chosen(&input.forces(), true);
+    let method = input.solver().method.resolve(&input.forces(), true);
     method.map(drop).ok_or_else(|| no_result(scenario, &ImpactError::NoClosedForm))
 }
 

@@ -5,8 +5,8 @@ use std::fmt::Display;
 use super::outcome::{self, Outcome, RunOptions, file, put_notes, texts, with_summary};
 use crate::contact::pair::Sphere;
 use crate::error::{Error, ErrorKind};
-use crate::impact::indentation::{IndentationError, StaticContact, Tested};
-use crate::impact::{of_elastic, of_half_space, of_sphere};
+use crate::impact::indentation::{IndentationError, SpecimenResult, StaticContact};
+use crate::impact::{elastic_material_warning, half_space_warnings, sphere_warnings};
 use crate::report::pictures;
 use crate::report::pictures::caption::of_indentation;
 use crate::report::text::indentation as report;
@@ -20,11 +20,11 @@ use crate::scenario::kinds::indentation::IndentationScene;
 pub fn compute(
     scenario: &Scenario,
     samples: Option<usize>,
-) -> Result<(IndentationScene, Vec<Tested>, Vec<String>), Error> {
+) -> Result<(IndentationScene, Vec<SpecimenResult>, Vec<String>), Error> {
     let scene = scenario.indentation()?;
     let mut warnings = texts(&scene.warnings);
     let Sphere { radius, material, yield_strength, .. } = scene.sphere;
-    warnings.extend(of_sphere(radius, &material, yield_strength, None).map(|warning| warning.to_string()));
+    warnings.extend(sphere_warnings(radius, &material, yield_strength, None).map(|warning| warning.to_string()));
     let mut tested = Vec::new();
     for specimen in &scene.specimens {
         let name = specimen.name.as_deref();
@@ -34,13 +34,13 @@ pub fn compute(
         let named = |warning: &dyn Display| {
             specimen.name.as_ref().map_or_else(|| warning.to_string(), |name| format!("{name}, {warning}"))
         };
-        warnings.extend(of_half_space(&specimen.half_space).map(|warning| named(&warning)));
+        warnings.extend(half_space_warnings(&specimen.half_space).map(|warning| named(&warning)));
         let material = scenario.input().materials().iter().find(|choice| choice.body == Body::HalfSpace);
-        let elastic = material.and_then(|choice| of_elastic(&specimen.half_space, choice.material));
+        let elastic = material.and_then(|choice| elastic_material_warning(&specimen.half_space, choice.material));
         warnings.extend(elastic.map(|warning| warning.to_string()));
         warnings.extend(indentation.warnings.iter().map(|warning| named(warning)));
         let (pair, can_yield, is_spring) = (*contact.pair(), contact.can_yield(), contact.is_spring());
-        tested.push(Tested { specimen: specimen.clone(), pair, can_yield, is_spring, indentation });
+        tested.push(SpecimenResult { specimen: specimen.clone(), pair, can_yield, is_spring, indentation });
     }
     Ok((scene, tested, warnings))
 }

@@ -4,7 +4,7 @@ use super::impact::{can_be_traced, prepare, provenance};
 use super::outcome::{Outcome, RunOptions, file, no_result, put_notes, texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::Progress;
-use crate::impact::series::Repeat;
+use crate::impact::series::ImpactSeries;
 use crate::impact::{Contact, Method};
 use crate::report::pictures;
 use crate::report::pictures::{caption, captioned};
@@ -19,7 +19,7 @@ use crate::scenario::input::{Input, Purpose};
 use crate::scenario::keys::strength_notes;
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
-pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, Repeat), Error> {
+pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, ImpactSeries), Error> {
     let (mut input, contact) = prepare(scenario)?;
     let repeat = scenario.repeat(&input)?;
     // a series needs no steps where there is a closed form
@@ -41,7 +41,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();
-    let has_dent = sequence.hits.iter().any(|hit| hit.has_dent());
+    let has_dent = sequence.impacts.iter().any(|hit| hit.has_dent());
     let notes = if has_dent { strength_notes(&input, &contact, &input.law(), &[]) } else { Vec::new() };
     let Some(options) = options else {
         let text = report::repeat_lines(&repeat) + &overview(&input, &contact, &notes);

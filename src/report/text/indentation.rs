@@ -7,7 +7,7 @@ use super::inputs::Inputs;
 use super::{overview, terminal};
 use crate::contact::pair::imprint_name;
 use crate::error::Error;
-use crate::impact::indentation::{IndentationRow, Step, Target, Tested};
+use crate::impact::indentation::{IndentationRow, SetPoint, SpecimenResult, StepResult};
 use crate::results::{Reported, fields, lists, results};
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
@@ -18,8 +18,8 @@ use crate::strings::align_columns;
 use crate::units::{Dimension, format_si_and_short};
 
 /// The results of one half-space, in the order of `summary.json`.
-pub fn half_space() -> Vec<Reported<Tested>> {
-    results! { |tested: Tested|
+pub fn half_space() -> Vec<Reported<SpecimenResult>> {
+    results! { |tested: SpecimenResult|
         /// Name of the half-space.
         "name" as "half-space" if NAMED: tested.specimen.name.clone();
         /// Young's modulus.
@@ -48,7 +48,7 @@ pub fn half_space() -> Vec<Reported<Tested>> {
 }
 
 /// The steps of one half-space.
-fn stepped(tested: &Tested) -> Vec<Stepped<'_>> {
+fn stepped(tested: &SpecimenResult) -> Vec<Stepped<'_>> {
     (1..).zip(&tested.indentation.steps).map(|(number, step)| Stepped { number, step, tested }).collect()
 }
 
@@ -56,8 +56,8 @@ fn stepped(tested: &Tested) -> Vec<Stepped<'_>> {
 #[derive(Debug, Clone, Copy)]
 pub struct Stepped<'a> {
     number: usize,
-    step: &'a Step,
-    tested: &'a Tested,
+    step: &'a StepResult,
+    tested: &'a SpecimenResult,
 }
 
 pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
@@ -65,14 +65,14 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
         /// Number of the step, from 1.
         "step" as "step": row.number;
         /// Load at which the step ends.
-        "target_load_N" in Force as "to" if GIVEN: match row.step.target {
-            Target::Load(load) => Some(load),
-            Target::Indentation(_) => None,
+        "target_load_N" in Force as "to" if GIVEN: match row.step.set_point {
+            SetPoint::Load(load) => Some(load),
+            SetPoint::Indentation(_) => None,
         };
         /// Indentation at which the step ends.
-        "target_indentation_m" in Length as "to" if GIVEN: match row.step.target {
-            Target::Load(_) => None,
-            Target::Indentation(indentation) => Some(indentation),
+        "target_indentation_m" in Length as "to" if GIVEN: match row.step.set_point {
+            SetPoint::Load(_) => None,
+            SetPoint::Indentation(indentation) => Some(indentation),
         };
         /// Branch of the law at its end: `elastic`, `plastic`, `unloading`, `reloading` or `separated`.
         "branch": row.step.branch.name();
@@ -130,7 +130,7 @@ pub fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
 }
 
 /// The results by their names.
-pub fn found(tested: &[Tested], warnings: &[String]) -> Map<String, Value> {
+pub fn found(tested: &[SpecimenResult], warnings: &[String]) -> Map<String, Value> {
     let of_half_space = |one| {
         let mut half_space = fields(&half_space(), one);
         half_space.insert("steps".to_owned(), lists(&step(), &stepped(one)));
@@ -141,7 +141,7 @@ pub fn found(tested: &[Tested], warnings: &[String]) -> Map<String, Value> {
 }
 
 /// `trace.csv`.
-pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, Error> {
+pub fn trace(tested: &[SpecimenResult]) -> Result<Vec<u8>, Error> {
     let rows = tested.iter().flat_map(|one| {
         let name = one.specimen.name.as_deref();
         one.indentation.trace.iter().map(move |row| (name, row))
@@ -150,7 +150,7 @@ pub fn trace(tested: &[Tested]) -> Result<Vec<u8>, Error> {
 }
 
 /// The table for the terminal: for every half-space, a line for each step.
-pub fn table(tested: &[Tested]) -> String {
+pub fn table(tested: &[SpecimenResult]) -> String {
     let mut text = String::new();
     for one in tested {
         if let Some(name) = &one.specimen.name {
@@ -184,19 +184,19 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
 }
 
 /// A check as data: the inputs, and every half-space.
-pub fn checked(tested: &[Tested], inputs: &Inputs) -> Map<String, Value> {
+pub fn checked(tested: &[SpecimenResult], inputs: &Inputs) -> Map<String, Value> {
     let half_spaces = lists(&half_space(), tested);
     Map::from_iter([("inputs".to_owned(), inputs.json().into()), ("half_spaces".to_owned(), half_spaces)])
 }
 
 /// The text of `check`: the inputs, the steps, the contact of every half-space, and the notes.
-pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested], notes: &[String]) -> String {
+pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[SpecimenResult], notes: &[String]) -> String {
     let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
         let (kind, value) = match *target {
-            Target::Load(load) => ("load", format_si_and_short(load, Dimension::Force)),
-            Target::Indentation(indentation) => ("indentation", format_si_and_short(indentation, Dimension::Length)),
+            SetPoint::Load(load) => ("load", format_si_and_short(load, Dimension::Force)),
+            SetPoint::Indentation(indentation) => ("indentation", format_si_and_short(indentation, Dimension::Length)),
         };
         row(&format!("step {i}"), format!("{kind} {value}"));
     }
@@ -210,11 +210,11 @@ pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[Tested]
 
 /// Notes for the user on the strength behind forces and indentations, if a body yields and the scenario does not describe its flow
 /// stress further.
-pub fn notes(scenario: &Scenario, tested: &[Tested]) -> Vec<String> {
+pub fn notes(scenario: &Scenario, tested: &[SpecimenResult]) -> Vec<String> {
     let input = scenario.input();
     let is_vague = |body: Body| !input.has_flow(body) && input.strength_kind(body).is_none();
-    let has_dent = |one: &&Tested| one.indentation.steps.iter().any(|step| step.plastic_work > 0.0);
-    let softer = |one: &Tested| one.pair.yield_point.map(|point| point.yield_partition.for_softer(Body::ALL));
+    let has_dent = |one: &&SpecimenResult| one.indentation.steps.iter().any(|step| step.plastic_work > 0.0);
+    let softer = |one: &SpecimenResult| one.pair.yield_point.map(|point| point.yield_partition.for_softer(Body::ALL));
     let body = tested.iter().filter(has_dent).filter_map(softer).find(|body| is_vague(*body));
     body.map(|body| {
         let key = body.yield_strength();

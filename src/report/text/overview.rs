@@ -38,7 +38,7 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     rows.push([String::new(), String::new()]);
     rows.extend(described(&check::contact(), contact));
     rows.push(who(contact.pair(), contact.reaches_first_yield()));
-    if let Some(rated) = contact.rated() {
+    if let Some(rated) = contact.strain_rate_result() {
         rows.push(["strain rate".to_owned(), format_si_and_short(rated.strain_rate, Dimension::StrainRate)]);
         rows.push(["strength raised by".to_owned(), format_four_digits(rated.factor)]);
         rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_turn)]);

@@ -6,7 +6,7 @@ use super::files::csv;
 use super::terminal::{self, Detail};
 use crate::error::Error;
 use crate::impact::flight::trajectory::Flight;
-use crate::impact::series::{Drive, Hit, Repeat, Sequence};
+use crate::impact::series::{ImpactSeries, SeriesImpact, SeriesMode, SeriesResult};
 use crate::results::fields;
 use crate::results::series as results;
 use crate::results::series::{Series, TraceRow};
@@ -20,7 +20,7 @@ const LISTED: usize = 1000;
 /// The results by their names.
 pub fn found(series: &Series) -> Map<String, Value> {
     let mut results = fields(&results::results(), series);
-    if let Drive::Shots(speeds) = &series.repeat.drive
+    if let SeriesMode::Shots(speeds) = &series.repeat.mode
         && speeds.len() <= LISTED
     {
         results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
@@ -29,18 +29,18 @@ pub fn found(series: &Series) -> Map<String, Value> {
 }
 
 /// `impacts.csv`: one row per impact.
-pub fn impacts(sequence: &Sequence) -> Result<Vec<u8>, Error> {
-    csv(&results::impacts(), (1..).zip(sequence.hits.iter().copied()))
+pub fn impacts(sequence: &SeriesResult) -> Result<Vec<u8>, Error> {
+    csv(&results::impacts(), (1..).zip(sequence.impacts.iter().copied()))
 }
 
 /// `trace.csv`: the impacts that were traced, and the flights between them.
-pub fn trace(sequence: &Sequence, samples: usize) -> Result<Vec<u8>, Error> {
+pub fn trace(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Error> {
     let mut rows = Vec::new();
-    let hops = sequence.hits.iter().any(|hit| hit.speed_along().is_some());
+    let hops = sequence.impacts.iter().any(|hit| hit.tangential_speed().is_some());
     if let Some(fall) = &sequence.fall {
         fly(0, fall, hops, samples, &mut rows);
     }
-    for (i, (hit, impact)) in sequence.hits.iter().zip(&sequence.traced).enumerate() {
+    for (i, (hit, impact)) in sequence.impacts.iter().zip(&sequence.traced_impacts).enumerate() {
         let mut at: Option<(f64, f64, f64)> = None;
         rows.extend(impact.trace.iter().map(|row| TraceRow {
             impact: i + 1,
@@ -89,9 +89,10 @@ const SHOWN: (usize, usize) = (12, 5);
 
 /// The table for the terminal: lines about the series, and a line for each impact.
 pub fn table(series: &Series, detail: Detail) -> String {
-    let hits = &series.sequence.hits;
-    let is_shown = |(number, _): &(usize, &Hit)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
-    let shown: Vec<(usize, Hit)> = (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
+    let hits = &series.sequence.impacts;
+    let is_shown = |(number, _): &(usize, &SeriesImpact)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
+    let shown: Vec<(usize, SeriesImpact)> =
+        (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
     let mut rows = terminal::columns(&results::impacts(), &shown);
     if shown.len() < hits.len() {
         rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
@@ -100,23 +101,23 @@ pub fn table(series: &Series, detail: Detail) -> String {
     about.retain(|result| detail == Detail::Whole || result.name != "energy.drift");
     let mut lines = terminal::lines(&about, series);
     let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
-    terminal::rename_dent(texts, terminal::imprint(series.contact.is_spring(), series.sequence.left_behind()));
+    terminal::rename_dent(texts, terminal::imprint(series.contact.is_spring(), series.sequence.imprint_name()));
     align_columns(&lines, |_| true) + "\n" + &align_columns(&rows, |_| false)
 }
 
 /// The text of `check` about a series: its keys. The scene of the first impact is printed after it.
-pub fn repeat_lines(repeat: &Repeat) -> String {
+pub fn repeat_lines(repeat: &ImpactSeries) -> String {
     let speed = |speed: &f64| format_result(*speed, Dimension::Speed);
-    let mut rows = vec![["repeat.spot", repeat.place.name()].map(str::to_owned)];
+    let mut rows = vec![["repeat.spot", repeat.spot_mode.name()].map(str::to_owned)];
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
-    match &repeat.drive {
-        Drive::Bouncing { most, until, .. } => {
+    match &repeat.mode {
+        SeriesMode::Bouncing { most, until, .. } => {
             row("repeat.impacts", most.to_string());
             if let Some(until) = until {
                 row("repeat.until.speed", speed(until));
             }
         }
-        Drive::Shots(speeds) => {
+        SeriesMode::Shots(speeds) => {
             row("shots", speeds.len().to_string());
             let [low, high] = [f64::min, f64::max].map(|end| speeds.iter().copied().fold(f64::NAN, end));
             row("speed", if low == high { speed(&low) } else { format!("{} to {}", speed(&low), speed(&high)) });

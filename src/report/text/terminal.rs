@@ -52,7 +52,7 @@ pub fn impact(single: &Single, detail: Detail) -> String {
     let speed = ["impact speed".to_owned(), format_result(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
     lines.extend(self::lines(&results, single));
-    rename_dent(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.left_behind()));
+    rename_dent(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.imprint_name()));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
     align_columns(&lines, |_| true) + &notes(single.notes)
@@ -83,7 +83,7 @@ fn mark_doubtful(lines: &mut [Line], impact: &Impact) {
     // the size is the sticking speed over the impact speed
     let sticks = has(WarningKind::Adhesion, 1.0);
     let restitution = impact.measured_restitution();
-    let is_small = impact.on_plate.is_some() && restitution < SMALL;
+    let is_small = impact.plate.is_some() && restitution < SMALL;
     for [name, value, _] in lines {
         match name.as_str() {
             "restitution" if is_nearly_0 => *value = nearly_0(restitution),

@@ -1,8 +1,8 @@
 //! The quantities that can be measured, and how each follows from a computed impact. They name keys of `[calibrate]`.
 
 use super::Input;
-use crate::impact::Essentials;
-use crate::impact::flight::free_flight::Flying;
+use crate::impact::ImpactRow;
+use crate::impact::flight::free_flight::FreeFlight;
 use crate::scenario::keys::quantity::{FORCE, LEEB, LENGTH, RESTITUTION, SPEED, TIME};
 use crate::scenario::keys::{Quantity, at};
 use crate::strings::named_enum;
@@ -48,7 +48,7 @@ impl Measured {
     }
 
     /// The value in an impact of an input; `None` if the impact has no such value.
-    pub fn predict(self, row: &Essentials, input: &Input) -> Option<f64> {
+    pub fn predict(self, row: &ImpactRow, input: &Input) -> Option<f64> {
         match self {
             Self::DentDiameter => Some(if row.dent_depth() > 0.0 { 2.0 * row.peak_contact_radius } else { 0.0 }),
             Self::DentDepth => Some(row.dent_depth()),
@@ -71,13 +71,13 @@ impl Measured {
                 return None;
             }
         }
-        let flying = || input.flying().unwrap_or(Flying::in_vacuum(input.falling_gravity()));
+        let flying = || input.flying().unwrap_or(FreeFlight::in_vacuum(input.falling_gravity()));
         match self {
             Self::Restitution => Some(restitution),
             Self::ReboundSpeed => Some(speed),
-            Self::ReboundHeight => Some(flying().rise(speed)),
+            Self::ReboundHeight => Some(flying().rise_height(speed)),
             // without the contact time
-            Self::BounceInterval => Some(flying().rise_time(speed) + flying().fall_time(flying().rise(speed))),
+            Self::BounceInterval => Some(flying().rise_time(speed) + flying().fall_time(flying().rise_height(speed))),
             Self::Leeb => Some(1000.0 * restitution),
             _ => None,
         }

@@ -7,10 +7,10 @@ use super::{Body, BodyMaterial, Input, Key, Value};
 use crate::contact::law::LawChoice;
 use crate::contact::pair::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::strength::kind::StrengthKind;
-use crate::impact::flight::free_flight::{Flying, Medium};
+use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{
-    Approach, Contact, Damping, Forces, ImpactError, Incidence, Method, Named, Plate, PlateTheory, STANDARD_GRAVITY,
-    Solver,
+    Approach, Contact, Damping, Forces, ImpactError, Incidence, MaterialNames, Method, Plate, PlateTheory,
+    STANDARD_GRAVITY, Solver,
 };
 use crate::materials::{MaterialEntry, all};
 use crate::scenario::keys::{Part, at, key_of};
@@ -71,17 +71,17 @@ impl Input {
                 .word(at!("half_space.plate"))
                 .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
         });
-        Forces { gravity: number(at!("gravity.acceleration")), damping, plate, flying: self.flying() }
+        Forces { gravity: number(at!("gravity.acceleration")), damping, plate, flight: self.flying() }
     }
 
     /// The flight of the sphere, if there is gravity or a height.
-    pub fn flying(&self) -> Option<Flying> {
+    pub fn flying(&self) -> Option<FreeFlight> {
         let falls = self.number(at!("gravity.acceleration")).or(self.number(at!("impact.drop_height"))).is_some();
         let gravity = self.falling_gravity();
-        let in_vacuum = Flying::in_vacuum(gravity);
+        let in_vacuum = FreeFlight::in_vacuum(gravity);
         let in_air = || {
             let medium = self.air()?;
-            Some(Flying::in_air(gravity, &medium, self.radius()?, self.mass()?))
+            Some(FreeFlight::in_air(gravity, &medium, self.radius()?, self.mass()?))
         };
         falls.then(|| in_air().unwrap_or(in_vacuum))
     }
@@ -113,7 +113,7 @@ impl Input {
     pub fn pair(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
         let mut contact = Contact::try_new(sphere, half_space, law.get())?.with_forces(self.forces());
         if self.number(at!("sphere.mass")).is_some() {
-            contact = contact.of_a_body();
+            contact = contact.with_attached_mass();
         }
         if let Some(moment) = self.number(at!("sphere.moment_of_inertia")) {
             contact = contact.with_moment_of_inertia(moment);
@@ -124,8 +124,8 @@ impl Input {
             Body::ALL.map(|body| self.number(key_of!(body, "hardness")).is_some() && body.pick(flow).is_none());
         let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));
         let is_by_hardness = [0, 1].map(|place| is_by_hardness[place] && !is_of_impact[place]);
-        let named = Named { sphere, half_space, is_by_hardness, is_of_impact };
-        Ok(contact.of_materials(named).with_rates(self.rates(), law))
+        let named = MaterialNames { sphere, half_space, is_by_hardness, is_of_impact };
+        Ok(contact.with_materials(named).with_rate_dependence(self.rates(), law))
     }
 
     /// The impact speed \[m/s\]: the speed after the fall if a height is given.
@@ -184,7 +184,7 @@ impl Input {
     /// True if a row of a table, or at least its times, are integrated.
     pub fn is_stepped(&self) -> bool {
         let forces = self.forces();
-        let method = self.solver().method.chosen(&forces, false);
+        let method = self.solver().method.resolve(&forces, false);
         forces.gravity.is_some() || method.is_some_and(|method| method != Method::ClosedForm)
     }
 

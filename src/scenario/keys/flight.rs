@@ -1,7 +1,7 @@
 //! Warnings about the flight of a sphere: a height beyond laboratory tests, and air that the scenario omits.
 
 use super::at;
-use crate::impact::flight::free_flight::{Flying, Medium};
+use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{Warning, WarningKind};
 use crate::scenario::input::Input;
 use crate::units::{Dimension, format_percent, format_result};
@@ -70,7 +70,7 @@ impl Input {
     /// The mass of the air that moves with the ball, as a share of the mass of the ball, if there is air.
     fn added_mass(&self) -> Option<f64> {
         let (air, radius, mass) = (self.air()?, self.radius()?, self.mass()?);
-        Some(0.5 * Flying::buoyancy(air.density, radius, mass))
+        Some(0.5 * FreeFlight::buoyancy_ratio(air.density, radius, mass))
     }
 
     /// Heights and times change by the whole share of the added mass.
@@ -103,7 +103,7 @@ impl Input {
         let (radius, mass) = (self.radius()?, self.mass()?);
         let is_ball = self.number(at!("sphere.mass")).is_none();
         let gravity = self.falling_gravity();
-        let [in_air, in_vacuum] = [Flying::in_air(gravity, &USUAL, radius, mass), Flying::in_vacuum(gravity)];
+        let [in_air, in_vacuum] = [FreeFlight::in_air(gravity, &USUAL, radius, mass), FreeFlight::in_vacuum(gravity)];
         let slower = 1.0 - in_air.landing_speed(height) / in_vacuum.landing_speed(height);
         (is_ball && height > 0.0).then_some(slower)
     }

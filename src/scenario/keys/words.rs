@@ -4,7 +4,7 @@ use super::Words;
 use crate::contact::law::LawChoice;
 use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::strength::kind::StrengthKind;
-use crate::impact::series::Place;
+use crate::impact::series::SpotMode;
 use crate::impact::{Method, PlateTheory};
 use crate::materials::{MaterialEntry, all};
 use crate::results::columns;
@@ -54,7 +54,7 @@ pub static AXIS_OF_LAWS: Words =
 pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
 pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
 /// Spots of repeated impacts.
-pub static SPOTS: Words = words("spot", "spots", || texts(Place::ALL.map(Place::name)));
+pub static SPOTS: Words = words("spot", "spots", || texts(SpotMode::ALL.map(SpotMode::name)));
 /// Forms of the hardness of Jackson and Green.
 pub static HARDNESSES: Words = words("word", "words here", || texts(HardnessFit::ALL.map(HardnessFit::name)));
 /// Words for the noise of measurements, if it is not given by numbers.

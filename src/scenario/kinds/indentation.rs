@@ -4,7 +4,7 @@ use crate::contact::law::LawChoice;
 use crate::contact::pair::{HalfSpace, Material, Sphere};
 use crate::error::Error;
 use crate::impact::Warning;
-use crate::impact::indentation::{Specimen, Target};
+use crate::impact::indentation::{SetPoint, Specimen};
 use crate::scenario::Scenario;
 use crate::scenario::input::{Input, Purpose};
 use crate::scenario::keys::{at, key};
@@ -20,7 +20,7 @@ pub struct IndentationScene {
     pub specimens: Vec<Specimen>,
     pub law: LawChoice,
     /// The ends of the steps; at least one.
-    pub targets: Vec<Target>,
+    pub targets: Vec<SetPoint>,
     /// Warnings about keys without effect.
     pub warnings: Vec<Warning>,
 }
@@ -54,7 +54,7 @@ impl Scenario {
         input
     }
 
-    fn targets(&self) -> Result<Vec<Target>, Error> {
+    fn targets(&self) -> Result<Vec<SetPoint>, Error> {
         let as_in = format!("as in {}", key::STEPS);
         let Some(steps) = self.input.items("indentation.steps[]") else {
             let message = format!("the key `steps` is missing: a list, {as_in}");
@@ -68,8 +68,8 @@ impl Scenario {
             (step.number(at!("indentation.steps[].load")), step.number(at!("indentation.steps[].indentation")))
         };
         let target = |(i, step): (usize, &Input)| match ends(step) {
-            (Some(load), None) => Ok(Target::Load(load)),
-            (None, Some(indentation)) => Ok(Target::Indentation(indentation)),
+            (Some(load), None) => Ok(SetPoint::Load(load)),
+            (None, Some(indentation)) => Ok(SetPoint::Indentation(indentation)),
             (both, _) => {
                 let problem = if both.is_some() { "`load` and `indentation` are both given" } else { "has no target" };
                 let message = format!("step {i}: {problem}; write exactly one of the two, {as_in}");

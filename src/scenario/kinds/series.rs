@@ -1,7 +1,7 @@
 //! `[repeat]`: bouncing under gravity, or repeated shots without it.
 
 use crate::error::Error;
-use crate::impact::series::{Drive, MOST_IMPACTS, Place, Repeat};
+use crate::impact::series::{ImpactSeries, MAX_IMPACTS, SeriesMode, SpotMode};
 use crate::scenario::Scenario;
 use crate::scenario::input::Input;
 use crate::scenario::keys::at;
@@ -22,22 +22,20 @@ impl Scenario {
         let refuse = |message: String| Err(self.document.refuse("repeat.speeds", message));
         match self.speeds().map(<[f64]>::len) {
             Some(0) => refuse("is empty: write the speed of every shot, such as [\"1 m/s\", \"2 m/s\"]".to_owned()),
-            Some(count) if count as u64 > MOST_IMPACTS => {
-                refuse(format!("has {count} speeds, more than {MOST_IMPACTS}"))
-            }
+            Some(count) if count as u64 > MAX_IMPACTS => refuse(format!("has {count} speeds, more than {MAX_IMPACTS}")),
             _ => Ok(()),
         }
     }
 
     /// The series of `[repeat]`; `first` is the input of the first impact.
-    pub fn repeat(&self, first: &Input) -> Result<Repeat, Error> {
+    pub fn repeat(&self, first: &Input) -> Result<ImpactSeries, Error> {
         let input = &self.input;
         let refuse = |key: &str, message: &str| Err(self.document.refuse(key, message));
         let Some(place) = input.word(at!("repeat.spot")) else {
             return refuse("repeat", &format!("the key `spot` is missing: {SPOTS}"));
         };
-        let place = Place::ALL[place];
-        if first.incidence().is_some() && place == Place::Same {
+        let place = SpotMode::ALL[place];
+        if first.incidence().is_some() && place == SpotMode::Same {
             return refuse(
                 "repeat.spot",
                 "a ball that comes at an angle or spins hops along, and does not meet its dent again: write \"fresh\"",
@@ -52,13 +50,15 @@ impl Scenario {
         }
         let until = input.number(at!("repeat.until.speed"));
         let drive = match (self.speeds(), input.count(at!("repeat.impacts")), first.forces().gravity) {
-            (Some(speeds), ..) => Drive::Shots(speeds.to_vec()),
+            (Some(speeds), ..) => SeriesMode::Shots(speeds.to_vec()),
             (None, None, _) => return refuse("repeat", NEEDS_IMPACTS),
             (None, Some(most), Some(gravity)) => {
-                Drive::Bouncing { gravity, drop_height, approach: first.approach(), most, until }
+                SeriesMode::Bouncing { gravity, drop_height, approach: first.approach(), most, until }
             }
-            (None, Some(most), None) => Drive::Shots(vec![first.speed(); usize::try_from(most).unwrap_or(usize::MAX)]),
+            (None, Some(most), None) => {
+                SeriesMode::Shots(vec![first.speed(); usize::try_from(most).unwrap_or(usize::MAX)])
+            }
         };
-        Ok(Repeat { place, drive })
+        Ok(ImpactSeries { spot_mode: place, mode: drive })
     }
 }

@@ -243,7 +243,7 @@ impl Plan {
             // a swept damping may begin at 0
             key.set(&mut input, Some(1.0));
         }
-        let chosen = |method: Method| method.chosen(&input.forces(), false);
+        let chosen = |method: Method| method.resolve(&input.forces(), false);
         self.methods().into_iter().map(chosen).any(|method| method.is_none())
     }
 

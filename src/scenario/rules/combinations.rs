@@ -2,7 +2,7 @@
 //! together. These rules only check whether a key or a table is given or varies, not its value.
 
 use crate::error::Error;
-use crate::impact::flight::free_flight::Flying;
+use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{ImpactError, PlateError};
 use crate::scenario::Scenario;
 use crate::scenario::input::read_input::is_at_or_below;
@@ -232,7 +232,7 @@ impl Scenario {
             }
         }
         let (Some(air), Some(radius), Some(mass)) = (input.air(), input.radius(), input.mass()) else { return Ok(()) };
-        let lift = Flying::buoyancy(air.density, radius, mass);
+        let lift = FreeFlight::buoyancy_ratio(air.density, radius, mass);
         if lift >= 1.0 {
             let message = format!(
                 "the sphere floats: its buoyancy is {} times its weight; look at density and radius, and give a hollow ball its sphere.mass",

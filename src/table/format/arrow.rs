@@ -7,7 +7,7 @@ use arrow_array::{ArrayRef, DictionaryArray, Float64Array, Int32Array, StringArr
 use arrow_schema::ArrowError;
 
 use super::column::Column;
-use crate::impact::Essentials;
+use crate::impact::ImpactRow;
 use crate::table::tally::OK;
 use crate::table::{Failure, Rows};
 
@@ -42,7 +42,7 @@ impl Column {
             Self::Plain(place) | Self::Name(place, _) => swept(*place).collect(),
             Self::Number(place, values) => swept(*place).map(|place| values.at(place as u64)).collect(),
             Self::Result(column) => {
-                let value = |row: &Result<Essentials, _>| row.as_ref().ok().and_then(column.value);
+                let value = |row: &Result<ImpactRow, _>| row.as_ref().ok().and_then(column.value);
                 rows.results.iter().map(|row| value(row).unwrap_or(f64::NAN)).collect()
             }
             Self::Status => rows.results.iter().map(|row| row.as_ref().err().map_or(0.0, |why| code(*why))).collect(),

@@ -103,7 +103,7 @@ fn impossible_exponent_has_no_answer() {
         let mut refused = 0;
         for i in 1..200 {
             let speed = yields * 1.05_f64.powi(i);
-            let (_, law, q) = contact.scaled(speed).unwrap();
+            let (_, law, q) = contact.scaling(speed).unwrap();
             let outcome = closed_form::solve(law, q);
             assert!(outcome.restitution > 0.0 && outcome.restitution <= 1.0, "{i}: {}", outcome.restitution);
             assert!(outcome.contact_time.is_finite() && outcome.unloading.exponent > 0.0, "{i}");
@@ -166,7 +166,7 @@ fn the_force_rises_along_any_curve() {
     for (strain, stress) in [(1e-6, 345.2e6), (1e-3, 550e6), (1e-2, 2.4e9), (1e-9, 345.0002e6)] {
         let points = [FlowPoint { strain, stress }, FlowPoint { strain: 2.0 * strain, stress }];
         let contact = steel(Some(FlowCurve::from_points(points.to_vec()).unwrap()), UnloadingExponent::PressureShape);
-        let (_, law, _) = contact.scaled(3.0).unwrap();
+        let (_, law, _) = contact.scaling(3.0).unwrap();
         assert!(
             law.loading.pieces().windows(2).all(|pair| pair[0].force < pair[1].force && pair[0].work < pair[1].work)
         );

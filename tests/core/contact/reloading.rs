@@ -12,7 +12,7 @@ const EXPONENTS: [UnloadingExponent; 3] =
 /// A spot of steel after an impact at 300 v_Y, and this impact.
 fn dented(exponent: UnloadingExponent) -> (Contact, Spot, Impact) {
     let contact = Scene { exponent, ..Scene::steel() }.contact();
-    let mut spot = Spot::fresh();
+    let mut spot = Spot::new();
     let first = shot(&contact, &mut spot, 3.0);
     (contact, spot, first)
 }
@@ -95,7 +95,7 @@ fn energy_gain_at_knot_warns() {
     let scene =
         Scene { radius: 1.0, density: 5000.0, sphere, half_space, yield_strength: Some(7.76e6), ..Scene::case_3() };
     let (contact, speed) = (scene.contact_by(&nine_pieces()), 1.945 * scene.yield_speed());
-    let mut spot = Spot::fresh();
+    let mut spot = Spot::new();
     let is_gain = |impact: &Impact| impact.warnings.iter().any(|warning| warning.kind == WarningKind::EnergyGain);
     let first = shot(&contact, &mut spot, speed);
     assert!(first.restitution < 1.0 && !is_gain(&first));

@@ -15,9 +15,12 @@ fn steel(n: f64) -> Scene {
 fn series_on_one_spot_warns_of_exponent_once() {
     let contact = steel(1.4).contact();
     let speed = 1.1 * contact.yield_speed().unwrap();
-    let repeat = Repeat { place: Place::Same, drive: Drive::Shots(vec![speed, speed, 1.05 * speed, 3.0 * speed]) };
+    let repeat = ImpactSeries {
+        spot_mode: SpotMode::Same,
+        mode: SeriesMode::Shots(vec![speed, speed, 1.05 * speed, 3.0 * speed]),
+    };
     let sequence = repeat.run(&contact, &Solver::AUTO, 0, None).unwrap();
-    assert!(sequence.hits.iter().all(|hit| hit.restitution <= 1.0 && hit.energy.plastic.unwrap() >= 0.0));
+    assert!(sequence.impacts.iter().all(|hit| hit.restitution <= 1.0 && hit.energy.plastic.unwrap() >= 0.0));
     assert!(matches!(sequence.warnings[..], [(1, Warning { kind: WarningKind::RaisedExponent, .. })]));
 }
 

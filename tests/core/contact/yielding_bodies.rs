@@ -25,7 +25,7 @@ fn load_cycles_are_those_of_finite_elements() {
             continue;
         }
         let (_, contact) = contact_of(&row, &["sphere.density=7850", "impact.speed=1"]);
-        let (scales, law, _) = contact.scaled(10.0 * contact.yield_speed().unwrap()).unwrap();
+        let (scales, law, _) = contact.scaling(10.0 * contact.yield_speed().unwrap()).unwrap();
         let depth = row.number("delta_m");
         let peak = law.loaded_state(depth / scales.length);
         let force = peak.force * scales.force / row.number("F_N") - 1.0;
@@ -158,7 +158,7 @@ fn small_contacts_are_symmetric_in_the_bodies() {
         let sphere = Sphere { yield_strength: strengths[0], ..Sphere::elastic(1.0, materials[0], 1.0) };
         let half_space = HalfSpace::flat(materials[1], strengths[1]);
         let contact = Contact::try_new(sphere, half_space, &Plm { flow, ..Plm::default() }).unwrap();
-        let (_, law, _) = contact.scaled(100.0 * contact.yield_speed().unwrap()).unwrap();
+        let (_, law, _) = contact.scaling(100.0 * contact.yield_speed().unwrap()).unwrap();
         law.clone()
     };
     let curves = [None, Some(FlowCurve::Power { exponent: 0.2 })];
@@ -195,7 +195,7 @@ fn curve_of_narrow_flat_has_an_end() {
     let (sphere, half_space) = Scene::steel().parts();
     let sphere = Sphere { yield_strength: Some(200e6), ..sphere };
     let contact = Contact::try_new(sphere, half_space, &Plm::new(&coefficients, UnloadingExponent::Paper)).unwrap();
-    let (scales, law, _) = contact.scaled(3.0).unwrap();
+    let (scales, law, _) = contact.scaling(3.0).unwrap();
     let last = law.loading.pieces().last().unwrap().start * scales.length / sphere.radius;
     assert!((1.0..1.1).contains(&last), "{last}");
 }

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use crate::common::prelude::*;
 use crate::common::reference::{Row, rows};
 use approx::assert_abs_diff_eq;
-use plm_impact::impact::flight::free_flight::{Flying, Medium};
+use plm_impact::impact::flight::free_flight::{FreeFlight, Medium};
 use plm_impact::validate;
 
 fn medium(row: &Row) -> Medium {
@@ -18,12 +18,12 @@ fn medium(row: &Row) -> Medium {
     }
 }
 
-fn flights() -> Vec<(Row, Flying)> {
+fn flights() -> Vec<(Row, FreeFlight)> {
     let all = rows(include_str!("../../reference/air.csv"));
     assert_eq!(all.len(), 9);
     let flying = |row: &Row| {
         let number = |name| row.number(name);
-        Flying::in_air(number("gravity_m_per_s2"), &medium(row), number("radius_m"), number("mass_kg"))
+        FreeFlight::in_air(number("gravity_m_per_s2"), &medium(row), number("radius_m"), number("mass_kg"))
     };
     all.into_iter()
         .map(|row| {
@@ -58,7 +58,7 @@ fn nine_flights_are_those_of_the_reference() {
             flying.take_off_speed(row.number("bounce_interval_given_s"))
         };
         near(take_off, "take_off_speed_m_per_s");
-        let height = flying.rise(take_off);
+        let height = flying.rise_height(take_off);
         near(height, "rebound_height_m");
         near(flying.rise_time(take_off), "time_up_s");
         near(flying.fall_time(height), "time_down_s");
@@ -83,7 +83,7 @@ fn flights_are_those_of_the_equation_of_motion() {
             let coefficient = drag.unwrap_or(schiller_naumann);
             -pull - density * coefficient * PI * radius * radius * v * v.abs() / (2.0 * mass)
         };
-        let rise = flying.rise(take_off);
+        let rise = flying.rise_height(take_off);
         let duration = flying.rise_time(take_off) + 0.7 * flying.fall_time(rise);
         let end = flying.speed_after(take_off, duration);
         // the drag of a sphere jumps at Re = 1000, and has no second derivative at rest
@@ -112,16 +112,16 @@ fn flights_are_those_of_the_equation_of_motion() {
 fn limits_of_little_air_and_of_long_falls() {
     let air = |density: f64| Medium { density, drag: Some(0.5), viscosity: f64::NAN };
     let (radius, mass) = (5e-3, 4.11e-3);
-    let free = Flying::in_vacuum(9.81);
-    let thin = Flying::in_air(9.81, &air(1e-12), radius, mass);
+    let free = FreeFlight::in_vacuum(9.81);
+    let thin = FreeFlight::in_air(9.81, &air(1e-12), radius, mass);
     for height in [1e-6, 1.0, 100.0] {
         assert_relative_eq!(thin.landing_speed(height), free.landing_speed(height), max_relative = 1e-12);
         assert_relative_eq!(thin.fall_time(height), free.fall_time(height), max_relative = 1e-12);
-        assert_relative_eq!(thin.rise(height), free.rise(height), max_relative = 1e-10);
+        assert_relative_eq!(thin.rise_height(height), free.rise_height(height), max_relative = 1e-10);
     }
     // ten terminal lengths and more: the terminal speed, and the time grows by the height over it
-    let thick = Flying::in_air(9.81, &air(1.2), radius, mass);
-    let stokes = Flying::in_air(9.81, &Medium { drag: None, viscosity: 1.8e-5, ..air(1.2) }, 1e-4, 1e-8);
+    let thick = FreeFlight::in_air(9.81, &air(1.2), radius, mass);
+    let stokes = FreeFlight::in_air(9.81, &Medium { drag: None, viscosity: 1.8e-5, ..air(1.2) }, 1e-4, 1e-8);
     for flying in [thick, stokes] {
         let length = flying.terminal_speed() * flying.terminal_speed() / 9.81;
         for lengths in [30.0, 3e3, 3e5] {
@@ -132,7 +132,7 @@ fn limits_of_little_air_and_of_long_falls() {
         }
     }
     // buoyancy alone: the fall is slower by the square root of the rest of the weight
-    let light = Flying::in_air(9.81, &Medium { drag: Some(0.0), ..air(100.0) }, radius, mass);
+    let light = FreeFlight::in_air(9.81, &Medium { drag: Some(0.0), ..air(100.0) }, radius, mass);
     let rest = 1.0 - 100.0 * 4.0 / 3.0 * PI * radius.powi(3) / mass;
     assert_relative_eq!(light.landing_speed(2.0), (2.0 * 9.81 * rest * 2.0).sqrt(), max_relative = 1e-14);
 }
@@ -146,19 +146,21 @@ fn an_impact_and_a_series_fly_in_air() {
     let text = STEEL.replace("speed = \"3 m/s\"", "drop_height = \"2 m\"") + IN_AIR;
     let input = read(&text, NONE).resolve().unwrap();
     let (contact, speed) = (input.contact().unwrap(), input.speed());
-    let flying = contact.forces().flying.unwrap();
+    let flying = contact.forces().flight.unwrap();
     assert_eq!(speed, flying.landing_speed(2.0));
     let impact = contact.impact(speed, &Solver::AUTO, None).unwrap();
-    assert_eq!(impact.rebound_height, Some(flying.rise(impact.rebound_speed)));
-    let drive = Drive::Bouncing { gravity: 9.81, drop_height: Some(2.0), approach: speed.into(), most: 6, until: None };
-    for place in [Place::Same, Place::Fresh] {
-        let series = Repeat { place, drive: drive.clone() }.run(&contact, &Solver::AUTO, 2, None).unwrap();
+    assert_eq!(impact.rebound_height, Some(flying.rise_height(impact.rebound_speed)));
+    let drive =
+        SeriesMode::Bouncing { gravity: 9.81, drop_height: Some(2.0), approach: speed.into(), most: 6, until: None };
+    for place in [SpotMode::Same, SpotMode::Fresh] {
+        let series =
+            ImpactSeries { spot_mode: place, mode: drive.clone() }.run(&contact, &Solver::AUTO, 2, None).unwrap();
         let mut time = flying.fall_time(2.0);
-        for pair in series.hits.windows(2) {
+        for pair in series.impacts.windows(2) {
             let (hit, flight) = (&pair[0], pair[0].flight.unwrap());
             assert_relative_eq!(hit.time.unwrap(), time, max_relative = 1e-13);
-            let climb = if place == Place::Fresh { hit.residual_indentation } else { 0.0 };
-            let fall = flying.rise(hit.rebound_speed) - climb;
+            let climb = if place == SpotMode::Fresh { hit.residual_indentation } else { 0.0 };
+            let fall = flying.rise_height(hit.rebound_speed) - climb;
             assert_relative_eq!(pair[1].speed, flying.landing_speed(fall), max_relative = 1e-13);
             assert_relative_eq!(
                 flight.duration,
@@ -166,7 +168,7 @@ fn an_impact_and_a_series_fly_in_air() {
                 max_relative = 1e-13
             );
             assert!(flight.height_at(flight.duration).abs() < 1e-9 + hit.residual_indentation);
-            let (free, top) = (flight.without_air().top(), flight.top());
+            let (free, top) = (flight.without_air().apex_height(), flight.apex_height());
             // for slow flights buoyancy is more than drag
             assert!(free > top || hit.speed < 1.0, "{free} {top} {flight:?}");
             time += hit.contact_time + flight.duration;
@@ -248,14 +250,14 @@ fn time_to_rest_sums_flights_in_air() {
         let contact = input.contact().unwrap();
         let series = |most: u64| {
             let approach = input.speed().into();
-            let drive = Drive::Bouncing { gravity: 9.81, drop_height: Some(height), approach, most, until: None };
-            Repeat { place: Place::Fresh, drive }.run(&contact, &Solver::AUTO, 0, None).unwrap()
+            let drive = SeriesMode::Bouncing { gravity: 9.81, drop_height: Some(height), approach, most, until: None };
+            ImpactSeries { spot_mode: SpotMode::Fresh, mode: drive }.run(&contact, &Solver::AUTO, 0, None).unwrap()
         };
         let long = series(300);
-        let durations = long.hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.duration);
+        let durations = long.impacts.iter().filter_map(|hit| hit.flight).map(|flight| flight.duration);
         let whole = durations.sum::<f64>() + long.remaining_time.unwrap_or(0.0);
         let first = &series(1);
-        let (rest, last) = (first.remaining_time.unwrap(), first.hits.last().unwrap());
+        let (rest, last) = (first.remaining_time.unwrap(), first.impacts.last().unwrap());
         assert!(off(rest, whole) < 1e-3, "{height}: {rest} {whole}");
         let in_vacuum = 2.0 * last.rebound_speed / 9.81 / (1.0 - last.restitution);
         assert!(rest < in_vacuum * if height > 1.0 { 0.8 } else { 1.0 }, "{height}: {rest} {in_vacuum}");

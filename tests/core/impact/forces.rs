@@ -21,7 +21,10 @@ fn hunt_crossley(chi: f64) -> Forces {
 
 /// Damping of Hunt and Crossley with this χ in units of 1/V.
 pub fn damped(chi: f64) -> ScaledForces {
-    ScaledForces { drag: DampingCoefficients { hunt_crossley: chi, ..DampingCoefficients::NONE }, ..ScaledForces::NONE }
+    ScaledForces {
+        damping: DampingCoefficients { hunt_crossley: chi, ..DampingCoefficients::NONE },
+        ..ScaledForces::NONE
+    }
 }
 
 fn viscous(zeta: f64) -> Forces {
@@ -36,8 +39,8 @@ fn elastic() -> Scene {
     Scene { yield_strength: None, ..Scene::steel() }
 }
 
-fn fate(impact: &Impact) -> Fate {
-    impact.under_forces.unwrap().fate
+fn fate(impact: &Impact) -> ImpactEnd {
+    impact.forces_result.unwrap().fate
 }
 
 #[test]
@@ -48,7 +51,7 @@ fn hunt_crossley_restitution_has_slope_two_thirds() {
     for chi_v in [1e-6, 1e-4, 1e-3, 1e-2] {
         let (chi, speed) = (0.1, chi_v / 0.1);
         let contact = contact(chi);
-        let (scales, law, q) = contact.scaled(speed).unwrap();
+        let (scales, law, q) = contact.scaling(speed).unwrap();
         let exact = exact_solutions::solve(law, q, &damped(chi * scales.speed));
         let third = exact.restitution - (1.0 - 2.0 / 3.0 * chi_v + 4.0 / 9.0 * chi_v * chi_v);
         assert!(third.abs() < 0.5 * chi_v.powi(3) + 1e-15, "{chi_v}: {third:e}");
@@ -79,14 +82,14 @@ fn overdamped_contact_separates_or_creeps_under_gravity() {
     for zeta in [1.0, 2.0, 20.0] {
         // during the rebound only a pulling force could slow the sphere down, and the contact never pulls
         let impact = under(&scene, viscous(zeta)).impact(3.0, &Solver::default(), None).unwrap();
-        assert!(fate(&impact) == Fate::Separated && impact.restitution > 0.0 && impact.restitution < 0.1);
+        assert!(fate(&impact) == ImpactEnd::Separated && impact.restitution > 0.0 && impact.restitution < 0.1);
         let both = Forces { gravity: Some(1e6), ..viscous(zeta) };
         for speed in [0.0, 1e-3, 0.1] {
             let mut times = Vec::new();
             for (method, _) in STEPPING {
                 let impact = under(&scene, both).impact(speed, &solver(method, 1e-9), Some(40)).unwrap();
-                let report = impact.under_forces.unwrap();
-                assert_eq!((report.fate, impact.restitution), (Fate::Captured, 0.0));
+                let report = impact.forces_result.unwrap();
+                assert_eq!((report.fate, impact.restitution), (ImpactEnd::Captured, 0.0));
                 let at_rest = report.static_indentation.unwrap();
                 // the end is within a thousandth of the static indentation, or at an earlier turning point
                 let distance = (report.end_indentation / at_rest - 1.0).abs();

@@ -27,7 +27,7 @@ fn contact_time_is_sum_over_pieces() {
         let contact = contact(&text, NONE);
         for k in 0..200 {
             let speed = 0.02 * 1.05_f64.powi(k);
-            let (_, law, q) = contact.scaled(speed).unwrap();
+            let (_, law, q) = contact.scaling(speed).unwrap();
             let straight = |curve: LoadingCurve, piece: &Piece| match piece.shape {
                 Shape::Linear { slope, .. } => curve.then_line(piece.start, slope),
                 _ => panic!("{piece:?}"),

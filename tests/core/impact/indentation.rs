@@ -1,7 +1,7 @@
 //! Slow indentation: closed forms of the loops, memory, and random steps.
 
-use Target::{Indentation as To, Load};
-use plm_impact::impact::indentation::{Step, StepWarning, Target};
+use SetPoint::{Indentation as To, Load};
+use plm_impact::impact::indentation::{SetPoint, StepResult, StepWarning};
 
 use crate::common::prelude::*;
 
@@ -23,7 +23,7 @@ fn ti_10_nb(exponent: UnloadingExponent) -> StaticContact {
     contact(&alloy(77e9, Some(630e6)), exponent)
 }
 
-fn steps(contact: &StaticContact, targets: &[Target]) -> Vec<Step> {
+fn steps(contact: &StaticContact, targets: &[SetPoint]) -> Vec<StepResult> {
     contact.indent(targets, None).unwrap().steps
 }
 
@@ -124,7 +124,7 @@ fn step_warns_once_of_its_own_problem() {
     let half_space = alloy(77e9, Some(630e6));
     let plm = Plm { flow: [None, Some(FlowCurve::Power { exponent: 0.01 })], ..Plm::default() };
     let contact = StaticContact::try_new(&strong, &half_space, &plm).unwrap();
-    let warnings = |targets: &[Target]| contact.indent(targets, None).unwrap().warnings;
+    let warnings = |targets: &[SetPoint]| contact.indent(targets, None).unwrap().warnings;
     assert!(warnings(&[Load(1.0), Load(0.0)]).is_empty());
     let found = warnings(&[Load(1.0), Load(80.0), Load(0.0), Load(90.0)]);
     assert!(

@@ -5,7 +5,7 @@ mod with_forces;
 
 use crate::common::prelude::*;
 use approx::assert_abs_diff_eq;
-use plm_impact::impact::oblique::normal_motion::TangentialMotion;
+use plm_impact::impact::oblique::normal_motion::NormalMotion;
 
 use crate::common::reference::rows;
 
@@ -15,7 +15,7 @@ const OF_ROWS: f64 = 5e-6;
 
 /// s_1/s_0 of an elastic impact.
 fn elastic_ratio(psi: f64, chi: f64, accuracy: f64) -> f64 {
-    TangentialMotion::elastic().unwrap().ratio(psi, chi, accuracy).unwrap()
+    NormalMotion::elastic().unwrap().ratio(psi, chi, accuracy).unwrap()
 }
 
 /// The alumina sphere on glass of Kharaz, Gorham and Salman (2001).
@@ -63,7 +63,7 @@ fn twelve_impacts_are_those_of_the_reference() {
         let (spring, want_of_spring) = (stepped(&contact, approach, 2e4), number("spring_contact_point_ratio"));
         assert!((spring - want_of_spring).abs() < 3e-4, "{name}: {spring} {want_of_spring}");
         if scene.half_space().yield_strength.is_none() {
-            let got = TangentialMotion::elastic().unwrap().run_on_one_spring(rebound.psi, contact.chi());
+            let got = NormalMotion::elastic().unwrap().single_spring_ratio(rebound.psi, contact.chi());
             assert_abs_diff_eq!(got, want_of_spring, epsilon = 2e-4);
         }
         let of_table = contact.row(approach, &Solver::AUTO).unwrap().rebound.unwrap();
@@ -81,13 +81,13 @@ fn stepped(contact: &Contact, approach: Approach, steps: f64) -> f64 {
     let dt = contact.closed_form(speed).unwrap().contact_time / steps;
     let (mut indentation, mut force, mut moving) = (0.0, 0.0, slip);
     let (mut memory, mut history) = (Memory::default(), [0.0; 3]);
-    while speed > 0.0 || indentation > memory.dent() {
+    while speed > 0.0 || indentation > memory.dent_depth() {
         speed -= 0.5 * dt * force / mass;
         moving += 0.5 * dt * j / mass * history[0];
         let before = indentation;
         indentation += dt * speed;
         force = contact.force(indentation, &mut memory);
-        let step = FrictionStep { before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
+        let step = FrictionStep { previous_indentation: before, indentation, force, slip: [moving * dt, 0.0, 0.0] };
         assert!(contact.friction(friction, &step, &memory, &mut history));
         speed -= 0.5 * dt * force / mass;
         moving += 0.5 * dt * j / mass * history[0];
@@ -193,8 +193,8 @@ fn gross_sliding_has_closed_form_and_its_limit() {
     for exponent in [UnloadingExponent::Paper, UnloadingExponent::PressureShape, UnloadingExponent::Fixed(1.8)] {
         let contact = steel(&LawChoice::Plm(Plm { exponent, ..Plm::default() }));
         let (chi, speed) = (contact.chi(), 1.0);
-        let (_, law, q) = contact.scaled(speed).unwrap();
-        let motion = TangentialMotion::new(law, q, &ScaledForces::NONE).unwrap();
+        let (_, law, q) = contact.scaling(speed).unwrap();
+        let motion = NormalMotion::new(law, q, &ScaledForces::NONE).unwrap();
         let e = contact.row(speed, &Solver::AUTO).unwrap().restitution;
         let formula = |psi: f64| psi - 2.0 * chi * (1.0 + e);
         let run = |psi: f64| psi * motion.ratio(psi * q, chi, OF_RUNS).unwrap();

@@ -60,7 +60,7 @@ impl OnPlate {
 
     /// A plate of the thickness that gives λ at a speed: λ goes with h^−2.
     fn of_inelasticity(self, inelasticity: f64, speed: f64) -> Self {
-        let now = self.impact(speed, None).on_plate.unwrap().inelasticity;
+        let now = self.impact(speed, None).plate.unwrap().inelasticity;
         Self { thickness: self.thickness * (now / inelasticity).sqrt(), ..self }
     }
 }
@@ -107,9 +107,9 @@ fn plate_energy_equals_work_of_the_force() {
         for (bodies, speed) in [(OnPlate::glass(2.5e-3), 1.0), (OnPlate::steel(2e-3), 0.5)] {
             let contact = bodies.under(&Plm::default(), Forces { gravity, ..Forces::default() });
             let impact = contact.impact(speed, &Solver::default(), Some(4000)).unwrap();
-            assert_eq!(impact.captured().is_some(), is_captured);
+            assert_eq!(impact.captured_result().is_some(), is_captured);
             assert!(impact.energy.drift < 1e-9, "{gravity:?}: {:e}", impact.energy.drift);
-            let plate = impact.on_plate.unwrap();
+            let plate = impact.plate.unwrap();
             let (energy, moved) = by_the_trace(&bodies, &impact);
             assert!(off(plate.energy, energy) < 1e-4, "{gravity:?}: {} {energy}", plate.energy);
             assert!(off(plate.displacement, moved) < 1e-4, "{gravity:?}: {} {moved}", plate.displacement);
@@ -128,7 +128,7 @@ fn thick_plate_yields_like_thinner_thin_plate() {
     let thick = Plate { theory: PlateTheory::Thick, ..bodies.plate() };
     let thick = bodies.under(&Plm::default(), Forces { plate: Some(thick), ..Forces::default() });
     let thick = thick.impact(1.0, &Solver::default(), None).unwrap();
-    let numbers = thick.on_plate.unwrap();
+    let numbers = thick.plate.unwrap();
     let wave_speed = (bodies.half_space.material.plane_strain_modulus() / 7850.0).sqrt();
     assert!(off(numbers.thinness, wave_speed * bodies.thick(1.0).contact_time / bodies.thickness) < 1e-13);
     let thinness = numbers.thinness;
@@ -148,14 +148,14 @@ fn doubtful_plates_are_warned_of() {
     // X goes with 1/h: about 28 at 2.5 mm
     let plain = OnPlate::glass(2.5e-3);
     assert!(warned(plain, None, Zener).is_empty());
-    let x = plain.impact(1.0, None).on_plate.unwrap().thinness;
+    let x = plain.impact(1.0, None).plate.unwrap().thinness;
     let with = |thinness: f64| OnPlate { thickness: plain.thickness * x / thinness, ..plain };
     assert!(matches!(warned(with(1.9), None, Zener)[..], [Warning { kind: WarningKind::ThickPlate, .. }]));
     assert!(matches!(warned(with(1.9), None, Thick)[..], [Warning { kind: WarningKind::ThickPlate, .. }]));
-    assert!(matches!(warned(with(2.1), None, Thick)[..], [Warning { kind: WarningKind::BetweenTheories, .. }]));
-    assert!(matches!(warned(with(9.9), None, Zener)[..], [Warning { kind: WarningKind::BetweenTheories, .. }]));
+    assert!(matches!(warned(with(2.1), None, Thick)[..], [Warning { kind: WarningKind::ModeratelyThickPlate, .. }]));
+    assert!(matches!(warned(with(9.9), None, Zener)[..], [Warning { kind: WarningKind::ModeratelyThickPlate, .. }]));
     assert!(warned(with(10.1), None, Zener).is_empty() && warned(with(5.1), None, Thick).is_empty());
-    let reach = plain.impact(1.0, None).on_plate.unwrap().reach;
+    let reach = plain.impact(1.0, None).plate.unwrap().reach;
     assert!(warned(plain, Some(1.001 * reach), Zener).is_empty());
     assert!(matches!(warned(plain, Some(0.999 * reach), Zener)[..], [Warning { kind: WarningKind::NearEdge, .. }]));
     let foil = OnPlate::glass(0.4e-3).impact(2.0, None).warnings;
@@ -184,20 +184,27 @@ fn plate_below_least_thickness_is_refused() {
     let PlateError::TooThin { inelasticity, restitution, least } = refused(&foil.contact(), 1.0) else { panic!() };
     assert!(inelasticity > 20.0 && off(restitution, 0.679 * inelasticity.powi(-5)) < 1e-12);
     let just = OnPlate { thickness: 1.001 * least, ..steel }.impact(1.0, None);
-    assert!(off(just.on_plate.unwrap().inelasticity, 20.0) < 3e-3 && just.restitution < 1e-6);
+    assert!(off(just.plate.unwrap().inelasticity, 20.0) < 3e-3 && just.restitution < 1e-6);
 }
 
 #[test]
 fn shots_meet_resting_plate_and_own_dent() {
     let contact = OnPlate::steel(2e-3).contact();
     let speeds = vec![3.0, 3.0, 1.0];
-    let run = |place| Repeat { place, drive: Drive::Shots(speeds.clone()) }.run(&contact, &Solver::default(), 0, None);
-    let fresh = run(Place::Fresh).unwrap().hits;
+    let run = |place| {
+        ImpactSeries { spot_mode: place, mode: SeriesMode::Shots(speeds.clone()) }.run(
+            &contact,
+            &Solver::default(),
+            0,
+            None,
+        )
+    };
+    let fresh = run(SpotMode::Fresh).unwrap().impacts;
     for (hit, speed) in fresh.iter().zip(&speeds) {
         let single = contact.impact(*speed, &Solver::default(), None).unwrap();
         assert_eq!((hit.restitution, hit.residual_indentation), (single.restitution, single.residual_indentation));
     }
-    let same = run(Place::Same).unwrap().hits;
+    let same = run(SpotMode::Same).unwrap().impacts;
     assert_eq!((same.len(), same[0].restitution), (3, fresh[0].restitution));
     // the second goes deeper by less than the first did; the third is elastic, and loses to the plate alone
     assert!(same[1].dent_growth > 0.0 && same[1].dent_growth < 0.5 * same[0].dent_growth);

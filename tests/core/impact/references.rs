@@ -35,12 +35,12 @@ impl References {
 
 /// Compares all results that the row has; `allowed` is relative to the second number.
 fn assert_near(row: &Row, contact: &Contact, impact: &Impact, allowed: f64) {
-    let (size, on_plate) = (impact.peak_indentation, impact.on_plate);
+    let (size, on_plate) = (impact.peak_indentation, impact.plate);
     let point = contact.pair().yield_point;
     let of_point = |of: fn(&plm_impact::contact::pair::YieldPoint) -> f64| point.as_ref().map_or(f64::NAN, of);
     // R_res = R R_e/(R_e − R) loses digits where the dent is shallow
     let radius = impact.residual_radius.unwrap_or(f64::NAN);
-    let of_plate = |of: fn(&plm_impact::impact::OnPlate) -> f64| on_plate.as_ref().map_or(f64::NAN, of);
+    let of_plate = |of: fn(&plm_impact::impact::PlateResult) -> f64| on_plate.as_ref().map_or(f64::NAN, of);
     let mut compared = 0;
     let target = impact.target_speed.unwrap_or(f64::NAN);
     for (name, got, unit) in [

@@ -1,8 +1,8 @@
 //! Series of impacts: bouncing under gravity and repeated shots.
 
-use plm_impact::impact::flight::free_flight::Flying;
+use plm_impact::impact::flight::free_flight::FreeFlight;
 use plm_impact::impact::flight::trajectory::Flight;
-use plm_impact::impact::series::{End, Hit, Sequence};
+use plm_impact::impact::series::{SeriesEnd, SeriesImpact, SeriesResult};
 
 use crate::common::prelude::*;
 
@@ -20,27 +20,27 @@ fn elastic() -> Scene {
     Scene { yield_strength: None, ..Scene::steel() }
 }
 
-fn bouncing(place: Place, speed: f64, most: u64, until: Option<f64>) -> Repeat {
-    Repeat {
-        place,
-        drive: Drive::Bouncing { gravity: GRAVITY, drop_height: None, approach: speed.into(), most, until },
+fn bouncing(place: SpotMode, speed: f64, most: u64, until: Option<f64>) -> ImpactSeries {
+    ImpactSeries {
+        spot_mode: place,
+        mode: SeriesMode::Bouncing { gravity: GRAVITY, drop_height: None, approach: speed.into(), most, until },
     }
 }
 
 /// Error of the energy balance of a series: kinetic energy + m g (height) + losses by dents and damping, relative to
 /// the first kinetic energy.
-fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
+fn ledger(contact: &Contact, sequence: &SeriesResult, place: SpotMode) -> f64 {
     let weight = contact.mass() * GRAVITY;
-    let first = sequence.hits[0].kinetic_in;
+    let first = sequence.impacts[0].kinetic_in;
     let mut spent = 0.0;
     let mut worst: f64 = 0.0;
     let mut touch = 0.0;
-    for hit in &sequence.hits {
+    for hit in &sequence.impacts {
         worst = nan_max(worst, ((hit.kinetic_in - weight * touch + spent) / first - 1.0).abs());
         spent += [
             hit.energy.plastic,
-            hit.forced(|forces| forces.damping_loss),
-            hit.forced(|forces| forces.stored_at_separation),
+            hit.forces_value(|forces| forces.damping_loss),
+            hit.forces_value(|forces| forces.stored_at_separation),
         ]
         .iter()
         .flatten()
@@ -49,7 +49,7 @@ fn ledger(contact: &Contact, sequence: &Sequence, place: Place) -> f64 {
             worst =
                 nan_max(worst, ((hit.energy.recovered - weight * hit.end_indentation() + spent) / first - 1.0).abs());
         }
-        touch = if place == Place::Same { hit.residual_indentation } else { 0.0 };
+        touch = if place == SpotMode::Same { hit.residual_indentation } else { 0.0 };
     }
     worst
 }
@@ -59,9 +59,9 @@ fn elastic_ball_keeps_energy_over_1e5_bounces() {
     // e = 1 in every impact, so impact N begins at (N − 1)(2 v/g + T); the sum of 10^5 terms has a rounding error of
     // 1e-12
     let contact = contact(elastic(), None);
-    let sequence = bouncing(Place::Same, 1.0, 100_000, None).run(&contact, &auto(), 20, None).unwrap();
-    let (first, last) = (sequence.hits[0], sequence.hits[99_999]);
-    assert_eq!((sequence.end, sequence.hits.len()), (End::Impacts, 100_000));
+    let sequence = bouncing(SpotMode::Same, 1.0, 100_000, None).run(&contact, &auto(), 20, None).unwrap();
+    let (first, last) = (sequence.impacts[0], sequence.impacts[99_999]);
+    assert_eq!((sequence.end, sequence.impacts.len()), (SeriesEnd::Impacts, 100_000));
     assert!(off(last.kinetic_in, first.kinetic_in) < 1e-9, "{:e}", off(last.kinetic_in, first.kinetic_in));
     assert_eq!(last.speed, 1.0);
     let period = 2.0 / GRAVITY + first.contact_time;
@@ -69,7 +69,7 @@ fn elastic_ball_keeps_energy_over_1e5_bounces() {
     // there is no end, so no remaining time
     assert_eq!(sequence.remaining_time, None);
     // the number of rows of the trace is limited
-    let rows: usize = sequence.traced.iter().map(|impact| 2 * impact.trace.len()).sum();
+    let rows: usize = sequence.traced_impacts.iter().map(|impact| 2 * impact.trace.len()).sum();
     assert!(rows < 300_000, "{rows}");
 }
 
@@ -78,21 +78,21 @@ fn constant_restitution_gives_geometric_series() {
     // viscous damping of a Hertz contact has the same e at every speed (Tsuji, Tanaka and Ishida 1992), except for
     // gravity during the contact: m g over the peak force is below 1e-5 here
     let contact = contact(elastic(), Some(Damping::Viscous(0.05)));
-    let sequence = bouncing(Place::Same, 2.0, 12, None).run(&contact, &solver(Method::Rk8, 1e-10), 2, None).unwrap();
-    let e = sequence.hits[0].restitution;
+    let sequence = bouncing(SpotMode::Same, 2.0, 12, None).run(&contact, &solver(Method::Rk8, 1e-10), 2, None).unwrap();
+    let e = sequence.impacts[0].restitution;
     assert!(e > 0.8 && e < 0.95, "{e}");
-    for (i, hit) in sequence.hits.iter().enumerate() {
+    for (i, hit) in sequence.impacts.iter().enumerate() {
         let i = i32::try_from(i).unwrap();
         assert!(off(hit.restitution, e) < 1e-3, "{i} {}", hit.restitution);
         assert!(off(hit.speed, 2.0 * e.powi(i)) < 2e-3);
         // t_N = Σ 2 e^k v/g + contacts
         let flights = 2.0 * 2.0 / GRAVITY * e * (1.0 - e.powi(i)) / (1.0 - e);
-        let contacts: f64 = sequence.hits[..usize::try_from(i).unwrap()].iter().map(|hit| hit.contact_time).sum();
+        let contacts: f64 = sequence.impacts[..usize::try_from(i).unwrap()].iter().map(|hit| hit.contact_time).sum();
         assert!((hit.time.unwrap() - flights - contacts).abs() < 2e-3 * flights.max(1e-6), "{i}");
     }
-    let last = sequence.hits.last().unwrap();
+    let last = sequence.impacts.last().unwrap();
     // all flights together take 2 e v/(g (1 − e)): the computed flights plus the remaining time
-    let flown: f64 = sequence.hits.iter().filter_map(|hit| hit.flight).map(|flight| flight.duration).sum();
+    let flown: f64 = sequence.impacts.iter().filter_map(|hit| hit.flight).map(|flight| flight.duration).sum();
     let whole = 2.0 * 2.0 * e / (GRAVITY * (1.0 - e));
     assert!(off(flown + sequence.remaining_time.unwrap(), whole) < 1e-3);
     assert!(
@@ -105,10 +105,10 @@ fn same_spot_deepens_only_in_first_bounce() {
     for exponent in [UnloadingExponent::Paper, UnloadingExponent::PressureShape] {
         for speed in [0.05, 1.0, 3.0, 20.0] {
             let contact = contact(Scene { exponent, ..Scene::steel() }, None);
-            let sequence = bouncing(Place::Same, speed, 100, None).run(&contact, &auto(), 10, None).unwrap();
-            let first = sequence.hits[0];
+            let sequence = bouncing(SpotMode::Same, speed, 100, None).run(&contact, &auto(), 10, None).unwrap();
+            let first = sequence.impacts[0];
             assert!(first.restitution < 1.0 && first.residual_indentation > 0.0);
-            for hit in &sequence.hits[1..] {
+            for hit in &sequence.impacts[1..] {
                 // each reload ends exactly at the old peak
                 assert_eq!((hit.restitution, hit.dent_growth), (1.0, 0.0));
                 assert_eq!(hit.speed, first.rebound_speed);
@@ -116,12 +116,12 @@ fn same_spot_deepens_only_in_first_bounce() {
                 assert!(off(hit.peak_force, first.peak_force) < 1e-12);
                 assert_eq!(hit.energy.plastic, Some(0.0));
             }
-            assert_eq!((sequence.end, sequence.remaining_time), (End::Impacts, None));
+            assert_eq!((sequence.end, sequence.remaining_time), (SeriesEnd::Impacts, None));
             // flights begin and end at the depth of the dent
             let flight = first.flight.unwrap();
             assert_eq!(flight.height, -first.residual_indentation);
             assert_eq!(flight.duration, 2.0 * first.rebound_speed / GRAVITY);
-            assert!(ledger(&contact, &sequence, Place::Same) < 1e-12);
+            assert!(ledger(&contact, &sequence, SpotMode::Same) < 1e-12);
         }
     }
 }
@@ -129,9 +129,9 @@ fn same_spot_deepens_only_in_first_bounce() {
 #[test]
 fn fresh_spots_give_single_impacts_at_remaining_speeds() {
     let contact = contact(Scene::steel(), None);
-    let sequence = bouncing(Place::Fresh, 3.0, 100, Some(0.02)).run(&contact, &auto(), 10, None).unwrap();
-    assert_eq!(sequence.end, End::Until);
-    for (hit, next) in sequence.hits.iter().zip(&sequence.hits[1..]) {
+    let sequence = bouncing(SpotMode::Fresh, 3.0, 100, Some(0.02)).run(&contact, &auto(), 10, None).unwrap();
+    assert_eq!(sequence.end, SeriesEnd::Until);
+    for (hit, next) in sequence.impacts.iter().zip(&sequence.impacts[1..]) {
         let single = contact.closed_form(hit.speed).unwrap();
         assert_eq!(hit.restitution, single.restitution);
         assert_eq!(hit.residual_indentation, single.residual_indentation);
@@ -143,13 +143,13 @@ fn fresh_spots_give_single_impacts_at_remaining_speeds() {
         assert!((gap - (hit.rebound_speed + next.speed) / GRAVITY).abs() < 1e-14);
     }
     // the next impact, which was not computed, would have been slower than the limit
-    let last = sequence.hits.last().unwrap();
+    let last = sequence.impacts.last().unwrap();
     assert!(last.rebound_speed.powi(2) - 2.0 * GRAVITY * last.residual_indentation < 0.02_f64.powi(2));
 }
 
 #[test]
 fn energy_balance_of_100_damped_bounces_closes() {
-    for place in Place::ALL {
+    for place in SpotMode::ALL {
         for (damping, tolerance) in
             [(None, 1e-13), (Some(Damping::HuntCrossley(0.02)), 1e-10), (Some(Damping::Viscous(0.002)), 1e-10)]
         {
@@ -158,7 +158,7 @@ fn energy_balance_of_100_damped_bounces_closes() {
             let sequence = bouncing(place, 3.0, 100, None).run(&contact, &solver, 10, None).unwrap();
             let drift = ledger(&contact, &sequence, place);
             assert!(drift < 10.0 * tolerance, "{place:?} {damping:?}: {drift:e}");
-            assert!(sequence.hits.iter().all(|hit| hit.energy.drift < 10.0 * tolerance));
+            assert!(sequence.impacts.iter().all(|hit| hit.energy.drift < 10.0 * tolerance));
         }
     }
 }
@@ -177,36 +177,36 @@ fn capture_ends_a_series_at_its_limit() {
     };
     let contact = contact(scene, None);
     let weight = contact.mass() * GRAVITY;
-    let run = |speed: f64| bouncing(Place::Fresh, speed, 50, None).run(&contact, &auto(), 10, None).unwrap();
-    let is_captured = |hit: &Hit| hit.peak_force <= 2.5 * weight;
+    let run = |speed: f64| bouncing(SpotMode::Fresh, speed, 50, None).run(&contact, &auto(), 10, None).unwrap();
+    let is_captured = |hit: &SeriesImpact| hit.peak_force <= 2.5 * weight;
     // the limit by bisection between a captured and a free first impact
     let (mut low, mut high) = (1e-3, 0.5);
-    assert!(run(low).hits[0].is_captured() && !run(high).hits[0].is_captured());
+    assert!(run(low).impacts[0].is_captured() && !run(high).impacts[0].is_captured());
     while high / low > 1.0 + 1e-12 {
         let middle = f64::sqrt(low * high);
-        *(if run(middle).hits[0].is_captured() { &mut low } else { &mut high }) = middle;
+        *(if run(middle).impacts[0].is_captured() { &mut low } else { &mut high }) = middle;
     }
     let (captured, free) = (run(low), run(high));
-    assert_eq!((captured.end, captured.hits.len()), (End::Captured, 1));
-    assert!(is_captured(&captured.hits[0]) && captured.hits[0].restitution == 0.0);
-    assert!(off(captured.hits[0].peak_force, 2.5 * weight) < 1e-10);
+    assert_eq!((captured.end, captured.impacts.len()), (SeriesEnd::Captured, 1));
+    assert!(is_captured(&captured.impacts[0]) && captured.impacts[0].restitution == 0.0);
+    assert!(off(captured.impacts[0].peak_force, 2.5 * weight) < 1e-10);
     assert_eq!(captured.remaining_time, None);
     // at rest the force of the branch is the weight: (δ − δ_r)/δ_e = (m g/F_m)^(2/3) = 0.4^(2/3)
-    let hit = captured.hits[0];
-    let recovered = (hit.forced(|forces| forces.static_indentation).unwrap() - hit.residual_indentation)
+    let hit = captured.impacts[0];
+    let recovered = (hit.forces_value(|forces| forces.static_indentation).unwrap() - hit.residual_indentation)
         / (hit.peak_indentation - hit.residual_indentation);
     assert!(off(recovered, 0.4_f64.powf(2.0 / 3.0)) < 1e-9);
     // just above the limit: too slow to leave the dent
-    assert!(!is_captured(&free.hits[0]));
-    assert_eq!(free.end, End::InDent);
+    assert!(!is_captured(&free.impacts[0]));
+    assert_eq!(free.end, SeriesEnd::InDent);
     // on the same spot it bounces elastically in the dent
-    let same = bouncing(Place::Same, high * 1.1, 5, None).run(&contact, &auto(), 10, None).unwrap();
-    assert_eq!((same.end, same.hits.len()), (End::Impacts, 5));
-    assert!(same.hits[1..].iter().all(|hit| hit.restitution == 1.0));
+    let same = bouncing(SpotMode::Same, high * 1.1, 5, None).run(&contact, &auto(), 10, None).unwrap();
+    assert_eq!((same.end, same.impacts.len()), (SeriesEnd::Impacts, 5));
+    assert!(same.impacts[1..].iter().all(|hit| hit.restitution == 1.0));
     // every series ends by one of these rules, at any speed
     for speed in [0.02, 0.1, 0.2, 0.5] {
         let sequence = run(speed);
-        assert!(matches!(sequence.end, End::Captured | End::InDent), "{speed} {:?}", sequence.end);
+        assert!(matches!(sequence.end, SeriesEnd::Captured | SeriesEnd::InDent), "{speed} {:?}", sequence.end);
     }
 }
 
@@ -214,10 +214,10 @@ fn capture_ends_a_series_at_its_limit() {
 #[test]
 fn ball_falling_back_into_contact_is_captured() {
     for zeta in [0.2, 0.4, 0.6, 0.8] {
-        for place in [Place::Same, Place::Fresh] {
+        for place in [SpotMode::Same, SpotMode::Fresh] {
             let contact = contact(Scene::steel(), Some(Damping::Viscous(zeta)));
             let sequence = bouncing(place, 0.005, 10_000, None).run(&contact, &auto(), 10, None).unwrap();
-            assert_eq!((sequence.end, sequence.deepest_dent()), (End::Captured, 0.0), "{zeta} {place:?}");
+            assert_eq!((sequence.end, sequence.deepest_dent()), (SeriesEnd::Captured, 0.0), "{zeta} {place:?}");
         }
     }
 }
@@ -227,16 +227,16 @@ fn a_drop_starts_the_clock_at_the_release() {
     let contact = contact(Scene::steel(), None);
     let speed = (2.0 * GRAVITY * 0.5).sqrt();
     let drive =
-        Drive::Bouncing { gravity: GRAVITY, drop_height: Some(0.5), approach: speed.into(), most: 2, until: None };
-    let sequence = Repeat { place: Place::Same, drive }.run(&contact, &auto(), 10, None).unwrap();
-    assert!(off(sequence.hits[0].time.unwrap(), (2.0_f64 * 0.5 / GRAVITY).sqrt()) < 1e-15);
+        SeriesMode::Bouncing { gravity: GRAVITY, drop_height: Some(0.5), approach: speed.into(), most: 2, until: None };
+    let sequence = ImpactSeries { spot_mode: SpotMode::Same, mode: drive }.run(&contact, &auto(), 10, None).unwrap();
+    assert!(off(sequence.impacts[0].time.unwrap(), (2.0_f64 * 0.5 / GRAVITY).sqrt()) < 1e-15);
     assert_eq!(sequence.fall.unwrap().height, 0.5);
 }
 
 #[test]
 fn a_fall_takes_the_time_of_galilei() {
     // t = √(2 h/g): 2 s from 19.62 m at 9.81 m/s²
-    let fall = Flight::fall(Flying::in_vacuum(9.81), 19.62);
+    let fall = Flight::from_drop(FreeFlight::in_vacuum(9.81), 19.62);
     approx::assert_relative_eq!(fall.duration, 2.0, max_relative = 1e-15);
     approx::assert_relative_eq!(fall.landing_speed, 19.62, max_relative = 1e-15);
     approx::assert_abs_diff_eq!(fall.height_at(2.0), 0.0, epsilon = 1e-14);
@@ -246,10 +246,10 @@ fn a_fall_takes_the_time_of_galilei() {
 #[test]
 fn flight_from_dent_loses_its_depth() {
     // from 1 m below at 6 m/s under 10 m/s²: 0.8 m above the surface, back on it at 4 m/s after 1 s
-    let flight = Flight::between(Flying::in_vacuum(10.0), 3.0, 1.0, 6.0, 0.0).unwrap();
-    assert_eq!((flight.landing_speed, flight.duration, flight.top()), (4.0, 1.0, 0.8));
+    let flight = Flight::from_rebound(FreeFlight::in_vacuum(10.0), 3.0, 1.0, 6.0, 0.0).unwrap();
+    assert_eq!((flight.landing_speed, flight.duration, flight.apex_height()), (4.0, 1.0, 0.8));
     assert_eq!(flight.height_at(1.0), 0.0);
     // a flight that only reaches the rim does not land on a fresh surface; on the same spot every flight comes back
-    assert_eq!(Flight::between(Flying::in_vacuum(10.0), 0.0, 1.0, 20_f64.sqrt() * (1.0 - 1e-15), 0.0), None);
-    assert_eq!(Flight::between(Flying::in_vacuum(10.0), 0.0, 1.0, 0.1, 1.0).unwrap().landing_speed, 0.1);
+    assert_eq!(Flight::from_rebound(FreeFlight::in_vacuum(10.0), 0.0, 1.0, 20_f64.sqrt() * (1.0 - 1e-15), 0.0), None);
+    assert_eq!(Flight::from_rebound(FreeFlight::in_vacuum(10.0), 0.0, 1.0, 0.1, 1.0).unwrap().landing_speed, 0.1);
 }

@@ -22,8 +22,8 @@ fn impacts_are_those_of_an_independent_program() {
         let contact = scene.contact().unwrap();
         let own = contact.at_speed(scene.speed()).unwrap();
         let impact = contact.closed_form(scene.speed()).unwrap();
-        let rated = impact.rated.unwrap();
-        let (indentation, force) = own.yields_at().unwrap();
+        let rated = impact.strain_rate_result.unwrap();
+        let (indentation, force) = own.yield_indentation_and_force().unwrap();
         for (column, got) in [
             ("rate_factor", rated.factor),
             ("rate_factor_at_turn", rated.factor_at_turn),
@@ -46,7 +46,7 @@ fn impacts_are_those_of_an_independent_program() {
         let residual = impact.residual_indentation - row.number("residual_indentation_m");
         assert!(residual.abs() < 1e-9 * impact.peak_indentation, "{}", row.name());
         // without the rate
-        let plain = contact.clone().with_rates([None; 2], &scene.law()).closed_form(scene.speed()).unwrap();
+        let plain = contact.clone().with_rate_dependence([None; 2], &scene.law()).closed_form(scene.speed()).unwrap();
         assert!(off(plain.restitution, row.number("restitution_without_rate")) < 1e-9, "{}", row.name());
     }
 }
@@ -95,7 +95,7 @@ fn the_factor_goes_to_one_without_a_step() {
     assert_eq!(fast.restitution.to_bits(), plain.restitution.to_bits());
     // slower and slower: the factor of a sphere that hardly moves is 1
     let slow = rated(COOK, &["half_space.rate.tested_at=0.1"]).contact().unwrap();
-    assert_eq!(slow.closed_form(1e-9).unwrap().rated.unwrap().factor, 1.0);
+    assert_eq!(slow.closed_form(1e-9).unwrap().strain_rate_result.unwrap().factor, 1.0);
     // across the speed of first yield at the turn e has no step
     let contact = rated(COOK, &[]).contact().unwrap();
     let e = |speed: f64| contact.closed_form(speed).unwrap().restitution;
@@ -113,12 +113,12 @@ fn loading_at_new_rate_meets_old_dent() {
     for exponent in ["1.5", "pressure-shape"] {
         let input = rated(COWPER, &[&*format!("law.plm.unloading_exponent={exponent}")]);
         let contact = input.contact().unwrap();
-        let mut spot = Spot::fresh();
+        let mut spot = Spot::new();
         let first = contact.impact_on(&mut spot, 3.0, &Solver::AUTO, None).unwrap();
         assert!(off(contact.dent_depth(&spot), first.residual_indentation) < 1e-12);
         // a slow one is elastic, leaves the dent as it is, and has no factor
         let slow = contact.impact_on(&mut spot, 0.5, &solver(Method::Rk8, 1e-12), Some(20)).unwrap();
-        assert!(off(slow.restitution, 1.0) < 1e-9 && slow.rated.is_none() && slow.energy.drift < 1e-11);
+        assert!(off(slow.restitution, 1.0) < 1e-9 && slow.strain_rate_result.is_none() && slow.energy.drift < 1e-11);
         assert!(off(contact.dent_depth(&spot), first.residual_indentation) < 1e-12);
         // a faster one makes the dent deeper than a fresh impact of its speed
         for speed in [4.0, 6.0] {
@@ -126,7 +126,7 @@ fn loading_at_new_rate_meets_old_dent() {
             let impact = contact.impact_on(&mut spot, speed, &Solver::AUTO, None).unwrap();
             let fresh = contact.closed_form(speed).unwrap();
             assert!(impact.residual_indentation > before && impact.peak_indentation > fresh.peak_indentation);
-            assert!(off(impact.rated.unwrap().factor, fresh.rated.unwrap().factor) < 1e-15);
+            assert!(off(impact.strain_rate_result.unwrap().factor, fresh.strain_rate_result.unwrap().factor) < 1e-15);
         }
     }
 }
@@ -141,7 +141,7 @@ fn each_body_has_its_own_factor() {
     let [cook, cowper] = ["sphere.rate.johnson_cook.c=0.03", "half_space.rate.johnson_cook.c=0.03"];
     let equal = both(cook, cowper, "sphere.yield_strength=345 MPa");
     // the strengths by hand, with the factors that came out; at the turn they are others
-    let rated = equal.rated.unwrap();
+    let rated = equal.strain_rate_result.unwrap();
     let strength = 345e6 * rated.factor;
     let by_hand = scene(
         STEEL,
@@ -153,7 +153,7 @@ fn each_body_has_its_own_factor() {
     // a sphere of twice the strength has no part in it
     let hard = both(cook, cowper, "sphere.yield_strength=690 MPa");
     let alone = self::rated(COOK, &[]).contact().unwrap().closed_form(3.0).unwrap();
-    assert!(off(hard.restitution, alone.restitution) < 1e-12 && hard.rated == alone.rated);
+    assert!(off(hard.restitution, alone.restitution) < 1e-12 && hard.strain_rate_result == alone.strain_rate_result);
 }
 
 /// A ball that hardens on a much harder wall, with this rate and these keys more.
@@ -172,7 +172,7 @@ fn ball_with_flow_curve_has_its_rate() {
     for speed in [0.1, 1.0, 3.0] {
         let [a, b, rated] = [&plain, &none, &rising].map(|contact| contact.closed_form(speed).unwrap());
         assert!(a.restitution < 0.9 && a.flat_depth > 0.0 && a.dent_depth() == 0.0, "the ball flows, alone: {a:?}");
-        assert_eq!(Essentials { rated: None, ..b.essentials }, a.essentials);
+        assert_eq!(ImpactRow { strain_rate_result: None, ..b.essentials }, a.essentials);
 
         let by_hand = |factor: f64| {
             let keys = [
@@ -181,7 +181,7 @@ fn ball_with_flow_curve_has_its_rate() {
             ];
             scene(STEEL, &keys).contact().unwrap()
         };
-        let Rated { factor, factor_at_turn, .. } = rated.rated.unwrap();
+        let StrainRateResult { factor, factor_at_turn, .. } = rated.strain_rate_result.unwrap();
         assert!(factor > factor_at_turn && factor_at_turn > 1.1, "{factor} {factor_at_turn}");
         let raised = by_hand(factor).closed_form(speed).unwrap();
         assert!(off(rated.peak_indentation, raised.peak_indentation) < 1e-12, "{speed}");

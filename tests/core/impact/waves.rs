@@ -20,7 +20,7 @@ fn loss(contact: &Contact, speed: f64) -> f64 {
 
 /// 2 W_rad/(m v²) in SI units by quadrature over the law, directly from the definition.
 pub fn loss_by_quadrature(contact: &Contact, speed: f64) -> f64 {
-    let (scales, law, _) = contact.scaled(speed).unwrap();
+    let (scales, law, _) = contact.scaling(speed).unwrap();
     let impact = contact.closed_form(speed).unwrap();
     let peak = law.loaded_state(impact.peak_indentation / scales.length);
     let HalfSpace { material, density, .. } = *contact.half_space();
@@ -94,7 +94,7 @@ fn elastic_wave_loss_follows_speed_power_law() {
 fn integral_is_exact_beside_every_knot() {
     let contact = steel(&[]);
     let yield_speed = contact.yield_speed().unwrap();
-    let (_, law, _) = contact.scaled(2.0 * yield_speed).unwrap();
+    let (_, law, _) = contact.scaling(2.0 * yield_speed).unwrap();
     for piece in &law.loading.pieces()[1..] {
         for nearness in [-1e-2, -1e-5, -1e-9, 1e-9, 1e-5, 1e-2] {
             let x = piece.start * (1.0 + nearness);
@@ -119,7 +119,7 @@ fn gravity_does_not_change_radiated_energy() {
     // nothing is known of a sphere that stays, and of one that was let go
     let heavy = steel(&["gravity.acceleration=1e6"]);
     let kept = heavy.impact(0.01, &Solver::default(), None).unwrap();
-    assert!(kept.captured().is_some() && kept.wave_loss_fraction.is_none());
+    assert!(kept.captured_result().is_some() && kept.wave_loss_fraction.is_none());
     assert_eq!(heavy.impact(0.0, &Solver::default(), None).unwrap().wave_loss_fraction, None);
 }
 
@@ -128,7 +128,7 @@ fn reload_and_bounces_radiate_by_same_integral() {
     // on the dent the sphere runs up the unloading branch F = S d^n and down again: with d = d_m sin^(2/(n+1)),
     // the integral of F'^2 |u| over both ways, by quadrature over the branch
     let contact = steel(&[]);
-    let mut spot = Spot::fresh();
+    let mut spot = Spot::new();
     let first = contact.impact_on(&mut spot, 3.0, &Solver::AUTO, None).unwrap();
     let speed = first.restitution_with_waves().unwrap() * 3.0;
     let again = contact.impact_on(&mut spot, speed, &Solver::AUTO, None).unwrap();
@@ -147,17 +147,18 @@ fn reload_and_bounces_radiate_by_same_integral() {
     assert!(off(again.wave_loss_fraction.unwrap(), want) < 1e-10, "{:?} {want}", again.wave_loss_fraction);
 
     // each flight begins with the speed that waves leave, and the energy of a series closes
-    for place in [Place::Same, Place::Fresh] {
+    for place in [SpotMode::Same, SpotMode::Fresh] {
         let contact = steel(&["gravity.acceleration=9.81"]);
-        let drive = Drive::Bouncing { gravity: 9.81, drop_height: None, approach: 3.0.into(), most: 30, until: None };
-        let sequence = Repeat { place, drive }.run(&contact, &Solver::AUTO, 2, None).unwrap();
-        assert_eq!(sequence.hits.len(), 30);
-        for hit in &sequence.hits {
+        let drive =
+            SeriesMode::Bouncing { gravity: 9.81, drop_height: None, approach: 3.0.into(), most: 30, until: None };
+        let sequence = ImpactSeries { spot_mode: place, mode: drive }.run(&contact, &Solver::AUTO, 2, None).unwrap();
+        assert_eq!(sequence.impacts.len(), 30);
+        for hit in &sequence.impacts {
             let flight = hit.flight.map_or(hit.rebound_speed, |flight| flight.speed);
             assert_eq!(flight, hit.restitution_with_waves().unwrap() * hit.speed);
             let radiated = hit.wave_loss_fraction.unwrap() * hit.kinetic_in;
-            assert!(off(hit.radiated().unwrap(), radiated) < 1e-9, "{place:?}");
-            let weight = hit.forced(|under| under.gravity_work).unwrap();
+            assert!(off(hit.radiated_energy().unwrap(), radiated) < 1e-9, "{place:?}");
+            let weight = hit.forces_value(|under| under.gravity_work).unwrap();
             let spent = hit.energy.recovered + hit.energy.plastic.unwrap() + radiated;
             assert!(off(spent, hit.kinetic_in + weight) < 1e-9, "{place:?} {}", hit.speed);
         }
@@ -170,7 +171,7 @@ fn reload_and_bounces_radiate_by_same_integral() {
 fn waves_need_density_and_change_nothing_else() {
     let [with, without] = [steel(&[]), contact(STEEL, NONE)].map(|contact| contact.closed_form(3.0).unwrap());
     assert_eq!((without.wave_loss_fraction, without.restitution_with_waves()), (None, None));
-    let essentials = Essentials { wave_loss_fraction: None, ..with.essentials };
+    let essentials = ImpactRow { wave_loss_fraction: None, ..with.essentials };
     let stripped = Impact { essentials, ..with };
     assert_eq!(stripped, without);
 }

@@ -97,7 +97,7 @@ fn indentation_and_impact_have_equal_contact_radius() {
         for ratio in [0.1, 0.5, 0.99, 1.01, 1.5, 2.0, 2.5] {
             let speed = ratio * contact.yield_speed().unwrap();
             let impact = contact.closed_form(speed).unwrap();
-            let step = slow.indent(&[indentation::Target::Load(impact.peak_force)], None).unwrap().steps[0];
+            let step = slow.indent(&[indentation::SetPoint::Load(impact.peak_force)], None).unwrap().steps[0];
             let radius = step.memory.contact_radius;
             assert!(off(radius, impact.peak_contact_radius) < 1e-10, "{radius_ratio} {ratio}: {radius} {impact:?}");
             let row = contact.row(speed, &Solver::AUTO).unwrap();
@@ -119,7 +119,7 @@ fn unreachable_yield_point_is_not_reported() {
     let ball = ["sphere.youngs_modulus=100 MPa", "sphere.radius=21.3 mm", "sphere.density=1135"];
     let contact = contact(STEEL, &ball);
     assert!(contact.pair().yield_point.unwrap().contact_radius > 21.3e-3);
-    assert_eq!((contact.yield_speed(), contact.yields_at()), (None, None));
+    assert_eq!((contact.yield_speed(), contact.yield_indentation_and_force()), (None, None));
     assert_eq!(contact.closed_form(20.0).unwrap().restitution, 1.0);
     // up to the radius of the sphere it is one
     for (radius_ratio, is_reached) in [(0.5, true), (0.99, true), (1.01, false)] {

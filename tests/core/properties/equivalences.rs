@@ -24,7 +24,7 @@ pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judged {
     prop_assert_eq!(text(&rows.results[0].unwrap()), text(&of_library));
     let [mut row, mut impact] = [of_library, impact];
     let is_run = |rebound: &Rebound| rebound.psi != 0.0 && (!rebound.is_sliding || rebound.error > 0.0);
-    let slips = |of: &Essentials| of.rebound.filter(is_run);
+    let slips = |of: &ImpactRow| of.rebound.filter(is_run);
     if let (Some(one), Some(other)) = (slips(&row), slips(&impact)) {
         let apart = (one.contact_point_restitution - other.contact_point_restitution).abs();
         prop_assert!(apart <= 1e-5, "{:e}", apart);
@@ -98,7 +98,7 @@ pub fn methods_agree(run: &Run) -> Judged {
     ] {
         near(name, part(got), part(&exact), slack * unit)?;
     }
-    let has_times = exact.captured().is_none() && got.captured().is_none() && exact.restitution > 1e-3;
+    let has_times = exact.captured_result().is_none() && got.captured_result().is_none() && exact.restitution > 1e-3;
     if run.contact.forces().is_none() {
         for (name, part) in [
             ("restitution", (|of| of.restitution) as fn(&Impact) -> f64),
@@ -114,7 +114,7 @@ pub fn methods_agree(run: &Run) -> Judged {
     } else if !run.has_drag() && has_times {
         let fine = run.contact.impact_on(&mut run.before.clone(), run.approach, &solver(Method::Rk8, 1e-13), None);
         let fine = fine.unwrap();
-        if fine.captured().is_some() {
+        if fine.captured_result().is_some() {
             return Ok(true);
         }
         near("contact time", fine.contact_time, exact.contact_time, 1e-9 * exact.contact_time)?;
@@ -133,7 +133,7 @@ pub fn damping_of_nothing_changes_nothing(run: &Run) -> Judged {
     let solver = solver(Method::Rk8, run.solver.tolerance);
     let got = damped.impact_on(&mut run.before.clone(), run.approach, &solver, None).unwrap();
     let (want, slack) = (&run.impact, run.slack().max(10.0 * run.solver.tolerance));
-    prop_assert_eq!(got.under_forces.unwrap().damping_loss, Some(0.0));
+    prop_assert_eq!(got.forces_result.unwrap().damping_loss, Some(0.0));
     near("peak force", got.peak_force, want.peak_force, 2.0 * slack * want.peak_force)?;
     near("peak", got.peak_indentation, want.peak_indentation, 2.0 * slack * want.peak_indentation)?;
     near("dent", got.residual_indentation, want.residual_indentation, 2.0 * slack * want.peak_indentation)?;
@@ -150,7 +150,7 @@ pub fn damping_of_nothing_changes_nothing(run: &Run) -> Judged {
 
 /// Many fixed steps come near to the impact, with every force and in every dent.
 pub fn fixed_steps_come_near(run: &Run) -> Judged {
-    if run.turns_at_a_joint() || run.impact.captured().is_some() {
+    if run.turns_at_a_joint() || run.impact.captured_result().is_some() {
         return Ok(false);
     }
     let steps = Solver { method: Method::Verlet, steps_per_contact: 2000, ..Solver::default() };
@@ -159,7 +159,7 @@ pub fn fixed_steps_come_near(run: &Run) -> Judged {
     let exact = exact(run, None);
     near("peak", fixed.peak_indentation, exact.peak_indentation, 1e-2 * exact.peak_indentation)?;
     near("recovered", fixed.energy.recovered, exact.energy.recovered, 1e-2 * run.put_in())?;
-    if fixed.captured().is_none() && exact.captured().is_none() {
+    if fixed.captured_result().is_none() && exact.captured_result().is_none() {
         near("contact time", fixed.contact_time, exact.contact_time, 1e-2 * exact.contact_time)?;
     }
     Ok(true)
@@ -205,7 +205,7 @@ pub fn what_has_no_effect_changes_nothing(run: &Run) -> Judged {
         let Ok(other) = other.run() else { continue };
         let [got, want] = [&other.impact, &run.impact];
         if allowed == 0.0 {
-            let essentials = Essentials { rated: None, ..got.essentials };
+            let essentials = ImpactRow { strain_rate_result: None, ..got.essentials };
             prop_assert_eq!(text(&essentials), text(&want.essentials), "{:?}", other.scene);
             prop_assert_eq!(text(&got.trace), text(&want.trace), "{:?}", other.scene);
         }

@@ -1,6 +1,6 @@
 //! Invariants of the law behind an impact: rows of its trace, its unloading exponent, and the same contact without motion.
 
-use plm_impact::impact::indentation::Target::{Indentation as To, Load};
+use plm_impact::impact::indentation::SetPoint::{Indentation as To, Load};
 
 use super::balances::{Judged, near};
 use super::random_scene::Run;
@@ -14,7 +14,7 @@ fn law_of(run: &Run) -> Option<(Scales, &Law, Option<LoadingHistory>)> {
         return None;
     }
     let fastest = run.speed().max(2.0 * run.contact.yield_speed().unwrap_or(0.0));
-    let (scales, law, _) = run.contact.scaled(fastest).unwrap();
+    let (scales, law, _) = run.contact.scaling(fastest).unwrap();
     Some((scales, law, run.before.memory().map(|peak| law.history_after(peak))))
 }
 
@@ -35,7 +35,7 @@ pub fn rows_lie_on_the_law(run: &Run) -> Judged {
         near("force", got, want * scales.force, rounding * impact.force_at_peak_indentation)?;
     }
     // one that creeps to rest has not turned
-    let at_rest = impact.captured().and_then(|under| under.static_indentation);
+    let at_rest = impact.captured_result().and_then(|under| under.static_indentation);
     if let Some(at_rest) = at_rest.filter(|at_rest| *at_rest < 0.99 * impact.peak_indentation) {
         let weight = run.contact.mass() * run.contact.forces().gravity.unwrap();
         let carried = unloading.force(at_rest / scales.length) * scales.force;
@@ -199,7 +199,7 @@ pub fn an_impact_deeper_than_the_data_is_warned_of(run: &Run) -> Judged {
         }
         _ => false,
     };
-    let (depth, deepest) = (run.impact.peak_indentation, run.own().deepest());
+    let (depth, deepest) = (run.impact.peak_indentation, run.own().validated_indentation());
     if !run.is_fresh() || off(depth, deepest) < 1e-9 {
         return Ok(false);
     }

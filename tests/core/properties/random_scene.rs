@@ -75,7 +75,7 @@ impl AnyScene {
         let input = self.input()?;
         let contact = input.contact()?;
         let (approach, solver) = (input.approach(), input.solver());
-        let (mut before, mut earlier) = (Spot::fresh(), None);
+        let (mut before, mut earlier) = (Spot::new(), None);
         if let Some(ratio) = self.earlier {
             let approach = Approach { speed: approach.speed * ratio, ..approach };
             earlier = Some(contact.impact_on(&mut before, approach, &solver, None)?);
@@ -160,7 +160,7 @@ impl Run {
     }
 
     pub fn is_fresh(&self) -> bool {
-        self.before == Spot::fresh()
+        self.before == Spot::new()
     }
 
     /// True if damping or a plate takes energy on the way.
@@ -207,7 +207,7 @@ impl Run {
     /// laws jumps, and at first yield e, by an exponent above 3/2. On a plate this is so of the impact without it too.
     pub fn turns_at_a_joint(&self) -> bool {
         let own = self.own();
-        let (scales, law, _) = own.scaled(self.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
+        let (scales, law, _) = own.scaling(self.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
         let peak = self.impact.peak_indentation / scales.length;
         if own.yield_speed().is_some_and(|yields| off(self.speed(), yields) <= 10.0 * self.slack()) {
             return true;

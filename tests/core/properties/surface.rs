@@ -11,7 +11,7 @@ pub fn a_spot_remembers(run: &Run) -> Judged {
     if !contact.forces().is_none() || contact.has_rate() || contact.target_mass().is_some() {
         return Ok(false);
     }
-    let mut spot = Spot::fresh();
+    let mut spot = Spot::new();
     let before = shot(contact, &mut spot, (2.0 * earlier.kinetic_in / contact.mass()).sqrt());
     let dented = spot.clone();
     let second = shot(contact, &mut spot, run.speed());
@@ -21,7 +21,7 @@ pub fn a_spot_remembers(run: &Run) -> Judged {
     // to the last bit by the PLM
     let rounding = if run.is_plm() { 0.0 } else { 1e-15 * second.peak_indentation };
     near("dent", second.residual_indentation, new, rounding)?;
-    if spot == dented && dented != Spot::fresh() {
+    if spot == dented && dented != Spot::new() {
         prop_assert_eq!((second.restitution, second.plastic_fraction), (1.0, 0.0));
         prop_assert!(second.peak_force <= before.peak_force * (1.0 + 1e-14) && new == old, "{:?}", second);
         near("contact time", second.contact_time, 2.0 * second.loading_time, 1e-13 * second.contact_time)?;
@@ -67,10 +67,10 @@ pub fn a_spot_remembers(run: &Run) -> Judged {
 
 /// The factors of the strength are those of the strain rate of the impact on fresh surface at the normal speed, whatever else acts.
 pub fn the_rate_is_that_of_the_depth_that_it_gives(run: &Run) -> Judged {
-    let Some(rated) = run.impact.rated else { return Ok(false) };
+    let Some(rated) = run.impact.strain_rate_result else { return Ok(false) };
     let alone = run.contact.clone().with_forces(Forces::default());
     let Ok(alone) = alone.closed_form(run.speed()) else { return Ok(false) };
-    let of_alone = alone.rated.unwrap();
+    let of_alone = alone.strain_rate_result.unwrap();
     let w = run.speed() / (run.contact.pair().radius * alone.peak_indentation).sqrt();
     // the half-space has the rate, and its factor counts by its share of the flow without it
     let [_, rate] = run.scene.input().unwrap().rates();
@@ -102,7 +102,7 @@ pub fn the_law_is_orderly(run: &Run) -> Judged {
     near("shares", flow.elastic_share + flow.plastic_share, 1.0, 1e-12)?;
     let shares = [flow.single_body_weight, flow.elastic_share, flow.sphere_share, flow.flat_share];
     prop_assert!(flow.ratio >= 1.0 && shares.iter().all(|share| (0.0..=1.0).contains(share)), "{:?}", flow);
-    let (_, law, _) = contact.scaled(10.0 * contact.yield_speed().unwrap_or(run.speed())).unwrap();
+    let (_, law, _) = contact.scaling(10.0 * contact.yield_speed().unwrap_or(run.speed())).unwrap();
     let exponent = match own.law() {
         LawChoice::Plm(Plm { exponent, .. }) if flow.elastic_share <= 0.95 => exponent,
         _ => UnloadingExponent::Fixed(f64::NAN),

@@ -35,7 +35,7 @@ pub fn rows_are_in_order(run: &Run) -> Judged {
     }
     let error = if run.is_adaptive() { run.slack() } else { f64::INFINITY };
     // the force of a metal that relaxes is higher than the one that is reported
-    let of_force = if impact.rated.is_some() { f64::INFINITY } else { 3.0 * error };
+    let of_force = if impact.strain_rate_result.is_some() { f64::INFINITY } else { 3.0 * error };
     let beyond = beyond_the_peak(impact);
     for row in trace {
         prop_assert!(row.force >= 0.0 && row.force <= impact.peak_force * (1.0 + of_force), "{:?}", row);
@@ -53,7 +53,7 @@ pub fn rows_are_in_order(run: &Run) -> Judged {
 /// How far a sphere on a plate may go on at most after the metal has relaxed: up to the force before that.
 fn beyond_the_peak(impact: &Impact) -> f64 {
     let at = impact.trace.iter().position(|row| row.event == Some(Event::Relaxation));
-    let Some(at) = at.filter(|_| impact.on_plate.is_some()) else { return 0.0 };
+    let Some(at) = at.filter(|_| impact.plate.is_some()) else { return 0.0 };
     let [before, after] = [impact.trace[at - 1].force, impact.trace[at].force];
     impact.elastic_approach * ((before / after).powf(1.0 / impact.unloading_exponent) - 1.0)
 }
@@ -66,10 +66,10 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judged {
         return Ok(false);
     }
     let Forces { damping, .. } = *run.contact.forces();
-    let is_captured = impact.captured().is_some();
+    let is_captured = impact.captured_result().is_some();
     prop_assert_eq!(last.event, Some(if is_captured { Event::Captured } else { Event::Separation }));
     near("end", last.time, impact.duration(), 1e-15 * impact.duration())?;
-    let place = impact.under_forces.map_or(impact.residual_indentation, |under| under.end_indentation);
+    let place = impact.forces_result.map_or(impact.residual_indentation, |under| under.end_indentation);
     near("place", last.indentation, place, 1e-12 * impact.peak_indentation)?;
     if !is_captured {
         let [back, want] = [-last.sphere_speed.unwrap_or(last.speed), impact.restitution * run.speed()];
@@ -88,7 +88,11 @@ pub fn the_trace_is_that_of_the_summary(run: &Run) -> Judged {
     }
     if let Some(peak) = trace.iter().find(|row| row.event == Some(Event::Peak)).filter(|_| damping.is_none()) {
         prop_assert_eq!((peak.indentation, peak.speed, peak.time), (impact.peak_indentation, 0.0, impact.loading_time));
-        prop_assert!(impact.rated.is_some() || peak.force == impact.force_at_peak_indentation, "{:?}", peak);
+        prop_assert!(
+            impact.strain_rate_result.is_some() || peak.force == impact.force_at_peak_indentation,
+            "{:?}",
+            peak
+        );
     }
     if let Some(at) = trace.iter().position(|row| row.event == Some(Event::Relaxation)) {
         let [before, after] = [trace[at - 1], trace[at]];
@@ -114,7 +118,7 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
         return Ok(false);
     }
     let own = run.own();
-    let (scales, law, _) = own.scaled(run.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
+    let (scales, law, _) = own.scaling(run.speed().max(2.0 * own.yield_speed().unwrap_or(0.0))).unwrap();
     let peak = run.impact.peak_indentation / scales.length;
     let of = |wanted: Event| -> Vec<f64> {
         let rows = run.impact.trace.iter().filter(|row| row.event == Some(wanted));
@@ -131,7 +135,7 @@ pub fn events_are_where_the_law_has_them(run: &Run) -> Judged {
     let first = match run.before.memory() {
         Some(memory) if !run.contact.has_rate() => Some(memory.indentation),
         Some(_) => None,
-        None => own.yields_at().map(|(indentation, _)| indentation / scales.length),
+        None => own.yield_indentation_and_force().map(|(indentation, _)| indentation / scales.length),
     };
     let Some(first) = first else { return Ok(false) };
     prop_assert!(yields.iter().all(|x| off(*x, first) < 1e-12), "{:?} {}", yields, first);

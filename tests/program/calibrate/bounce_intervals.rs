@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use plm_impact::impact::flight::free_flight::{Flying, Medium};
+use plm_impact::impact::flight::free_flight::{FreeFlight, Medium};
 
 /// A ball of constant restitution that bounces in air, as a scenario with these lines of `[calibrate]`.
 fn scenario(calibrate: &str, air: &str) -> String {
@@ -22,12 +22,12 @@ fn clicks_give_the_restitution_that_made_them() {
     let air = Medium { density: 1.2, drag: Some(0.5), viscosity: f64::NAN };
     let (radius, gravity, e) = (5e-3, 9.80665, 0.9_f64);
     let mass = 7850.0 * 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
-    let flying = Flying::in_air(gravity, &air, radius, mass);
+    let flying = FreeFlight::in_air(gravity, &air, radius, mass);
     let mut data = "drop_height_m,bounce_interval_s\n".to_owned();
     for height in [0.5, 2.0] {
         let (mut cell, mut speed) = (height.to_string(), flying.landing_speed(height));
         for _ in 0..6 {
-            let top = flying.rise(e * speed);
+            let top = flying.rise_height(e * speed);
             let interval = 30e-6 + flying.rise_time(e * speed) + flying.fall_time(top);
             writeln!(data, "{cell},{interval}").unwrap();
             (cell, speed) = (String::new(), flying.landing_speed(top));

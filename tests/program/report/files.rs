@@ -42,7 +42,7 @@ fn summary_numbers_read_back_to_same_bits() {
     ] {
         assert_eq!(summary.pointer(key).and_then(Value::as_f64), Some(value), "{key}");
     }
-    let SolverStats { steps, rejected, force_evaluations } = impact.work;
+    let SolverStats { steps, rejected, force_evaluations } = impact.stats;
     assert_eq!(
         summary["work"],
         json!({ "steps": steps, "rejected": rejected, "force_evaluations": force_evaluations })

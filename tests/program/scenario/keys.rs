@@ -5,7 +5,7 @@ use plm_impact::scenario::schema::schema;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use plm_impact::impact::indentation::Target;
+use plm_impact::impact::indentation::SetPoint;
 use plm_impact::results::TABLES;
 use plm_impact::results::impact::results;
 use plm_impact::scenario::Source;
@@ -100,7 +100,7 @@ fn computed(input: &Input, of: Purpose) -> String {
         let law = input.law();
         let (sphere, half_space) = input.bodies(&law);
         let contact = StaticContact::try_new(&sphere, &half_space, law.get());
-        return format!("{:?}", contact.unwrap().indent(&[Target::Load(1e4), Target::Load(0.0)], None));
+        return format!("{:?}", contact.unwrap().indent(&[SetPoint::Load(1e4), SetPoint::Load(0.0)], None));
     }
     let contact = input.contact().unwrap();
     if of == Purpose::Rows {

@@ -23,7 +23,7 @@ fn first_yield_beyond_the_law_is_not_printed() {
     assert!(yields.yield_speed().is_some() && yields.pair().reachable_yield_point().is_some());
     let point = never.pair().yield_point.unwrap();
     assert!(point.contact_radius > never.sphere().radius);
-    assert_eq!((never.yield_speed(), never.yields_at()), (None, None));
+    assert_eq!((never.yield_speed(), never.yield_indentation_and_force()), (None, None));
     for name in ["yield speed", "first yield"] {
         assert!(printed(STEEL, NONE).contains(name) && !printed(&golf, NONE).contains(name), "{name}");
     }

@@ -51,7 +51,7 @@ fn rows_have_their_own_rates() {
         let c = if place % 2 == 0 { 0.0 } else { 0.02 };
         let alone = scene(&with_rate(&format!("johnson_cook = {{ c = {c} }}")), NONE).contact().unwrap();
         let alone = alone.row(speed, &Solver::AUTO).unwrap();
-        let rated = alone.rated.unwrap();
+        let rated = alone.strain_rate_result.unwrap();
         assert_eq!(e[place].to_bits(), alone.restitution.to_bits());
         assert_eq!([factor[place], turn[place], rate[place]], [rated.factor, rated.factor_at_turn, rated.strain_rate]);
     }

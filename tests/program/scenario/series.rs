@@ -31,13 +31,13 @@ fn series_keys_are_read() {
         scenario.repeat(&scenario.resolve().unwrap()).unwrap()
     };
     let bouncing = read(BOUNCING);
-    assert_eq!(bouncing.place, Place::Fresh);
-    let Drive::Bouncing { gravity, drop_height, most, until, .. } = bouncing.drive else { panic!() };
+    assert_eq!(bouncing.spot_mode, SpotMode::Fresh);
+    let SeriesMode::Bouncing { gravity, drop_height, most, until, .. } = bouncing.mode else { panic!() };
     assert_eq!((gravity, drop_height, most, until), (9.81, Some(0.5), 4, None));
     let equal = read("[impact]\nspeed = \"1 m/s\"\n[repeat]\nspot = \"same\"\nimpacts = 3\n");
-    assert_eq!(equal.drive, Drive::Shots(vec![1.0; 3]));
+    assert_eq!(equal.mode, SeriesMode::Shots(vec![1.0; 3]));
     let listed = read("[repeat]\nspot = \"same\"\nspeeds = [\"1 m/s\", \"50 cm/s\", 2]\n");
-    assert_eq!(listed.drive, Drive::Shots(vec![1.0, 0.5, 2.0]));
+    assert_eq!(listed.mode, SeriesMode::Shots(vec![1.0, 0.5, 2.0]));
 }
 
 #[test]

@@ -8,10 +8,10 @@
 
 use crate::contact::law::Surface;
 use crate::impact::problem::forces::ScaledForces;
-use crate::impact::problem::scales::ACCELERATION;
+use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::impact::solve::motion;
-use crate::impact::solve::outcome::{Fate, Outcome};
-use crate::impact::solve::recorder::Recorder;
+use crate::impact::solve::outcome::{ImpactEnd, ScaledResult};
+use crate::impact::solve::recorder::TraceRecorder;
 use crate::numerics::ode::IntegrationError;
 use crate::numerics::ode::rk8::Rk8;
 
@@ -21,22 +21,22 @@ pub(super) fn solve(
     q: f64,
     forces: &ScaledForces,
     tolerance: f64,
-) -> Result<Outcome, IntegrationError> {
+) -> Result<ScaledResult, IntegrationError> {
     let (last, distance) = ground.turning_point(0.4 * q * q, forces.weight);
     let unloading = ground.unloading_from_turn(last, distance, None);
-    let is_captured = forces.captures(&unloading, q);
+    let is_captured = forces.is_captured(&unloading, q);
     // the sphere leaves at the end of the branch, or its run ends at the static indentation
     let at_end = if is_captured { unloading.elastic_approach_at_force(forces.weight) } else { 0.0 };
     let springback = (unloading.peak.elastic_approach - at_end).max(0.0);
     let energy = unloading.recoverable_energy() - unloading.stored_energy_at(at_end) - forces.weight * springback;
-    let is_even = !is_captured && forces.is_even(ground, &unloading);
-    let speed = if is_even { q } else { (2.0 * ACCELERATION * energy).max(0.0).sqrt() };
-    let run = motion::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut Recorder::default())?;
-    Ok(Outcome {
+    let is_even = !is_captured && forces.is_lossless(ground, &unloading);
+    let speed = if is_even { q } else { (2.0 * FORCE_FACTOR * energy).max(0.0).sqrt() };
+    let run = motion::integrate(ground, q, forces, &mut Rk8::new(tolerance), &mut TraceRecorder::default())?;
+    Ok(ScaledResult {
         unloading,
         restitution: if is_captured { 0.0 } else { speed / q },
         largest_force: ground.reported_force(&unloading, None),
-        fate: if is_captured { Fate::Captured } else { Fate::Separated },
+        end: if is_captured { ImpactEnd::Captured } else { ImpactEnd::Separated },
         end_indentation: ground.deepest_state(&unloading.peak).residual() + at_end,
         end_speed: -speed,
         ..run

@@ -7,10 +7,10 @@
 
 mod gravity;
 
-use super::outcome::{Fate, Outcome};
+use super::outcome::{ImpactEnd, ScaledResult};
 use crate::contact::law::{Surface, Unloading};
 use crate::impact::problem::forces::ScaledForces;
-use crate::impact::problem::scales::ACCELERATION;
+use crate::impact::problem::scales::FORCE_FACTOR;
 use crate::numerics::curve::piece::{Piece, Shape};
 use crate::numerics::curve::transit::Transit;
 use crate::numerics::functions::atan;
@@ -22,12 +22,12 @@ use crate::numerics::power::{arctangent, power_time};
 ///
 /// # Errors
 /// [`IntegrationError`] where the run for the times under gravity gives up.
-pub fn solve_with<'a>(
+pub fn solve_conservative<'a>(
     ground: impl Into<Surface<'a>>,
     q: f64,
     forces: &ScaledForces,
     tolerance: f64,
-) -> Result<Option<Outcome>, IntegrationError> {
+) -> Result<Option<ScaledResult>, IntegrationError> {
     let ground = ground.into();
     match () {
         () if forces.is_none() => Ok(Some(solve(ground, q))),
@@ -38,7 +38,7 @@ pub fn solve_with<'a>(
 
 /// The results that follow from the balance of energy.
 #[derive(Debug, Clone, Copy)]
-pub struct Balance {
+pub struct EnergySolution {
     pub unloading: Unloading,
     pub restitution: f64,
     /// (2/5) q².
@@ -51,7 +51,7 @@ pub struct Balance {
 
 /// Peak, exponent and restitution of an impact at the dimensionless speed q = v/V, without any times.
 #[inline(always)]
-pub fn energy_balance<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> Balance {
+pub fn solve_energy_balance<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> EnergySolution {
     let ground = ground.into();
     let kinetic = 0.4 * speed * speed;
     let (last, distance) = ground.turning_point(kinetic, 0.0);
@@ -63,31 +63,31 @@ pub fn energy_balance<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> Balance
         || ground.is_elastic_at(unloading.peak.indentation)
         || share > 1.0 && ground.reloading_branch().is_none();
     let restitution = if is_all { 1.0 } else { share.sqrt() };
-    Balance { unloading, restitution, kinetic, last, distance }
+    EnergySolution { unloading, restitution, kinetic, last, distance }
 }
 
 /// The whole outcome of an impact at the dimensionless speed q = v/V by the law alone, exact to rounding.
-pub fn solve<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> Outcome {
+pub fn solve<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> ScaledResult {
     let ground = ground.into();
-    let Balance { unloading, restitution, kinetic, last, distance } = energy_balance(ground, speed);
+    let EnergySolution { unloading, restitution, kinetic, last, distance } = solve_energy_balance(ground, speed);
     let Transit { piece: first, work, time: mut loading_time } = ground.reloading_path.transit(kinetic, speed);
-    let mut entry = if work == 0.0 { speed } else { (2.0 * ACCELERATION * (kinetic - work)).sqrt() };
+    let mut entry = if work == 0.0 { speed } else { (2.0 * FORCE_FACTOR * (kinetic - work)).sqrt() };
     let pieces = ground.reloading_path.pieces();
     for pair in pieces[first..=last].windows(2) {
-        let exit = (2.0 * ACCELERATION * (kinetic - pair[1].work)).sqrt();
-        loading_time += time_on(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
+        let exit = (2.0 * FORCE_FACTOR * (kinetic - pair[1].work)).sqrt();
+        loading_time += piece_time(&pair[0], pair[1].start - pair[0].start, [entry, exit]);
         entry = exit;
     }
-    loading_time += time_on(&pieces[last], distance, [entry, 0.0]);
+    loading_time += piece_time(&pieces[last], distance, [entry, 0.0]);
     let peak = &unloading.peak;
     let unloading_time = unloading.quarter_period_factor() * peak.elastic_approach / (restitution * speed);
-    Outcome {
+    ScaledResult {
         unloading,
         restitution,
         largest_force: ground.reported_force(&unloading, None),
         loading_time,
         contact_time: loading_time + unloading_time,
-        fate: Fate::Separated,
+        end: ImpactEnd::Separated,
         end_indentation: ground.deepest_state(peak).residual(),
         end_speed: -restitution * speed,
         loss: 0.0,
@@ -95,32 +95,32 @@ pub fn solve<'a>(ground: impl Into<Surface<'a>>, speed: f64) -> Outcome {
 }
 
 /// √c, so that ω = √c √s on a straight piece of slope s.
-const ROOT_ACCELERATION: f64 = 1.118_033_988_749_895;
+const SQRT_FORCE_FACTOR: f64 = 1.118_033_988_749_895;
 
 /// Time on a piece to a distance from its start, with the speeds at both; 0 is the turning point.
 ///
 /// To the turning point of a straight piece it follows from the speed alone, tan(ωt) = ω u/g. The distance is not used there:
 /// just behind a knot it is a difference of nearly equal numbers and has few digits.
 #[inline(always)]
-fn time_on(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
+fn piece_time(piece: &Piece, distance: f64, [entry, exit]: [f64; 2]) -> f64 {
     match &piece.shape {
         Shape::Linear { slope, inverse_root } => {
-            let omega = ROOT_ACCELERATION * slope * inverse_root;
-            let by_root = inverse_root * (1.0 / ROOT_ACCELERATION);
+            let omega = SQRT_FORCE_FACTOR * slope * inverse_root;
+            let by_root = inverse_root * (1.0 / SQRT_FORCE_FACTOR);
             if exit == 0.0 {
-                return atan(omega * entry / (ACCELERATION * piece.force)) * by_root;
+                return atan(omega * entry / (FORCE_FACTOR * piece.force)) * by_root;
             }
             // harmonic motion: x_2 − x_1 = (u_1 + u_2) tan(ωt/2)/ω, which does not cancel on short pieces
             2.0 * arctangent(omega * distance / (entry + exit)) * by_root
         }
         Shape::Power { exponent, offset: 0.0, .. } => power_time(*exponent, distance, entry, exit),
         Shape::Power { exponent, offset, .. } => {
-            let begun = 2.0 * ACCELERATION * piece.force * offset / (exponent + 1.0);
+            let begun = 2.0 * FORCE_FACTOR * piece.force * offset / (exponent + 1.0);
             // the time from the zero of the force, where the speed is `whole`, less the time from there to the start
             let whole = (entry * entry + begun).sqrt();
             power_time(*exponent, offset + distance, whole, exit) - power_time(*exponent, *offset, whole, entry)
         }
-        Shape::Polynomial(poly) => poly.travel_time(distance, distance, exit, ACCELERATION),
-        Shape::Unloading(branch) => branch.travel_time(distance, distance, exit, ACCELERATION),
+        Shape::Polynomial(poly) => poly.travel_time(distance, distance, exit, FORCE_FACTOR),
+        Shape::Unloading(branch) => branch.travel_time(distance, distance, exit, FORCE_FACTOR),
     }
 }

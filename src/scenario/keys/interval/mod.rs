@@ -18,7 +18,7 @@ use self::parts::{LAW_BIAS, LAW_SCATTER};
 use self::strength::{HardnessRange, strength_parts};
 pub use self::strength::{HardnessRanges, WHICH_STRENGTH, expected_notes, has_strength_parts, strength_notes};
 use crate::contact::law::LawChoice;
-use crate::impact::{Approach, Bias, Contact, Essentials, Forces, Plate, PlateTheory, Solver};
+use crate::impact::{Approach, Bias, Contact, Forces, ImpactRow, Plate, PlateTheory, Solver};
 use crate::numerics::functions::powi;
 use crate::scenario::input::Input;
 
@@ -66,7 +66,7 @@ impl Uncertainty {
         &self,
         contact: &Contact,
         approach: Approach,
-        row: &Essentials,
+        row: &ImpactRow,
         mut visit: impl FnMut(&str, PartKind, [f64; 2]),
     ) -> Option<()> {
         let restitution = row.measured_restitution();
@@ -104,7 +104,7 @@ impl Uncertainty {
     }
 
     /// Both ends of e in an impact with this result, for a table.
-    pub fn ends(&self, contact: &Contact, approach: Approach, row: &Essentials) -> Option<[f64; 2]> {
+    pub fn ends(&self, contact: &Contact, approach: Approach, row: &ImpactRow) -> Option<[f64; 2]> {
         let (mut shift, mut squares) = ([1.0; 2], [0.0; 2]);
         self.visit(contact, approach, row, |_, kind, ends| match kind {
             PartKind::Shift => shift.iter_mut().zip(ends).for_each(|(shift, end)| *shift *= 1.0 + end),
@@ -117,7 +117,7 @@ impl Uncertainty {
     }
 
     /// The interval of an impact with this result, in which the two parts of the law are combined.
-    fn interval(&self, contact: &Contact, approach: Approach, row: &Essentials) -> Option<RestitutionInterval> {
+    fn interval(&self, contact: &Contact, approach: Approach, row: &ImpactRow) -> Option<RestitutionInterval> {
         let [low, high] = self.ends(contact, approach, row)?;
         let mut parts = Vec::new();
         self.visit(contact, approach, row, |name, kind, [low, high]| {
@@ -144,7 +144,7 @@ pub fn restitution_interval(
     input: &Input,
     contact: &Contact,
     speed: f64,
-    row: &Essentials,
+    row: &ImpactRow,
 ) -> Option<RestitutionInterval> {
     let law = input.law();
     let uncertainty = Uncertainty::new(input, contact, &law, &HardnessRanges::new(input, &law))?;

@@ -24,8 +24,8 @@ fn thornton_gives_his_closed_form() {
         assert!(off(printed, v_y) < 5e-3, "{printed} {v_y}");
         // of the law alone: no sphere is hit so fast that its dent is still smaller than itself
         let restitution = |speed: f64| {
-            let (_, law, q) = contact.scaled(speed).unwrap();
-            closed_form::energy_balance(law, q).restitution
+            let (_, law, q) = contact.scaling(speed).unwrap();
+            closed_form::solve_energy_balance(law, q).restitution
         };
         for q in [1.0, 0.9, 0.5, 0.1, 0.01, 1e-3, 1e-6] {
             let e = restitution(v_y / q);

@@ -92,9 +92,9 @@ fn refusal_counts_yield_indentations_of_law() {
     let contact = Scene::steel().contact_by(&Stronge::default());
     let speed = 1.4 * contact.yield_speed().unwrap();
     let Err(ImpactError::Law(LawError::Range { ratio, .. })) = contact.closed_form(speed) else { panic!() };
-    let (scales, law, q) = contact.scaled(speed).unwrap();
-    let peak = closed_form::energy_balance(law, q).unloading.peak.indentation * scales.length;
-    assert!(ratio > 1.0 && off(ratio, peak / contact.yields_at().unwrap().0) < 1e-12, "{ratio}");
+    let (scales, law, q) = contact.scaling(speed).unwrap();
+    let peak = closed_form::solve_energy_balance(law, q).unloading.peak.indentation * scales.length;
+    assert!(ratio > 1.0 && off(ratio, peak / contact.yield_indentation_and_force().unwrap().0) < 1e-12, "{ratio}");
 }
 
 /// At this speed the impact is outside the range of the law; with damping it is shallow enough to be inside.
@@ -129,7 +129,7 @@ fn plm_with_its_own_unloading_is_plm() {
         let nested = Combined { loading: Box::new(combined.clone()), unloading: Box::new(plm.clone()) };
         let of = |law: &LawChoice| {
             let contact = Contact::try_new(input.sphere(), input.half_space(), law.get()).unwrap();
-            contact.with_rates(input.rates(), law)
+            contact.with_rate_dependence(input.rates(), law)
         };
         let [plain, combined, nested] = [plm, combined, LawChoice::Combined(nested)].map(|law| of(&law));
         for speed in [1e-4, 0.02, 1.0, 10.0] {

@@ -72,7 +72,7 @@ fn energy_gain_under_forces_warns_only_when_gained() {
     for damping in [Damping::Viscous(1e-9), Damping::HuntCrossley(1e-9 / speed)] {
         let damped =
             soft.contact_by(&nine_pieces()).with_forces(Forces { damping: Some(damping), ..Forces::default() });
-        let mut spot = Spot::fresh();
+        let mut spot = Spot::new();
         let hit = |spot: &mut Spot| damped.impact_on(spot, speed, &solver(Method::Rk8, 1e-10), None).unwrap();
         assert!(!gains(&hit(&mut spot)));
         let second = hit(&mut spot);

@@ -1,6 +1,6 @@
 //! The law without motion: steps of an indentation where it has no answer, and forces that no contact can have.
 
-use plm_impact::impact::indentation::Target::Indentation as To;
+use plm_impact::impact::indentation::SetPoint::Indentation as To;
 
 use crate::common::prelude::*;
 

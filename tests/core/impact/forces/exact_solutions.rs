@@ -68,11 +68,13 @@ fn excess(v: f64) -> f64 {
 }
 
 /// The outcome of a sphere that leaves, or stays without damping.
-pub fn solve<'a>(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) -> Outcome {
+pub fn solve<'a>(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) -> ScaledResult {
     let ground = ground.into();
-    let (speeds, weight) = (Speeds { chi: forces.drag.hunt_crossley }, forces.weight);
+    let (speeds, weight) = (Speeds { chi: forces.damping.hunt_crossley }, forces.weight);
     assert!(
-        forces.drag.viscous == 0.0 && forces.drag.plate == 0.0 && (weight == 0.0 || forces.drag.hunt_crossley == 0.0)
+        forces.damping.viscous == 0.0
+            && forces.damping.plate == 0.0
+            && (weight == 0.0 || forces.damping.hunt_crossley == 0.0)
     );
     let touch = ground.first_contact();
     let pieces = ground.reloading_path.pieces();
@@ -106,7 +108,7 @@ pub fn solve<'a>(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) 
         None => ground.unloading(ground.loaded_state(piece.start + distance)),
     };
     let loading_time = loading_time(&pieces[..=last], distance, q, weight, speeds);
-    let is_captured = forces.captures(&unloading, q);
+    let is_captured = forces.is_captured(&unloading, q);
     let stored = unloading.recoverable_energy();
     let recovered = C * (stored - weight * unloading.peak.elastic_approach);
     let is_elastic = speeds.chi == 0.0 && ground.plastic_work(&unloading) == 0.0;
@@ -119,13 +121,13 @@ pub fn solve<'a>(ground: impl Into<Surface<'a>>, q: f64, forces: &ScaledForces) 
     let at_end = if is_elastic && !is_captured { speeds.energy(-q) } else { at_end };
     let end_speed = if is_captured { speeds.speed(at_end.max(0.0), -1.0) } else { rebound };
     let back = time_between(&branch, [at_rest, length], [at_end, 0.0], weight, speeds, -1.0);
-    Outcome {
+    ScaledResult {
         unloading,
         restitution: if is_captured { 0.0 } else { rebound / q },
         largest_force: largest_force(pieces, last, distance, speeds.energy(q), speeds),
         loading_time,
         contact_time: loading_time + back,
-        fate: if is_captured { Fate::Captured } else { Fate::Separated },
+        end: if is_captured { ImpactEnd::Captured } else { ImpactEnd::Separated },
         end_indentation: ground.deepest_state(&unloading.peak).residual() + at_rest,
         end_speed: -end_speed,
         loss: 0.4 * q * q - ground.reloading_path.work(unloading.peak.indentation) + stored - 0.4 * rebound * rebound,
@@ -166,7 +168,7 @@ fn loading_time(pieces: &[Piece], distance: f64, q: f64, weight: f64, speeds: Sp
     time
 }
 
-/// Time on a piece from a distance from its start over a length, where G(u) is `at_start` and `at_end`, during loading (`sign`
+/// Time on a piece from a distance from its start over a length, where G(u) is `at_start` and `drift_at_end`, during loading (`sign`
 /// 1) or rebound (−1).
 fn time_between(
     piece: &Piece,

@@ -32,15 +32,16 @@ fn friction_goes_with_a_plate() {
 fn hopping_ball_keeps_spin_and_path() {
     let contact = under(&["gravity.acceleration=9.81"]);
     let first = approach(2.0, 40.0, 0.2, 0.0);
-    let drive = Drive::Bouncing { gravity: 9.81, drop_height: None, approach: first, most: 12, until: None };
-    let series = Repeat { place: Place::Fresh, drive }.run(&contact, &Solver::AUTO, 20, None).unwrap();
-    assert_eq!(series.hits.len(), 12);
+    let drive = SeriesMode::Bouncing { gravity: 9.81, drop_height: None, approach: first, most: 12, until: None };
+    let series =
+        ImpactSeries { spot_mode: SpotMode::Fresh, mode: drive }.run(&contact, &Solver::AUTO, 20, None).unwrap();
+    assert_eq!(series.impacts.len(), 12);
     let radius = contact.sphere().radius;
     // over the mass: v R + (2/5) R² ω
     let momentum = |speed: f64, spin: f64| speed * radius + 0.4 * radius * radius * spin;
     let begun = momentum(first.components()[1], 0.0);
     let (mut place, mut lost) = (0.0, 0.0);
-    for (i, hit) in series.hits.iter().enumerate() {
+    for (i, hit) in series.impacts.iter().enumerate() {
         let alone = contact.impact(hit.approach, &Solver::AUTO, None).unwrap();
         let (rebound, after) = (alone.rebound.unwrap(), hit.rebound.unwrap());
         assert_eq!((rebound.tangential_speed, rebound.spin), (after.tangential_speed, after.spin));
@@ -48,9 +49,9 @@ fn hopping_ball_keeps_spin_and_path() {
         assert_abs_diff_eq!(hit.position, place, epsilon = 1e-12);
         lost += hit.oblique.unwrap().loss;
         if let Some(flight) = hit.flight {
-            let in_contact = 0.5 * (hit.speed_along().unwrap() + after.tangential_speed) * hit.contact_time;
+            let in_contact = 0.5 * (hit.tangential_speed().unwrap() + after.tangential_speed) * hit.contact_time;
             place += in_contact + after.tangential_speed * flight.duration;
-            let next = series.hits[i + 1].approach;
+            let next = series.impacts[i + 1].approach;
             let [normal, along] = next.components();
             assert_relative_eq!(normal, flight.landing_speed, max_relative = 1e-12);
             assert_relative_eq!(along, after.tangential_speed, max_relative = 1e-12);
@@ -58,18 +59,18 @@ fn hopping_ball_keeps_spin_and_path() {
         }
     }
     // in the end it rolls: v = R ω = begun/(1 + 2/5)/R, and friction has taken the rest, (1/7) m v²
-    let last = series.hits[11].rebound.unwrap();
+    let last = series.impacts[11].rebound.unwrap();
     assert_relative_eq!(last.tangential_speed, begun / (1.4 * radius), max_relative = 1e-6);
     let all = first.components()[1].powi(2) * contact.mass() / 7.0;
     assert_relative_eq!(lost, all, max_relative = 1e-6);
     // straight down with no spin it is the ball that bounces on one place
     let straight = Approach { incidence: Some(Incidence { angle: 0.0, spin: 0.0, friction: 0.2 }), ..first };
     let of = |approach: Approach| {
-        let drive = Drive::Bouncing { gravity: 9.81, drop_height: None, approach, most: 5, until: None };
-        Repeat { place: Place::Fresh, drive }.run(&contact, &Solver::AUTO, 2, None).unwrap()
+        let drive = SeriesMode::Bouncing { gravity: 9.81, drop_height: None, approach, most: 5, until: None };
+        ImpactSeries { spot_mode: SpotMode::Fresh, mode: drive }.run(&contact, &Solver::AUTO, 2, None).unwrap()
     };
     let (with, without) = (of(straight), of(2.0.into()));
-    for (one, other) in with.hits.iter().zip(&without.hits) {
+    for (one, other) in with.impacts.iter().zip(&without.impacts) {
         assert_eq!(
             (one.time, one.speed, one.position, one.rebound_speed),
             (other.time, other.speed, 0.0, other.rebound_speed)

@@ -23,8 +23,12 @@ fn rate_of_one_body_keeps_yielding_body() {
     for strength in [376e6, 380e6, 400e6, 440e6, 480e6, 500e6] {
         let impact = ball_on_wall(strength).closed_form(3.0).unwrap();
         assert!((impact.restitution - 0.50313).abs() < 5e-6, "{strength}: {}", impact.restitution);
-        assert_eq!((impact.restitution, impact.rated), (want.restitution, want.rated), "{strength}");
-        let Rated { factor, factor_at_turn, .. } = impact.rated.unwrap();
+        assert_eq!(
+            (impact.restitution, impact.strain_rate_result),
+            (want.restitution, want.strain_rate_result),
+            "{strength}"
+        );
+        let StrainRateResult { factor, factor_at_turn, .. } = impact.strain_rate_result.unwrap();
         assert!(factor > 1.6 && factor > factor_at_turn && factor_at_turn > 1.3, "{factor} {factor_at_turn}");
         let point = ball_on_wall(strength).at_speed(3.0).unwrap().pair().yield_point.unwrap();
         assert!(point.yield_partition.is_sphere && off(point.strength, 300e6 * factor) < 1e-15);
@@ -45,7 +49,7 @@ fn restitution_is_continuous_in_the_ratio_of_strengths() {
         before = above;
     }
     let [soft, equal, hard] = [0.79, 1.0, 1.26].map(|ratio| ball_on_wall(300e6 * ratio).closed_form(3.0).unwrap());
-    let [soft, equal, hard] = [soft, equal, hard].map(|impact| impact.rated.unwrap());
+    let [soft, equal, hard] = [soft, equal, hard].map(|impact| impact.strain_rate_result.unwrap());
     assert_eq!((soft.factor, soft.factor_at_turn), (1.0, 1.0), "the wall flows alone, and has no rate");
     // bodies of one modulus share the flow in halves
     assert!((equal.factor - 1.0) / (hard.factor - 1.0) > 0.49 && (equal.factor - 1.0) / (hard.factor - 1.0) < 0.51);
@@ -88,14 +92,14 @@ fn the_force_never_rises_where_the_metal_relaxes() {
         for i in 1..400 {
             let speed = contact.yield_speed().unwrap() * (1.0 + 2e-3 * f64::from(i));
             let impact = contact.closed_form(speed).unwrap();
-            let strength = 345e6 * impact.rated.unwrap().factor;
+            let strength = 345e6 * impact.strain_rate_result.unwrap().factor;
             let loading = scene(STEEL, &[format!("half_space.yield_strength={strength:e}")]).contact().unwrap();
             let force = loading.force(impact.peak_indentation, &mut Memory::default());
             assert!(impact.force_at_peak_indentation <= force * (1.0 + 1e-12), "{speed}: {impact:?} {force}");
             assert!(impact.restitution <= 1.0 && impact.plastic_fraction >= 0.0, "{speed}");
         }
     }
-    assert!(plain.contact().unwrap().closed_form(3.0).unwrap().rated.is_none());
+    assert!(plain.contact().unwrap().closed_form(3.0).unwrap().strain_rate_result.is_none());
 }
 
 /// On a plate the momentum of the ball stays where the metal relaxes: its speed does not jump, the impulse of the force is the

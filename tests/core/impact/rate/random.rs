@@ -62,7 +62,7 @@ fn rate_creates_no_energy_and_keeps_dents() {
     let judged = checked(400, &series(), |(keys, shots)| {
         let contact = contact(STEEL, &keys);
         let slowest = contact.yield_speed().unwrap();
-        let mut spot = Spot::fresh();
+        let mut spot = Spot::new();
         let mut dent = 0.0;
         for ratio in shots {
             let speed = ratio * slowest;

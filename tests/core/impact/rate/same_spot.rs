@@ -5,7 +5,7 @@ use crate::common::prelude::*;
 /// The impacts of a series on one spot, by the closed form where there is one.
 fn series(text: &str, speeds: &[f64]) -> Vec<Impact> {
     let contact = contact(&format!("{text}\n[impact]\nspeed = 1.0"), NONE);
-    let mut spot = Spot::fresh();
+    let mut spot = Spot::new();
     let mut shot = |speed: &f64| contact.impact_on(&mut spot, *speed, &solver(Method::Auto, 1e-11), None).unwrap();
     speeds.iter().map(&mut shot).collect()
 }
@@ -20,7 +20,7 @@ fn turn_in_the_old_dent(impacts: &[Impact], first: usize) {
     assert!(dent > 0.0);
     for impact in &impacts[first..] {
         assert!(off(impact.residual_indentation, dent) < 1e-12, "{:?}", dents(impacts));
-        assert!(impact.rated.is_none() && impact.energy.plastic == Some(0.0));
+        assert!(impact.strain_rate_result.is_none() && impact.energy.plastic == Some(0.0));
     }
 }
 
@@ -127,7 +127,7 @@ fn peak_without_residual_indentation_is_no_dent() {
         rate = { johnson_cook = { c = 0.025 } }
     "#;
     let impacts = series(nylon_on_copper, &[1.0, 1.0, 3.0]);
-    assert!(impacts[0].rated.is_some_and(|rated| rated.factor > 1.0));
+    assert!(impacts[0].strain_rate_result.is_some_and(|rated| rated.factor > 1.0));
     for impact in &impacts[..2] {
         assert_eq!((impact.restitution, impact.residual_indentation), (1.0, 0.0));
     }
