@@ -7,12 +7,12 @@ use crate::units::Dimension;
 
 /// A result that is computed from a `T`.
 #[derive(Debug, Clone, Copy)]
-pub struct Reported<T> {
+pub struct ResultSpec<T> {
     /// With the unit.
     pub name: &'static str,
     /// The meaning, in one sentence.
-    pub about: &'static str,
-    pub shown: Shown,
+    pub description: &'static str,
+    pub format: NumberFormat,
     /// The condition of the result; empty if the result always exists.
     pub condition: &'static str,
     /// The name on the terminal, or a remark that the terminal appends to the line above. In a remark `{}` is replaced by the value,
@@ -21,15 +21,15 @@ pub struct Reported<T> {
     /// `None` if the result is omitted.
     pub value: fn(&T) -> Option<Value>,
     /// The column of a table with this result.
-    pub column: Option<Column>,
+    pub column: Option<ResultColumn>,
 }
 
 /// How the terminal shows a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shown {
+pub enum NumberFormat {
     Plain,
     /// In this unit, with a prefix. The name of the result ends in the unit.
-    In(Dimension),
+    Unit(Dimension),
     /// As a fraction in percent.
     Percent,
     /// As a deviation in percent, with its sign.
@@ -40,7 +40,7 @@ pub enum Shown {
 
 /// The requirement of a column: a table has the column only if its scene has this part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Needs {
+pub enum Requirement {
     /// No requirement: the column is in every table.
     Nothing,
     /// A yield strength: without one nothing is plastic.
@@ -66,17 +66,17 @@ pub enum Needs {
 
 /// A column of a table.
 #[derive(Debug, Clone, Copy)]
-pub struct Column {
+pub struct ResultColumn {
     /// With the unit.
     pub name: &'static str,
-    pub needs: Needs,
+    pub needs: Requirement,
     /// The value of a row; `None` is an empty field.
     pub value: fn(&ImpactRow) -> Option<f64>,
 }
 
-impl Needs {
+impl Requirement {
     /// The condition under which an impact has the result, in words and as a function.
-    const fn rule(self) -> (&'static str, fn(&Contact, &ImpactRow) -> bool) {
+    const fn condition_and_test(self) -> (&'static str, fn(&Contact, &ImpactRow) -> bool) {
         match self {
             Self::Nothing => ("", |_, _| true),
             Self::Strength => (YIELDS, |contact, _| contact.pair().yield_point.is_some()),
@@ -94,19 +94,19 @@ impl Needs {
 
     /// The condition under which an impact has the result, in words.
     pub const fn condition(self) -> &'static str {
-        self.rule().0
+        self.condition_and_test().0
     }
 
     /// True if an impact on this contact has the result.
-    pub fn is_met(self, contact: &Contact, row: &ImpactRow) -> bool {
-        self.rule().1(contact, row)
+    pub fn is_met_by(self, contact: &Contact, row: &ImpactRow) -> bool {
+        self.condition_and_test().1(contact, row)
     }
 }
 
 /// The values of all existing results, by name. A name with a dot belongs to a group: `energy.drift` is `drift` in `energy`.
-pub fn fields<T>(results: &[Reported<T>], subject: &T) -> Map<String, Value> {
+pub fn to_fields<T>(results: &[ResultSpec<T>], subject: &T) -> Map<String, Value> {
     let mut all = Map::new();
-    for Reported { name, value, .. } in results {
+    for ResultSpec { name, value, .. } in results {
         let Some(value) = value(subject) else { continue };
         match name.split_once('.') {
             None => drop(all.insert((*name).to_owned(), value)),
@@ -117,8 +117,8 @@ pub fn fields<T>(results: &[Reported<T>], subject: &T) -> Map<String, Value> {
 }
 
 /// The results of several things as a list.
-pub fn lists<'a, T: 'a>(results: &[Reported<T>], all: impl IntoIterator<Item = &'a T>) -> Value {
-    all.into_iter().map(|one| fields(results, one)).collect()
+pub fn to_field_list<'a, T: 'a>(results: &[ResultSpec<T>], all: impl IntoIterator<Item = &'a T>) -> Value {
+    all.into_iter().map(|one| to_fields(results, one)).collect()
 }
 
 pub(crate) const YIELDS: &str = "a body has a yield strength";
@@ -154,41 +154,41 @@ pub(crate) const NAMED: &str = "the half-space has a name";
 pub(crate) const GIVEN: &str = "the step is given by it";
 
 /// A list of results from its entries.
-macro_rules! results {
+macro_rules! result_specs {
     (|$subject:ident: $type:ty| $($(#[doc = $about:literal])+ $name:literal
         $(in $shown:ident)? $(as $label:literal)? $(if $condition:ident)? $([$needs:ident: $column:expr])? $(: $value:expr)?;)+) => {
-        vec![$($crate::results::entry::Reported::<$type> {
+        vec![$($crate::results::entry::ResultSpec::<$type> {
             name: $name,
-            about: concat!($($about),+).trim_ascii_start(),
-            shown: results!(@shown $($shown)?),
-            condition: results!(@condition [$($condition)?] [$($needs)?]),
+            description: concat!($($about),+).trim_ascii_start(),
+            format: result_specs!(@shown $($shown)?),
+            condition: result_specs!(@condition [$($condition)?] [$($needs)?]),
             label: concat!($($label)?),
             #[allow(unused_variables)] // a result of tables alone has no value here
-            value: |$subject| results!(@value $subject [$($condition)?] [$($needs, $column)?] [$($value)?]),
-            column: results!(@column $($name, $needs, $column)?),
+            value: |$subject| result_specs!(@value $subject [$($condition)?] [$($needs, $column)?] [$($value)?]),
+            column: result_specs!(@column $($name, $needs, $column)?),
         }),+]
     };
-    (@shown) => { $crate::results::entry::Shown::Plain };
-    (@shown Percent) => { $crate::results::entry::Shown::Percent };
-    (@shown Deviation) => { $crate::results::entry::Shown::Deviation };
-    (@shown Error) => { $crate::results::entry::Shown::Error };
+    (@shown) => { $crate::results::entry::NumberFormat::Plain };
+    (@shown Percent) => { $crate::results::entry::NumberFormat::Percent };
+    (@shown Deviation) => { $crate::results::entry::NumberFormat::Deviation };
+    (@shown Error) => { $crate::results::entry::NumberFormat::Error };
     (@shown $dimension:ident) => {
-        $crate::results::entry::Shown::In($crate::units::Dimension::$dimension)
+        $crate::results::entry::NumberFormat::Unit($crate::units::Dimension::$dimension)
     };
     (@condition [] []) => { "" };
-    (@condition [] [$needs:ident]) => { $crate::results::entry::Needs::$needs.condition() };
+    (@condition [] [$needs:ident]) => { $crate::results::entry::Requirement::$needs.condition() };
     (@condition [$condition:ident] [$($needs:ident)?]) => { $crate::results::entry::$condition };
     (@value $subject:ident [] [] [$value:expr]) => { Some($value.into()) };
     (@value $subject:ident [$condition:ident] [] [$value:expr]) => { $value.map(Into::into) };
     (@value $subject:ident [] [$needs:ident, $column:expr] []) => {
-        $subject.of_row($crate::results::entry::Needs::$needs, $column)
+        $subject.column_value($crate::results::entry::Requirement::$needs, $column)
     };
     (@value $subject:ident [$condition:ident] [$needs:ident, $column:expr] []) => { None };
     (@value $subject:ident [$condition:ident] [$needs:ident, $column:expr] [$value:expr]) => { $value.map(Into::into) };
     (@column) => { None };
     (@column $name:literal, $needs:ident, $value:expr) => {{
-        use $crate::results::entry::{Column, Needs};
-        Some(Column { name: $name, needs: Needs::$needs, value: $value })
+        use $crate::results::entry::{ResultColumn, Requirement};
+        Some(ResultColumn { name: $name, needs: Requirement::$needs, value: $value })
     }};
 }
-pub(crate) use results;
+pub(crate) use result_specs;

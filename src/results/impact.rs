@@ -1,11 +1,11 @@
 //! The results of one impact, some of which are columns of tables.
 //!
-//! An entry says what a result means, then `"name" in Unit as "label on the terminal" if CONDITION [Needs: column]: value`. A result
+//! An entry says what a result means, then `"name" in Unit as "label on the terminal" if CONDITION [Requirement: column]: value`. A result
 //! with a column has its value in tables too, where the scene has what the column needs.
 
 use serde_json::{Value, json};
 
-use super::{Needs, Reported, results};
+use super::{Requirement, ResultSpec, result_specs};
 use crate::contact::pair::YieldPartition;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{Contact, FixedSteps, ForcesResult, Impact, ImpactRow, ObliqueResult, PlateResult, Rebound};
@@ -13,7 +13,7 @@ use crate::scenario::keys::interval::RestitutionInterval;
 
 /// One impact.
 #[derive(Debug, Clone, Copy)]
-pub struct Single<'a> {
+pub struct SingleImpact<'a> {
     pub contact: &'a Contact,
     pub impact: &'a Impact,
     /// The interval of e, if it is known.
@@ -24,20 +24,20 @@ pub struct Single<'a> {
     pub drop_height: Option<f64>,
 }
 
-impl Single<'_> {
+impl SingleImpact<'_> {
     /// The value of a column of tables, if the impact has it.
-    fn of_row(&self, needs: Needs, value: fn(&ImpactRow) -> Option<f64>) -> Option<Value> {
+    fn column_value(&self, needs: Requirement, value: fn(&ImpactRow) -> Option<f64>) -> Option<Value> {
         let row = &self.impact.essentials;
-        needs.is_met(self.contact, row).then(|| value(row).into())
+        needs.is_met_by(self.contact, row).then(|| value(row).into())
     }
 
     /// The value, if the sphere can yield.
-    fn flat<V>(&self, value: V) -> Option<V> {
+    fn if_sphere_yields<V>(&self, value: V) -> Option<V> {
         self.contact.sphere().yield_strength.map(|_| value)
     }
 
     /// Which body flows.
-    fn yields(&self) -> &'static str {
+    fn yielding_bodies(&self) -> &'static str {
         match self.contact.pair().yield_point.map(|point| point.yield_partition) {
             Some(flow) if self.impact.has_dent() => match flow {
                 _ if flow.is_shared() => "both",
@@ -49,55 +49,55 @@ impl Single<'_> {
     }
 
     /// The value, if a body can yield.
-    fn plastic<V>(&self, value: V) -> Option<V> {
+    fn if_yields<V>(&self, value: V) -> Option<V> {
         self.contact.pair().yield_point.map(|_| value)
     }
 
     /// The value, if a body can yield before the contact is as wide as the sphere.
     fn at_first_yield<V>(&self, value: V) -> Option<V> {
-        self.plastic(value).filter(|_| self.contact.reaches_first_yield())
+        self.if_yields(value).filter(|_| self.contact.reaches_first_yield())
     }
 
     /// The value, if there is gravity or damping.
-    fn forced<V>(&self, value: fn(&ForcesResult) -> V) -> Option<V> {
+    fn if_forces<V>(&self, value: fn(&ForcesResult) -> V) -> Option<V> {
         self.impact.forces_result.as_ref().map(value)
     }
 
     /// The value, if a plate is hit.
-    fn on_plate<V>(&self, value: impl FnOnce(&PlateResult) -> V) -> Option<V> {
+    fn if_plate<V>(&self, value: impl FnOnce(&PlateResult) -> V) -> Option<V> {
         self.impact.plate.as_ref().map(value)
     }
 
     /// The value, if the sphere came in at an angle, or spinning.
-    fn oblique(&self, value: fn(&ObliqueResult) -> f64) -> Option<f64> {
+    fn if_oblique(&self, value: fn(&ObliqueResult) -> f64) -> Option<f64> {
         self.impact.oblique.as_ref().map(value)
     }
 
     /// The flight, if there is air.
-    fn in_air(&self) -> Option<FreeFlight> {
+    fn flight_in_air(&self) -> Option<FreeFlight> {
         self.contact.forces().flight.filter(FreeFlight::has_air)
     }
 
     /// The value, if the steps are fixed.
-    fn verlet<V>(&self, value: fn(&FixedSteps) -> V) -> Option<V> {
+    fn if_fixed_steps<V>(&self, value: fn(&FixedSteps) -> V) -> Option<V> {
         self.impact.fixed_steps.as_ref().map(value)
     }
 }
 
 /// A value of an oblique impact; none where it is no number.
-fn rebound(row: &ImpactRow, value: fn(&Rebound) -> f64) -> Option<f64> {
+fn rebound_value(row: &ImpactRow, value: fn(&Rebound) -> f64) -> Option<f64> {
     row.rebound.as_ref().map(value).filter(|value| value.is_finite())
 }
 
 /// Speed along the surface and spin of a second ball.
-fn target(row: &ImpactRow, place: usize) -> Option<f64> {
+fn target_value(row: &ImpactRow, place: usize) -> Option<f64> {
     row.rebound.as_ref().and_then(|after| after.target).map(|target| target[place])
 }
 
 /// The results of one impact, in the order of `summary.json`.
 #[allow(clippy::too_many_lines)] // one list, which is read from top to bottom
-pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
-    results! { |single: Single<'a>|
+pub fn impact_results<'a>() -> Vec<ResultSpec<SingleImpact<'a>>> {
+    result_specs! { |single: SingleImpact<'a>|
         /// Relative normal speed after the impact over the relative normal speed before it; `null` for a sphere that is released at first
         /// touch.
         "restitution" as "restitution" [Nothing: |row| row.has_speed().then_some(row.restitution)];
@@ -121,7 +121,7 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         "inelasticity" as "Zener's number {}" [Thickness: |row| row.plate.map(|plate| plate.inelasticity)];
         /// How many plate thicknesses a wave travels during the contact time on a half-space: below 2 the plate acts as a
         /// half-space, from 10 on it is thin.
-        "plate_thinness" as "wave travels {} thicknesses" if PLATE: single.on_plate(|plate| plate.thinness);
+        "plate_thinness" as "wave travels {} thicknesses" if PLATE: single.if_plate(|plate| plate.thinness);
         /// How far the plate has moved at separation.
         "plate_displacement_m" in Length as "plate moves by"
             [Thickness: |row| row.plate.map(|plate| plate.displacement)];
@@ -137,13 +137,13 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Speed of the body that is hit after the impact, in the direction of the approach.
         "target_speed_m_per_s" in Speed as "target speed" [Target: |row| row.target_speed];
         /// Its speed along the surface, in the direction of the sphere's path.
-        "target_tangential_speed_m_per_s" in Speed as "along the surface {}" [Struck: |row| target(row, 0)];
+        "target_tangential_speed_m_per_s" in Speed as "along the surface {}" [Struck: |row| target_value(row, 0)];
         /// Its spin, in the direction of a sphere that rolls forward.
-        "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target(row, 1)];
+        "target_spin_rad_per_s" in AngularSpeed as "spin {}" [Struck: |row| target_value(row, 1)];
         /// Height to which the sphere rises, with waves and air where they are known.
         "rebound_height_m" in Length as "rebound height" [Flight: |row| row.rebound_height];
         /// Share of the energy m g h of a fall to the impact speed that the air takes, buoyancy counted.
-        "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: single.in_air().and_then(|flying| {
+        "air_loss_fraction" in Percent as "air took {} of the fall" if AIR: single.flight_in_air().and_then(|flying| {
             // near the terminal speed the height cannot be found from the speed
             let from_given = |height: &f64| flying.landing_speed(*height) == single.impact.speed;
             let height = single.drop_height.filter(from_given);
@@ -151,39 +151,39 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
             height.is_finite().then(|| flying.loss_fraction(height))
         });
         /// Speed at which the drag of the air carries the weight.
-        "terminal_speed_m_per_s" in Speed if AIR: single.in_air().map(|flying| flying.terminal_speed());
+        "terminal_speed_m_per_s" in Speed if AIR: single.flight_in_air().map(|flying| flying.terminal_speed());
         /// Angle of the rebound from the normal, in degrees; negative where the sphere is thrown back.
-        "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound(row, |after| after.angle.to_degrees())];
+        "rebound_angle_deg" as "rebound angle (deg)" [Incidence: |row| rebound_value(row, |after| after.angle.to_degrees())];
         /// Tangential speed of the sphere's centre after the impact over that before; `null` without one before.
         "tangential_restitution" as "tangential restitution"
-            [Incidence: |row| rebound(row, |after| after.tangential_restitution)];
+            [Incidence: |row| rebound_value(row, |after| after.tangential_restitution)];
         /// Slip speed of the contact point after the impact over that before, negative where it slips on: -s_1/s_0; `null`
         /// where it did not slip.
         "contact_point_restitution" as "of the contact point {}"
-            [Incidence: |row| rebound(row, |after| after.contact_point_restitution)];
+            [Incidence: |row| rebound_value(row, |after| after.contact_point_restitution)];
         /// Speed of the sphere along the half-space after the impact.
         "rebound_tangential_speed_m_per_s" in Speed as "speed along the surface"
-            [Incidence: |row| rebound(row, |after| after.tangential_speed)];
+            [Incidence: |row| rebound_value(row, |after| after.tangential_speed)];
         /// Spin of the sphere after the impact; positive for rolling forward.
-        "rebound_spin_rad_per_s" in AngularSpeed as "spin after" [Incidence: |row| rebound(row, |after| after.spin)];
+        "rebound_spin_rad_per_s" in AngularSpeed as "spin after" [Incidence: |row| rebound_value(row, |after| after.spin)];
         /// Tangential impulse over normal impulse, positive where friction pushes the sphere back along its path; its size is
         /// at most the coefficient of friction. A sphere that spins faster than it would roll is pushed forward: negative.
-        "impulse_ratio" as "impulse ratio" [Incidence: |row| rebound(row, |after| after.impulse_ratio)];
+        "impulse_ratio" as "impulse ratio" [Incidence: |row| rebound_value(row, |after| after.impulse_ratio)];
         /// Energy taken by friction over the kinetic energy of the whole speed, without that of the spin; a fast spin may bring
         /// more than that.
         "friction_loss_fraction" in Percent as "friction takes {} of the whole energy"
-            [Incidence: |row| rebound(row, |after| after.loss_fraction)];
+            [Incidence: |row| rebound_value(row, |after| after.loss_fraction)];
         /// `sliding` where the contact point slips all the time, by the closed form; else `partial`.
         "sliding_regime" as "regime" if OBLIQUE:
             single.impact.rebound.map(|after| if after.is_sliding { "sliding" } else { "partial" });
         /// 1 where the contact point slips all the time, else 0.
-        "is_sliding" if TABLES [Incidence: |row| rebound(row, |after| f64::from(u8::from(after.is_sliding)))];
+        "is_sliding" if TABLES [Incidence: |row| rebound_value(row, |after| f64::from(u8::from(after.is_sliding)))];
         /// Slip speed before the impact over friction, 4 (G*/E*) s_0/(mu v_n); infinite (`null`) without friction.
-        "psi_1" [Incidence: |row| rebound(row, |after| after.psi)];
+        "psi_1" [Incidence: |row| rebound_value(row, |after| after.psi)];
         /// Slip speed after the impact over friction, 4 (G*/E*) s_1/(mu v_n).
-        "psi_2" [Incidence: |row| rebound(row, Rebound::psi_after)];
+        "psi_2" [Incidence: |row| rebound_value(row, Rebound::psi_after)];
         /// Error of -s_1/s_0: the sum of what halving each step of friction changes; 0 for gross sliding.
-        "friction_error" in Error [Incidence: |row| rebound(row, |after| after.error)];
+        "friction_error" in Error [Incidence: |row| rebound_value(row, |after| after.error)];
         /// Time from first touch to separation; `null` for a captured sphere.
         "contact_time_s" in Time as "contact time"
             [Nothing: |row| row.contact_time.is_finite().then_some(row.contact_time)];
@@ -216,11 +216,11 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Diameter of the flat on the sphere: that of the contact at the peak; `null` without one.
         "flat_diameter_m" in Length as "flat diameter {}" [Flat: |row| row.has_flat().then_some(2.0 * row.peak_contact_radius)];
         /// Which body flows: `half_space`, `sphere`, `both`, or `none`.
-        "yields" as "yields" if FLATTENS: single.flat(single.yields());
+        "yields" as "yields" if FLATTENS: single.if_sphere_yields(single.yielding_bodies());
         /// Effective radius of the contact on unloading.
-        "unloading_radius_m" in Length if YIELDS: single.plastic(single.impact.unloading_radius);
+        "unloading_radius_m" in Length if YIELDS: single.if_yields(single.impact.unloading_radius);
         /// Radius of curvature of the dent; `null` without one.
-        "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: single.plastic(single.impact.residual_radius);
+        "residual_radius_m" in Length as "radius of curvature {}" if YIELDS: single.if_yields(single.impact.residual_radius);
         /// Diameter of the dent's rim: twice the contact radius at the peak that shaped it; `null` without a dent.
         "dent_diameter_m" in Length as "dent diameter"
             [Strength: |row| (row.dent_depth() > 0.0).then_some(2.0 * row.peak_contact_radius)];
@@ -244,23 +244,23 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Energy spent on the dent over the normal kinetic energy; under gravity it may exceed 1.
         "plastic_fraction" in Percent if TABLES [Strength: |row| row.has_speed().then_some(row.plastic_fraction)];
         /// `separated` if the sphere left, `captured` if it stayed.
-        "outcome" as "outcome" if FORCES: single.forced(|under| under.fate.name());
+        "outcome" as "outcome" if FORCES: single.if_forces(|under| under.fate.name());
         /// Time of separation; for a captured sphere, the time at which the computation ends.
-        "end_time_s" in Time as "at {}" if FORCES: single.forced(|under| under.end_time);
+        "end_time_s" in Time as "at {}" if FORCES: single.if_forces(|under| under.end_time);
         /// Indentation at that time.
-        "end_indentation_m" in Length if FORCES: single.forced(|under| under.end_indentation);
+        "end_indentation_m" in Length if FORCES: single.if_forces(|under| under.end_indentation);
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "comes to rest at an indentation of {}" if CAPTURED:
-            single.forced(|under| under.static_indentation).flatten();
+            single.if_forces(|under| under.static_indentation).flatten();
         /// Length of a step.
-        "verlet.step_s" in Time as "verlet step" if VERLET: single.verlet(|seen| seen.step);
+        "verlet.step_s" in Time as "verlet step" if VERLET: single.if_fixed_steps(|seen| seen.step);
         /// Time from first touch to the deepest step.
-        "verlet.compression_time_s" in Time as "compression {}" if VERLET: single.verlet(|seen| seen.compression_time);
+        "verlet.compression_time_s" in Time as "compression {}" if VERLET: single.if_fixed_steps(|seen| seen.compression_time);
         /// Time from first touch to the first step without a pushing force; `null` for a captured sphere.
-        "verlet.separation_time_s" in Time as "separation {}" if VERLET: single.verlet(|seen| seen.separation_time);
+        "verlet.separation_time_s" in Time as "separation {}" if VERLET: single.if_fixed_steps(|seen| seen.separation_time);
         /// Relative error of the energy at the end of the contact; positive for a gain.
         "verlet.energy_drift_at_end" in Error as "energy off by {} at the end" if VERLET:
-            single.verlet(|_| ()).map(|()| single.impact.energy.drift_at_end);
+            single.if_fixed_steps(|_| ()).map(|()| single.impact.energy.drift_at_end);
         /// Kinetic energy of the sphere at first touch; at an angle, of the motion normal to the half-space, as below. With a body
         /// that is free to move, of their relative motion.
         "energy.kinetic_in_J" in Energy as "energy": single.impact.energy.kinetic_in;
@@ -271,24 +271,24 @@ pub fn results<'a>() -> Vec<Reported<Single<'a>>> {
         /// Kinetic energy of the common motion of sphere and body that is hit: of their centre of mass, which stays.
         "energy.centre_of_mass_J" in Energy as "{} stays in the common motion" if FREE: single.impact.energy.centre_of_mass;
         /// Energy in the plate at separation, or where the computation of a captured sphere ends.
-        "energy.plate_J" in Energy as "{%} into the plate" if PLATE: single.on_plate(|plate| plate.energy);
+        "energy.plate_J" in Energy as "{%} into the plate" if PLATE: single.if_plate(|plate| plate.energy);
         /// Energy taken by damping.
-        "energy.damping_J" in Energy as "{%} into damping" if DAMPING: single.forced(|under| under.damping_loss).flatten();
+        "energy.damping_J" in Energy as "{%} into damping" if DAMPING: single.if_forces(|under| under.damping_loss).flatten();
         /// Elastic energy left in the contact where the sphere lifts off before it has recovered.
         "energy.stored_at_separation_J" in Energy as "{%} left in the contact" if VISCOUS:
-            single.forced(|under| under.stored_at_separation).flatten();
+            single.if_forces(|under| under.stored_at_separation).flatten();
         /// Kinetic and elastic energy where the computation of a captured sphere ends.
-        "energy.left_J" in Energy as "{%} left in sphere and contact" if CAPTURED: single.forced(|under| under.left).flatten();
+        "energy.left_J" in Energy as "{%} left in sphere and contact" if CAPTURED: single.if_forces(|under| under.left).flatten();
         /// Work of gravity since first touch: the weight times the way of the sphere's centre, which a plate below it lengthens.
-        "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: single.forced(|under| under.gravity_work).flatten();
+        "energy.gravity_work_J" in Energy as "{%} from gravity" if GRAVITY: single.if_forces(|under| under.gravity_work).flatten();
         /// Kinetic energy along the half-space and of the spin at first touch.
-        "energy.tangential_in_J" in Energy as "along the surface" if OBLIQUE: single.oblique(|friction| friction.kinetic_in);
+        "energy.tangential_in_J" in Energy as "along the surface" if OBLIQUE: single.if_oblique(|friction| friction.kinetic_in);
         /// Kinetic energy along the half-space and of the spin at separation.
-        "energy.tangential_recovered_J" in Energy as "{%} recovered" if OBLIQUE: single.oblique(|friction| friction.recovered);
+        "energy.tangential_recovered_J" in Energy as "{%} recovered" if OBLIQUE: single.if_oblique(|friction| friction.recovered);
         /// Energy taken by friction.
-        "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: single.oblique(|friction| friction.loss);
+        "energy.friction_J" in Energy as "{%} into friction" if OBLIQUE: single.if_oblique(|friction| friction.loss);
         /// Change of the angular momentum about the contact point, relative: it stays but for rounding.
-        "energy.angular_momentum_drift" in Error if OBLIQUE: single.oblique(|friction| friction.momentum_drift);
+        "energy.angular_momentum_drift" in Error if OBLIQUE: single.if_oblique(|friction| friction.momentum_drift);
         /// Largest error of the energy balance on the way, as a share of the energy put in: kinetic energy at first touch, and
         /// with gravity the work of the weight down to the peak.
         "energy.drift" in Error as "balance off by {}": single.impact.energy.drift;

@@ -6,7 +6,7 @@
 //!
 //! * what the result means, in one sentence;
 //! * its name. The name ends in the unit; in JSON, the part before a dot is the name of a group;
-//! * `in` and its dimension, or how its number is shown: [`Shown`];
+//! * `in` and its dimension, or how its number is shown: [`NumberFormat`];
 //! * `as` and a label, for a result that the terminal shows;
 //! * `if` and a condition, for a result that is not always there. A result without a condition is always there: as `null` (in
 //!   CSV as an empty field) where its value is not finite or `None`;
@@ -17,22 +17,22 @@ pub mod impact;
 pub mod series;
 pub mod trace;
 
-pub(crate) use entry::results;
-pub use entry::{Column, Needs, Reported, Shown, TABLES, fields, lists};
+pub(crate) use entry::result_specs;
+pub use entry::{NumberFormat, Requirement, ResultColumn, ResultSpec, TABLES, to_field_list, to_fields};
 
 use crate::units::Dimension;
 
 /// The columns of results that a table may have, in their order: those of plates and of elastic waves come last.
-pub fn columns() -> Vec<Column> {
-    let mut columns: Vec<Column> = impact::results().iter().filter_map(|result| result.column).collect();
-    columns.sort_by_key(|column| (column.needs == Needs::Density, column.needs == Needs::Thickness));
+pub fn result_columns() -> Vec<ResultColumn> {
+    let mut columns: Vec<ResultColumn> = impact::impact_results().iter().filter_map(|result| result.column).collect();
+    columns.sort_by_key(|column| (column.needs == Requirement::Density, column.needs == Requirement::Thickness));
     columns
 }
 
 /// The dimension of a result of an impact; a plain number where its name has no unit.
 pub fn dimension_of(name: &str) -> Dimension {
-    match impact::results().iter().find(|result| result.name == name).map(|result| result.shown) {
-        Some(Shown::In(dimension)) => dimension,
+    match impact::impact_results().iter().find(|result| result.name == name).map(|result| result.format) {
+        Some(NumberFormat::Unit(dimension)) => dimension,
         _ => Dimension::Ratio,
     }
 }

@@ -1,6 +1,6 @@
 //! The results of impacts one after the other: those of the series, of every impact, and the columns of the trace.
 
-use super::{Reported, results};
+use super::{ResultSpec, result_specs};
 use crate::impact::Contact;
 use crate::impact::series::{ImpactSeries, SeriesEnd, SeriesImpact, SeriesMode, SeriesResult};
 use crate::numerics::power::nan_max;
@@ -8,7 +8,7 @@ use crate::units::{Dimension, format_result};
 
 /// A series of impacts.
 #[derive(Debug, Clone, Copy)]
-pub struct Series<'a> {
+pub struct SeriesReport<'a> {
     pub contact: &'a Contact,
     pub repeat: &'a ImpactSeries,
     pub sequence: &'a SeriesResult,
@@ -16,13 +16,13 @@ pub struct Series<'a> {
     pub warnings: &'a [String],
 }
 
-impl Series<'_> {
-    fn plastic<V>(&self, value: V) -> Option<V> {
+impl SeriesReport<'_> {
+    fn if_yields<V>(&self, value: V) -> Option<V> {
         self.contact.pair().yield_point.map(|_| value)
     }
 
     /// Height of the first fall, most impacts, and the speed at which bouncing ends, if the sphere bounces.
-    fn bouncing(&self) -> Option<(Option<f64>, u64, Option<f64>)> {
+    fn bouncing_settings(&self) -> Option<(Option<f64>, u64, Option<f64>)> {
         match self.repeat.mode {
             SeriesMode::Bouncing { drop_height, most, until, .. } => Some((drop_height, most, until)),
             SeriesMode::Shots(_) => None,
@@ -50,18 +50,18 @@ impl Series<'_> {
 }
 
 /// How the time of bouncing after the end of the series is estimated.
-const REMAINING: &str = "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
+const REMAINING_TIME_TEXT: &str = "2 v/(g (1 - e)) from the last separation, with the last rebound speed v and restitution e held \
                          for all bounces to come and contact times left out, or with [air] the sum of these flights (a lower bound where e rises as the speed \
                          falls); null if e is 1 or more, or the sphere stays in its dent";
 
 /// The results of a series, in the order of `summary.json`.
-pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
-    results! { |series: Series<'a>|
+pub fn series_results<'a>() -> Vec<ResultSpec<SeriesReport<'a>>> {
+    result_specs! { |series: SeriesReport<'a>|
         /// Number of impacts.
         "impacts" as "impacts": series.sequence.impacts.len();
         /// Where they hit: `same` or `fresh`.
         "spot" as "{} spot": series.repeat.spot_mode.name();
-        /// Why the series ended: `shots`, `impacts`, `until`, `captured` or `in_dent`.
+        /// Why the series ended: `shots`, `impact_columns`, `until`, `captured` or `in_dent`.
         "ended_by": series.sequence.end.name();
         /// Why the series ended, as a sentence.
         "end" as "ended": end_text(series.repeat, series.sequence);
@@ -74,29 +74,29 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         /// Largest indentation of all impacts, from the original surface.
         "largest_peak_indentation_m" in Length: series.largest(|hit| hit.peak_indentation);
         /// Depth of the deepest dent, with the flat on the sphere.
-        "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.plastic(series.sequence.deepest_dent());
+        "deepest_residual_indentation_m" in Length as "deepest dent" if YIELDS: series.if_yields(series.sequence.deepest_dent());
         /// Gravity.
         "gravity_m_per_s2" in Acceleration if BOUNCES: series.contact.forces().gravity;
         /// Height of the first fall; `null` where the first speed is given.
-        "drop_height_m" in Length if BOUNCES: series.bouncing().map(|(drop_height, ..)| drop_height);
+        "drop_height_m" in Length if BOUNCES: series.bouncing_settings().map(|(drop_height, ..)| drop_height);
         /// Largest number of impacts.
-        "most_impacts" if BOUNCES: series.bouncing().map(|(_, most, _)| most);
+        "most_impacts" if BOUNCES: series.bouncing_settings().map(|(_, most, _)| most);
         /// Bouncing ends before an impact that would be slower than this; `null` without a limit.
-        "until_speed_m_per_s" in Speed if BOUNCES: series.bouncing().map(|(.., until)| until);
+        "until_speed_m_per_s" in Speed if BOUNCES: series.bouncing_settings().map(|(.., until)| until);
         /// Time of the last separation; `null` where the first impact captures the sphere.
         "last_separation_time_s" in Time as "last separation" if BOUNCES:
-            series.bouncing().map(|_| series.sequence.impacts.iter().rev().find_map(SeriesImpact::separation_time));
+            series.bouncing_settings().map(|_| series.sequence.impacts.iter().rev().find_map(SeriesImpact::separation_time));
         /// Estimate of the time at which the sphere would be at rest, counted as all times of the series: the last separation
         /// and the remaining time; `null` as that is.
-        "rest_time_s" in Time as "time to rest" if BOUNCES: series.bouncing().map(|_| series.sequence.rest_time());
+        "rest_time_s" in Time as "time to rest" if BOUNCES: series.bouncing_settings().map(|_| series.sequence.rest_time());
         /// The part of it after the last separation: an estimate of how long bouncing would still last; `null` if it would
         /// never end, or if the sphere stays in its dent.
         "remaining_time_s" in Time as "{} of it after the last separation" if BOUNCES:
-            series.bouncing().map(|_| series.sequence.remaining_time);
+            series.bouncing_settings().map(|_| series.sequence.remaining_time);
         /// How the remaining time is estimated.
-        "remaining_time" if BOUNCES: series.bouncing().map(|_| REMAINING);
+        "remaining_time" if BOUNCES: series.bouncing_settings().map(|_| REMAINING_TIME_TEXT);
         /// Highest rebound over the original surface.
-        "highest_rebound_m" in Length if BOUNCES: series.bouncing().map(|_| {
+        "highest_rebound_m" in Length if BOUNCES: series.bouncing_settings().map(|_| {
             let flights = series.sequence.impacts.iter().filter_map(|hit| hit.flight);
             flights.map(|flight| flight.apex_height()).reduce(nan_max)
         });
@@ -105,7 +105,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
             series.sequence.impacts.last().filter(|hit| hit.tangential_speed().is_some()).map(|hit| hit.position);
         /// Indentation at which a captured sphere comes to rest.
         "static_indentation_m" in Length as "rests at" if CAPTURED:
-            series.bouncing().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
+            series.bouncing_settings().and_then(|_| series.sequence.impacts.last()?.forces_value(|forces| forces.static_indentation));
         /// Kinetic energy at the first touch.
         "energy.first_kinetic_in_J" in Energy: series.first(|hit| hit.kinetic_in);
         /// Kinetic energy after the last impact.
@@ -114,7 +114,7 @@ pub fn results<'a>() -> Vec<Reported<Series<'a>>> {
         "energy.waves_J" in Energy if WAVES:
             series.sequence.impacts.iter().filter_map(SeriesImpact::radiated_energy).reduce(|all, one| all + one);
         /// Energy spent on dents.
-        "energy.plastic_J" in Energy if YIELDS: series.plastic(series.sequence.impacts.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
+        "energy.plastic_J" in Energy if YIELDS: series.if_yields(series.sequence.impacts.iter().filter_map(|hit| hit.energy.plastic).sum::<f64>());
         /// Energy that the plate has taken in all impacts.
         "energy.plate_J" in Energy if PLATE: series.plate_energy();
         /// Energy that friction has taken in all impacts.
@@ -153,8 +153,8 @@ fn end_text(repeat: &ImpactSeries, sequence: &SeriesResult) -> String {
 }
 
 /// The columns of `impacts.csv`, behind the number of the impact.
-pub fn impacts() -> Vec<Reported<(usize, SeriesImpact)>> {
-    results! { |row: (usize, SeriesImpact)|
+pub fn impact_columns() -> Vec<ResultSpec<(usize, SeriesImpact)>> {
+    result_specs! { |row: (usize, SeriesImpact)|
         /// Number of the impact, from 1.
         "impact" as "impact": row.0;
         /// Time of first touch: since the release of the sphere, or since the first touch where no height is given.
@@ -212,9 +212,9 @@ pub fn impacts() -> Vec<Reported<(usize, SeriesImpact)>> {
     }
 }
 
-/// A row of the trace of a series, in SI; see [`trace`].
+/// A row of the trace of a series, in SI; see [`trace_columns`].
 #[derive(Debug, Clone, Copy)]
-pub struct TraceRow {
+pub struct SeriesTraceRow {
     pub impact: usize,
     pub time: f64,
     pub position: Option<f64>,
@@ -226,8 +226,8 @@ pub struct TraceRow {
 }
 
 /// The columns of the `trace.csv` of a series.
-pub fn trace() -> Vec<Reported<TraceRow>> {
-    results! { |row: TraceRow|
+pub fn trace_columns() -> Vec<ResultSpec<SeriesTraceRow>> {
+    result_specs! { |row: SeriesTraceRow|
         /// Number of the impact that the row belongs to or follows; 0 during the fall before the first.
         "impact": row.impact;
         /// Time of the series for a bouncing sphere; for shots, time since each first touch.

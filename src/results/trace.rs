@@ -1,11 +1,11 @@
 //! The columns of the trace of one impact, `trace.csv`.
 
-use super::{Reported, results};
+use super::{ResultSpec, result_specs};
 use crate::impact::{Event, FrictionState, TraceRow};
 
 /// The columns, in their order.
-pub fn results() -> Vec<Reported<TraceRow>> {
-    results! { |row: TraceRow|
+pub fn trace_results() -> Vec<ResultSpec<TraceRow>> {
+    result_specs! { |row: TraceRow|
         /// Time since first touch.
         "time_s" in Time: row.time;
         /// How far the sphere's centre has come closer to the half-space.
@@ -23,13 +23,13 @@ pub fn results() -> Vec<Reported<TraceRow>> {
         /// Force of the contact law alone.
         "elastic_force_N" in Force if DAMPING: row.elastic_force;
         /// Slip speed of the contact point: speed of the centre along the half-space less radius times spin.
-        "slip_speed_m_per_s" in Speed if OBLIQUE: of_friction(row, |friction| friction.slip_speed);
+        "slip_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.slip_speed);
         /// Friction on the sphere; negative against its path.
-        "friction_force_N" in Force if OBLIQUE: of_friction(row, |friction| friction.friction_force);
+        "friction_force_N" in Force if OBLIQUE: friction_value(row, |friction| friction.friction_force);
         /// Speed of the centre along the half-space.
-        "tangential_speed_m_per_s" in Speed if OBLIQUE: of_friction(row, |friction| friction.tangential_speed);
+        "tangential_speed_m_per_s" in Speed if OBLIQUE: friction_value(row, |friction| friction.tangential_speed);
         /// Spin; positive for rolling forward.
-        "spin_rad_per_s" in AngularSpeed if OBLIQUE: of_friction(row, |friction| friction.spin);
+        "spin_rad_per_s" in AngularSpeed if OBLIQUE: friction_value(row, |friction| friction.spin);
         /// Branch of the law: `elastic`, `plastic`, `reloading` or `unloading`.
         "branch": row.branch.name();
         /// The event in this row, if there is one: `touch`, `yield`, `knot` of the loading curve, `peak`, `relaxation` of a
@@ -40,7 +40,7 @@ pub fn results() -> Vec<Reported<TraceRow>> {
 }
 
 /// A value of friction, if the sphere came in at an angle, or spinning.
-fn of_friction(row: &TraceRow, value: fn(&FrictionState) -> f64) -> Option<f64> {
+fn friction_value(row: &TraceRow, value: fn(&FrictionState) -> f64) -> Option<f64> {
     row.friction.as_ref().map(value)
 }
 

@@ -6,7 +6,7 @@ use super::input::read_input::{POINT, pair_example};
 use super::input::{Key, varied};
 use super::keys::{AnyKey, EVERY_KEY, Form, Quantity, Words};
 use super::toml_node::pattern;
-use crate::results::impact::results;
+use crate::results::impact::impact_results;
 
 /// Describes the keys whose paths hold this text; `None` if no path holds it.
 pub fn about_keys(text: &str) -> Option<String> {
@@ -29,7 +29,7 @@ pub fn about_keys(text: &str) -> Option<String> {
 
 /// The meaning of a result of an impact; `None` if no result has this name.
 pub fn about_result(name: &str) -> Option<&'static str> {
-    results().into_iter().find(|result| result.name == name).map(|result| result.about)
+    impact_results().into_iter().find(|result| result.name == name).map(|result| result.description)
 }
 
 /// A key with more words refers to a table of its words.

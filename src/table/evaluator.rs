@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use crate::contact::law::LawChoice;
 use crate::impact::{Contact, ImpactError, ImpactRow};
 use crate::numerics::ode::IntegrationError;
-use crate::results::Needs;
+use crate::results::Requirement;
 use crate::scenario::input::{Body, Input, Key};
 use crate::scenario::keys::{HardnessRanges, Uncertainty};
 use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
@@ -151,7 +151,7 @@ impl RowLaw {
 const MAX_CONTACTS: u64 = 1 << 16;
 
 fn shows_interval(plan: &Plan) -> bool {
-    plan.results().iter().any(|column| column.needs == Needs::Interval)
+    plan.results().iter().any(|column| column.needs == Requirement::Interval)
 }
 
 /// A plan, with the numbers that its rows have in common, computed once.

@@ -3,14 +3,14 @@
 use super::Failure;
 use super::statistics::{Distribution, Statistics};
 use crate::impact::ImpactRow;
-use crate::results::Column;
+use crate::results::ResultColumn;
 use crate::scenario::plan::Plan;
 
 /// The outcome of a row: its values in [`Plan::statistics_columns`], where a missing value is NaN; or the reason why it has no result.
 pub type Count = Result<Vec<f64>, Failure>;
 
 /// Classifies a computed row. `columns` are the columns with statistics.
-pub fn count(result: &Result<ImpactRow, Failure>, columns: &[Column]) -> Count {
+pub fn count(result: &Result<ImpactRow, Failure>, columns: &[ResultColumn]) -> Count {
     let values = |row: &ImpactRow| columns.iter().map(|column| (column.value)(row).unwrap_or(f64::NAN)).collect();
     result.as_ref().map(values).map_err(|failure| *failure)
 }
@@ -39,7 +39,7 @@ pub struct Tally {
     /// Rows outside the range of the law.
     pub outside_law: u64,
     /// The columns of [`Plan::statistics_columns`], the restitution first. Empty if the values are not random.
-    pub statistics: Vec<(Column, Statistics)>,
+    pub statistics: Vec<(ResultColumn, Statistics)>,
 }
 
 impl Tally {
@@ -65,7 +65,7 @@ impl Tally {
     }
 
     /// The distribution of every column that has values.
-    pub fn distributions(&self) -> Vec<(Column, Distribution)> {
+    pub fn distributions(&self) -> Vec<(ResultColumn, Distribution)> {
         self.statistics.iter().filter_map(|(column, all)| Some((*column, all.distribution()?))).collect()
     }
 }

@@ -18,8 +18,8 @@ use crate::report::pictures;
 use crate::report::run::{at_speed_of, no_result, texts};
 use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
-use crate::results::impact::{Single, results};
-use crate::results::{TABLES, fields};
+use crate::results::impact::{SingleImpact, impact_results};
+use crate::results::{TABLES, to_fields};
 use crate::scenario::input::Purpose;
 use crate::scenario::keys::interval::expected_notes;
 use crate::scenario::keys::quantity::SAMPLES;
@@ -284,13 +284,13 @@ impl Impact {
         })
     }
 
-    fn single(&self) -> Single<'_> {
+    fn single(&self) -> SingleImpact<'_> {
         let contact = self.contact.get();
         let own = self.own.as_ref().unwrap_or(&contact.inner);
         let interval = || restitution_interval(&contact.input, own, self.result.speed, &self.result.essentials);
         let interval = self.interval.get_or_init(interval).as_ref();
         let drop_height = contact.input.drop_height();
-        Single { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }
+        SingleImpact { contact: own, impact: &self.result, interval, notes: &self.notes, drop_height }
     }
 
     /// The impact with a trace. If it has none, it is computed again with a trace.
@@ -312,7 +312,7 @@ impl Impact {
 impl Impact {
     fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         let single = self.single();
-        if let Some(result) = results().iter().find(|result| result.name == name) {
+        if let Some(result) = impact_results().iter().find(|result| result.name == name) {
             let missing = || {
                 PyAttributeError::new_err(match result.condition {
                     TABLES => format!("{name} is {TABLES}: plm_impact.impacts gives it"),
@@ -351,7 +351,7 @@ impl Impact {
 
     /// All results by name, as in `summary.json`.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let value = serde_json::to_value(fields(&results(), &self.single()));
+        let value = serde_json::to_value(to_fields(&impact_results(), &self.single()));
         let value = value.map_err(unexpected)?;
         Ok(from_json(py, &value)?.cast_into::<PyDict>()?)
     }

@@ -9,7 +9,7 @@ use crate::impact::{ImpactRow, Rebound};
 use crate::reference::quasi_static;
 use crate::report::chart::{Chart, Look, Panel, Series, heatmap, histogram};
 use crate::report::chart::{Style, extremes};
-use crate::results::{Column, columns, dimension_of};
+use crate::results::{ResultColumn, dimension_of, result_columns};
 use crate::scenario::plan::{Axis, Cases, Plan, RESTITUTION, Setting, Word};
 use crate::strings::capital;
 use crate::table::statistics::Statistics;
@@ -57,7 +57,7 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
     let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG);
     let evaluator = &Evaluator::new(plan);
     let is_drawn = |name| plan.pictures.as_deref().unwrap_or(&[RESTITUTION]).contains(&name);
-    let drawn = columns().into_iter().filter(|column| is_drawn(column.name)).flat_map(|result| {
+    let drawn = result_columns().into_iter().filter(|column| is_drawn(column.name)).flat_map(|result| {
         let picture = ResultPicture { plan, evaluator, axes, along, result };
         let lines = if along.is_some() { picture.curves() } else { picture.columns() };
         let map = has_map.then(|| (format!("{}_map", result.name), picture.map()));
@@ -186,7 +186,7 @@ struct ResultPicture<'a> {
     axes: &'a [Axis],
     /// The place of the axis along which curves run: 0 or 1.
     along: Option<usize>,
-    result: Column,
+    result: ResultColumn,
 }
 
 impl ResultPicture<'_> {
@@ -351,7 +351,7 @@ fn result_axis(name: &str) -> (String, chart::Axis) {
 }
 
 /// The histogram of a column of random cases; `None` where all values are equal.
-fn bars(column: &Column, statistics: &Statistics) -> Option<Chart> {
+fn bars(column: &ResultColumn, statistics: &Statistics) -> Option<Chart> {
     let (low, high, counts) = statistics.histogram(BARS)?;
     let all = statistics.distribution()?;
     let dimension = dimension_of(column.name);

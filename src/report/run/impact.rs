@@ -10,8 +10,8 @@ use crate::report::text::check::of_contact;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
 use crate::report::text::{table, trace};
-use crate::results::fields;
-use crate::results::impact::{Single, results};
+use crate::results::impact::{SingleImpact, impact_results};
+use crate::results::to_fields;
 use crate::scenario::Scenario;
 use crate::scenario::input::{Input, Purpose};
 use crate::scenario::keys::{restitution_interval, strength_notes};
@@ -69,8 +69,9 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     })?);
     let interval = restitution_interval(&input, &contact, impact.speed, &impact.essentials);
     let drop_height = input.drop_height();
-    let single = Single { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
-    let files = with_summary(files, provenance, fields(&results(), &single), &Inputs::new(&input))?;
+    let single =
+        SingleImpact { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
+    let files = with_summary(files, provenance, to_fields(&impact_results(), &single), &Inputs::new(&input))?;
     let text = table(&single, options.detail);
     Ok(Outcome { notes, ..Outcome::done(texts(&impact.warnings), text, files) })
 }

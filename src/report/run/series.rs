@@ -13,7 +13,7 @@ use crate::report::text::inputs::Inputs;
 use crate::report::text::notes as report_notes;
 use crate::report::text::overview::overview;
 use crate::report::text::series as report;
-use crate::results::series::Series;
+use crate::results::series::SeriesReport;
 use crate::scenario::Scenario;
 use crate::scenario::input::{Input, Purpose};
 use crate::scenario::keys::strength_notes;
@@ -48,7 +48,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         return Ok(Outcome { notes, ..Outcome::checked(warnings, text, of_contact(&input, &contact)) });
     };
     let provenance = provenance(scenario, &input, sequence.method, options.command);
-    let series = Series { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
+    let series = SeriesReport { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
         file("impacts.csv", report::impacts(&sequence)?),
         file("trace.csv", report::trace(&sequence, input.samples())?),

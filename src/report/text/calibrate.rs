@@ -10,7 +10,7 @@ use crate::calibrate::minimise::ParameterPoint;
 use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
-use crate::results::{Reported, fields, results};
+use crate::results::{ResultSpec, result_specs, to_fields};
 use crate::scenario::input::{Body, Measured};
 use crate::scenario::keys::key_of;
 use crate::strings::align_columns;
@@ -50,10 +50,10 @@ pub struct Calibrated<'a> {
 }
 
 /// The results of a calibration, in the order of `summary.json`.
-pub fn results<'a>() -> Vec<Reported<Calibrated<'a>>> {
-    results! { |one: Calibrated<'a>|
+pub fn results<'a>() -> Vec<ResultSpec<Calibrated<'a>>> {
+    result_specs! { |one: Calibrated<'a>|
         /// The result for each key, see below.
-        "keys": (0..one.calibration.keys.len()).map(|i| json!(fields(&key(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
+        "keys": (0..one.calibration.keys.len()).map(|i| json!(to_fields(&key(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
         /// Why there is no interval; `null` if there is one.
         "refusal": one.calibration.refusal.clone();
         /// Correlation of the two keys.
@@ -137,8 +137,8 @@ impl KeyResult<'_> {
 }
 
 /// The results for one of the keys.
-pub fn key<'a>() -> Vec<Reported<KeyResult<'a>>> {
-    results! { |one: KeyResult<'a>|
+pub fn key<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
+    result_specs! { |one: KeyResult<'a>|
         /// Path of the key.
         "key": one.found().free.key.path;
         /// Its name as a column, with the unit of the values.
@@ -181,7 +181,7 @@ fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
 
 /// The results by their names.
 pub fn found(measured: &Measurements, calibration: &Calibration) -> Map<String, Value> {
-    fields(&results(), &Calibrated { measured, calibration })
+    to_fields(&results(), &Calibrated { measured, calibration })
 }
 
 /// The inputs that neither the data give nor the calibration finds.

@@ -4,13 +4,13 @@ use serde_json::{Map, Value};
 
 use super::inputs::Inputs;
 use crate::impact::Contact;
-use crate::results::{Reported, fields, results};
+use crate::results::{ResultSpec, result_specs, to_fields};
 use crate::scenario::input::Input;
 use crate::scenario::plan::Plan;
 
 /// The numbers of a contact at which no sphere has arrived.
-pub fn contact() -> Vec<Reported<Contact>> {
-    results! { |contact: Contact|
+pub fn contact() -> Vec<ResultSpec<Contact>> {
+    result_specs! { |contact: Contact|
         /// Mass of the sphere.
         "sphere_mass_kg" in Mass as "sphere mass": contact.mass();
         /// Mass of the body that is hit.
@@ -46,7 +46,7 @@ pub(super) fn at_its_speed(input: &Input, contact: &Contact) -> Contact {
 /// A scenario of impacts; of a table, it is its first case.
 pub fn of_contact(input: &Input, contact: &Contact) -> Map<String, Value> {
     let inputs = Inputs::new(input).json().into();
-    let numbers = fields(&self::contact(), &at_its_speed(input, contact)).into();
+    let numbers = to_fields(&self::contact(), &at_its_speed(input, contact)).into();
     Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), numbers)])
 }
 

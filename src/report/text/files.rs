@@ -7,7 +7,7 @@ use super::inputs::Inputs;
 use crate::error::Error;
 use crate::files::Provenance;
 use crate::impact::Impact;
-use crate::results::{Reported, trace};
+use crate::results::{ResultSpec, trace};
 
 /// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
 pub fn summary(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
@@ -18,9 +18,9 @@ pub fn summary(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Pr
 
 /// The rows as CSV with a header line. A column with a condition is written if any row has a
 /// value for it.
-pub fn csv<T>(columns: &[Reported<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, Error> {
+pub fn csv<T>(columns: &[ResultSpec<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, Error> {
     let is_there =
-        |column: &&Reported<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());
+        |column: &&ResultSpec<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());
     let columns: Vec<_> = columns.iter().filter(is_there).collect();
     let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
     writer.write_record(columns.iter().map(|column| column.name))?;
@@ -40,5 +40,5 @@ pub fn written(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, Error> {
 
 /// `trace.csv` of one impact; only the header for an impact that recorded none.
 pub fn trace(impact: &Impact) -> Result<Vec<u8>, Error> {
-    csv(&trace::results(), impact.trace.iter().copied())
+    csv(&trace::trace_results(), impact.trace.iter().copied())
 }

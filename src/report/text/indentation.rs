@@ -8,7 +8,7 @@ use super::{overview, terminal};
 use crate::contact::pair::imprint_name;
 use crate::error::Error;
 use crate::impact::indentation::{IndentationRow, SetPoint, SpecimenResult, StepResult};
-use crate::results::{Reported, fields, lists, results};
+use crate::results::{ResultSpec, result_specs, to_field_list, to_fields};
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
 use crate::scenario::keys::interval::WHICH_STRENGTH;
@@ -18,8 +18,8 @@ use crate::strings::align_columns;
 use crate::units::{Dimension, format_si_and_short};
 
 /// The results of one half-space, in the order of `summary.json`.
-pub fn half_space() -> Vec<Reported<SpecimenResult>> {
-    results! { |tested: SpecimenResult|
+pub fn half_space() -> Vec<ResultSpec<SpecimenResult>> {
+    result_specs! { |tested: SpecimenResult|
         /// Name of the half-space.
         "name" as "half-space" if NAMED: tested.specimen.name.clone();
         /// Young's modulus.
@@ -60,8 +60,8 @@ pub struct Stepped<'a> {
     tested: &'a SpecimenResult,
 }
 
-pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
-    results! { |row: Stepped<'a>|
+pub fn step<'a>() -> Vec<ResultSpec<Stepped<'a>>> {
+    result_specs! { |row: Stepped<'a>|
         /// Number of the step, from 1.
         "step" as "step": row.number;
         /// Load at which the step ends.
@@ -110,8 +110,8 @@ pub fn step<'a>() -> Vec<Reported<Stepped<'a>>> {
 pub type Traced<'a> = (Option<&'a str>, &'a IndentationRow);
 
 /// The columns of `trace.csv`.
-pub fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
-    results! { |row: Traced<'a>|
+pub fn columns<'a>() -> Vec<ResultSpec<Traced<'a>>> {
+    result_specs! { |row: Traced<'a>|
         /// Name of the half-space.
         "half_space" if NAMED: row.0.map(str::to_owned);
         /// Number of the step, from 1.
@@ -132,8 +132,8 @@ pub fn columns<'a>() -> Vec<Reported<Traced<'a>>> {
 /// The results by their names.
 pub fn found(tested: &[SpecimenResult], warnings: &[String]) -> Map<String, Value> {
     let of_half_space = |one| {
-        let mut half_space = fields(&half_space(), one);
-        half_space.insert("steps".to_owned(), lists(&step(), &stepped(one)));
+        let mut half_space = to_fields(&half_space(), one);
+        half_space.insert("steps".to_owned(), to_field_list(&step(), &stepped(one)));
         half_space
     };
     let half_spaces = tested.iter().map(of_half_space).collect();
@@ -185,7 +185,7 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
 
 /// A check as data: the inputs, and every half-space.
 pub fn checked(tested: &[SpecimenResult], inputs: &Inputs) -> Map<String, Value> {
-    let half_spaces = lists(&half_space(), tested);
+    let half_spaces = to_field_list(&half_space(), tested);
     Map::from_iter([("inputs".to_owned(), inputs.json().into()), ("half_spaces".to_owned(), half_spaces)])
 }
 

@@ -7,9 +7,9 @@ use super::terminal::{self, Detail};
 use crate::error::Error;
 use crate::impact::flight::trajectory::Flight;
 use crate::impact::series::{ImpactSeries, SeriesImpact, SeriesMode, SeriesResult};
-use crate::results::fields;
 use crate::results::series as results;
-use crate::results::series::{Series, TraceRow};
+use crate::results::series::{SeriesReport, SeriesTraceRow};
+use crate::results::to_fields;
 use crate::results::trace::event_name;
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_result};
@@ -18,8 +18,8 @@ use crate::units::{Dimension, format_result};
 const LISTED: usize = 1000;
 
 /// The results by their names.
-pub fn found(series: &Series) -> Map<String, Value> {
-    let mut results = fields(&results::results(), series);
+pub fn found(series: &SeriesReport) -> Map<String, Value> {
+    let mut results = to_fields(&results::series_results(), series);
     if let SeriesMode::Shots(speeds) = &series.repeat.mode
         && speeds.len() <= LISTED
     {
@@ -30,7 +30,7 @@ pub fn found(series: &Series) -> Map<String, Value> {
 
 /// `impacts.csv`: one row per impact.
 pub fn impacts(sequence: &SeriesResult) -> Result<Vec<u8>, Error> {
-    csv(&results::impacts(), (1..).zip(sequence.impacts.iter().copied()))
+    csv(&results::impact_columns(), (1..).zip(sequence.impacts.iter().copied()))
 }
 
 /// `trace.csv`: the impacts that were traced, and the flights between them.
@@ -42,7 +42,7 @@ pub fn trace(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Error> 
     }
     for (i, (hit, impact)) in sequence.impacts.iter().zip(&sequence.traced_impacts).enumerate() {
         let mut at: Option<(f64, f64, f64)> = None;
-        rows.extend(impact.trace.iter().map(|row| TraceRow {
+        rows.extend(impact.trace.iter().map(|row| SeriesTraceRow {
             impact: i + 1,
             time: hit.time.unwrap_or(0.0) + row.time,
             position: row.friction.map(|friction| {
@@ -63,15 +63,15 @@ pub fn trace(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Error> 
             fly(i + 1, flight, hops, samples, &mut rows);
         }
     }
-    csv(&results::trace(), rows.into_iter())
+    csv(&results::trace_columns(), rows.into_iter())
 }
 
 /// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
 /// sphere, where the first fall begins, is a row of the flight.
-fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<TraceRow>) {
+fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<SeriesTraceRow>) {
     rows.extend((usize::from(impact > 0)..=samples).map(|i| {
         let time = flight.duration * i as f64 / (samples + 1) as f64;
-        TraceRow {
+        SeriesTraceRow {
             impact,
             time: flight.begin + time,
             position: hops.then(|| flight.position_at(time)),
@@ -88,16 +88,16 @@ fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Ve
 const SHOWN: (usize, usize) = (12, 5);
 
 /// The table for the terminal: lines about the series, and a line for each impact.
-pub fn table(series: &Series, detail: Detail) -> String {
+pub fn table(series: &SeriesReport, detail: Detail) -> String {
     let hits = &series.sequence.impacts;
     let is_shown = |(number, _): &(usize, &SeriesImpact)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
     let shown: Vec<(usize, SeriesImpact)> =
         (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
-    let mut rows = terminal::columns(&results::impacts(), &shown);
+    let mut rows = terminal::columns(&results::impact_columns(), &shown);
     if shown.len() < hits.len() {
         rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
     }
-    let mut about = results::results();
+    let mut about = results::series_results();
     about.retain(|result| detail == Detail::Whole || result.name != "energy.drift");
     let mut lines = terminal::lines(&about, series);
     let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());

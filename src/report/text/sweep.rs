@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use crate::results::Column;
-use crate::results::{Reported, dimension_of, fields, lists, results};
+use crate::results::ResultColumn;
+use crate::results::{ResultSpec, dimension_of, result_specs, to_field_list, to_fields};
 use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
 use crate::strings::align_columns;
 use crate::table::Tally;
@@ -16,8 +16,8 @@ use crate::units::{format_result, quantities};
 type Totals<'a> = (&'a Tally, Option<Distribution>, Option<Value>);
 
 /// The results of the rows, in the order of `summary.json`.
-pub fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
-    results! { |totals: Totals<'a>|
+pub fn totals<'a>() -> Vec<ResultSpec<Totals<'a>>> {
+    result_specs! { |totals: Totals<'a>|
         /// Rows of the table.
         "rows": totals.0.rows;
         /// Rows without a result.
@@ -44,8 +44,8 @@ pub fn totals<'a>() -> Vec<Reported<Totals<'a>>> {
 }
 
 /// The distribution of a column of random cases.
-pub fn distributions() -> Vec<Reported<(Column, Distribution)>> {
-    results! { |one: (Column, Distribution)|
+pub fn distributions() -> Vec<ResultSpec<(ResultColumn, Distribution)>> {
+    result_specs! { |one: (ResultColumn, Distribution)|
         /// Name of the column, with its unit.
         "column": one.0.name;
         /// Values that the distribution is made of.
@@ -66,8 +66,8 @@ pub fn distributions() -> Vec<Reported<(Column, Distribution)>> {
 }
 
 /// The description of every random key.
-pub fn drawn() -> Vec<Reported<Variable>> {
-    results! { |variable: Variable|
+pub fn drawn() -> Vec<ResultSpec<Variable>> {
+    result_specs! { |variable: Variable|
         /// Path of the key.
         "key": variable.key.path;
         /// Name of its distribution: `uniform`, `normal` or `lognormal`.
@@ -85,10 +85,10 @@ pub fn drawn() -> Vec<Reported<Variable>> {
 pub fn found(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Value> {
     let all = tally.distributions();
     let (e, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|(column, _)| column.name == RESTITUTION);
-    let columns = (!others.is_empty()).then(|| lists(&distributions(), &others));
-    let mut results = fields(&totals(), &(tally, e.first().map(|(_, e)| *e), columns));
+    let columns = (!others.is_empty()).then(|| to_field_list(&distributions(), &others));
+    let mut results = to_fields(&totals(), &(tally, e.first().map(|(_, e)| *e), columns));
     if let Cases::MonteCarlo { seed, variables, .. } = &plan.cases {
-        results.insert("random".to_owned(), lists(&drawn(), variables));
+        results.insert("random".to_owned(), to_field_list(&drawn(), variables));
         results.insert("seed".to_owned(), (*seed).into());
     }
     results.insert("warnings".to_owned(), warnings.into());
@@ -118,12 +118,12 @@ pub fn lines(plan: &Plan, tally: &Tally) -> String {
 }
 
 /// The name of a column in words, without its unit.
-fn words(column: &Column) -> String {
+fn words(column: &ResultColumn) -> String {
     column.name.strip_suffix(dimension_of(column.name).suffix()).unwrap_or(column.name).replace('_', " ")
 }
 
 /// The row of a column in the table of random cases: "5 %" has the value above 5 % of all values.
-fn quantiles((column, all): &(Column, Distribution)) -> [String; 6] {
+fn quantiles((column, all): &(ResultColumn, Distribution)) -> [String; 6] {
     let dimension = dimension_of(column.name);
     let values = [all.mean, all.quantile_05, all.quantile_50, all.quantile_95];
     let mut texts = quantities(&values, dimension).into_iter();

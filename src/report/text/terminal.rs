@@ -3,8 +3,8 @@
 use serde_json::Value;
 
 use crate::impact::{Impact, WarningKind};
-use crate::results::impact::{Single, results};
-use crate::results::{Reported, Shown};
+use crate::results::impact::{SingleImpact, impact_results};
+use crate::results::{NumberFormat, ResultSpec};
 use crate::scenario::keys::SMALL;
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_percent, format_result, format_si_and_short};
@@ -33,11 +33,11 @@ const BRIEF: [&str; 10] = [
     "dent_diameter_m",
 ];
 
-pub fn impact(single: &Single, detail: Detail) -> String {
+pub fn impact(single: &SingleImpact, detail: Detail) -> String {
     let impact = single.impact;
     let is_of_the_integrator =
         |name: &str| ["accuracy.", "work.", "energy.drift"].iter().any(|begin| name.starts_with(begin));
-    let mut results = results();
+    let mut results = impact_results();
     let is_brief = detail == Detail::Brief;
     let is_shared = impact.has_flat() && impact.dent_depth() > 0.0;
     let is_idle = |name: &str| match name {
@@ -130,10 +130,10 @@ pub(super) fn rename_dent<'t>(texts: impl Iterator<Item = &'t mut String>, left_
 pub(super) type Line = [String; 3];
 
 /// A line for every result; a label with braces adds its value to the remarks of the line above.
-pub(super) fn lines<T>(results: &[Reported<T>], subject: &T) -> Vec<Line> {
+pub(super) fn lines<T>(results: &[ResultSpec<T>], subject: &T) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     let mut whole = f64::NAN;
-    for Reported { shown, label, value, .. } in labelled(results) {
+    for ResultSpec { format: shown, label, value, .. } in labelled(results) {
         let Some(value) = value(subject) else { continue };
         let Some((before, after)) = label.split_once('{') else {
             whole = value.as_f64().unwrap_or(f64::NAN);
@@ -155,11 +155,11 @@ pub(super) fn lines<T>(results: &[Reported<T>], subject: &T) -> Vec<Line> {
 
 /// A line of labels, and a line for every row. Results with the same label share a column; a column without values is left
 /// out.
-pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>> {
+pub(super) fn columns<T>(results: &[ResultSpec<T>], rows: &[T]) -> Vec<Vec<String>> {
     let cell = |label: &str, row: &T| {
         labelled(results).filter(|result| result.label == label).find_map(|result| {
             let value = (result.value)(row)?;
-            text(result.shown, &value)
+            text(result.format, &value)
         })
     };
     let mut labels: Vec<&str> = labelled(results).map(|result| result.label).collect();
@@ -179,33 +179,33 @@ pub(super) fn columns<T>(results: &[Reported<T>], rows: &[T]) -> Vec<Vec<String>
 }
 
 /// A label and a value for every result, with the SI unit and all digits where they are few: as `check` shows numbers.
-pub(super) fn described<T>(results: &[Reported<T>], subject: &T) -> impl Iterator<Item = [String; 2]> {
-    labelled(results).filter_map(|Reported { shown, label, value, .. }| {
+pub(super) fn described<T>(results: &[ResultSpec<T>], subject: &T) -> impl Iterator<Item = [String; 2]> {
+    labelled(results).filter_map(|ResultSpec { format: shown, label, value, .. }| {
         let value = value(subject)?;
         let text = match (shown, value.as_f64()) {
-            (Shown::In(dimension), Some(number)) => format_si_and_short(number, *dimension),
+            (NumberFormat::Unit(dimension), Some(number)) => format_si_and_short(number, *dimension),
             _ => text(*shown, &value)?,
         };
         Some([(*label).to_owned(), text])
     })
 }
 
-fn labelled<T>(results: &[Reported<T>]) -> impl Iterator<Item = &Reported<T>> {
+fn labelled<T>(results: &[ResultSpec<T>]) -> impl Iterator<Item = &ResultSpec<T>> {
     results.iter().filter(|result| !result.label.is_empty())
 }
 
 /// A value as text; `None` where there is no value.
-fn text(shown: Shown, value: &Value) -> Option<String> {
+fn text(shown: NumberFormat, value: &Value) -> Option<String> {
     let value = match value {
         Value::String(word) => return Some(word.clone()),
         Value::Number(count) if !count.is_f64() => return Some(count.to_string()),
         value => value.as_f64()?,
     };
     Some(match shown {
-        Shown::Plain => format_four_digits(value),
-        Shown::In(dimension) => format_result(value, dimension),
-        Shown::Percent => format_percent(value),
-        Shown::Deviation => format!("{:+.1} %", 100.0 * value),
-        Shown::Error => format!("{value:.1e}"),
+        NumberFormat::Plain => format_four_digits(value),
+        NumberFormat::Unit(dimension) => format_result(value, dimension),
+        NumberFormat::Percent => format_percent(value),
+        NumberFormat::Deviation => format!("{:+.1} %", 100.0 * value),
+        NumberFormat::Error => format!("{value:.1e}"),
     })
 }

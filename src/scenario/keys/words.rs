@@ -7,7 +7,7 @@ use crate::contact::strength::kind::StrengthKind;
 use crate::impact::series::SpotMode;
 use crate::impact::{Method, PlateTheory};
 use crate::materials::{MaterialEntry, all};
-use crate::results::columns;
+use crate::results::result_columns;
 use crate::strings::did_you_mean;
 
 const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> Words {
@@ -74,7 +74,7 @@ pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL
 /// Distributions of a material within its ranges.
 pub static DRAWN: Words = words("word", "words here", || texts(["uniform"]));
 /// Names of the results that a table may have.
-pub static COLUMNS: Words = words("result", "results", || texts(columns().iter().map(|column| column.name)));
+pub static COLUMNS: Words = words("result", "results", || texts(result_columns().iter().map(|column| column.name)));
 
 fn texts(known: impl IntoIterator<Item = impl ToString>) -> Vec<String> {
     known.into_iter().map(|word| word.to_string()).collect()

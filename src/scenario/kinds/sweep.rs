@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
-use crate::results::{Column, columns};
+use crate::results::{ResultColumn, result_columns};
 use crate::scenario::input::Purpose;
 use crate::scenario::keys::{At, OTHER, at};
 use crate::scenario::plan::read_axes::{METHOD, RandomKeys};
@@ -72,7 +72,7 @@ impl Scenario {
     fn chosen(&self, key: &str, at: At<OTHER>, plan: &Plan) -> Result<Option<Vec<&'static str>>, Error> {
         let Some(names) = self.input.words(at) else { return Ok(None) };
         let mut chosen = Vec::new();
-        for Column { name, needs, .. } in columns() {
+        for ResultColumn { name, needs, .. } in result_columns() {
             let count = names.iter().filter(|given| *given == name).count();
             let missing = plan.missing(needs).filter(|_| count > 0);
             if let Some(reason) = missing {

@@ -11,7 +11,7 @@ use super::keys::interval::has_strength_parts;
 use super::keys::interval::law_error::has_law_error;
 use super::keys::{at, key_of};
 use crate::impact::{Method, Warning};
-use crate::results::{Column, Needs, columns};
+use crate::results::{Requirement, ResultColumn, result_columns};
 pub(crate) use axis::{Axis, Setting, Values, Word};
 pub use free_key::Free;
 pub(crate) use random::{Distribution, Draws, Variable};
@@ -102,53 +102,63 @@ impl Plan {
             && (varies(body.material()) || body.strength_numbers().into_iter().any(|number| varies(number.path())))
     }
 
-    pub fn results(&self) -> Vec<Column> {
+    pub fn results(&self) -> Vec<ResultColumn> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
-        let all = columns().into_iter();
+        let all = result_columns().into_iter();
         all.filter(|column| self.missing(column.needs).is_none() && is_wanted(column.name)).collect()
     }
 
     /// The columns whose distribution is reported, the restitution first: the columns that the scenario names among its columns or
     /// pictures. Empty if nothing is random.
-    pub fn statistics_columns(&self) -> Vec<Column> {
+    pub fn statistics_columns(&self) -> Vec<ResultColumn> {
         if !self.is_monte_carlo() {
             return Vec::new();
         }
         let named = [&self.columns, &self.pictures];
         let is_named = |name| named.iter().any(|names| names.as_ref().is_some_and(|names| names.contains(&name)));
-        let mut all: Vec<Column> = self.results();
+        let mut all: Vec<ResultColumn> = self.results();
         all.retain(|column| column.name == RESTITUTION || is_named(column.name));
         all.sort_by_key(|column| column.name != RESTITUTION);
         all
     }
 
     /// Why a table lacks a column with this requirement; `None` if the table has it.
-    pub fn missing(&self, needs: Needs) -> Option<&'static str> {
+    pub fn missing(&self, needs: Requirement) -> Option<&'static str> {
         let input = &self.input;
         let is_on_plate = input.forces().plate.is_some();
         let is_free = input.number(at!("half_space.mass")).is_some();
         match needs {
-            Needs::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
-            Needs::Interval if !self.has_interval() => Some(
+            Requirement::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
+            Requirement::Interval if !self.has_interval() => Some(
                 "nothing is known of the strength but its number: name a material, or give a hardness or strength_kind = \"proof\"",
             ),
-            Needs::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
-            Needs::Flat if !input.has_strength(Body::Sphere) => Some("without sphere.yield_strength there is no flat"),
-            Needs::Incidence if input.incidence().is_none() => {
+            Requirement::Rate if !input.has_rate() => Some("without half_space.rate no strength depends on the rate"),
+            Requirement::Flat if !input.has_strength(Body::Sphere) => {
+                Some("without sphere.yield_strength there is no flat")
+            }
+            Requirement::Incidence if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")
             }
-            Needs::Flight if input.flying().is_none() => {
+            Requirement::Flight if input.flying().is_none() => {
                 Some("without impact.drop_height or gravity.acceleration nothing says how high the sphere rises")
             }
-            Needs::Density if input.number(at!("half_space.density")).is_none() => {
+            Requirement::Density if input.number(at!("half_space.density")).is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }
-            Needs::Flight if is_free => Some("a body with half_space.mass moves, and nothing is known of how both fly"),
-            Needs::Density if is_free => Some("a body with half_space.mass moves, and no waves are computed in it"),
-            Needs::Target | Needs::Struck if !is_free => Some("without half_space.mass the body that is hit is fixed"),
-            Needs::Struck if input.incidence().is_none() => Some("without impact.angle or sphere.spin nothing slides"),
-            Needs::Density if is_on_plate => Some("with half_space.thickness a plate takes the energy"),
-            Needs::Thickness if !is_on_plate => Some("without half_space.thickness there is no plate"),
+            Requirement::Flight if is_free => {
+                Some("a body with half_space.mass moves, and nothing is known of how both fly")
+            }
+            Requirement::Density if is_free => {
+                Some("a body with half_space.mass moves, and no waves are computed in it")
+            }
+            Requirement::Target | Requirement::Struck if !is_free => {
+                Some("without half_space.mass the body that is hit is fixed")
+            }
+            Requirement::Struck if input.incidence().is_none() => {
+                Some("without impact.angle or sphere.spin nothing slides")
+            }
+            Requirement::Density if is_on_plate => Some("with half_space.thickness a plate takes the energy"),
+            Requirement::Thickness if !is_on_plate => Some("without half_space.thickness there is no plate"),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 //! The columns of a table in any format: where the values of each column come from.
 
-use crate::results::Column as ResultColumn;
+use crate::results::ResultColumn;
 use crate::scenario::plan::{Cases, Plan, Setting, Values, Word};
 
 /// Where the values of a column come from.

@@ -7,7 +7,7 @@ use std::path::Path;
 use super::Form;
 use super::column::{Column, columns};
 use crate::files::{AtomicFile, begins_like};
-use crate::results::Column as ResultColumn;
+use crate::results::ResultColumn;
 use crate::scenario::plan::{Plan, Values};
 use crate::table::Rows;
 use crate::table::tally::{Count, status, written};

@@ -1,7 +1,7 @@
 //! Invariants between an impact and the same impact in other units.
 
-use plm_impact::results::Shown;
-use plm_impact::results::impact::{Single, results};
+use plm_impact::results::NumberFormat;
+use plm_impact::results::impact::{SingleImpact, impact_results};
 use plm_impact::units::Dimension;
 
 use super::balances::Judged;
@@ -83,16 +83,21 @@ pub fn units_do_not_matter(run: &Run) -> Judged {
     let allowed = if run.impact.rebound.is_some() { allowed.max(1e-7) } else { allowed };
     let sizes = [run.impact.peak_indentation, run.impact.peak_force, run.put_in()];
     let [one, two] = [run, &other].map(|run| (&run.contact, &run.impact));
-    let [one, two] =
-        [one, two].map(|(contact, impact)| Single { contact, impact, interval: None, notes: &[], drop_height: None });
+    let [one, two] = [one, two].map(|(contact, impact)| SingleImpact {
+        contact,
+        impact,
+        interval: None,
+        notes: &[],
+        drop_height: None,
+    });
     let mut compared = 0;
-    for result in results() {
+    for result in impact_results() {
         let of_run = ["work.", "accuracy.", "verlet.", "friction_error", "energy.drift", "energy.angular"];
         if of_run.iter().any(|begin| result.name.starts_with(begin)) {
             continue;
         }
-        let dimension = match result.shown {
-            Shown::In(dimension) => dimension,
+        let dimension = match result.format {
+            NumberFormat::Unit(dimension) => dimension,
             _ if result.name.ends_with("_Pa") => Dimension::Pressure,
             _ => Dimension::Ratio,
         };

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use plm_impact::impact::indentation::SetPoint;
 use plm_impact::results::TABLES;
-use plm_impact::results::impact::results;
+use plm_impact::results::impact::impact_results;
 use plm_impact::scenario::Source;
 use plm_impact::scenario::input::{KEYS, Purpose, without_effect};
 use plm_impact::scenario::keys::key::{Form, Part};
@@ -49,7 +49,7 @@ fn the_stub_of_an_impact_has_its_results() {
     const MARKS: [&str; 2] = ["    # results: written by a test\n", "    # end of results\n"];
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/interfaces/python/plm_impact/__init__.pyi");
     let stub = std::fs::read_to_string(&path).unwrap();
-    let of_impacts = results().into_iter().filter(|result| result.condition != TABLES);
+    let of_impacts = impact_results().into_iter().filter(|result| result.condition != TABLES);
     let names = of_impacts.flat_map(|result| [result.name.split('.').next().unwrap(), result.name]);
     let names: BTreeSet<&str> = names.filter(|name| !name.contains('.')).collect();
     let known = ["restitution", "warnings"];
@@ -58,7 +58,9 @@ fn the_stub_of_an_impact_has_its_results() {
     let (before, rest) = stub.split_once(MARKS[0]).unwrap();
     let (_, after) = rest.split_once(MARKS[1]).unwrap();
     assert!(names.contains("peak_force_N") && names.contains("energy"), "{names:?}");
-    assert!(results().iter().any(|result| result.name == "plastic_fraction") && !names.contains("plastic_fraction"));
+    assert!(
+        impact_results().iter().any(|result| result.name == "plastic_fraction") && !names.contains("plastic_fraction")
+    );
     assert_golden(&path, format!("{before}{}{lines}{}{after}", MARKS[0], MARKS[1]));
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use plm_impact::report::text::{calibrate, check, indentation, materials, sweep, units};
 use plm_impact::results::series;
-use plm_impact::results::{Reported, Shown, impact, trace};
+use plm_impact::results::{NumberFormat, ResultSpec, impact, trace};
 use plm_impact::scenario::key_docs::written;
 use plm_impact::scenario::keys::key::AnyKey;
 use plm_impact::strings::markdown_table;
@@ -41,26 +41,26 @@ fn of_materials() -> String {
 }
 
 /// The results of a file, or of a part of one, and their names with how each is shown.
-type FileOfResults = (String, Vec<(&'static str, Shown)>);
+type FileOfResults = (String, Vec<(&'static str, NumberFormat)>);
 
-fn file<T>(title: &str, results: &[Reported<T>]) -> FileOfResults {
+fn file<T>(title: &str, results: &[ResultSpec<T>]) -> FileOfResults {
     let mut text = format!("### {title}\n\n| name | meaning | when it is there |\n|---|---|---|\n");
-    for Reported { name, about, condition, column, .. } in results {
+    for ResultSpec { name, description: about, condition, column, .. } in results {
         let mark = if column.is_some() { " \u{25a6}" } else { "" };
         let condition = if condition.is_empty() { "always" } else { condition };
         let _ = writeln!(text, "| `{name}`{mark} | {about} | {condition} |");
     }
-    (text + "\n", results.iter().map(|result| (result.name, result.shown)).collect())
+    (text + "\n", results.iter().map(|result| (result.name, result.format)).collect())
 }
 
 /// The files of results of every kind of scene.
 fn files() -> [FileOfResults; 14] {
     [
-        file("One impact: `summary.json`, and columns of tables (\u{25a6})", &impact::results()),
-        file("One impact: `trace.csv`", &trace::results()),
-        file("Repeated impacts: `summary.json`", &series::results()),
-        file("Repeated impacts: `impacts.csv`", &series::impacts()),
-        file("Repeated impacts: `trace.csv`", &series::trace()),
+        file("One impact: `summary.json`, and columns of tables (\u{25a6})", &impact::impact_results()),
+        file("One impact: `trace.csv`", &trace::trace_results()),
+        file("Repeated impacts: `summary.json`", &series::series_results()),
+        file("Repeated impacts: `impacts.csv`", &series::impact_columns()),
+        file("Repeated impacts: `trace.csv`", &series::trace_columns()),
         file("Indentation: every half-space in `summary.json`", &indentation::half_space()),
         file("Indentation: every step of a half-space", &indentation::step()),
         file("Indentation: `trace.csv`", &indentation::columns()),
@@ -81,7 +81,7 @@ fn of_results() -> String {
 fn names_end_in_unit_of_their_number() {
     let all: Vec<_> = files().into_iter().flat_map(|(_, names)| names).collect();
     assert!(all.len() > 200, "{}", all.len());
-    let unit_of = |shown| if let Shown::In(dimension) = shown { Some(dimension) } else { None };
+    let unit_of = |shown| if let NumberFormat::Unit(dimension) = shown { Some(dimension) } else { None };
     let units: Vec<_> = all.iter().filter_map(|(_, shown)| unit_of(*shown)).collect();
     for (name, shown) in all {
         // the longest end that is a unit: "_m_per_s" ends in "_s" too
