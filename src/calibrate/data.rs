@@ -16,7 +16,7 @@
 //! Lines that begin with `#` are comments.
 
 use crate::error::Error;
-use crate::scenario::input::{KEYS, Key, Measured};
+use crate::scenario::input::{MeasuredQuantity, NUMERIC_KEYS, NumericKey};
 use crate::scenario::keys::Quantity;
 use crate::scenario::keys::quantity::{INDENTATION, LOAD};
 use crate::strings::csv::{CsvReader, csv_file_error};
@@ -28,7 +28,7 @@ use crate::units::{Dimension, parse};
 pub struct Value {
     pub row: usize,
     /// The kind of measurement.
-    pub quantity: Measured,
+    pub quantity: MeasuredQuantity,
     /// The value in SI units.
     pub value: f64,
     /// Standard deviation, SI, if the data give it.
@@ -52,7 +52,7 @@ pub struct Row {
 #[derive(Debug, Clone, Default)]
 pub struct Data {
     pub name: String,
-    pub keys: Vec<&'static Key>,
+    pub keys: Vec<&'static NumericKey>,
     /// The rows in the order of the file.
     pub rows: Vec<Row>,
     /// The values, row after row.
@@ -63,8 +63,8 @@ pub struct Data {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Role {
     Key(usize),
-    Measured(Measured),
-    Deviation(Measured),
+    Measured(MeasuredQuantity),
+    Deviation(MeasuredQuantity),
     Indentation,
 }
 
@@ -80,7 +80,7 @@ impl Data {
     /// The data of one impact, from names and values of the measured quantities.
     pub fn of_numbers(name: &str, numbers: &[(String, f64)]) -> Self {
         let value = |(name, value): &(String, f64)| {
-            Some(Value { row: 0, quantity: Measured::find(name)?, value: *value, deviation: None })
+            Some(Value { row: 0, quantity: MeasuredQuantity::find(name)?, value: *value, deviation: None })
         };
         let values = numbers.iter().filter_map(value).collect();
         Self { name: name.to_owned(), keys: Vec::new(), rows: vec![Row::default()], values }
@@ -88,12 +88,12 @@ impl Data {
 
     /// The rows are then points of an indentation curve, not impacts.
     pub fn is_curve(&self) -> bool {
-        self.values.iter().any(|value| value.quantity == Measured::Force)
+        self.values.iter().any(|value| value.quantity == MeasuredQuantity::Force)
     }
 
     /// The quantities that were measured, in the order of [`Measured::ALL`].
-    pub fn measured(&self) -> Vec<Measured> {
-        Measured::ALL
+    pub fn measured(&self) -> Vec<MeasuredQuantity> {
+        MeasuredQuantity::ALL
             .into_iter()
             .filter(|quantity| self.values.iter().any(|value| value.quantity == *quantity))
             .collect()
@@ -103,7 +103,10 @@ impl Data {
     /// because a force may be zero.
     pub fn sizes(&self) -> Vec<f64> {
         let largest = self.values.iter().map(|value| value.value).fold(0.0, f64::max);
-        self.values.iter().map(|value| if value.quantity == Measured::Force { largest } else { value.value }).collect()
+        self.values
+            .iter()
+            .map(|value| if value.quantity == MeasuredQuantity::Force { largest } else { value.value })
+            .collect()
     }
 
     /// Reads measurements from a text. Messages use `name` for the file.
@@ -141,9 +144,10 @@ impl Data {
                 return Err(format!("the column `{}` has no column `{}` beside it", column.name, quantity.name()));
             }
         }
-        let is_impact =
-            Measured::ALL.into_iter().any(|quantity| quantity != Measured::Force && has(Role::Measured(quantity)));
-        match (has(Role::Indentation), has(Role::Measured(Measured::Force))) {
+        let is_impact = MeasuredQuantity::ALL
+            .into_iter()
+            .any(|quantity| quantity != MeasuredQuantity::Force && has(Role::Measured(quantity)));
+        match (has(Role::Indentation), has(Role::Measured(MeasuredQuantity::Force))) {
             (true, true) | (false, false) if is_impact != has(Role::Indentation) => Ok(columns),
             (false, false) => Err(format!("no column is a measured quantity; {}", all())),
             (true, true) => Err("a file holds impacts or an indentation curve, not both; make two files".to_owned()),
@@ -154,12 +158,12 @@ impl Data {
     fn column(&mut self, name: &str) -> Result<DataColumn, String> {
         let (base, is_deviation) = name.strip_suffix("_sd").map_or((name, false), |base| (base, true));
         let measured =
-            Measured::ALL.into_iter().map(|one| (one.name().to_owned(), Role::Measured(one), one.quantity()));
-        let alias = |key: &Key| match key.path.split_once('.') {
+            MeasuredQuantity::ALL.into_iter().map(|one| (one.name().to_owned(), Role::Measured(one), one.quantity()));
+        let alias = |key: &NumericKey| match key.path.split_once('.') {
             Some(("impact", short)) => short.to_owned(),
             _ => key.path.replace('.', "_"),
         };
-        let keys = KEYS.iter().enumerate().map(|(at, key)| (alias(key), Role::Key(at), key.quantity));
+        let keys = NUMERIC_KEYS.iter().enumerate().map(|(at, key)| (alias(key), Role::Key(at), key.quantity));
         let known = measured.chain([("indentation".to_owned(), Role::Indentation, &INDENTATION)]).chain(keys);
         let plain = base.replace('.', "_");
         let plain = plain.strip_prefix("impact_").unwrap_or(&plain);
@@ -174,7 +178,8 @@ impl Data {
             if plain != name && self.column(&plain).is_ok() {
                 return Err(format!("unknown column `{name}`, did you mean `{plain}`?"));
             }
-            let names: Vec<&str> = Measured::ALL.iter().map(|one| one.name()).chain(["speed", "drop_height"]).collect();
+            let names: Vec<&str> =
+                MeasuredQuantity::ALL.iter().map(|one| one.name()).chain(["speed", "drop_height"]).collect();
             return Err(format!("unknown column `{name}`{}", did_you_mean(base, names, '`', &all())));
         };
         let dimension = quantity.dimension;
@@ -187,16 +192,16 @@ impl Data {
             return Err(format!("{message}: write {example}, or another unit"));
         }
         let quantity = match role {
-            _ if is_deviation => crate::scenario::keys::quantity::positive_of(dimension),
+            _ if is_deviation => crate::scenario::keys::quantity::positive_quantity(dimension),
             // the force of a curve may be 0
-            Role::Measured(Measured::Force) => LOAD,
+            Role::Measured(MeasuredQuantity::Force) => LOAD,
             _ => *quantity,
         };
         let role = match role {
             Role::Measured(quantity) if is_deviation => Role::Deviation(quantity),
             _ if is_deviation => return Err(format!("the column `{name}`: only measured quantities have an sd")),
             Role::Key(at) => {
-                self.keys.push(&KEYS[at]);
+                self.keys.push(&NUMERIC_KEYS[at]);
                 Role::Key(at)
             }
             role => role,
@@ -219,10 +224,10 @@ impl Data {
             let refuse = |message: String| format!("column {number}, `{}`: {message}", column.name);
             if field.is_empty() {
                 match column.role {
-                    Role::Key(at) if KEYS[at].path.starts_with("impact.") => {
+                    Role::Key(at) if NUMERIC_KEYS[at].path.starts_with("impact.") => {
                         // the line before may have other measured values too, left and right of its interval
                         let is_interval =
-                            |value: &&Value| value.row + 1 == row && value.quantity == Measured::BounceInterval;
+                            |value: &&Value| value.row + 1 == row && value.quantity == MeasuredQuantity::BounceInterval;
                         let interval = self.values.iter().rev().find(is_interval);
                         read.interval_before = Some(interval.map(|value| value.value).ok_or_else(|| {
                             refuse("is empty, and the line before has no bounce_interval from which the speed follows; give a value".to_owned())
@@ -231,7 +236,7 @@ impl Data {
                         continue;
                     }
                     Role::Deviation(_) => continue,
-                    Role::Measured(quantity) if quantity != Measured::Force => continue,
+                    Role::Measured(quantity) if quantity != MeasuredQuantity::Force => continue,
                     _ => return Err(refuse("is empty; give a value, or leave the line out".to_owned())),
                 }
             }
@@ -286,7 +291,7 @@ fn plain_column(name: &str) -> String {
 
 /// The names that columns may have, for messages.
 fn all() -> String {
-    let names = Measured::ALL.map(|one| format!("{}{}", one.name(), one.quantity().dimension.suffix()));
+    let names = MeasuredQuantity::ALL.map(|one| format!("{}{}", one.name(), one.quantity().dimension.suffix()));
     format!(
         "columns are speed_m_per_s, drop_height_m, {}, indentation_m, each of the measured ones with _sd at the end, the numeric keys of a scenario such as sphere_radius_m, and note",
         names.join(", ")

@@ -9,7 +9,7 @@ use super::data::{Data, Value};
 use super::minimise::ParameterPoint;
 use super::problem::Problem;
 use crate::numerics::functions::{exp, ln};
-use crate::scenario::input::Measured;
+use crate::scenario::input::MeasuredQuantity;
 use crate::units::{format_four_digits, format_percent};
 
 /// Usual error of a law, as a share of a prediction.
@@ -39,9 +39,9 @@ pub struct Identifiability {
 fn by_logarithms(problem: &Problem, place: &ParameterPoint) -> Option<DMatrix<f64>> {
     let mut matrix = problem.jacobian(&place.shares).ok()?;
     for ((mut column, free), share) in matrix.column_iter_mut().zip(problem.free).zip(&place.shares) {
-        let value = free.at(*share);
+        let value = free.value_at_share(*share);
         // a key at 0 has no logarithm: a step over its whole range counts as a doubling
-        column *= if value == 0.0 { (free.to - free.from) / ln(2.0) } else { value } / free.slope(*share);
+        column *= if value == 0.0 { (free.to - free.from) / ln(2.0) } else { value } / free.slope_at_share(*share);
     }
     Some(matrix)
 }
@@ -68,7 +68,7 @@ pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiabi
     }
     let matrix = by_logarithms(problem, place)?;
     let root = (problem.counted.len() as f64).sqrt();
-    let sizes = Measured::ALL.map(|quantity| size(problem, quantity));
+    let sizes = MeasuredQuantity::ALL.map(|quantity| size(problem, quantity));
     let mut relative = matrix.clone();
     for (mut row, at) in relative.row_iter_mut().zip(&problem.counted) {
         row *= problem.deviations[*at] / sizes[problem.data.values[*at].quantity as usize] / root;
@@ -88,7 +88,7 @@ pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiabi
 }
 
 /// Root mean square of the values of a quantity.
-fn size(problem: &Problem, quantity: Measured) -> f64 {
+fn size(problem: &Problem, quantity: MeasuredQuantity) -> f64 {
     let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.quantity == quantity);
     let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
     f64::sqrt(sum / count)
@@ -147,10 +147,11 @@ fn helpful(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>) 
         return Vec::new();
     }
     let measured = problem.data.measured();
-    let has_restitution = measured.iter().any(|quantity| quantity.is_of_restitution());
-    let is_new =
-        |quantity: &Measured| !(measured.contains(quantity) || has_restitution && quantity.is_of_restitution());
-    let change = |quantity: Measured| {
+    let has_restitution = measured.iter().any(|quantity| quantity.follows_from_restitution());
+    let is_new = |quantity: &MeasuredQuantity| {
+        !(measured.contains(quantity) || has_restitution && quantity.follows_from_restitution())
+    };
+    let change = |quantity: MeasuredQuantity| {
         let rows = 0..problem.data.rows.len();
         let values = rows.map(|row| Value { row, quantity, value: 1.0, deviation: None }).collect();
         let data = Data { values, ..problem.data.clone() };
@@ -160,6 +161,6 @@ fn helpful(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>) 
         let size = problem.counted.iter().map(|at| predicted[*at] * predicted[*at]).sum::<f64>().sqrt();
         Some((quantity.name(), doubling(direction) * moved / size)).filter(|(_, change)| *change > 2.0 * LAW)
     };
-    let of_impacts = Measured::ALL.into_iter().filter(|quantity| *quantity != Measured::Force);
+    let of_impacts = MeasuredQuantity::ALL.into_iter().filter(|quantity| *quantity != MeasuredQuantity::Force);
     of_impacts.filter(is_new).filter_map(change).collect()
 }

@@ -30,9 +30,9 @@ use crate::contact::law::LawChoice;
 use crate::error::{Error, ErrorKind};
 use crate::files::Progress;
 use crate::numerics::functions::hypot;
-use crate::scenario::input::Measured;
-use crate::scenario::kinds::calibration::{Source, Wanted};
-use crate::scenario::{Scenario, Source as Text};
+use crate::scenario::input::MeasuredQuantity;
+use crate::scenario::kinds::calibration::{CalibrationRequest, MeasurementSource};
+use crate::scenario::{Scenario, ScenarioSource as Text};
 use crate::strings::csv::csv_file_error;
 use crate::units::{format_four_digits, format_input};
 use data::Data;
@@ -52,7 +52,7 @@ const LEAST_DEVIATION: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub struct Measurements {
     /// The request of the scenario.
-    pub wanted: Wanted,
+    pub wanted: CalibrationRequest,
     pub data: Data,
     /// SHA-256 of the file; `None` if the measurements are in the scenario.
     pub sha256: Option<String>,
@@ -61,15 +61,15 @@ pub struct Measurements {
 impl Measurements {
     /// Reads the request of a scenario and its measurements.
     pub fn new(scenario: &Scenario) -> Result<Self, Error> {
-        let wanted = scenario.wanted()?;
+        let wanted = scenario.calibration_request()?;
         let of_text = |name: &str, text: String| {
             let data = Data::parse(name, &text)?;
             let text = Text { text, ..Text::default() };
             Ok::<_, Error>((data, Some(text.sha256())))
         };
         let (data, sha256) = match &wanted.source {
-            Source::Numbers(numbers) => (Data::of_numbers(scenario.document.name(), numbers), None),
-            Source::Text(name, text) => of_text(name, text.clone())?,
+            MeasurementSource::Numbers(numbers) => (Data::of_numbers(scenario.document.name(), numbers), None),
+            MeasurementSource::Text(name, text) => of_text(name, text.clone())?,
         };
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
         let measured = Self { wanted, data, sha256 };
@@ -89,7 +89,8 @@ impl Measurements {
         if values < keys {
             return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
         }
-        let is_idle = |name: &String| !Measured::find(name).is_some_and(|quantity| measured.contains(&quantity));
+        let is_idle =
+            |name: &String| !MeasuredQuantity::find(name).is_some_and(|quantity| measured.contains(&quantity));
         if let Some((name, _)) = self.wanted.deviations.iter().find(|(name, _)| is_idle(name)) {
             return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));
         }
@@ -117,7 +118,7 @@ impl Measurements {
 
     /// The noise of every value, from the standard deviations and the model error that are given.
     fn noise(&self) -> Result<NoiseModel, Error> {
-        let Wanted { deviations, model_error, is_estimated, .. } = &self.wanted;
+        let CalibrationRequest { deviations, model_error, is_estimated, .. } = &self.wanted;
         let of_quantity = |name: &str| deviations.iter().find(|given| given.0 == name).map(|given| given.1);
         let given = |value: &data::Value| value.deviation.or_else(|| of_quantity(value.quantity.name()));
         let values = &self.data.values;
@@ -238,11 +239,11 @@ impl Measurements {
 fn found(fit: &Fit, key: usize, is_determined: bool) -> KeyEstimate {
     let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
     let covariance = fit.covariance.as_ref().filter(|_| is_determined);
-    let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.at(share))));
+    let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.value_at_share(share))));
     KeyEstimate {
         free,
-        estimate: free.at(share),
-        sd: covariance.map(|covariance| free.slope(share) * covariance[(key, key)].sqrt()),
+        estimate: free.value_at_share(share),
+        sd: covariance.map(|covariance| free.slope_at_share(share) * covariance[(key, key)].sqrt()),
         intervals: is_determined.then(intervals),
     }
 }
@@ -252,7 +253,7 @@ fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<Strin
     let problem = &fit.problem;
     if let Some([low, high]) = fit.plateau() {
         let free = problem.free[0];
-        let [low, high] = [low, high].map(|share| free.text(free.at(share), 4));
+        let [low, high] = [low, high].map(|share| free.format_value(free.value_at_share(share), 4));
         return Some(format!(
             "every {} from {low} to {high} gives the same, as these impacts stay elastic there: measure faster impacts",
             free.key.path
@@ -272,7 +273,7 @@ fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<Strin
 
 /// See [`Calibration::misfit`].
 fn misfit(data: &Data, predicted: &[f64]) -> f64 {
-    let share_off = |quantity: Measured| {
+    let share_off = |quantity: MeasuredQuantity| {
         let values = data.values.iter().zip(predicted).filter(|(value, _)| value.quantity == quantity);
         let (off, size) = values.fold((0.0, 0.0), |(off, size), (value, predicted)| {
             (off + (value.value - predicted) * (value.value - predicted), size + value.value * value.value)

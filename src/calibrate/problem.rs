@@ -13,7 +13,7 @@ use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::indentation::{IndentationError, SetPoint, StaticContact};
 use crate::numerics::functions::{ln, ln_1p};
 use crate::scenario::input::Input;
-use crate::scenario::plan::Free;
+use crate::scenario::plan::FreeKey;
 
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoAnswer {
@@ -45,7 +45,7 @@ pub struct Problem<'a> {
     /// The input in which the keys that are wanted, and those of the data, have a place.
     filled: Input,
     /// The keys that are wanted.
-    pub free: &'a [Free],
+    pub free: &'a [FreeKey],
     pub data: &'a Data,
     /// Standard deviation of each value of the data.
     pub deviations: Vec<f64>,
@@ -63,7 +63,7 @@ pub struct Problem<'a> {
 
 impl<'a> Problem<'a> {
     /// A problem with all rows of the data.
-    pub fn new(input: &Input, free: &'a [Free], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
+    pub fn new(input: &Input, free: &'a [FreeKey], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
         let mut ranges = vec![0..0; data.rows.len()];
         for (at, value) in data.values.iter().enumerate() {
             let range = &mut ranges[value.row];
@@ -72,7 +72,7 @@ impl<'a> Problem<'a> {
         let mut filled = input.clone();
         for key in free.iter().map(|free| free.key).chain(data.keys.iter().copied()) {
             // it takes away the key in place of which it stands
-            key.put(&mut filled, 1.0);
+            key.set_exclusive(&mut filled, 1.0);
         }
         let (input, pieces, counted, progress) = (input.clone(), Vec::new(), Vec::new(), None);
         let empty = Self { input, filled, free, data, deviations, is_robust, pieces, counted, ranges, progress };
@@ -117,14 +117,14 @@ impl<'a> Problem<'a> {
 
     /// Values of the keys at these shares, SI.
     pub fn values(&self, shares: &[f64]) -> Vec<f64> {
-        self.free.iter().zip(shares).map(|(free, share)| free.at(*share)).collect()
+        self.free.iter().zip(shares).map(|(free, share)| free.value_at_share(*share)).collect()
     }
 
     /// The input with the keys that are wanted at these shares.
     fn filled_at(&self, shares: &[f64]) -> Input {
         let mut input = self.filled.clone();
         for (free, share) in self.free.iter().zip(shares) {
-            free.key.set(&mut input, Some(free.at(*share)));
+            free.key.set(&mut input, Some(free.value_at_share(*share)));
         }
         input
     }
@@ -180,7 +180,7 @@ impl<'a> Problem<'a> {
         let mut input = self.filled.clone();
         self.data.values.iter().find_map(|value| {
             self.with_row(&mut input, value.row, 0.0);
-            let limit = value.quantity.of_rebound(1.0, &input)?;
+            let limit = value.quantity.from_restitution(1.0, &input)?;
             (value.value > limit * (1.0 + 1e-12)).then_some((value, limit))
         })
     }
@@ -192,7 +192,7 @@ impl<'a> Problem<'a> {
             key.set(input, Some(*value));
         }
         if let Some(interval) = interval_before {
-            let flying = input.flying().unwrap_or(FreeFlight::in_vacuum(input.falling_gravity()));
+            let flying = input.free_flight().unwrap_or(FreeFlight::in_vacuum(input.drop_gravity()));
             let height = flying.rise_height(flying.take_off_speed((interval - in_contact).max(0.0)));
             for (key, _) in self.data.keys.iter().zip(keys).filter(|(_, value)| value.is_nan()) {
                 let is_height = key.path == "impact.drop_height";

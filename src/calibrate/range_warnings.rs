@@ -5,7 +5,7 @@ use super::Calibration;
 use super::data::Value;
 use super::problem::Problem;
 use crate::impact::Warning;
-use crate::scenario::input::Measured;
+use crate::scenario::input::MeasuredQuantity;
 
 impl Calibration<'_> {
     /// The worst warning of each kind, with the line of its impact, which measurements of the scenario itself do not have. A
@@ -19,8 +19,10 @@ impl Calibration<'_> {
             let Ok(impact) = contact.impact(input.speed(), &input.solver(), None) else { continue };
             let line = Some(problem.data.rows[row].line).filter(|line| *line > 0);
             let risen = |value: &Value| match value.quantity {
-                Measured::ReboundHeight => Some(value.value),
-                Measured::BounceInterval => Some(impact.restitution * impact.restitution * input.drop_height()?),
+                MeasuredQuantity::ReboundHeight => Some(value.value),
+                MeasuredQuantity::BounceInterval => {
+                    Some(impact.restitution * impact.restitution * input.drop_height()?)
+                }
                 // a restitution may come from speeds, which air does not change
                 _ => None,
             };

@@ -8,7 +8,7 @@ use super::problem::NoAnswer;
 use super::profile::Ends;
 use super::statistics::{Runs, p_of_chi_square};
 use crate::scenario::input::Input;
-use crate::scenario::plan::Free;
+use crate::scenario::plan::FreeKey;
 use crate::units::{format_four_digits, format_percent};
 
 /// With `robust`, residuals of more than this many standard deviations are outliers.
@@ -24,7 +24,7 @@ pub type LawFit<'a> = (String, Result<Fit<'a>, NoAnswer>);
 #[derive(Debug, Clone)]
 pub struct KeyEstimate {
     /// The key and its range.
-    pub free: Free,
+    pub free: FreeKey,
     /// Its best value, SI.
     pub estimate: f64,
     /// Standard deviation, SI; `None` if the measurements do not determine the key.

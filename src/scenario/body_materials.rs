@@ -2,24 +2,24 @@
 
 use super::Scenario;
 use super::document::Document;
-use super::input::{Body, BodyMaterial, Input, Key, partner};
-use super::keys::{AnyKey, At, EVERY_KEY, NUMBER, Part, at, key_of};
-use super::plan::varied::Varied;
+use super::input::{Body, BodyMaterial, Input, NumericKey, alternative_to};
+use super::keys::{ALL_KEYS, KeyId, KeySpec, NUMBER, Part, body_key, key};
+use super::plan::varied::VariedKeys;
 use crate::contact::law::LawChoice;
 use crate::error::Error;
 use crate::materials::{MaterialEntry, PropertyValue};
-use crate::scenario::plan::{Axis, Distribution, HARDNESS, Variable, Word, YIELD_STRENGTH};
+use crate::scenario::plan::{Axis, AxisWord, Distribution, HARDNESS, Variable, YIELD_STRENGTH};
 
-impl Varied {
+impl VariedKeys {
     /// Finds the values that the bodies take from their named materials, for keys that the scenario does not give. A material that is
     /// drawn becomes random keys.
-    pub(super) fn take_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<BodyMaterial>, Error> {
+    pub(super) fn apply_materials(&mut self, input: &Input, document: &Document) -> Result<Vec<BodyMaterial>, Error> {
         let mut all = Vec::new();
         for body in Body::ALL {
             let mut random = self.monte_carlo.iter().flat_map(|random| &random.materials);
             let is_drawn = random.any(|(drawn, _)| *drawn == body);
-            let refuse = |message| document.refuse(&format!("monte_carlo.{}", body.material()), message);
-            let Some(material) = self.material(input, body) else {
+            let refuse = |message| document.refusal(&format!("monte_carlo.{}", body.material()), message);
+            let Some(material) = self.first_material(input, body) else {
                 if !is_drawn {
                     continue;
                 }
@@ -28,25 +28,25 @@ impl Varied {
                     "the body has no material to draw from: add material = \"steel-s235\", or another, to [{table}]"
                 )));
             };
-            let is_left = |at: At<NUMBER>| self.is_left(input, document, body, &EVERY_KEY[at.place()]);
-            let defaults = body.defaults().into_iter().filter(|(at, _)| is_left(*at)).collect();
+            let is_left = |at: KeyId<NUMBER>| self.defaults_to_material(input, document, body, &ALL_KEYS[at.index()]);
+            let defaults = body.material_keys().into_iter().filter(|(at, _)| is_left(*at)).collect();
             let choice = BodyMaterial { body, material, defaults };
             for word in self.sweep.iter_mut().flatten().flat_map(Axis::words_mut) {
-                if let Word::Material(other) = word
+                if let AxisWord::Material(other) = word
                     && other.body == body
                 {
                     other.defaults.clone_from(&choice.defaults);
                 }
             }
             if is_drawn {
-                let variables = drawn(input, &choice);
+                let variables = random_material_keys(input, &choice);
                 if variables.is_empty() {
                     let name = &material.name;
                     return Err(refuse(format!(
                         "the values that are taken from {name} have no ranges, so there is nothing to draw: leave the key out"
                     )));
                 }
-                self.draw(body, variables);
+                self.replace_by_random_keys(body, variables);
             }
             all.push(choice);
         }
@@ -54,7 +54,7 @@ impl Varied {
     }
 
     /// Replaces the drawn material of a body by random keys.
-    fn draw(&mut self, body: Body, drawn: Vec<Variable>) {
+    fn replace_by_random_keys(&mut self, body: Body, drawn: Vec<Variable>) {
         let Some(random) = &mut self.monte_carlo else { return };
         let Some(&(_, place)) = random.materials.iter().find(|(known, _)| *known == body) else { return };
         for (_, later) in random.materials.iter_mut().filter(|(_, later)| *later >= place) {
@@ -64,17 +64,17 @@ impl Varied {
     }
 
     /// The material of a body; its material in the first case if it varies.
-    fn material(&self, input: &Input, body: Body) -> Option<&'static MaterialEntry> {
+    fn first_material(&self, input: &Input, body: Body) -> Option<&'static MaterialEntry> {
         let axis = self.sweep.iter().flatten().find(|axis| axis.path() == body.material());
         match axis.map(Axis::words) {
-            Some([Word::Material(first), ..]) => Some(first.material),
+            Some([AxisWord::Material(first), ..]) => Some(first.material),
             _ => input.named_material(body),
         }
     }
 
     /// True if a key takes its value from the material: the key has an effect, and neither the key nor its alternative is given.
-    fn is_left(&self, input: &Input, document: &Document, body: Body, key: &AnyKey) -> bool {
-        let has = |path: &str| document.has(path);
+    fn defaults_to_material(&self, input: &Input, document: &Document, body: Body, key: &KeySpec) -> bool {
+        let has = |path: &str| document.contains(path);
         let varied = self.paths();
         let is_given = |path: &str| {
             let inner = format!("{path}.");
@@ -94,36 +94,36 @@ impl Varied {
                 is_plm && !is_given(body.yield_strength()) && !is_given(body.flow_stress())
             }
             // a rate is used only on request
-            Part::Rate => asks_material(input, body),
+            Part::Rate => takes_rate_from_material(input, body),
             _ => true,
         };
-        is_used && !is_given(key.path) && !partner(key.path).is_some_and(is_given)
+        is_used && !is_given(key.path) && !alternative_to(key.path).is_some_and(is_given)
     }
 }
 
 /// True if the scenario gives `rate = "material"` for a body.
-pub(super) fn asks_material(input: &Input, body: Body) -> bool {
-    input.text(key_of!(body, "rate")).is_some()
+pub(super) fn takes_rate_from_material(input: &Input, body: Body) -> bool {
+    input.text(body_key!(body, "rate")).is_some()
 }
 
 /// The values of a material as random keys, uniform between the ends of their ranges.
-fn drawn(input: &Input, choice: &BodyMaterial) -> Vec<Variable> {
-    let is_rigid = input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY);
+fn random_material_keys(input: &Input, choice: &BodyMaterial) -> Vec<Variable> {
+    let is_rigid = input.number(key!("sphere.youngs_modulus")) == Some(f64::INFINITY);
     // a rigid sphere needs no Poisson's ratio
     let is_used = |path: &str| path != "sphere.poissons_ratio" || !is_rigid;
     let drawn = |(path, known): (&'static str, &PropertyValue)| {
         let [from, to] = [0, 1].map(|end| known.range[end].value);
-        let key = Key::find(path).filter(|_| from < to && is_used(path))?;
+        let key = NumericKey::find(path).filter(|_| from < to && is_used(path))?;
         Some(Variable::new(key, Distribution::Uniform { from, to }))
     };
-    choice.values().filter_map(drawn).collect()
+    choice.known_values().filter_map(drawn).collect()
 }
 
 impl Scenario {
     /// Refuses an axis of half-spaces of which some yield and some do not, because their tables have different columns.
-    pub(super) fn refuse_mixture(&self, axes: &[Axis]) -> Result<(), Error> {
+    pub(super) fn refuse_mixed_classes(&self, axes: &[Axis]) -> Result<(), Error> {
         let materials = axes.iter().flat_map(Axis::words).filter_map(|word| match word {
-            Word::Material(choice) => {
+            AxisWord::Material(choice) => {
                 choice.defaults.iter().any(|(at, _)| at.path() == HARDNESS).then_some(choice.material)
             }
             _ => None,
@@ -135,6 +135,6 @@ impl Scenario {
             "{} yields and {} has no strength, and their tables have different columns: make a table of each kind, or give yield_strength to [half_space]",
             metal.name, other.name
         );
-        Err(self.document.refuse("sweep.half_space.material", message))
+        Err(self.document.refusal("sweep.half_space.material", message))
     }
 }

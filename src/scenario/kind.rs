@@ -40,7 +40,7 @@ pub const TEMPLATES: [(&str, &str); 11] = [
 
 impl Kind {
     /// The name of a scenario of this kind in messages.
-    pub fn what(self) -> &'static str {
+    pub fn description(self) -> &'static str {
         match self {
             Self::Impact => "one impact",
             Self::Sweep | Self::MonteCarlo => "a table",
@@ -59,12 +59,12 @@ impl Kind {
 impl Scenario {
     /// The kind follows from the tables.
     pub fn kind(&self) -> Result<Kind, Error> {
-        let mut given = Kind::ALL[1..].iter().filter(|kind| self.has(kind.name()));
+        let mut given = Kind::ALL[1..].iter().filter(|kind| self.has_key(kind.name()));
         match (given.next(), given.next()) {
             (kind, None) => Ok(kind.copied().unwrap_or(Kind::Impact)),
             (first, Some(second)) => {
                 let first = first.map_or("", |kind| kind.name());
-                Err(self.document.refuse(second.name(), format!("[{first}] is given too; write only one of the two")))
+                Err(self.document.refusal(second.name(), format!("[{first}] is given too; write only one of the two")))
             }
         }
     }

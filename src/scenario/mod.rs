@@ -21,16 +21,17 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 use crate::impact::Warning;
-use crate::scenario::plan::Setting;
-pub use document::{Document, LARGEST_DATA, LARGEST_SCENARIO, read_text, text_of};
-use input::reader::{Reader, items};
+use crate::scenario::plan::AxisSetting;
+pub use document::{Document, MAX_DATA_MIB, MAX_SCENARIO_MIB, read_open_file, read_text};
+use input::reader::{Reader, as_table};
 use input::{
-    BODIES, Body, BodyMaterial, EITHER, Input, NEEDED, Purpose, SPHERE, partner, varied as varied_key, without_effect,
+    ALTERNATIVES, Body, BodyMaterial, Input, N_BODY_KEYS, N_SPHERE_KEYS, REQUIRED_KEYS, RunKind, alternative_to,
+    unused_reason, without_axis_table as varied_key,
 };
-use keys::{EVERY_KEY, at};
+use keys::{ALL_KEYS, key};
 pub use kind::{Kind, TEMPLATES};
-use plan::varied::Varied;
-pub use source::Source;
+use plan::varied::VariedKeys;
+pub use source::ScenarioSource;
 
 /// A parsed and checked scenario.
 #[derive(Debug, Clone)]
@@ -39,7 +40,7 @@ pub struct Scenario {
     pub document: Document,
     /// Its values, including the values that the bodies take from their materials.
     input: Input,
-    varied: Varied,
+    variation: VariedKeys,
     /// The texts of the files that it names, by their keys. Each file is read once, so hash and numbers belong to one text.
     files: BTreeMap<String, (PathBuf, String)>,
     /// The folder of the files that it names.
@@ -48,15 +49,15 @@ pub struct Scenario {
     pub from_results: Option<String>,
 }
 
-const NO_FALL: &str = "a sphere that is released at first touch needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0";
+const NEEDS_GRAVITY_TEXT: &str = "a sphere that is released at first touch needs gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or give a height above 0";
 
 /// The key of the file of measurements.
-const DATA: &str = "calibrate.data";
+const DATA_KEY: &str = "calibrate.data";
 
 impl Scenario {
     /// Reads a scenario file, with `key=value` overrides.
     pub fn load(path: &Path, overrides: &[String]) -> Result<Self, Error> {
-        let text = document::read_text(path, LARGEST_SCENARIO)?;
+        let text = document::read_text(path, MAX_SCENARIO_MIB)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
         Self::new(path.display().to_string(), text, overrides, directory, BTreeMap::new())
     }
@@ -80,85 +81,86 @@ impl Scenario {
             let path = directory.join(name);
             let text = match texts.remove(key) {
                 Some(text) => text,
-                None => document::read_text(&path, LARGEST_SCENARIO).map_err(|error| error.to_string())?,
+                None => document::read_text(&path, MAX_SCENARIO_MIB).map_err(|error| error.to_string())?,
             };
             files.insert(key.to_owned(), (path.clone(), text.clone()));
             Ok([path.display().to_string(), text])
         };
         let root = document.tables()?;
         let mut reader = Reader::new(&mut read);
-        let (mut input, mut varied) = (Input::default(), Varied::default());
-        if let Ok(tables) = items(&root) {
+        let (mut input, mut varied) = (Input::default(), VariedKeys::default());
+        if let Ok(tables) = as_table(&root) {
             input.read(tables, "", &mut reader);
-            varied = Varied::read(tables, &mut reader);
+            varied = VariedKeys::read(tables, &mut reader);
         }
         // a refused material would have given keys
-        let lacks_material = |(path, _): &(String, _)| Body::of_key(varied_key(path)).is_some();
-        let has_unknown = reader.has_unknown || reader.refused.iter().any(lacks_material);
-        let mut mistakes = document.refused(reader.refused);
-        let choices = varied.take_materials(&input, &document).unwrap_or_else(|mistake| {
+        let lacks_material = |(path, _): &(String, _)| Body::from_material_key(varied_key(path)).is_some();
+        let has_unknown = reader.has_unknown || reader.errors.iter().any(lacks_material);
+        let mut mistakes = document.refusals(reader.errors);
+        let choices = varied.apply_materials(&input, &document).unwrap_or_else(|mistake| {
             mistakes.push(mistake);
             Vec::new()
         });
         for choice in &choices {
-            input.take(choice);
+            input.apply_material(choice);
         }
         input.set_materials(choices);
-        if let Some(name) = input.text(at!("calibrate.data")) {
+        if let Some(name) = input.text(key!("calibrate.data")) {
             let path = directory.join(name);
             // a file that cannot be read is refused where it is needed
-            let text = texts.remove(DATA).or_else(|| document::read_text(&path, LARGEST_DATA).ok());
-            files.extend(text.map(|text| (DATA.to_owned(), (path, text))));
+            let text = texts.remove(DATA_KEY).or_else(|| document::read_text(&path, MAX_DATA_MIB).ok());
+            files.extend(text.map(|text| (DATA_KEY.to_owned(), (path, text))));
         }
-        let scenario = Self { document, input, varied, files, directory, from_results: None };
+        let scenario = Self { document, input, variation: varied, files, directory, from_results: None };
         mistakes.extend(scenario.check_combinations());
         // a misspelt key, or a value of a misspelt material, is not also reported as missing
         if !has_unknown {
             let needed = match scenario.kind() {
                 // an impact checks for all needed keys when it is resolved, unless the scenario has to change anyway
                 Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) if mistakes.is_empty() => 0,
-                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => NEEDED.len() - 1,
-                Ok(Kind::Indentation) if !scenario.has("half_space") => SPHERE,
-                Ok(Kind::Indentation | Kind::Calibrate) => BODIES,
-                Err(_) => SPHERE,
+                Ok(Kind::Impact | Kind::Repeat | Kind::Sweep | Kind::MonteCarlo) => REQUIRED_KEYS.len() - 1,
+                Ok(Kind::Indentation) if !scenario.has_key("half_space") => N_SPHERE_KEYS,
+                Ok(Kind::Indentation | Kind::Calibrate) => N_BODY_KEYS,
+                Err(_) => N_SPHERE_KEYS,
             };
-            mistakes.extend(scenario.missing(&NEEDED[..needed]));
+            mistakes.extend(scenario.missing_keys(&REQUIRED_KEYS[..needed]));
         }
         Error::combine(mistakes).map_or(Ok(scenario), Err)
     }
 
     /// True if the scenario, or a named material, gives a key, or if the scenario has a table.
-    fn has(&self, path: &str) -> bool {
-        let is_taken = || self.input.materials().iter().flat_map(BodyMaterial::values).any(|(given, _)| given == path);
-        self.document.has(path) || is_taken()
+    fn has_key(&self, path: &str) -> bool {
+        let is_taken =
+            || self.input.materials().iter().flat_map(BodyMaterial::known_values).any(|(given, _)| given == path);
+        self.document.contains(path) || is_taken()
     }
 
     /// True if a key varies over the cases of a table, or is a free key of a calibration.
-    fn varies(&self, path: &str) -> bool {
-        self.varied.paths().contains(&path)
+    fn is_varied(&self, path: &str) -> bool {
+        self.variation.paths().contains(&path)
     }
 
     /// Refuses a scenario that lacks one of these keys.
-    fn need(&self, keys: &[&'static str]) -> Result<(), Error> {
-        Error::combine(self.missing(keys)).map_or(Ok(()), Err)
+    fn require(&self, keys: &[&'static str]) -> Result<(), Error> {
+        Error::combine(self.missing_keys(keys)).map_or(Ok(()), Err)
     }
 
     /// The refusals of those of these keys that are missing. A key is not missing if its alternative is given, or if it varies over
     /// the cases of a table. If the table is missing, its keys are not reported.
-    fn missing(&self, keys: &[&'static str]) -> Vec<Error> {
+    fn missing_keys(&self, keys: &[&'static str]) -> Vec<Error> {
         let group = |key: &&'static str| {
-            EITHER.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
+            ALTERNATIVES.iter().find(|pair| pair[0] == *key).map_or_else(|| vec![*key], |pair| pair.to_vec())
         };
         let (mut missing, mut tables) = (Vec::new(), Vec::new());
-        for group in keys.iter().map(group).filter(|group| !group.iter().any(|path| self.gives(path))) {
+        for group in keys.iter().map(group).filter(|group| !group.iter().any(|path| self.is_given_or_varies(path))) {
             let (table, _) = group[0].split_once('.').unwrap_or_default();
             // a body needs more keys than the varied one, and so its table
             let in_table = |path: &&str| path.split_once('.').is_some_and(|(other, _)| other == table);
-            if self.has(table) || self.varied.paths().iter().any(|path| table == "impact" && in_table(path)) {
-                missing.push(self.document.missing_one_of(table, &group, ""));
+            if self.has_key(table) || self.variation.paths().iter().any(|path| table == "impact" && in_table(path)) {
+                missing.push(self.document.missing_any_key(table, &group, ""));
             } else if !tables.contains(&table) {
                 tables.push(table);
-                missing.push(self.document.missing("", table));
+                missing.push(self.document.missing_key("", table));
             }
         }
         missing
@@ -172,20 +174,24 @@ impl Scenario {
     /// The input of the first impact, with all keys that an impact needs.
     pub fn resolve(&self) -> Result<Input, Error> {
         self.check_speeds()?;
-        self.checked(if self.speeds().is_some() { NEEDED.len() - 1 } else { NEEDED.len() })
+        self.checked_input(if self.shot_speeds().is_some() { REQUIRED_KEYS.len() - 1 } else { REQUIRED_KEYS.len() })
     }
 
     /// The input of a scenario that needs no impact: its speed is NaN if it is not given.
     pub fn resolve_bodies(&self) -> Result<Input, Error> {
-        self.checked(NEEDED.len() - 1)
+        self.checked_input(REQUIRED_KEYS.len() - 1)
     }
 
-    /// The input of the first case, in which the first `needed` keys of [`NEEDED`] must be given.
-    fn checked(&self, needed: usize) -> Result<Input, Error> {
-        self.need(&NEEDED[..needed])?;
+    /// The input of the first case, in which the first `needed` keys of [`REQUIRED_KEYS`] must be given.
+    fn checked_input(&self, needed: usize) -> Result<Input, Error> {
+        self.require(&REQUIRED_KEYS[..needed])?;
         let input = self.first_case();
         let does_not_fall = input.speed() == 0.0 && input.forces().gravity.is_none();
-        let fall = if does_not_fall { Err(self.refuse_varied("impact.drop_height", NO_FALL)) } else { Ok(()) };
+        let fall = if does_not_fall {
+            Err(self.refusal_where_varied("impact.drop_height", NEEDS_GRAVITY_TEXT))
+        } else {
+            Ok(())
+        };
         let checked = [
             self.check_flow(&input),
             fall,
@@ -201,31 +207,35 @@ impl Scenario {
     /// The input with the first value of every varied key: of its axis or range, of a list of shots, or the median of its distribution.
     fn first_case(&self) -> Input {
         let mut input = self.input.clone();
-        if let Some(speed) = self.speeds().and_then(<[f64]>::first) {
-            input.set(at!("impact.speed"), Some(*speed));
+        if let Some(speed) = self.shot_speeds().and_then(<[f64]>::first) {
+            input.set(key!("impact.speed"), Some(*speed));
         }
-        for axis in self.varied.sweep.iter().flatten() {
-            if let Setting::Number { key, values } = &axis.setting {
-                key.put(&mut input, values.at(0));
+        for axis in self.variation.sweep.iter().flatten() {
+            if let AxisSetting::Number { key, values } = &axis.setting {
+                key.set_exclusive(&mut input, values.value_at(0));
             }
         }
-        for variable in self.varied.monte_carlo.iter().flat_map(|random| &random.variables) {
-            variable.key.put(&mut input, variable.middle());
+        for variable in self.variation.monte_carlo.iter().flat_map(|random| &random.variables) {
+            variable.key.set_exclusive(&mut input, variable.median());
         }
-        for free in self.varied.free.iter().flatten() {
-            free.key.put(&mut input, free.from);
+        for free in self.variation.free.iter().flatten() {
+            free.key.set_exclusive(&mut input, free.from);
         }
         input
     }
 
     /// Warnings about given keys that have no effect on the results of these inputs. Such keys are allowed, as the file may also be run
     /// in another way. Needed keys get no warning.
-    pub fn without_effect(&self, inputs: &[Input], purpose: Purpose) -> Vec<Warning> {
-        let needed = if purpose == Purpose::Impact { &NEEDED[..] } else { &NEEDED[..NEEDED.len() - 2] };
-        let is_needed = |path: &str| [Some(path), partner(path)].into_iter().flatten().any(|key| needed.contains(&key));
-        let keys =
-            EVERY_KEY.iter().map(|key| key.path).filter(|path| !path.starts_with("law.") && self.document.has(path));
-        let given = keys.chain(self.document.inside("law.")).filter(|path| !is_needed(path));
-        given.filter_map(|path| Some(Warning::unused_key(path, without_effect(path, inputs, purpose)?))).collect()
+    pub fn unused_key_warnings(&self, inputs: &[Input], purpose: RunKind) -> Vec<Warning> {
+        let needed =
+            if purpose == RunKind::Impact { &REQUIRED_KEYS[..] } else { &REQUIRED_KEYS[..REQUIRED_KEYS.len() - 2] };
+        let is_needed =
+            |path: &str| [Some(path), alternative_to(path)].into_iter().flatten().any(|key| needed.contains(&key));
+        let keys = ALL_KEYS
+            .iter()
+            .map(|key| key.path)
+            .filter(|path| !path.starts_with("law.") && self.document.contains(path));
+        let given = keys.chain(self.document.keys_below("law.")).filter(|path| !is_needed(path));
+        given.filter_map(|path| Some(Warning::unused_key(path, unused_reason(path, inputs, purpose)?))).collect()
     }
 }

@@ -6,32 +6,32 @@ use serde_json::{Value, json};
 
 use super::Kind;
 use super::input::read_input::POINT;
-use super::input::{Body, EITHER, KEYS};
-use super::keys::words::{DRAWN, MATERIALS, METHODS, SCALES};
-use super::keys::{EVERY_KEY, Form, Quantity, Words};
+use super::input::{ALTERNATIVES, Body, NUMERIC_KEYS};
+use super::keys::words::{MATERIAL_DISTRIBUTIONS, MATERIALS, METHODS, SCALES};
+use super::keys::{ALL_KEYS, Quantity, ValueForm, WordList};
 use crate::contact::law::LawChoice;
 
 /// The schema (draft 2020-12). It describes the forms, the words, the ranges of numbers, which keys exclude each other, and
 /// that an impact needs a speed. Of texts with a unit it refuses those of another dimension; the program itself checks more.
 pub fn schema() -> Value {
-    let mut root = table();
+    let mut root = empty_table_schema();
     for law in LawChoice::names() {
-        insert(&mut root, &format!("law.{law}"), table());
+        insert(&mut root, &format!("law.{law}"), empty_table_schema());
     }
     let mut quantities = Vec::new();
-    for key in EVERY_KEY {
-        let mut schema = of_form(&key.form, &mut quantities);
-        schema["description"] = json!(key.about);
+    for key in ALL_KEYS {
+        let mut schema = form_schema(&key.form, &mut quantities);
+        schema["description"] = json!(key.description);
         insert(&mut root, key.path, schema);
     }
     for quantity in quantities {
-        root["$defs"][quantity.name] = quantity_of(quantity);
+        root["$defs"][quantity.name] = quantity_schema(quantity);
     }
     root["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
     root["title"] = json!("Scenario of plm-impact");
     root["properties"]["law"]["minProperties"] = json!(1);
     root["properties"]["law"]["maxProperties"] = json!(1);
-    for [one, other] in EITHER {
+    for [one, other] in ALTERNATIVES {
         let (Some((table, one)), Some((_, other))) = (one.split_once('.'), other.split_once('.')) else { continue };
         let pairs = &mut root["properties"][table]["allOf"];
         let mut all = pairs.as_array().cloned().unwrap_or_default();
@@ -47,22 +47,22 @@ pub fn schema() -> Value {
 }
 
 /// A table whose keys are added later.
-fn table() -> Value {
+fn empty_table_schema() -> Value {
     json!({ "type": "object", "additionalProperties": false, "properties": {} })
 }
 
 /// A table of these keys, of which some are required.
-fn table_of(properties: &Value, required: &[&str]) -> Value {
+fn table_schema(properties: &Value, required: &[&str]) -> Value {
     json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
 }
 
 /// A list of at least `least` such items.
-fn list_of(item: &Value, least: u32) -> Value {
+fn list_schema(item: &Value, least: u32) -> Value {
     json!({ "type": "array", "items": item, "minItems": least })
 }
 
 /// The two ends of a range.
-fn two_of(value: &Value) -> Value {
+fn range_schema(value: &Value) -> Value {
     json!({ "type": "array", "items": value, "minItems": 2, "maxItems": 2 })
 }
 
@@ -75,9 +75,9 @@ fn insert(root: &mut Value, path: &str, leaf: Value) {
         *place = match rest {
             None => leaf,
             Some(rest) => {
-                let mut inner = table();
+                let mut inner = empty_table_schema();
                 insert(&mut inner, rest, leaf);
-                if is_list { list_of(&inner, 0) } else { inner }
+                if is_list { list_schema(&inner, 0) } else { inner }
             }
         };
     } else if let Some(rest) = rest {
@@ -86,46 +86,46 @@ fn insert(root: &mut Value, path: &str, leaf: Value) {
 }
 
 /// Describes the values of a key; the quantities that it refers to are added to the list.
-fn of_form(form: &Form, quantities: &mut Vec<&'static Quantity>) -> Value {
+fn form_schema(form: &ValueForm, quantities: &mut Vec<&'static Quantity>) -> Value {
     let mut number = |quantity: &'static Quantity| {
         quantities.push(quantity);
-        reference(quantity)
+        quantity_reference(quantity)
     };
     match form {
-        Form::Number(quantity) => number(quantity),
-        Form::NumberOr(quantity, word) => json!({ "anyOf": [number(quantity), { "const": word }] }),
-        Form::Count(quantity) => ranged("integer", quantity),
-        Form::Numbers(quantity) => list_of(&number(quantity), 0),
-        Form::Points => {
+        ValueForm::Number(quantity) => number(quantity),
+        ValueForm::NumberOr(quantity, word) => json!({ "anyOf": [number(quantity), { "const": word }] }),
+        ValueForm::Count(quantity) => bounded_schema("integer", quantity),
+        ValueForm::Numbers(quantity) => list_schema(&number(quantity), 0),
+        ValueForm::Points => {
             let pair = POINT.map(number);
-            list_of(&json!({ "type": "array", "prefixItems": pair, "minItems": 2, "maxItems": 2 }), 2)
+            list_schema(&json!({ "type": "array", "prefixItems": pair, "minItems": 2, "maxItems": 2 }), 2)
         }
-        Form::Word(words) => one_of(words),
-        Form::Words(words) => list_of(&one_of(words), 0),
-        Form::Text(_) | Form::File(_) => json!({ "type": "string" }),
-        Form::Axes => axes(),
-        Form::Variables => variables(),
-        Form::Free => free(),
-        Form::WordOrTable(words) => {
-            let mut schema = table();
+        ValueForm::Word(words) => word_schema(words),
+        ValueForm::Words(words) => list_schema(&word_schema(words), 0),
+        ValueForm::Text(_) | ValueForm::File(_) => json!({ "type": "string" }),
+        ValueForm::Axes => axes_schema(),
+        ValueForm::Variables => variables_schema(),
+        ValueForm::Free => free_keys_schema(),
+        ValueForm::WordOrTable(words) => {
+            let mut schema = empty_table_schema();
             schema["type"] = json!(["string", "object"]);
-            schema["pattern"] = json!(format!("^({})$", (words.known)().join("|")));
+            schema["pattern"] = json!(format!("^({})$", (words.values)().join("|")));
             schema
         }
     }
 }
 
-fn one_of(words: &Words) -> Value {
-    json!({ "enum": (words.known)() })
+fn word_schema(words: &WordList) -> Value {
+    json!({ "enum": (words.values)() })
 }
 
-fn reference(quantity: &Quantity) -> Value {
+fn quantity_reference(quantity: &Quantity) -> Value {
     json!({ "$ref": format!("#/$defs/{}", quantity.name.replace(' ', "%20")) })
 }
 
 /// A number in SI within its range, or a text with a unit that is not one of another dimension. A unit of this dimension may end in
 /// one of another, as "Pa s" does.
-fn quantity_of(quantity: &Quantity) -> Value {
+fn quantity_schema(quantity: &Quantity) -> Value {
     fn alternatives<'u>(units: impl Iterator<Item = &'u str>) -> String {
         units.map(|unit| unit.replace('^', "\\^")).collect::<Vec<_>>().join("|")
     }
@@ -136,10 +136,10 @@ fn quantity_of(quantity: &Quantity) -> Value {
     let pattern = format!("^(?:{with_own}|(?!.*[0-9.\\s]({others})\\s*$){number})");
     let example = quantity.example.trim_matches('"');
     let text = json!({ "type": "string", "pattern": pattern, "examples": [example] });
-    json!({ "anyOf": [ranged("number", quantity), text] })
+    json!({ "anyOf": [bounded_schema("number", quantity), text] })
 }
 
-fn ranged(kind: &str, quantity: &Quantity) -> Value {
+fn bounded_schema(kind: &str, quantity: &Quantity) -> Value {
     let mut schema = json!({ "type": kind });
     for (excluded, included, bound) in
         [("exclusiveMinimum", "minimum", quantity.low), ("exclusiveMaximum", "maximum", quantity.high)]
@@ -154,52 +154,55 @@ fn ranged(kind: &str, quantity: &Quantity) -> Value {
 }
 
 /// A table of numeric keys. `form` makes the schema of a value that varies from the schema of one value.
-fn varied(form: impl Fn(&Value) -> Value) -> Value {
-    let mut schema = table();
-    for key in KEYS.iter() {
-        schema["properties"][key.path] = form(&reference(key.quantity));
+fn varied_keys_schema(form: impl Fn(&Value) -> Value) -> Value {
+    let mut schema = empty_table_schema();
+    for key in NUMERIC_KEYS.iter() {
+        schema["properties"][key.path] = form(&quantity_reference(key.quantity));
     }
     schema
 }
 
 /// `[sweep]`: numeric keys with values, and the keys with words.
-fn axes() -> Value {
+fn axes_schema() -> Value {
     let space = |name: &str, value: &Value| {
-        let properties = json!({ name: two_of(value), "points": { "type": "integer", "minimum": 1 } });
-        table_of(&properties, &[name, "points"])
+        let properties = json!({ name: range_schema(value), "points": { "type": "integer", "minimum": 1 } });
+        table_schema(&properties, &[name, "points"])
     };
-    let mut schema =
-        varied(|value| json!({ "anyOf": [list_of(value, 1), space("linspace", value), space("logspace", value)] }));
-    schema["properties"]["solver.method"] = list_of(&one_of(&METHODS), 1);
-    schema["properties"]["law"] = json!({ "anyOf": [{ "const": "all" }, list_of(&json!({ "type": "string" }), 1)] });
+    let mut schema = varied_keys_schema(
+        |value| json!({ "anyOf": [list_schema(value, 1), space("linspace", value), space("logspace", value)] }),
+    );
+    schema["properties"]["solver.method"] = list_schema(&word_schema(&METHODS), 1);
+    schema["properties"]["law"] =
+        json!({ "anyOf": [{ "const": "all" }, list_schema(&json!({ "type": "string" }), 1)] });
     for body in Body::ALL {
-        schema["properties"][body.material()] = list_of(&one_of(&MATERIALS), 1);
+        schema["properties"][body.material()] = list_schema(&word_schema(&MATERIALS), 1);
     }
     schema
 }
 
-/// `calibrate.free`: numeric keys with ranges.
-fn free() -> Value {
-    let mut schema =
-        varied(|end| table_of(&json!({ "from": end, "to": end, "scale": one_of(&SCALES) }), &["from", "to"]));
+/// `calibrate.free_keys_schema`: numeric keys with ranges.
+fn free_keys_schema() -> Value {
+    let mut schema = varied_keys_schema(|end| {
+        table_schema(&json!({ "from": end, "to": end, "scale": word_schema(&SCALES) }), &["from", "to"])
+    });
     schema["minProperties"] = json!(1);
     schema["maxProperties"] = json!(2);
     schema
 }
 
 /// `[monte_carlo]`: numeric keys with distributions.
-fn variables() -> Value {
+fn variables_schema() -> Value {
     let spread = json!({ "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "type": "string" }] });
-    let mut schema = varied(|value| {
-        let moments = table_of(&json!({ "mean": value, "sd": spread }), &["mean", "sd"]);
-        let properties = json!({ "normal": moments, "lognormal": moments, "uniform": two_of(value) });
-        let mut one = table_of(&properties, &[]);
+    let mut schema = varied_keys_schema(|value| {
+        let moments = table_schema(&json!({ "mean": value, "sd": spread }), &["mean", "sd"]);
+        let properties = json!({ "normal": moments, "lognormal": moments, "uniform": range_schema(value) });
+        let mut one = table_schema(&properties, &[]);
         one["minProperties"] = json!(1);
         one["maxProperties"] = json!(1);
         one
     });
     for body in Body::ALL {
-        schema["properties"][body.material()] = one_of(&DRAWN);
+        schema["properties"][body.material()] = word_schema(&MATERIAL_DISTRIBUTIONS);
     }
     schema["properties"]["samples"] = json!({ "type": "integer", "minimum": 1, "description": "Number of cases." });
     schema["properties"]["seed"] =

@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::keys::at;
-use super::{DATA, Scenario};
+use super::keys::key;
+use super::{DATA_KEY, Scenario};
 use crate::error::Error;
 use crate::files::{FORMAT_VERSION, Provenance, RESULTS_VERSION, VERSION, hex};
 
 /// All that a result depends on, as text: it is hashed, and kept beside tables so that another machine reads the same plan again.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Source {
+pub struct ScenarioSource {
     /// The text of the scenario file.
     pub text: String,
     /// `key=value` of the command line, in its order.
@@ -22,7 +22,7 @@ pub struct Source {
     pub files: BTreeMap<String, String>,
 }
 
-impl Source {
+impl ScenarioSource {
     /// SHA-256 of these texts, in hexadecimal.
     pub fn sha256(&self) -> String {
         let mut hasher = Sha256::new();
@@ -44,20 +44,24 @@ impl Source {
 
 impl Scenario {
     /// The scenario as texts, from which it can be read again.
-    pub fn source(&self) -> Source {
+    pub fn source(&self) -> ScenarioSource {
         let files = self.files.iter().map(|(key, (_, text))| (key.clone(), text.clone()));
-        Source { text: self.document.text().to_owned(), overrides: self.document.overrides(), files: files.collect() }
+        ScenarioSource {
+            text: self.document.text().to_owned(),
+            overrides: self.document.overrides(),
+            files: files.collect(),
+        }
     }
 
     /// Reads a scenario from its texts; `name` stands for the file in messages.
-    pub fn from_source(name: &str, source: &Source) -> Result<Self, Error> {
+    pub fn from_source(name: &str, source: &ScenarioSource) -> Result<Self, Error> {
         Self::new(name.to_owned(), source.text.clone(), &source.overrides, PathBuf::new(), source.files.clone())
     }
 
     /// Takes measurements that are known without the file `calibrate.data`.
     pub fn with_data(mut self, csv: String) -> Self {
-        let name = self.input.text(at!("calibrate.data")).unwrap_or_default();
-        self.files.insert(DATA.to_owned(), (name.into(), csv));
+        let name = self.input.text(key!("calibrate.data")).unwrap_or_default();
+        self.files.insert(DATA_KEY.to_owned(), (name.into(), csv));
         self
     }
 
@@ -70,7 +74,7 @@ impl Scenario {
     pub fn overrides_sha256(&self) -> Option<String> {
         let written = |text: &String| text.chars().filter(|c| !c.is_whitespace() && !"\"'".contains(*c)).collect();
         let overrides: Vec<String> = self.document.overrides().iter().map(written).collect();
-        let source = Source { overrides, ..Source::default() };
+        let source = ScenarioSource { overrides, ..ScenarioSource::default() };
         (!source.overrides.is_empty()).then(|| source.sha256())
     }
 

@@ -7,23 +7,23 @@ use toml::Spanned;
 use toml::de::{DeInteger, DeString, DeValue};
 
 /// A key, with its place in bytes.
-pub type Name<'t> = Spanned<DeString<'t>>;
-pub type Node<'t> = Spanned<DeValue<'t>>;
+pub type TomlKey<'t> = Spanned<DeString<'t>>;
+pub type TomlValue<'t> = Spanned<DeValue<'t>>;
 
 /// The law of two halves.
 pub const COMBINED: &str = "combined";
 
 /// Adds where the values of a table are, by their paths with dots; behind the path of a list, `[2]` stands for an item.
-pub fn add_places(path: &str, node: &Node, into: &mut BTreeMap<String, Range<usize>>) {
+pub fn collect_spans(path: &str, node: &TomlValue, into: &mut BTreeMap<String, Range<usize>>) {
     match node.get_ref() {
         DeValue::Table(table) => {
             for (name, inner) in table {
-                add_places(&below(path, name.get_ref()), inner, into);
+                collect_spans(&join_path(path, name.get_ref()), inner, into);
             }
         }
         DeValue::Array(items) => {
             for (i, item) in items.iter().enumerate() {
-                add_places(&format!("{path}[{i}]"), item, into);
+                collect_spans(&format!("{path}[{i}]"), item, into);
             }
         }
         _ => {}
@@ -34,18 +34,18 @@ pub fn add_places(path: &str, node: &Node, into: &mut BTreeMap<String, Range<usi
 }
 
 /// The path of a name in a table of this path, which is empty for the whole scenario.
-pub fn below(path: &str, name: &str) -> String {
+pub fn join_path(path: &str, name: &str) -> String {
     if path.is_empty() || name.starts_with('[') { format!("{path}{name}") } else { format!("{path}.{name}") }
 }
 
 /// The path without the numbers of items: an item of a list has the keys of all its items.
-pub fn pattern(path: &str) -> String {
+pub fn without_indices(path: &str) -> String {
     let parts: Vec<&str> = path.split('[').map(|part| part.trim_start_matches(|c: char| c.is_ascii_digit())).collect();
     parts.join("[")
 }
 
 /// Describes a value in messages.
-pub fn described(node: &Node) -> String {
+pub fn describe_value(node: &TomlValue) -> String {
     match node.get_ref() {
         DeValue::String(text) => format!("\"{text}\""),
         DeValue::Integer(digits) => format!("`{digits}`"),

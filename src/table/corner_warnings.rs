@@ -7,7 +7,7 @@ use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
 use crate::impact::{Contact, Impact, Method, Solver, Warning};
 use crate::scenario::input::Input;
-use crate::scenario::plan::{Axis, Cases, Plan, Setting, Values, Variable, Word, put};
+use crate::scenario::plan::{Axis, AxisSetting, AxisValues, AxisWord, Cases, Plan, Variable, apply_axes};
 
 /// Up to this number, which thirteen axes of numbers have, all corners are computed. If there are more, a sample of this size is.
 const MOST_CORNERS: u64 = 1 << 13;
@@ -40,14 +40,14 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Corners {
         (0..MOST_CORNERS).map(|_| corner(&ends, random.next_u64())).collect()
     };
     // where no axis changes the contact, one serves all corners
-    let is_one = axes.iter().all(Axis::keeps_contact);
+    let is_one = axes.iter().all(Axis::is_contact_constant);
     let own = if is_one && known.is_none() { plan.input.contact().ok() } else { None };
     let shared = known.or(own.as_ref()).filter(|_| is_one);
     let mut worst: Vec<(Warning, String)> = Vec::new();
     let mut has_dent = false;
     for places in chosen {
         let mut input = plan.input.clone();
-        put(axes, &places, &mut input);
+        apply_axes(axes, &places, &mut input);
         let impact = shared.map_or_else(
             || {
                 let contact = input.contact().ok()?;
@@ -88,13 +88,13 @@ fn corner(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
 /// The places of the smallest and the largest value of an axis, or of all its words.
 fn ends(axis: &Axis) -> Vec<u64> {
     let mut places: Vec<u64> = match &axis.setting {
-        Setting::Number { .. } => axis.extreme_places().to_vec(),
+        AxisSetting::Number { .. } => axis.extreme_places().to_vec(),
         // of the methods only fixed steps have warnings of their own
-        Setting::Words { words, .. } if matches!(words[..], [Word::Method(_), ..]) => {
-            let verlet = words.iter().position(|word| matches!(word, Word::Method(Method::Verlet)));
+        AxisSetting::Words { words, .. } if matches!(words[..], [AxisWord::Method(_), ..]) => {
+            let verlet = words.iter().position(|word| matches!(word, AxisWord::Method(Method::Verlet)));
             vec![0, verlet.unwrap_or(0) as u64]
         }
-        Setting::Words { .. } => (0..axis.len()).collect(),
+        AxisSetting::Words { .. } => (0..axis.len()).collect(),
     };
     places.dedup();
     places
@@ -102,7 +102,7 @@ fn ends(axis: &Axis) -> Vec<u64> {
 
 /// The values of a random key in the tails of its distribution, as an axis.
 fn tails(variable: &Variable) -> Axis {
-    Axis::of_number(variable.key, Values::List(TAILS.map(|share| variable.value(share)).to_vec()))
+    Axis::from_numbers(variable.key, AxisValues::List(TAILS.map(|share| variable.value(share)).to_vec()))
 }
 
 /// The impact of one corner; `None` if it has no result, which the status in the table says.

@@ -7,9 +7,9 @@ use crate::contact::law::LawChoice;
 use crate::impact::{Contact, ImpactError, ImpactRow};
 use crate::numerics::ode::IntegrationError;
 use crate::results::Requirement;
-use crate::scenario::input::{Body, Input, Key};
+use crate::scenario::input::{Body, Input, NumericKey};
 use crate::scenario::keys::{HardnessRanges, Uncertainty};
-use crate::scenario::plan::{Axis, Cases, Draws, Plan, Variable, places};
+use crate::scenario::plan::{Axis, Cases, Plan, Variable, VariableSampler, axis_indices};
 use crate::strings::named_enum;
 
 named_enum! {
@@ -109,7 +109,7 @@ impl RowContact {
     /// The contact of an input under its law; `known` is this contact if it exists already.
     fn new(input: &Input, law: &LawChoice, known: Option<&Contact>, ranges: Option<&HardnessRanges>) -> Self {
         let (sphere, half_space) = input.bodies(law);
-        let pair = || input.pair(sphere, half_space, law).map_err(Failure::from);
+        let pair = || input.contact_of(sphere, half_space, law).map_err(Failure::from);
         let contact = known.cloned().map_or_else(pair, Ok);
         let uncertainty = contact
             .as_ref()
@@ -151,7 +151,7 @@ impl RowLaw {
 const MAX_CONTACTS: u64 = 1 << 16;
 
 fn shows_interval(plan: &Plan) -> bool {
-    plan.results().iter().any(|column| column.needs == Requirement::Interval)
+    plan.result_columns().iter().any(|column| column.needs == Requirement::Interval)
 }
 
 /// A plan, with the numbers that its rows have in common, computed once.
@@ -179,8 +179,8 @@ impl<'a> Evaluator<'a> {
         match &plan.cases {
             Cases::Grid(axes) => {
                 for axis in axes {
-                    strides.push(if axis.keeps_contact() { 0 } else { combinations });
-                    combinations = combinations.saturating_mul(if axis.keeps_contact() { 1 } else { axis.len() });
+                    strides.push(if axis.is_contact_constant() { 0 } else { combinations });
+                    combinations = combinations.saturating_mul(if axis.is_contact_constant() { 1 } else { axis.len() });
                 }
             }
             Cases::MonteCarlo { variables, .. } => {
@@ -212,7 +212,7 @@ impl<'a> Evaluator<'a> {
 
     /// The number of swept values of a row.
     pub fn n_swept(&self) -> usize {
-        self.plan.paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
+        self.plan.varied_paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
     }
 
     /// The cache of the contact of these indices on the axes; `None` if contacts are not cached.
@@ -247,7 +247,7 @@ impl<'a> Evaluator<'a> {
 
     /// Appends the rows of a grid.
     fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
-        let mut places = places(axes, cases.start);
+        let mut places = axis_indices(axes, cases.start);
         let mut input = self.plan.input_at(&places);
         let mut own: Option<RowContact> = None;
         let mut row_law = RowLaw::new(&input, axes.iter().any(Axis::changes_law), self.has_interval);
@@ -262,9 +262,9 @@ impl<'a> Evaluator<'a> {
             let mut brings_values = false;
             for (axis, place) in axes.iter().zip(&mut places).rev() {
                 *place = if *place + 1 == axis.len() { 0 } else { *place + 1 };
-                axis.put(*place, &mut input);
+                axis.apply(*place, &mut input);
                 brings_values |= axis.brings_values();
-                if !axis.keeps_contact() {
+                if !axis.is_contact_constant() {
                     own = None;
                 }
                 if *place > 0 {
@@ -279,9 +279,11 @@ impl<'a> Evaluator<'a> {
 
     /// Appends the rows of random cases.
     fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
-        let mut draws: Vec<Draws> =
-            (0..).zip(variables).map(|(stream, variable)| Draws::new(variable, seed, stream, cases.start)).collect();
-        let keys: Vec<&Key> = variables.iter().map(|variable| variable.key).collect();
+        let mut draws: Vec<VariableSampler> = (0..)
+            .zip(variables)
+            .map(|(stream, variable)| VariableSampler::new(variable, seed, stream, cases.start))
+            .collect();
+        let keys: Vec<&NumericKey> = variables.iter().map(|variable| variable.key).collect();
         self.one_by_one(&keys, cases, rows, |place, _, swept| {
             let value = draws[place].next_value();
             swept.push(value);
@@ -292,8 +294,8 @@ impl<'a> Evaluator<'a> {
     /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
     /// values only yield strengths that follow from the keys are appended.
-    pub fn listed(&self, keys: &[(&Key, &[f64])], cases: Range<usize>, rows: &mut Rows) {
-        let only_keys: Vec<&Key> = keys.iter().map(|(key, _)| *key).collect();
+    pub fn listed(&self, keys: &[(&NumericKey, &[f64])], cases: Range<usize>, rows: &mut Rows) {
+        let only_keys: Vec<&NumericKey> = keys.iter().map(|(key, _)| *key).collect();
         self.one_by_one(&only_keys, cases, rows, |place, case, _| keys[place].1[case]);
     }
 
@@ -301,7 +303,7 @@ impl<'a> Evaluator<'a> {
     /// a case, and may add it to the swept values.
     fn one_by_one<C: Copy>(
         &self,
-        keys: &[&Key],
+        keys: &[&NumericKey],
         cases: impl Iterator<Item = C>,
         rows: &mut Rows,
         mut value: impl FnMut(usize, C, &mut Vec<f64>) -> f64,

@@ -16,7 +16,7 @@ use super::tally::Count;
 use super::{Evaluator, Layout, Rows, Tally, count, file, unwritable};
 use crate::error::{Error, ErrorKind};
 use crate::files::{AtomicFile, OutputDirectory, Progress, remove, remove_stale};
-use crate::scenario::Source;
+use crate::scenario::ScenarioSource;
 use crate::scenario::plan::Plan;
 
 /// A sweep to be run.
@@ -30,7 +30,7 @@ pub struct Job<'a> {
     /// The directory that the table is written to.
     pub directory: &'a OutputDirectory,
     /// The scenario that the plan was read from.
-    pub source: &'a Source,
+    pub source: &'a ScenarioSource,
     /// Counts the rows that are computed or found. If asked to stop, the job ends within a fraction of a second, unless a
     /// single row takes longer.
     pub progress: &'a Progress,

@@ -13,7 +13,7 @@ use super::shard::Shard;
 use super::{file, refused};
 use crate::error::Error;
 use crate::files::{FORMAT_VERSION, OutputDirectory, RESULTS_VERSION, VERSION, create, remove, remove_folder};
-use crate::scenario::Source;
+use crate::scenario::ScenarioSource;
 use crate::scenario::plan::Plan;
 
 /// A table of at most this number of parts is written as one file: about a second of work.
@@ -42,13 +42,13 @@ impl Layout {
     /// The parts of this plan have the rows of about 65 ms on one core. That follows from the number of rows and from the method
     /// alone, so that the parts of all runs fit together.
     pub fn new(plan: &Plan) -> Self {
-        let at_most = 65_536.0 / plan.microseconds();
+        let at_most = 65_536.0 / plan.row_time_us();
         // a power of two
         let mut rows_per_part = LONGEST;
         while rows_per_part > 16 && rows_per_part as f64 > at_most {
             rows_per_part /= 2;
         }
-        let rows = plan.count();
+        let rows = plan.n_cases();
         Self { rows, rows_per_part: rows_per_part.max(rows.div_ceil(MOST_PARTS).next_multiple_of(16)) }
     }
 
@@ -118,12 +118,12 @@ pub struct Identity {
     rows: u64,
     rows_per_part: u64,
     #[serde(flatten)]
-    scenario: Source,
+    scenario: ScenarioSource,
 }
 
 impl Identity {
     /// The table that was read from `scenario`.
-    pub fn new(scenario: &Source, format: Format, layout: Layout) -> Self {
+    pub fn new(scenario: &ScenarioSource, format: Format, layout: Layout) -> Self {
         Self {
             format_version: FORMAT_VERSION,
             version: VERSION.to_owned(),

@@ -75,7 +75,7 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> 
         let impact = |exponent| -> Result<Impact, Error> {
             let law = LawChoice::Plm(Plm::new(coefficients, exponent));
             let (sphere, half_space) = input.bodies(&law);
-            let contact = input.pair(sphere, half_space, &law)?;
+            let contact = input.contact_of(sphere, half_space, &law)?;
             Ok(contact.impact(input.speed(), &input.solver(), Some(SAMPLES))?)
         };
         let [paper, shape] = EXPONENTS.map(|(exponent, _)| impact(exponent));

@@ -42,7 +42,7 @@ fn impact(row: &ReferenceRow, coefficients: &PlmCoefficients) -> Result<Impact, 
     let input = Scenario::from_text(row.text("case"), "", &row.keys())?.resolve()?;
     let law = LawChoice::Plm(Plm::new(coefficients, UnloadingExponent::PressureShape));
     let (sphere, half_space) = input.bodies(&law);
-    Ok(input.pair(sphere, half_space, &law)?.closed_form(input.speed())?)
+    Ok(input.contact_of(sphere, half_space, &law)?.closed_form(input.speed())?)
 }
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {

@@ -26,8 +26,8 @@ pub use plm_impact::numerics::ode::rk8::Rk8;
 pub use plm_impact::numerics::ode::{IntegrationError, Integrator};
 pub use plm_impact::numerics::power::nan_max;
 pub use plm_impact::report::run;
-pub use plm_impact::scenario::input::{Input, Key};
-pub use plm_impact::scenario::keys::EVERY_KEY;
+pub use plm_impact::scenario::input::{Input, NumericKey};
+pub use plm_impact::scenario::keys::ALL_KEYS;
 pub use plm_impact::scenario::plan::Cases;
 pub use plm_impact::scenario::{Kind, Scenario};
 pub use plm_impact::table::evaluator::{Evaluator, Failure, Rows};
@@ -45,5 +45,5 @@ pub use super::*;
 
 /// The number that an input has for this key.
 pub fn given(input: &Input, path: &str) -> Option<f64> {
-    Key::find(path).unwrap().get(input)
+    NumericKey::find(path).unwrap().get(input)
 }

@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 
 use plm_impact::report::text::inputs::Inputs;
-use plm_impact::scenario::input::KEYS;
+use plm_impact::scenario::input::NUMERIC_KEYS;
 use plm_impact::units::Dimension;
 
 use crate::common::prelude::*;
@@ -55,13 +55,13 @@ const SCENES: [&[&str]; 27] = [
 ];
 
 /// A value as a scenario gives it.
-fn in_file(key: &Key, value: f64) -> String {
+fn in_file(key: &NumericKey, value: f64) -> String {
     if key.quantity.dimension == Dimension::Angle { format!("\"{value:?} rad\"") } else { format!("{value:?}") }
 }
 
 /// Compares the rows of this pair of keys with single runs; false for a pair that a table refuses.
-fn compare(set: &[String], keys: [&'static Key; 2], values: [[f64; 2]; 2]) -> bool {
-    let of_key = |key: &Key, value: f64| format!("{}={}", key.path, in_file(key, value));
+fn compare(set: &[String], keys: [&'static NumericKey; 2], values: [[f64; 2]; 2]) -> bool {
+    let of_key = |key: &NumericKey, value: f64| format!("{}={}", key.path, in_file(key, value));
     let single = |of: [usize; 2]| {
         let own = [0, 1].map(|i| of_key(keys[i], values[i][of[i]]));
         scene(STEEL, &[set, &own].concat())
@@ -109,8 +109,9 @@ fn row_of_any_two_keys_matches_run() {
             set.push("solver.method=auto".to_owned());
         }
         let input = scene(STEEL, &set);
-        let given = |key: &&Key| key.get(&input).filter(|value| value.is_finite() && *value != 0.0);
-        let given: Vec<(&'static Key, f64)> = KEYS.iter().filter_map(|key| Some((key, given(&key)?))).collect();
+        let given = |key: &&NumericKey| key.get(&input).filter(|value| value.is_finite() && *value != 0.0);
+        let given: Vec<(&'static NumericKey, f64)> =
+            NUMERIC_KEYS.iter().filter_map(|key| Some((key, given(&key)?))).collect();
         for (i, (one, first)) in given.iter().enumerate() {
             let alone = [set.clone(), vec![format!("sweep={{\"{}\"=[{}]}}", one.path, in_file(one, *first))]].concat();
             if Scenario::from_text("s.toml", STEEL, &alone).and_then(|scenario| scenario.plan()).is_err() {
@@ -126,7 +127,7 @@ fn row_of_any_two_keys_matches_run() {
     }
     // a key that changes no row is refused as an axis: only a warning depends on it
     let is_missing = |path: &&str| !covered.contains(path) && !idle.contains(path);
-    let missing: Vec<&str> = KEYS.iter().map(|key| key.path).filter(is_missing).collect();
+    let missing: Vec<&str> = NUMERIC_KEYS.iter().map(|key| key.path).filter(is_missing).collect();
     assert_eq!(idle.difference(&covered).copied().collect::<Vec<_>>(), ["half_space.edge_distance"]);
     assert!(missing.is_empty(), "no scene above lets these keys vary with another: {missing:?}");
     assert!(pairs > 1000, "{pairs}");

@@ -2,7 +2,7 @@
 //! axes; but for friction with partial slip, which a row computes to 1e-5.
 
 use plm_impact::scenario::keys::restitution_interval;
-use plm_impact::scenario::plan::places;
+use plm_impact::scenario::plan::axis_indices;
 
 use crate::common::prelude::*;
 
@@ -167,13 +167,13 @@ fn listed_cases_have_the_results_of_a_grid() {
         let (text, sweep) = (bodies(&own), format!("sweep={{{}}}", lists.join(",")));
         let plan = read(&text, &[settings, &[&*sweep]].concat()).plan().unwrap();
         let Cases::Grid(axes) = &plan.cases else { panic!("{text}") };
-        let (evaluator, count) = (Evaluator::new(&plan), plan.count());
+        let (evaluator, count) = (Evaluator::new(&plan), plan.n_cases());
         let (mut grid, mut listed) = (Rows::default(), Rows::default());
         evaluator.rows(0..count, &mut grid);
-        let values = |k: usize| (0..count).map(|case| axes[k].number(places(axes, case)[k])).collect();
+        let values = |k: usize| (0..count).map(|case| axes[k].value_at(axis_indices(axes, case)[k])).collect();
         let values: Vec<Vec<f64>> = (0..axes.len()).map(values).collect();
-        let keys = axes.iter().map(|axis| Key::find(axis.path()).unwrap());
-        let keys: Vec<(&Key, &[f64])> = keys.zip(values.iter().map(Vec::as_slice)).collect();
+        let keys = axes.iter().map(|axis| NumericKey::find(axis.path()).unwrap());
+        let keys: Vec<(&NumericKey, &[f64])> = keys.zip(values.iter().map(Vec::as_slice)).collect();
         let count = usize::try_from(count).unwrap();
         evaluator.listed(&keys, 0..1, &mut listed);
         evaluator.listed(&keys, 1..count, &mut listed);

@@ -156,7 +156,7 @@ law = ["plm", "thornton"]
     let evaluator = Evaluator::new(&plan);
     let whole = rows(&text);
     let mut single = Rows::default();
-    (0..plan.count()).for_each(|case| evaluator.rows(case..case + 1, &mut single));
+    (0..plan.n_cases()).for_each(|case| evaluator.rows(case..case + 1, &mut single));
     assert!(single.results == whole.results);
     let e = |case: usize| whole.results[case].unwrap().restitution;
     let radius = "sphere.radius=0.02";

@@ -57,7 +57,7 @@ pub struct Arguments {
 
 pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load_with(&arguments.settings()?).map_err(|error| at_options(error, &OPTIONS))?;
-    scenario.wanted().map_err(|error| at_options(error, &OPTIONS))?;
+    scenario.calibration_request().map_err(|error| at_options(error, &OPTIONS))?;
     arguments.output.once(arguments.scenario.name(), scenario)
 }
 
@@ -98,7 +98,7 @@ impl Arguments {
         settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
         if self.all_laws {
             // under the law of Hertz nothing yields
-            let laws = (LAWS.known)().into_iter().filter(|law| law != "hertz");
+            let laws = (LAWS.values)().into_iter().filter(|law| law != "hertz");
             let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();
             settings.push(format!("calibrate.laws=[{}]", laws.join(",")));
         }

@@ -2,8 +2,8 @@
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scenario::key_docs::{about_keys, about_result};
-use plm_impact::scenario::keys::EVERY_KEY;
+use plm_impact::scenario::key_docs::{describe_keys, describe_result};
+use plm_impact::scenario::keys::ALL_KEYS;
 use plm_impact::strings::did_you_mean;
 
 /// Print what a key of a scenario is: its meaning, its unit and range, and its default
@@ -18,12 +18,12 @@ pub struct Arguments {
 }
 
 pub fn keys(Arguments { key }: &Arguments) -> Result<(), Error> {
-    let text = about_keys(key).ok_or_else(|| {
-        if let Some(about) = about_result(key) {
+    let text = describe_keys(key).ok_or_else(|| {
+        if let Some(about) = describe_result(key) {
             return Error::input(format!("\"{key}\" is a result, not a key: {about}"));
         }
         let known = "`plm-impact keys` prints all";
-        let names = EVERY_KEY.iter().map(|known| known.path);
+        let names = ALL_KEYS.iter().map(|known| known.path);
         Error::input(format!("unknown key \"{key}\"{}", did_you_mean(key, names, '"', known)))
     })?;
     super::terminal::print(&text)

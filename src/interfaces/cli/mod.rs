@@ -24,7 +24,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use plm_impact::error::Error;
 use plm_impact::report::text::laws::{data, list};
-use plm_impact::scenario::keys::EVERY_KEY;
+use plm_impact::scenario::keys::ALL_KEYS;
 use plm_impact::scenario::schema::schema;
 use terminal::ErrorFormat;
 
@@ -141,7 +141,7 @@ fn option_of_key(error: &clap::Error) -> Option<String> {
     std::env::args().skip(1).find_map(|word| cli.find_subcommand(word)).filter(|command| has_set(command))?;
     let name = option.strip_prefix("--")?.split('=').next()?.replace('-', "_");
     let ends = |path: &str| path == name || path.rsplit_once('.').is_some_and(|(_, last)| last == name);
-    let keys = || EVERY_KEY.iter().map(|key| key.path).chain(["law"]).filter(|path| ends(path));
+    let keys = || ALL_KEYS.iter().map(|key| key.path).chain(["law"]).filter(|path| ends(path));
     let settings: Vec<String> = keys().map(|path| format!("--set {path}=VALUE")).collect();
     (!settings.is_empty()).then(|| format!("the option {option} is not known. Write {}", settings.join(" or ")))
 }

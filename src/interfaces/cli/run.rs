@@ -78,7 +78,7 @@ fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
     if kind.is_table() {
         return super::table::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);
     }
-    arguments.sweep.refuse_for(kind.what())?;
+    arguments.sweep.refuse_for(kind.description())?;
     arguments.output.once(file.name(), scenario)
 }
 

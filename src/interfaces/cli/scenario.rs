@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::scenario::{LARGEST_SCENARIO, Scenario, text_of};
+use plm_impact::scenario::{MAX_SCENARIO_MIB, Scenario, read_open_file};
 
 use super::terminal::other;
 
@@ -70,7 +70,7 @@ impl ScenarioArguments {
     pub fn load_with(&self, more: &[String]) -> Result<Scenario, Error> {
         let overrides = [&self.overrides, more].concat();
         if self.is_standard_input() {
-            let text = text_of(self.name(), stdin().lock(), LARGEST_SCENARIO)?;
+            let text = read_open_file(self.name(), stdin().lock(), MAX_SCENARIO_MIB)?;
             return Scenario::from_text("stdin", &text, &overrides);
         }
         Scenario::load(&self.scenario, &overrides)

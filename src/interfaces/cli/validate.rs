@@ -7,7 +7,7 @@ use plm_impact::contact::law::PlmCoefficients;
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin};
 use plm_impact::report::chart::Pictures;
-use plm_impact::scenario::{LARGEST_SCENARIO, read_text};
+use plm_impact::scenario::{MAX_SCENARIO_MIB, read_text};
 use plm_impact::validate;
 use plm_impact::validate::report;
 
@@ -77,7 +77,7 @@ fn shown(page: &str, format: Pictures) -> String {
 }
 
 fn load(path: &Path) -> Result<PlmCoefficients, Error> {
-    let text = read_text(path, LARGEST_SCENARIO)?;
+    let text = read_text(path, MAX_SCENARIO_MIB)?;
     PlmCoefficients::from_toml(&text)
         .map_err(|error| Error::for_file(ErrorKind::Input, &path.display().to_string(), error.to_string().trim_end()))
 }

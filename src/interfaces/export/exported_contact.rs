@@ -6,7 +6,7 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::Contact;
 use crate::numerics::functions::cos;
 use crate::scenario::input::Input;
-use crate::scenario::keys::at;
+use crate::scenario::keys::key;
 use crate::scenario::{Kind, Scenario};
 
 /// The contact of a scenario without the motion around it.
@@ -25,7 +25,7 @@ pub(super) struct Bare {
 impl Bare {
     pub fn new(scenario: &Scenario) -> Result<Self, Error> {
         let kind = scenario.kind()?;
-        let refuse = |message| Err(scenario.document.refuse(kind.name(), message));
+        let refuse = |message| Err(scenario.document.refusal(kind.name(), message));
         match kind {
             Kind::Calibrate => {
                 return refuse(
@@ -37,9 +37,9 @@ impl Bare {
         }
         let plan = kind.is_table().then(|| scenario.plan()).transpose()?;
         let mut input = plan.as_ref().map_or_else(|| scenario.resolve_bodies(), |plan| Ok(plan.input.clone()))?;
-        let paths = plan.map(|plan| plan.paths()).unwrap_or_default();
+        let paths = plan.map(|plan| plan.varied_paths()).unwrap_or_default();
         let is_single = !paths.iter().any(|path| ["impact.speed", "impact.drop_height", "impact.angle"].contains(path));
-        let angle = input.number(at!("impact.angle")).unwrap_or(0.0);
+        let angle = input.number(key!("impact.angle")).unwrap_or(0.0);
         let speed = Some(input.speed() * cos(angle)).filter(|speed| is_single && *speed > 0.0);
         let mut left_out = left_out(&input);
         let table = match kind {
@@ -48,13 +48,13 @@ impl Bare {
             _ => None,
         };
         left_out.splice(0..0, table);
-        let friction = input.number(at!("friction.coefficient"));
+        let friction = input.number(key!("friction.coefficient"));
         for key in [
-            at!("gravity.acceleration"),
-            at!("impact.drop_height"),
-            at!("impact.angle"),
-            at!("sphere.spin"),
-            at!("air.density"),
+            key!("gravity.acceleration"),
+            key!("impact.drop_height"),
+            key!("impact.angle"),
+            key!("sphere.spin"),
+            key!("air.density"),
         ] {
             input.set(key, None);
         }
@@ -65,7 +65,7 @@ impl Bare {
             Support::Ball => contact.half_space().ball_radius(),
             Support::Free(_) => {
                 let message = "these lines are for a wall that is fixed, or for two spheres: leave this key out, or give mass = \"ball\" with half_space.radius and half_space.density";
-                return Err(scenario.document.refuse("half_space.mass", message));
+                return Err(scenario.document.refusal("half_space.mass", message));
             }
         };
         Ok(Self { contact, speed, ball, friction, left_out })
@@ -77,13 +77,13 @@ fn left_out(input: &Input) -> Vec<String> {
     let has = |at| input.number(at).is_some();
     let by_itself = |name: &str| format!("{name} is left out: the simulation has it itself");
     let mut left_out = Vec::new();
-    if has(at!("impact.angle")) {
+    if has(key!("impact.angle")) {
         left_out.push("impact.angle is left out: the speed is the part that is normal to the wall".to_owned());
     }
     let keys = [
-        ("sphere.spin", at!("sphere.spin")),
-        ("[gravity]", at!("gravity.acceleration")),
-        ("[air]", at!("air.density")),
+        ("sphere.spin", key!("sphere.spin")),
+        ("[gravity]", key!("gravity.acceleration")),
+        ("[air]", key!("air.density")),
     ];
     left_out.extend(keys.into_iter().filter(|(_, key)| has(*key)).map(|(name, _)| by_itself(name)));
     left_out

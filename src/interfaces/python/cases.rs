@@ -14,8 +14,8 @@ use super::workers;
 use crate::impact::{self, Method, Solver};
 use crate::report::run::table;
 use crate::scenario::Scenario;
-use crate::scenario::input::{Input, KEYS, Key};
-use crate::scenario::plan::{Axis, Cases, Plan, Values};
+use crate::scenario::input::{Input, NUMERIC_KEYS, NumericKey};
+use crate::scenario::plan::{Axis, AxisValues, Cases, Plan};
 use crate::table::Failure;
 use crate::table::format::arrow;
 use crate::table::format::column::Column;
@@ -51,13 +51,13 @@ pub struct Contact {
 
 /// A key and its values in SI units. Numbers may be NaN or out of the allowed range: such a row has no result.
 pub struct Given {
-    pub key: &'static Key,
+    pub key: &'static NumericKey,
     pub numbers: Numbers,
 }
 
 impl Given {
     /// A number, an array of numbers, or a text with a unit.
-    pub fn new(key: &'static Key, value: &Bound<'_, PyAny>) -> PyResult<Self> {
+    pub fn new(key: &'static NumericKey, value: &Bound<'_, PyAny>) -> PyResult<Self> {
         let numbers = match value.cast::<PyString>() {
             Ok(text) => {
                 let value = key.quantity.parse(&text.to_cow()?).map_err(|text| refused(key, "", &text))?;
@@ -83,7 +83,7 @@ impl Given {
 
     /// The values of `speed`.
     pub fn speed(value: &Bound<'_, PyAny>) -> PyResult<Self> {
-        Self::new(Key::find(SPEED).ok_or_else(|| PyValueError::new_err(SPEED))?, value)
+        Self::new(NumericKey::find(SPEED).ok_or_else(|| PyValueError::new_err(SPEED))?, value)
     }
 
     /// The smallest and the largest of the allowed values, or one where they are the same; none if there are no such values.
@@ -96,7 +96,7 @@ impl Given {
     }
 }
 
-fn refused(key: &Key, place: &str, message: &str) -> PyErr {
+fn refused(key: &NumericKey, place: &str, message: &str) -> PyErr {
     PyValueError::new_err(format!("{}{place}: {message}", key.path))
 }
 
@@ -125,7 +125,7 @@ fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
         plan
     };
     if ends.iter().all(|ends| !ends.is_empty()) {
-        let axis = |(given, ends): (&Given, Vec<f64>)| Axis::of_number(given.key, Values::List(ends));
+        let axis = |(given, ends): (&Given, Vec<f64>)| Axis::from_numbers(given.key, AxisValues::List(ends));
         plan.cases = Cases::Grid(given.iter().zip(ends).map(axis).collect());
     }
     Ok(plan)
@@ -134,13 +134,13 @@ fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
 /// The paths of all numeric keys, in the order of the registry.
 #[pyfunction]
 pub fn numeric_keys() -> Vec<&'static str> {
-    KEYS.iter().map(|key| key.path).collect()
+    NUMERIC_KEYS.iter().map(|key| key.path).collect()
 }
 
 /// The values of a numeric key in SI units: a number, or an array in the shape of `value`.
 #[pyfunction]
 pub fn checked<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-    let Some(key) = Key::find(path) else {
+    let Some(key) = NumericKey::find(path) else {
         // a scenario refuses it with a suggestion
         let refusal = with(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(path))]);
         return Err(refusal.err().map_or_else(|| PyValueError::new_err(path.to_owned()), exception));
@@ -158,7 +158,7 @@ pub fn rows<'py>(
     keys: Vec<(String, Bound<'py, PyAny>)>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let given = keys.iter().map(|(path, values)| {
-        let key = Key::find(path).ok_or_else(|| PyValueError::new_err(path.clone()))?;
+        let key = NumericKey::find(path).ok_or_else(|| PyValueError::new_err(path.clone()))?;
         Ok(Given { key, numbers: numbers(values, path)? })
     });
     let given: Vec<Given> = given.collect::<PyResult<_>>()?;
@@ -168,7 +168,7 @@ pub fn rows<'py>(
     let (values, mut warnings) = listed_if_allowed(py, contact, &plan, &given, count, &named)?;
     warnings.extend(failures(values.last().map_or(&[], Vec::as_slice)));
     warn(py, 2, &warnings)?;
-    of_values(py, given.into_iter().map(|Given { key, numbers }| (key.column(), numbers.values)), named, values)
+    of_values(py, given.into_iter().map(|Given { key, numbers }| (key.column_name(), numbers.values)), named, values)
 }
 
 /// Why a row without allowed values has no result: its first such value, with its index in the array.

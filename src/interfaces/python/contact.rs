@@ -20,11 +20,11 @@ use crate::report::text::overview::overview;
 use crate::report::text::{Detail, table, trace};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::{TABLES, to_fields};
-use crate::scenario::input::Purpose;
+use crate::scenario::input::RunKind;
 use crate::scenario::keys::interval::expected_notes;
 use crate::scenario::keys::quantity::SAMPLES;
-use crate::scenario::keys::{RestitutionInterval, at, restitution_interval, strength_notes};
-use crate::scenario::{Kind, Scenario, Source};
+use crate::scenario::keys::{RestitutionInterval, key, restitution_interval, strength_notes};
+use crate::scenario::{Kind, Scenario, ScenarioSource};
 use crate::strings::did_you_mean;
 
 /// The name of the contact in messages.
@@ -32,24 +32,24 @@ const NAME: &str = "Contact";
 
 impl Contact {
     /// The contact, and the warnings about its keys.
-    fn from_source(source: &Source) -> PyResult<(Self, Vec<String>)> {
+    fn from_source(source: &ScenarioSource) -> PyResult<(Self, Vec<String>)> {
         let scenario = Scenario::from_source(NAME, source).map_err(exception)?;
         if scenario.kind().map_err(exception)? != Kind::Impact {
             let message = "a Contact has the tables of one impact; use plm_impact.impacts for tables, plm_impact.run for all else";
             return Err(PyValueError::new_err(message));
         }
-        let input = if scenario.document.has("impact") {
+        let input = if scenario.document.contains("impact") {
             scenario.resolve()
         } else {
             // the scenario needs a speed; any speed is right, because it is not used
             with(&scenario, [format!("{SPEED}=1")]).and_then(|any| any.resolve()).map(|mut input| {
-                input.set(at!("impact.speed"), None);
+                input.set(key!("impact.speed"), None);
                 input
             })
         };
         let input = input.map_err(exception)?;
         let contact = input.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
-        let warnings = texts(&scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
+        let warnings = texts(&scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
         Ok((Self { scenario, input, inner: contact, plans: Mutex::default() }, warnings))
     }
 
@@ -96,7 +96,7 @@ impl Contact {
     #[new]
     #[pyo3(signature = (**tables), text_signature = "(*, sphere, half_space, **tables)")]
     fn new(py: Python<'_>, tables: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let source = tables.map_or_else(|| Ok(Source::default()), |tables| source_of(tables.as_mapping()))?;
+        let source = tables.map_or_else(|| Ok(ScenarioSource::default()), |tables| source_of(tables.as_mapping()))?;
         let (contact, warnings) = Self::from_source(&source)?;
         warn(py, 1, &warnings)?;
         Ok(contact)
@@ -192,7 +192,7 @@ impl Contact {
     }
 
     fn __eq__(&self, other: &Self) -> bool {
-        let has_speed = |contact: &Self| contact.scenario.document.has("impact");
+        let has_speed = |contact: &Self| contact.scenario.document.contains("impact");
         self.input == other.input && has_speed(self) == has_speed(other)
     }
 

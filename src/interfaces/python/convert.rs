@@ -10,7 +10,7 @@ use pyo3::types::{PyBytes, PyFloat, PyInt, PyMapping, PyType};
 use serde_json::Value;
 
 use crate::error::{Details, Error};
-use crate::scenario::{Scenario, Source};
+use crate::scenario::{Scenario, ScenarioSource};
 
 /// The return value of `__reduce__`, by which Python pickles an object: a function, and the arguments with which this function
 /// makes the object again.
@@ -27,9 +27,9 @@ pub fn html<'py>(shown: &Bound<'py, PyAny>, picture: Option<Bound<'py, PyBytes>>
 }
 
 /// A scenario that is given as a dict.
-pub fn source_of(tables: &Bound<'_, PyMapping>) -> PyResult<Source> {
+pub fn source_of(tables: &Bound<'_, PyMapping>) -> PyResult<ScenarioSource> {
     let (text, overrides) = python(tables.py(), "scenario_of")?.call1((tables,))?.extract()?;
-    Ok(Source { text, overrides, ..Source::default() })
+    Ok(ScenarioSource { text, overrides, ..ScenarioSource::default() })
 }
 
 /// `key=value` for every entry of `set`.

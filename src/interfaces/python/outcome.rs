@@ -97,7 +97,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
         return outcome(py, made, None);
     }
     let plan = scenario.plan().map_err(exception)?;
-    let rows = usize::try_from(plan.count()).unwrap_or(usize::MAX);
+    let rows = usize::try_from(plan.n_cases()).unwrap_or(usize::MAX);
     let named = of_plan(&plan);
     let mut columns = reserved(rows, &vec![1; named.len()])?;
     let made = interruptible(py, |progress| {

@@ -4,7 +4,7 @@ use pyo3::prelude::*;
 
 use super::workers;
 use crate::impact::{Contact, Method};
-use crate::scenario::input::Key;
+use crate::scenario::input::NumericKey;
 use crate::scenario::plan::Plan;
 use crate::table::format::arrow;
 use crate::table::format::column::{Column, columns};
@@ -21,7 +21,7 @@ pub fn of_plan(plan: &Plan) -> Named {
 /// The columns that are no axis: yield strengths that follow from the axes, and results.
 pub fn without_axes(plan: &Plan) -> Named {
     let mut named = of_plan(plan).split_off(plan.axes().len());
-    for (place, _) in plan.derived().enumerate() {
+    for (place, _) in plan.derived_bodies().enumerate() {
         named[place].1 = Column::Plain(place);
     }
     named
@@ -33,7 +33,7 @@ pub fn listed(
     py: Python<'_>,
     plan: &Plan,
     contact: &Contact,
-    keys: &[(&Key, &[f64])],
+    keys: &[(&NumericKey, &[f64])],
     rows: usize,
     named: &Named,
 ) -> PyResult<Vec<Vec<f64>>> {

@@ -6,8 +6,8 @@ use crate::calibrate::data::{Data, Row, Value};
 use crate::calibrate::statistics::{LEVELS, half_width};
 use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
 use crate::report::chart::{Axis, Chart, GREY, MARK, Scale, Series, Style, extremes};
-use crate::scenario::input::{Key, Measured};
-use crate::scenario::plan::Free;
+use crate::scenario::input::{MeasuredQuantity, NumericKey};
+use crate::scenario::plan::FreeKey;
 use crate::units::format_four_digits;
 
 /// Largest number of points in a picture: the eye cannot separate more.
@@ -56,7 +56,7 @@ fn is_wide(points: &[(f64, f64)]) -> bool {
 
 /// The quantity on the horizontal axis: the only key that changes, the indentation of a curve, or the prediction.
 enum Abscissa {
-    Key(&'static Key),
+    Key(&'static NumericKey),
     Indentation,
     Prediction,
 }
@@ -80,7 +80,7 @@ impl Abscissa {
         }
     }
 
-    fn axis(&self, quantity: Measured, points: &[(f64, f64)]) -> Axis {
+    fn axis(&self, quantity: MeasuredQuantity, points: &[(f64, f64)]) -> Axis {
         match self {
             Self::Key(key) => axis_of(key, is_wide(points)),
             Self::Indentation => Axis::linear("Indentation", "m"),
@@ -89,12 +89,12 @@ impl Abscissa {
     }
 }
 
-fn of_quantity(quantity: Measured, how: &str) -> Axis {
+fn of_quantity(quantity: MeasuredQuantity, how: &str) -> Axis {
     Axis::linear(&(title_of(quantity.name()) + how), quantity.quantity().dimension.si_unit())
 }
 
 /// The places of the values of a quantity, at most [`MOST_POINTS`] of them.
-fn shown(calibration: &Calibration, quantity: Measured) -> Vec<usize> {
+fn shown(calibration: &Calibration, quantity: MeasuredQuantity) -> Vec<usize> {
     let values = &calibration.fit.problem.data.values;
     let all: Vec<usize> = (0..values.len()).filter(|at| values[*at].quantity == quantity).collect();
     let step = all.len().div_ceil(MOST_POINTS).max(1);
@@ -104,7 +104,7 @@ fn shown(calibration: &Calibration, quantity: Measured) -> Vec<usize> {
 /// The values of a quantity over the quantity on the horizontal axis.
 struct FittedQuantity<'a> {
     calibration: &'a Calibration<'a>,
-    quantity: Measured,
+    quantity: MeasuredQuantity,
     abscissa: Abscissa,
     shown: Vec<usize>,
     points: Points,
@@ -112,7 +112,7 @@ struct FittedQuantity<'a> {
 }
 
 impl<'a> FittedQuantity<'a> {
-    fn new(calibration: &'a Calibration, quantity: Measured) -> Self {
+    fn new(calibration: &'a Calibration, quantity: MeasuredQuantity) -> Self {
         let data = calibration.fit.problem.data;
         let (abscissa, shown) = (Abscissa::new(data), shown(calibration, quantity));
         let points: Points =
@@ -161,8 +161,8 @@ impl<'a> FittedQuantity<'a> {
         }
         series.push(measured);
         let notes = calibration.keys.iter().flat_map(|KeyEstimate { free, estimate, sd, .. }| {
-            let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.text(sd, 2)));
-            [title_of(free.key.path), free.text(*estimate, 4) + &sd]
+            let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.format_value(sd, 2)));
+            [title_of(free.key.path), free.format_value(*estimate, 4) + &sd]
         });
         let title = format!("{} and the fitted law", title_of(quantity.name()));
         Chart::new(title, self.axes.clone(), series).with_notes(notes)
@@ -236,11 +236,11 @@ impl<'a> FittedQuantity<'a> {
     }
 
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
-    fn along(&self, key: &'static Key) -> (Data, Vec<f64>) {
+    fn along(&self, key: &'static NumericKey) -> (Data, Vec<f64>) {
         let data = self.calibration.fit.problem.data;
         let (from, to) = extremes(self.shown.iter().map(|value| data.rows[data.values[*value].row].keys[0]));
-        let range = Free { key, from, to, is_logarithmic: is_wide(&self.points), hardness: None };
-        let at: Vec<f64> = (0..=PLACES).map(|i| range.at(f64::from(i) / f64::from(PLACES))).collect();
+        let range = FreeKey { key, from, to, is_logarithmic: is_wide(&self.points), hardness: None };
+        let at: Vec<f64> = (0..=PLACES).map(|i| range.value_at_share(f64::from(i) / f64::from(PLACES))).collect();
         let rows = at.iter().map(|value| Row { keys: vec![*value], ..Row::default() }).collect();
         let data = Data { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) };
         (data, at.into_iter().map(key.quantity.picture_unit().1).collect())
@@ -269,7 +269,7 @@ fn residuals(calibration: &Calibration) -> Chart {
     let abscissa =
         Some(Abscissa::new(data)).filter(|abscissa| !matches!(abscissa, Abscissa::Prediction) || measured.len() == 1);
     let at = |value: usize| abscissa.as_ref().map_or(value as f64 + 1.0, |abscissa| abscissa.at(calibration, value));
-    let points = |quantity: Measured| {
+    let points = |quantity: MeasuredQuantity| {
         shown(calibration, quantity).into_iter().map(|value| (at(value), calibration.residuals[value])).collect()
     };
     let series: Vec<Series> =

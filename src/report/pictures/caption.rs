@@ -5,8 +5,8 @@ use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::pair::{Material, Pair};
 use crate::impact::Damping;
 use crate::report::chart::{Axis, Chart};
-use crate::scenario::input::{Body, Input, Key};
-use crate::scenario::kinds::indentation::IndentationScene;
+use crate::scenario::input::{Body, Input, NumericKey};
+use crate::scenario::kinds::indentation::IndentationRequest;
 use crate::strings::capital;
 use crate::units::{Dimension, format_four_digits, format_result};
 
@@ -72,7 +72,7 @@ pub fn captioned<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
 }
 
 /// The sphere and the law of an indentation; its half-spaces have names in the key.
-pub fn of_indentation(scene: &IndentationScene) -> String {
+pub fn of_indentation(scene: &IndentationRequest) -> String {
     let sphere = [
         Some(format!("R {}", format_result(scene.sphere.radius, Dimension::Length))),
         Some(elastic(&scene.sphere.material)),
@@ -138,8 +138,8 @@ pub fn title_of(path: &str) -> String {
     capital(&words_of(path))
 }
 
-/// The axis of a key. Its values are those of [`crate::scenario::keys::Quantity::picture_unit`].
-pub(crate) fn axis_of(key: &Key, is_logarithmic: bool) -> Axis {
+/// The axis of a key. Its values are those of [`crate::scenario::key_specs::Quantity::picture_unit`].
+pub(crate) fn axis_of(key: &NumericKey, is_logarithmic: bool) -> Axis {
     let axis = Axis::linear(&title_of(key.path), key.quantity.picture_unit().0);
     if is_logarithmic { axis.logarithmic() } else { axis }
 }

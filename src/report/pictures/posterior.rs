@@ -11,8 +11,10 @@ pub fn map(calibration: &Calibration, [first, second]: [&KeyEstimate; 2]) -> Opt
     let mut series = Vec::new();
     for ((level, dash), name) in LEVELS.into_iter().zip([SOLID, DASHED]).zip(["region of 68 %", "region of 95 %"]) {
         for (i, outline) in calibration.fit.region(level).into_iter().enumerate() {
-            let region: Vec<_> =
-                outline.iter().map(|[x, y]| (x_unit(first.free.at(*x)), y_unit(second.free.at(*y)))).collect();
+            let region: Vec<_> = outline
+                .iter()
+                .map(|[x, y]| (x_unit(first.free.value_at_share(*x)), y_unit(second.free.value_at_share(*y))))
+                .collect();
             series.push(Series::band("", region.clone()).styled(5));
             let name = if i == 0 { name } else { "" };
             series.push(Series::line(name, region).styled(Style::new(1).dashed(dash)));

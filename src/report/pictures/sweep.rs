@@ -10,7 +10,7 @@ use crate::reference::quasi_static;
 use crate::report::chart::{Chart, Look, Panel, Series, heatmap, histogram};
 use crate::report::chart::{Style, extremes};
 use crate::results::{ResultColumn, dimension_of, result_columns};
-use crate::scenario::plan::{Axis, Cases, Plan, RESTITUTION, Setting, Word};
+use crate::scenario::plan::{Axis, AxisSetting, AxisWord, Cases, Plan, RESTITUTION};
 use crate::strings::capital;
 use crate::table::statistics::Statistics;
 use crate::table::{Evaluator, Failure, Rows, Tally};
@@ -38,7 +38,7 @@ const BARS: usize = 60;
 
 /// The pictures of a plan with their names.
 pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
-    captioned(charts(plan, tally), &caption(&plan.input, &plan.paths()))
+    captioned(charts(plan, tally), &caption(&plan.input, &plan.varied_paths()))
 }
 
 fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
@@ -48,7 +48,7 @@ fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
         let drawn = drawn.filter_map(|(column, all)| Some((format!("{}_histogram", column.name), bars(column, all)?)));
         return drawn.collect();
     };
-    let is_drawable = |axis: &Axis| matches!(axis.setting, Setting::Number { .. }) && axis.len() > 1;
+    let is_drawable = |axis: &Axis| matches!(axis.setting, AxisSetting::Number { .. }) && axis.len() > 1;
     if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
         return vec![("rebound".to_owned(), rebounds(plan, axes))];
     }
@@ -115,8 +115,8 @@ fn words(axis: &Axis) -> String {
 
 fn plot_axis(axis: &Axis) -> chart::Axis {
     match &axis.setting {
-        Setting::Number { key, .. } => axis_of(key, axis.is_logarithmic),
-        Setting::Words { path, .. } => chart::Axis::linear(&title_of(path), ""),
+        AxisSetting::Number { key, .. } => axis_of(key, axis.is_logarithmic),
+        AxisSetting::Words { path, .. } => chart::Axis::linear(&title_of(path), ""),
     }
 }
 
@@ -124,18 +124,18 @@ fn plot_axis(axis: &Axis) -> chart::Axis {
 fn labels(axis: &Axis, places: &[u64]) -> Vec<String> {
     let texts = |text: &dyn Fn(u64) -> String| places.iter().map(|place| text(*place)).collect();
     match &axis.setting {
-        Setting::Number { key, .. } => {
+        AxisSetting::Number { key, .. } => {
             let dimension = key.quantity.dimension;
             match key.quantity.picture_unit().0 {
                 "°" => texts(&|place| format!("{}°", format_four_digits(shown(axis, place)))),
                 unit if unit != dimension.si_unit() => {
                     texts(&|place| format!("{} {unit}", format_four_digits(shown(axis, place))))
                 }
-                _ => quantities(&places.iter().map(|place| axis.number(*place)).collect::<Vec<_>>(), dimension),
+                _ => quantities(&places.iter().map(|place| axis.value_at(*place)).collect::<Vec<_>>(), dimension),
             }
         }
-        Setting::Words { .. } => texts(&|place| match axis.words().get(usize::try_from(place).unwrap_or(0)) {
-            Some(Word::Law(law)) => law_title(&law.name()),
+        AxisSetting::Words { .. } => texts(&|place| match axis.words().get(usize::try_from(place).unwrap_or(0)) {
+            Some(AxisWord::Law(law)) => law_title(&law.name()),
             _ => axis.label(place),
         }),
     }
@@ -149,8 +149,8 @@ fn label(axis: &Axis, place: u64) -> String {
 /// The value at a place of an axis, in the unit of the picture.
 fn shown(axis: &Axis, place: u64) -> f64 {
     match &axis.setting {
-        Setting::Number { key, .. } => key.quantity.picture_unit().1(axis.number(place)),
-        Setting::Words { .. } => axis.number(place),
+        AxisSetting::Number { key, .. } => key.quantity.picture_unit().1(axis.value_at(place)),
+        AxisSetting::Words { .. } => axis.value_at(place),
     }
 }
 
@@ -214,7 +214,7 @@ impl ResultPicture<'_> {
         let curves = other.map_or_else(|| vec![0], |other| curve_places(other, most(other)));
         let names = other.map_or_else(|| vec![String::new()], |other| labels(other, &curves));
         // all laws yield at about the same speed, so one guide is enough
-        let is_by_law = other.is_some_and(|other| matches!(other.words(), [Word::Law(_), ..]));
+        let is_by_law = other.is_some_and(|other| matches!(other.words(), [AxisWord::Law(_), ..]));
         let is_by_speed = first.path() == "impact.speed";
         let (mut series, mut yielding) = (Vec::new(), Vec::new());
         for (number, curve) in curves.iter().enumerate() {
@@ -334,7 +334,7 @@ fn notes(axes: &[Axis]) -> Vec<String> {
 fn yield_speed(plan: &Plan, axis: Option<&Axis>, place: u64) -> Option<f64> {
     let mut input = plan.input.clone();
     if let Some(axis) = axis {
-        axis.put(place, &mut input);
+        axis.apply(place, &mut input);
     }
     input.contact().ok().filter(|contact| !contact.has_rate())?.yield_speed()
 }

@@ -113,7 +113,7 @@ fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
             "{}: {} times the {} of {}: check the units of the data and of the scenario",
             key.free.key.path,
             format_four_digits(ratio),
-            key.free.text(usual, 4),
+            key.free.format_value(usual, 4),
             choice.material.name
         )
     })
@@ -127,7 +127,7 @@ fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration)
     document.remove("calibrate");
     for KeyEstimate { free, estimate, .. } in &found.keys {
         let path = free.key.path;
-        set(&mut document, path, free.written(*estimate).map_or_else(|| (*estimate).into(), Value::from));
+        set(&mut document, path, free.to_scenario_text(*estimate).map_or_else(|| (*estimate).into(), Value::from));
         // a strength that impacts give is that of impacts; one of a slow indentation is not
         let bodies = Body::ALL.into_iter().filter(|_| !measured.data.is_curve());
         for body in bodies.filter(|body| [body.yield_strength(), body.hardness()].contains(&path)) {

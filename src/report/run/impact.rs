@@ -13,7 +13,7 @@ use crate::report::text::{table, trace};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
 use crate::scenario::Scenario;
-use crate::scenario::input::{Input, Purpose};
+use crate::scenario::input::{Input, RunKind};
 use crate::scenario::keys::{restitution_interval, strength_notes};
 
 /// The input of a scenario, its contact and the impact with all warnings; `samples` are the rows of the trace, if there is
@@ -26,7 +26,7 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
     let [speed, _] = input.approach().components();
     let contact = contact.at_speed(speed).map_err(refuse)?;
     let mut impact = contact.impact(input.approach(), &input.solver(), samples).map_err(refuse)?;
-    impact.warnings.extend(scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact));
+    impact.warnings.extend(scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
     impact.warnings.extend(input.flight_warnings());
     Ok((input, contact, impact))
 }

@@ -13,14 +13,14 @@ use crate::report::text::indentation as report;
 use crate::report::text::notes as report_notes;
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
-use crate::scenario::kinds::indentation::IndentationScene;
+use crate::scenario::kinds::indentation::IndentationRequest;
 
 /// The scene of a scenario, the results of every half-space, and all warnings; `samples` are the rows of the trace in each
 /// step, if there is to be one.
 pub fn compute(
     scenario: &Scenario,
     samples: Option<usize>,
-) -> Result<(IndentationScene, Vec<SpecimenResult>, Vec<String>), Error> {
+) -> Result<(IndentationRequest, Vec<SpecimenResult>, Vec<String>), Error> {
     let scene = scenario.indentation()?;
     let mut warnings = texts(&scene.warnings);
     let Sphere { radius, material, yield_strength, .. } = scene.sphere;
@@ -74,6 +74,6 @@ fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationErr
         reason @ (IndentationError::Range(_) | IndentationError::Pair(_) | IndentationError::Law(_)) => {
             Error::for_file(ErrorKind::Input, scenario.document.name(), format!("{on}{reason}"))
         }
-        step => scenario.document.refuse("indentation.steps", format!("{on}{step}")),
+        step => scenario.document.refusal("indentation.steps", format!("{on}{step}")),
     }
 }

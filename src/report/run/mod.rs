@@ -10,7 +10,7 @@ pub mod table;
 use crate::error::{Error, ErrorKind};
 use crate::impact::{Contact, Forces};
 use crate::scenario::input::Input;
-use crate::scenario::keys::at;
+use crate::scenario::keys::key;
 use crate::scenario::{Kind, Scenario};
 pub use outcome::{Outcome, RunOptions, no_result, texts};
 
@@ -43,7 +43,7 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     let kind = scenario.kind()?;
     if kind != Kind::Impact {
         let message = "is not a part of a contact of two bodies: leave this table out";
-        return Err(scenario.document.refuse(kind.name(), message));
+        return Err(scenario.document.refusal(kind.name(), message));
     }
     let input = scenario.resolve_bodies()?;
     let Forces { gravity, damping, plate, .. } = input.forces();
@@ -51,19 +51,19 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     let keys = [
         ("gravity", gravity.is_some(), table),
         ("damping", damping.is_some(), table),
-        ("air", scenario.document.has("air"), table),
+        ("air", scenario.document.contains("air"), table),
         ("half_space.thickness", plate.is_some(), "leave this key out, and let the simulation move the plate"),
         (
             "half_space.mass",
-            input.number(at!("half_space.mass")).is_some(),
+            input.number(key!("half_space.mass")).is_some(),
             "leave this key out; the simulation has the mass of every body",
         ),
-        ("impact.angle", scenario.document.has("impact.angle"), OF_THE_SPHERE),
-        ("sphere.spin", scenario.document.has("sphere.spin"), OF_THE_SPHERE),
+        ("impact.angle", scenario.document.contains("impact.angle"), OF_THE_SPHERE),
+        ("sphere.spin", scenario.document.contains("sphere.spin"), OF_THE_SPHERE),
     ];
     if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
         let message = format!("is not a part of the contact law: {way_out}");
-        return Err(scenario.document.refuse(key, message));
+        return Err(scenario.document.refusal(key, message));
     }
     let failed = |reason| Error::for_file(ErrorKind::Input, scenario.document.name(), reason);
     let contact = input.contact().map_err(failed)?;
@@ -87,9 +87,9 @@ pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Res
     }
     let speed = input.speed();
     if !speed.is_finite() {
-        let table = if scenario.document.has("half_space.rate") { "half_space.rate" } else { "sphere.rate" };
+        let table = if scenario.document.contains("half_space.rate") { "half_space.rate" } else { "sphere.rate" };
         let message = "the strength depends on the speed: give impact.speed, and the law is that of this speed";
-        return Err(scenario.document.refuse(table, message));
+        return Err(scenario.document.refusal(table, message));
     }
     contact.at_speed(speed).map(Some).map_err(|reason| no_result(scenario, &reason))
 }

@@ -12,7 +12,7 @@ use crate::report::text::Detail;
 use crate::report::text::files::summary;
 use crate::report::text::inputs::Inputs;
 use crate::scenario::Scenario;
-use crate::scenario::input::{Body, KEYS, Key};
+use crate::scenario::input::{Body, NUMERIC_KEYS, NumericKey};
 use crate::scenario::keys::Part;
 
 /// The options of a run, besides its scenario.
@@ -103,7 +103,7 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
     let curves = Body::ALL.map(Body::flow_stress);
     let key = match reason {
         ImpactError::Law(LawError::BothFlow { .. }) => {
-            curves.into_iter().find(|key| scenario.document.has(key)).unwrap_or("law")
+            curves.into_iter().find(|key| scenario.document.contains(key)).unwrap_or("law")
         }
         ImpactError::Law(LawError::Exponent { .. }) => "law.plm.unloading_exponent",
         ImpactError::Law(_) => "law",
@@ -112,20 +112,23 @@ pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
         ImpactError::FreeUnderGravity | ImpactError::NoBall => "half_space.mass",
         ImpactError::NoClosedForm => "solver.method",
         ImpactError::SmallInertia { .. } => "sphere.moment_of_inertia",
-        ImpactError::TooDeep { .. } => speeds.into_iter().find(|key| scenario.document.has(key)).unwrap_or(speeds[0]),
+        ImpactError::TooDeep { .. } => {
+            speeds.into_iter().find(|key| scenario.document.contains(key)).unwrap_or(speeds[0])
+        }
         ImpactError::Range(_) | ImpactError::Invalid(_) | ImpactError::Integration(_) => "",
     };
     let document = &scenario.document;
-    if document.has(key) {
-        return document.refuse(key, reason.to_string());
+    if document.contains(key) {
+        return document.refusal(key, reason.to_string());
     }
     match reason {
         ImpactError::Integration(IntegrationError::StepUnderflow { .. } | IntegrationError::NotFinite { .. }) => {
-            let is_of_motion = |key: &&Key| {
+            let is_of_motion = |key: &&NumericKey| {
                 matches!(key.part, Part::Motion | Part::Forces | Part::Approach | Part::Solver)
                     || ["sphere.radius", "sphere.diameter"].contains(&key.path)
             };
-            let given = KEYS.iter().filter(is_of_motion).map(|key| key.path).filter(|path| document.has(path));
+            let given =
+                NUMERIC_KEYS.iter().filter(is_of_motion).map(|key| key.path).filter(|path| document.contains(path));
             let given: Vec<&str> = given.collect();
             let text = format!("{reason}; one of these numbers is too extreme for it: {}", given.join(", "));
             Error::for_file(ErrorKind::Input, document.name(), text)

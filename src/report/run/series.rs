@@ -15,15 +15,15 @@ use crate::report::text::overview::overview;
 use crate::report::text::series as report;
 use crate::results::series::SeriesReport;
 use crate::scenario::Scenario;
-use crate::scenario::input::{Input, Purpose};
+use crate::scenario::input::{Input, RunKind};
 use crate::scenario::keys::strength_notes;
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
 pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, ImpactSeries), Error> {
     let (mut input, contact) = prepare(scenario)?;
-    let repeat = scenario.repeat(&input)?;
+    let repeat = scenario.series(&input)?;
     // a series needs no steps where there is a closed form
-    input.choose_method(Method::Auto);
+    input.set_default_method(Method::Auto);
     Ok((input, contact, repeat))
 }
 
@@ -37,7 +37,7 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
     if progress.is_stopped() {
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
-    let mut idle = scenario.without_effect(std::slice::from_ref(&input), Purpose::Impact);
+    let mut idle = scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact);
     idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
     let warnings = of_impacts.chain(texts(&idle)).collect();

@@ -37,7 +37,7 @@ pub fn rows<P: Send>(
     encode: impl Fn(&Rows) -> P + Sync + Send,
     mut take: impl FnMut(P) + Send,
 ) -> Result<Tally, Error> {
-    let step = if plan.microseconds() > SLOW { 16 } else { 1024 };
+    let step = if plan.row_time_us() > SLOW { 16 } else { 1024 };
     let evaluator = Evaluator::new(plan);
     let mut tally = Tally::new(plan);
     let with_statistics = plan.statistics_columns();
@@ -46,11 +46,11 @@ pub fn rows<P: Send>(
             return Err(Error::new(ErrorKind::Stopped(130), "the table was stopped"));
         }
         let mut rows = Rows::default();
-        evaluator.rows(piece * step..plan.count().min((piece + 1) * step), &mut rows);
+        evaluator.rows(piece * step..plan.n_cases().min((piece + 1) * step), &mut rows);
         let counts: Vec<_> = rows.results.iter().map(|row| count(row, &with_statistics)).collect();
         Ok((encode(&rows), counts))
     };
-    in_order(0..plan.count().div_ceil(step), make, |(piece, counts)| {
+    in_order(0..plan.n_cases().div_ceil(step), make, |(piece, counts)| {
         take(piece);
         for count in counts {
             tally.push(count);
@@ -99,7 +99,7 @@ pub fn cautions(plan: &Plan, known: Option<&Contact>) -> Cautions {
     let corners = at_corners(plan, known);
     let own = if known.is_none() { plan.input.contact().ok() } else { None };
     let contact = known.or(own.as_ref()).filter(|_| corners.has_dent);
-    let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.paths()));
+    let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.varied_paths()));
     Cautions { warnings: [corners.warnings, texts(&plan.warnings)].concat(), notes: notes.unwrap_or_default() }
 }
 

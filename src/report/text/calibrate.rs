@@ -11,8 +11,8 @@ use crate::calibrate::profile::Ends;
 use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
 use crate::error::Error;
 use crate::results::{ResultSpec, result_specs, to_fields};
-use crate::scenario::input::{Body, Measured};
-use crate::scenario::keys::key_of;
+use crate::scenario::input::{Body, MeasuredQuantity};
+use crate::scenario::keys::body_key;
 use crate::strings::align_columns;
 use crate::units::{format_four_digits, format_percent};
 
@@ -130,7 +130,7 @@ impl KeyResult<'_> {
             .filter(|_| calibration.refusal.is_none() && calibration.freedom > 0)?
             .column(self.number);
         let value = &calibration.fit.problem.data.values[shifts.icamax()];
-        let slope = self.found().free.slope(calibration.fit.best().shares[self.number]);
+        let slope = self.found().free.slope_at_share(calibration.fit.best().shares[self.number]);
         let line = calibration.fit.problem.data.rows[value.row].line;
         Some(json!({ "line": line, "quantity": value.quantity.name(), "without_it": slope * shifts[shifts.icamax()] }))
     }
@@ -142,7 +142,7 @@ pub fn key<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
         /// Path of the key.
         "key": one.found().free.key.path;
         /// Its name as a column, with the unit of the values.
-        "column": one.found().free.key.column();
+        "column": one.found().free.key.column_name();
         /// Range that was searched.
         "range": vec![one.found().free.from, one.found().free.to];
         /// `true` if the search used the logarithm of the value.
@@ -150,7 +150,7 @@ pub fn key<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
         /// Best value.
         "estimate": one.found().estimate;
         /// A hardness on the scale on which the scenario gives it, such as `254.3 HV`; `null` for others.
-        "estimate_on_its_scale": one.found().free.hardness.and_then(|_| one.found().free.written(one.found().estimate));
+        "estimate_on_its_scale": one.found().free.hardness.and_then(|_| one.found().free.to_scenario_text(one.found().estimate));
         /// Standard deviation; `null` if there is no interval.
         "sd": one.found().sd;
         /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
@@ -197,7 +197,7 @@ pub fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
     // a strength that follows from a hardness changes with it
     let changing: Vec<String> = Body::ALL
         .into_iter()
-        .filter(|body| input.number(key_of!(body, "hardness")).is_some())
+        .filter(|body| input.number(body_key!(body, "hardness")).is_some())
         .filter(|body| body.strength_numbers().into_iter().any(|number| varies(number.path())))
         .flat_map(|body| [body.yield_strength().to_owned(), constraint(body)])
         .collect();
@@ -214,15 +214,15 @@ fn file_name(path: &str) -> String {
 pub fn residuals(calibration: &Calibration) -> Result<Vec<u8>, Error> {
     let data = calibration.fit.problem.data;
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let keys = data.keys.iter().map(|key| key.column());
-    let shifted = calibration.keys.iter().map(|found| format!("shift_without_it_{}", found.free.key.column()));
+    let keys = data.keys.iter().map(|key| key.column_name());
+    let shifted = calibration.keys.iter().map(|found| format!("shift_without_it_{}", found.free.key.column_name()));
     let fixed = ["quantity", "measured", "sd", "predicted", "residual_over_sd"].map(str::to_owned);
     let indentation = data.is_curve().then(|| "indentation_m".to_owned());
     let header = ["line".to_owned()].into_iter().chain(keys).chain(indentation).chain(fixed).chain(shifted);
     writer.write_record(header)?;
     for (i, value) in data.values.iter().enumerate() {
         let row = &data.rows[value.row];
-        let slope = |key: usize| calibration.keys[key].free.slope(calibration.fit.best().shares[key]);
+        let slope = |key: usize| calibration.keys[key].free.slope_at_share(calibration.fit.best().shares[key]);
         let shift = |key: usize| {
             calibration.shifts.as_ref().map_or_else(String::new, |all| (all[(i, key)] * slope(key)).to_string())
         };
@@ -247,7 +247,7 @@ fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
             // where the law does not know the keys, rounding alone is left of their information
             let is_known = fit.covariance.as_ref().is_some_and(|all| all.diagonal().iter().all(|square| *square < 1.0));
             let text = |(value, found): (f64, &KeyEstimate)| {
-                if is_known { found.free.text(value, 4) } else { "not determined".to_owned() }
+                if is_known { found.free.format_value(value, 4) } else { "not determined".to_owned() }
             };
             let values = fit.values().into_iter().zip(&calibration.keys).map(text);
             let numbers = [fit.aic, fit.aic - calibration.least_aic()].map(|number| format!("{number:.2}"));
@@ -264,10 +264,10 @@ pub fn table(calibration: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for found in &calibration.keys {
-        let text = |value: f64| found.free.text(value, 4);
+        let text = |value: f64| found.free.format_value(value, 4);
         let sd = found
             .sd
-            .map_or_else(String::new, |sd| format!("   sd {}", found.free.deviation_text(found.estimate, sd, 2)));
+            .map_or_else(String::new, |sd| format!("   sd {}", found.free.format_deviation(found.estimate, sd, 2)));
         row(found.free.key.path, text(found.estimate) + &sd);
         for (name, ends) in ["  68 %", "  95 %"].into_iter().zip(found.intervals.iter().flatten()) {
             row(
@@ -287,7 +287,7 @@ pub fn table(calibration: &Calibration) -> String {
         let known = combination(calibration, &identifiability.exponents);
         row("best known", format!("{known}, to {}", format_percent(identifiability.deviation)));
     }
-    let measured = calibration.fit.problem.data.measured().into_iter().map(Measured::name).collect::<Vec<_>>();
+    let measured = calibration.fit.problem.data.measured().into_iter().map(MeasuredQuantity::name).collect::<Vec<_>>();
     row(
         "data",
         format!(
@@ -323,7 +323,7 @@ pub fn table(calibration: &Calibration) -> String {
     if calibration.fit.minima.len() > 1 && calibration.refusal.is_none() {
         let second = &calibration.fit.minima[1];
         let values = calibration.fit.problem.values(&second.shares);
-        let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.text(value, 4));
+        let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.format_value(value, 4));
         let excess = format_four_digits(second.sum - calibration.fit.best().sum);
         row("second best", format!("{}, with a sum of squares {excess} higher", values.collect::<Vec<_>>().join(", ")));
     }

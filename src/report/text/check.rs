@@ -53,7 +53,7 @@ pub fn of_contact(input: &Input, contact: &Contact) -> Map<String, Value> {
 /// A table: also its size and its columns.
 pub fn of_plan(plan: &Plan, contact: &Contact) -> Map<String, Value> {
     let mut all = of_contact(&plan.input, contact);
-    all.insert("cases".to_owned(), plan.count().into());
+    all.insert("cases".to_owned(), plan.n_cases().into());
     all.insert("columns".to_owned(), plan.column_names().into());
     all
 }

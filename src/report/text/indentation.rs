@@ -12,8 +12,8 @@ use crate::results::{ResultSpec, result_specs, to_field_list, to_fields};
 use crate::scenario::Scenario;
 use crate::scenario::input::Body;
 use crate::scenario::keys::interval::WHICH_STRENGTH;
-use crate::scenario::keys::{EVERY_KEY, Part, at};
-use crate::scenario::kinds::indentation::IndentationScene;
+use crate::scenario::keys::{ALL_KEYS, Part, key};
+use crate::scenario::kinds::indentation::IndentationRequest;
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_si_and_short};
 
@@ -169,14 +169,14 @@ pub fn table(tested: &[SpecimenResult]) -> String {
 }
 
 /// The inputs of an indentation, without its steps and half-spaces.
-pub fn inputs(scenario: &Scenario, scene: &IndentationScene) -> Inputs {
+pub fn inputs(scenario: &Scenario, scene: &IndentationRequest) -> Inputs {
     let mut input = scenario.input().clone();
     if !input.can_yield() {
         let strength = scene.specimens.iter().find_map(|specimen| specimen.half_space.yield_strength);
-        input.set(at!("half_space.yield_strength"), strength);
+        input.set(key!("half_space.yield_strength"), strength);
     }
     // every half-space has keys of its own
-    let own = EVERY_KEY.iter().filter_map(|key| key.path.strip_prefix("indentation.half_space[]."));
+    let own = ALL_KEYS.iter().filter_map(|key| key.path.strip_prefix("indentation.half_space[]."));
     let own: Vec<String> = own.map(|name| format!("half_space.{name}")).collect();
     let mut inputs = Inputs::new(&input);
     inputs.0.retain(|entry| (entry.part.is_static() || entry.part == Part::Output) && !own.contains(&entry.path));
@@ -190,7 +190,12 @@ pub fn checked(tested: &[SpecimenResult], inputs: &Inputs) -> Map<String, Value>
 }
 
 /// The text of `check`: the inputs, the steps, the contact of every half-space, and the notes.
-pub fn overview(scenario: &Scenario, scene: &IndentationScene, tested: &[SpecimenResult], notes: &[String]) -> String {
+pub fn overview(
+    scenario: &Scenario,
+    scene: &IndentationRequest,
+    tested: &[SpecimenResult],
+    notes: &[String],
+) -> String {
     let mut rows = overview::rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {

@@ -5,10 +5,10 @@ use serde_json::{Map, Value};
 
 use crate::contact::law::plm::hardness_test::flow_stress_of_hardness;
 use crate::impact::Method;
-use crate::scenario::input::{Body, Input, KeyValue, partner};
+use crate::scenario::input::{Body, Input, KeyValue, alternative_to};
 use crate::scenario::keys::quantity::FACTOR;
-use crate::scenario::keys::{Part, key_of};
-use crate::scenario::plan::{Axis, Plan, Word};
+use crate::scenario::keys::{Part, body_key};
+use crate::scenario::plan::{Axis, AxisWord, Plan};
 
 /// Keys and values in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,19 +29,19 @@ impl Inputs {
             Part::Solver if key_values.path == "solver.steps_per_contact" => is_verlet,
             _ => !key_values.value.is_null(),
         };
-        let mut entries: Vec<KeyValue> = input.filled().key_values().into_iter().filter(is_used).collect();
+        let mut entries: Vec<KeyValue> = input.with_derived_values().key_values().into_iter().filter(is_used).collect();
         for body in Body::ALL {
-            let Some(mean_pressure) = input.number(key_of!(body, "hardness")) else { continue };
+            let Some(mean_pressure) = input.number(body_key!(body, "hardness")) else { continue };
             let rule = if input.flow_curve(body).is_some() { "hardness and flow_stress" } else { "hardness" };
-            entries.push(KeyValue::word(&strength_from(body), Part::Flow, rule));
+            entries.push(KeyValue::from_word(&strength_from(body), Part::Flow, rule));
             let ratio = mean_pressure / flow_stress_of_hardness(mean_pressure, &input.material(body));
             let (path, quantity) = (constraint(body), Some(&FACTOR));
             entries.push(KeyValue { path, part: Part::Flow, quantity, value: ratio.into() });
         }
         for choice in input.materials() {
             let part = if choice.body == Body::Sphere { Part::Sphere } else { Part::HalfSpace };
-            entries.push(KeyValue::word(choice.body.material(), part, choice.material.name.as_str()));
-            entries.extend(choice.notes().map(|(path, note)| KeyValue::word(&path, part, note)));
+            entries.push(KeyValue::from_word(choice.body.material(), part, choice.material.name.as_str()));
+            entries.extend(choice.notes().map(|(path, note)| KeyValue::from_word(&path, part, note)));
         }
         Self(entries)
     }
@@ -49,15 +49,15 @@ impl Inputs {
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
     pub fn of_plan(plan: &Plan) -> Self {
         let Self(mut entries) = Self::new(&plan.input);
-        for input in plan.with_words() {
+        for input in plan.inputs_of_word_axes() {
             let Self(mut new) = Self::new(&input);
             new.retain(|entry| entries.iter().all(|old| old.path != entry.path));
             entries.extend(new);
         }
-        let mut varied = plan.paths();
+        let mut varied = plan.varied_paths();
         for word in plan.axes().iter().flat_map(Axis::words) {
-            if let Word::Material(choice) = word {
-                varied.extend(choice.values().map(|(path, _)| path));
+            if let AxisWord::Material(choice) = word {
+                varied.extend(choice.known_values().map(|(path, _)| path));
             }
         }
         let varies = |key: &str| varied.contains(&key);
@@ -74,7 +74,7 @@ impl Inputs {
             })
         };
         entries.retain(|entry @ KeyValue { path, part, .. }| {
-            let is_given_by_rows = varies(path) || partner(path).is_some_and(varies) || follows(path);
+            let is_given_by_rows = varies(path) || alternative_to(path).is_some_and(varies) || follows(path);
             // a table has no trace
             *part != Part::Output && !is_given_by_rows && is_shared(entry)
         });

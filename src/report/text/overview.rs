@@ -9,7 +9,7 @@ use crate::contact::pair::Pair;
 use crate::impact::Contact;
 use crate::materials::Property;
 use crate::scenario::input::{Body, Input};
-use crate::scenario::keys::key_of;
+use crate::scenario::keys::body_key;
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_input, format_percent, format_si_and_short};
 
@@ -82,7 +82,7 @@ fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
         return None;
     }
     let mut raised = input.clone();
-    raised.set(key_of!(body, "rate.johnson_cook.c"), Some(c));
+    raised.set(body_key!(body, "rate.johnson_cook.c"), Some(c));
     let e = |contact: &Contact| Some(contact.row(speed, &input.solver()).ok()?.restitution);
     let higher = e(&raised.contact().ok()?)? / e(contact)? - 1.0;
     (higher > 0.0).then(|| {

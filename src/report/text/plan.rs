@@ -9,7 +9,7 @@ const MOST_LISTED: u64 = 8;
 
 /// The lines about the cases. The scene of the first case is printed after them.
 pub fn plan_lines(plan: &Plan) -> String {
-    let count = plan.count();
+    let count = plan.n_cases();
     let row = |path: &str, values: String| [format!("  {path}"), values];
     let (from, rows): (_, Vec<_>) = match &plan.cases {
         Cases::Grid(axes) => {
@@ -38,7 +38,7 @@ fn values(axis: &Axis) -> String {
         return format!("{count} values from {first} to {last}, evenly");
     }
     let [low, high] = axis.extreme_places();
-    let is_rising = (1..count).all(|place| axis.number(place - 1) < axis.number(place));
+    let is_rising = (1..count).all(|place| axis.value_at(place - 1) < axis.value_at(place));
     if is_rising || !axis.words().is_empty() {
         return format!("{count} values from {first} to {last}");
     }
@@ -46,11 +46,11 @@ fn values(axis: &Axis) -> String {
 }
 
 fn distribution(variable: &Variable) -> String {
-    let (name, parameters) = variable.distribution.parts();
-    let [first, second] = parameters.map(|value| variable.key.quantity.human(value));
+    let (name, parameters) = variable.distribution.name_and_parameters();
+    let [first, second] = parameters.map(|value| variable.key.quantity.display(value));
     if let Distribution::Uniform { .. } = variable.distribution {
         return format!("{name} from {first} to {second}");
     }
-    let share = format_percent(variable.share_in_range());
-    format!("{name}, mean {first}, sd {second}, cut to {} (keeps {share})", variable.key.quantity.allowed())
+    let share = format_percent(variable.probability_in_range());
+    format!("{name}, mean {first}, sd {second}, cut to {} (keeps {share})", variable.key.quantity.allowed_range())
 }

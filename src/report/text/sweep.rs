@@ -71,13 +71,13 @@ pub fn drawn() -> Vec<ResultSpec<Variable>> {
         /// Path of the key.
         "key": variable.key.path;
         /// Name of its distribution: `uniform`, `normal` or `lognormal`.
-        "distribution": variable.distribution.parts().0;
+        "distribution": variable.distribution.name_and_parameters().0;
         /// Mean and standard deviation before truncation, or the two ends; SI.
-        "parameters": variable.distribution.parts().1.to_vec();
+        "parameters": variable.distribution.name_and_parameters().1.to_vec();
         /// Range that the values are cut to.
-        "truncated_to": variable.key.quantity.allowed();
+        "truncated_to": variable.key.quantity.allowed_range();
         /// Share of the distribution that lies in that range.
-        "kept": variable.share_in_range();
+        "kept": variable.probability_in_range();
     }
 }
 
@@ -110,7 +110,7 @@ pub fn lines(plan: &Plan, tally: &Tally) -> String {
     }
     for (place, (column, all)) in constant.iter().enumerate() {
         let value = format_result(all.mean, dimension_of(column.name));
-        let (name, keys) = (words(column), plan.paths().join(" and "));
+        let (name, keys) = (words(column), plan.varied_paths().join(" and "));
         let before = if place == 0 { "\n" } else { "" };
         let _ = writeln!(text, "{before}{name}: {value} in all cases, as it does not depend on {keys} here");
     }

@@ -13,34 +13,34 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::input::read_input::is_at_or_below;
-use super::input::reader::Fault;
-use super::key_docs::{allowed, missing};
+use super::input::reader::ValueError;
+use super::key_docs::{allowed_value, missing_message};
 use super::syntax::syntax_message;
-use super::toml_node::{Node, add_places};
+use super::toml_node::{TomlValue, collect_spans};
 use crate::error::{Details, Error, ErrorKind};
 use edit::Change;
-use excerpt::{Mark, shortened};
+use excerpt::{Excerpt, elide_middle};
 
 /// Largest scenario \[MiB\], which holds 50 000 values. Parsing takes a hundred times the memory of the text.
-pub const LARGEST_SCENARIO: u64 = 1;
+pub const MAX_SCENARIO_MIB: u64 = 1;
 
 /// Largest file of measurements \[MiB\].
-pub const LARGEST_DATA: u64 = 64;
+pub const MAX_DATA_MIB: u64 = 64;
 
 /// Reads a text file of at most `largest` MiB, so that an endless device does not fill the memory.
 pub fn read_text(path: &Path, largest: u64) -> Result<String, Error> {
-    text_of(path, File::open(path).map_err(unreadable(path))?, largest)
+    read_open_file(path, File::open(path).map_err(unreadable_error(path))?, largest)
 }
 
-fn unreadable(path: &Path) -> impl Fn(std::io::Error) -> Error {
+fn unreadable_error(path: &Path) -> impl Fn(std::io::Error) -> Error {
     Error::from_io(ErrorKind::Input, path, "cannot be read", "")
 }
 
 /// Reads an open file; messages name it by `path`.
-pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Error> {
+pub fn read_open_file(path: &Path, from: impl Read, largest: u64) -> Result<String, Error> {
     let most = largest << 20;
     let mut bytes = Vec::new();
-    from.take(most + 1).read_to_end(&mut bytes).map_err(unreadable(path))?;
+    from.take(most + 1).read_to_end(&mut bytes).map_err(unreadable_error(path))?;
     let file = path.display().to_string();
     if bytes.len() as u64 > most {
         // data have no short form
@@ -58,8 +58,8 @@ pub fn text_of(path: &Path, from: impl Read, largest: u64) -> Result<String, Err
 }
 
 /// Longer keys and messages quote a generated value; their middle is omitted.
-const LONGEST_KEY: usize = 200;
-const LONGEST_MESSAGE: usize = 1800;
+const MAX_KEY_LENGTH: usize = 200;
+const MAX_MESSAGE_LENGTH: usize = 1800;
 
 /// `key=value` from the command line.
 #[derive(Debug, Clone)]
@@ -92,12 +92,12 @@ impl Override {
 }
 
 /// The spans of the values of a text, by their keys.
-type Places = BTreeMap<String, Range<usize>>;
+type ValueSpans = BTreeMap<String, Range<usize>>;
 
-fn places(text: &str) -> Result<Places, toml::de::Error> {
-    let mut places = Places::new();
+fn value_spans(text: &str) -> Result<ValueSpans, toml::de::Error> {
+    let mut places = ValueSpans::new();
     let root = DeTable::parse(text)?;
-    add_places("", &Spanned::new(0..0, DeValue::Table(root.into_inner())), &mut places);
+    collect_spans("", &Spanned::new(0..0, DeValue::Table(root.into_inner())), &mut places);
     Ok(places)
 }
 
@@ -109,9 +109,9 @@ pub struct Document {
     overrides: Vec<Override>,
     /// The text with the changes of the command line, which is parsed.
     edited: String,
-    places: Places,
+    spans: ValueSpans,
     /// The spans in the text of the file.
-    in_file: Places,
+    file_spans: ValueSpans,
 }
 
 impl Document {
@@ -119,26 +119,32 @@ impl Document {
     pub fn new(name: String, text: String, overrides: &[String]) -> Result<Self, Error> {
         let parsed: Vec<_> = overrides.iter().map(|given| Override::parse(given)).collect::<Result<_, _>>()?;
         let (overrides, changes): (Vec<_>, Vec<_>) = parsed.into_iter().unzip();
-        let mut document =
-            Self { name, edited: text.clone(), text, overrides, places: Places::new(), in_file: Places::new() };
+        let mut document = Self {
+            name,
+            edited: text.clone(),
+            text,
+            overrides,
+            spans: ValueSpans::new(),
+            file_spans: ValueSpans::new(),
+        };
         let refuse = |span: Option<Range<usize>>, message: &str| {
             let message = syntax_message(&document.text, span.as_ref(), message);
             document.error_at(span.map(Location::File), "", &message)
         };
-        let in_file = places(&document.text).map_err(|error| refuse(error.span(), error.message()))?;
+        let in_file = value_spans(&document.text).map_err(|error| refuse(error.span(), error.message()))?;
         if changes.is_empty() {
-            document.places.clone_from(&in_file);
+            document.spans.clone_from(&in_file);
         } else {
             let edited =
-                edit::changed(&document.text, &changes).map_err(|error| refuse(error.span(), error.message()))?;
-            document.places = places(&edited).map_err(|error| refuse(None, error.message()))?;
+                edit::with_changes(&document.text, &changes).map_err(|error| refuse(error.span(), error.message()))?;
+            document.spans = value_spans(&edited).map_err(|error| refuse(None, error.message()))?;
             document.edited = edited;
         }
-        document.in_file = in_file;
+        document.file_spans = in_file;
         Ok(document)
     }
 
-    pub(super) fn tables(&self) -> Result<Node<'_>, Error> {
+    pub(super) fn tables(&self) -> Result<TomlValue<'_>, Error> {
         let root = DeTable::parse(&self.edited).map_err(|error| self.error_at(None, "", error.message()))?;
         Ok(Spanned::new(0..0, DeValue::Table(root.into_inner())))
     }
@@ -164,9 +170,9 @@ impl Document {
 
     /// The refusals of the keys that were refused during parsing: first in the order of the file, then in the order of the
     /// command line.
-    pub(super) fn refused(&self, refused: Vec<(String, Fault)>) -> Vec<Error> {
+    pub(super) fn refusals(&self, refused: Vec<(String, ValueError)>) -> Vec<Error> {
         let mut placed: Vec<_> =
-            refused.into_iter().map(|(key, fault)| (self.place(&key, fault.span), key, fault.message)).collect();
+            refused.into_iter().map(|(key, fault)| (self.locate(&key, fault.span), key, fault.message)).collect();
         placed.sort_by_key(|(place, ..)| match place {
             Some(Location::File(span)) => (0, span.start),
             Some(Location::Set(number)) => (1, *number),
@@ -176,19 +182,19 @@ impl Document {
     }
 
     /// A refusal of the value at `key`, with its position.
-    pub fn refuse(&self, key: &str, message: impl AsRef<str>) -> Error {
-        let place = self.places.get(key).and_then(|span| self.place(key, span.clone()));
+    pub fn refusal(&self, key: &str, message: impl AsRef<str>) -> Error {
+        let place = self.spans.get(key).and_then(|span| self.locate(key, span.clone()));
         self.error_at(place, key, message.as_ref())
     }
 
     /// The location of a span of the parsed text that belongs to a key. It is on the command line if an override gives the key or a table
     /// that holds it; otherwise in the file; otherwise at the override that gives the first key of the table.
-    fn place(&self, key: &str, span: Range<usize>) -> Option<Location> {
+    fn locate(&self, key: &str, span: Range<usize>) -> Option<Location> {
         let by = |is_this: &dyn Fn(&str) -> bool| self.overrides.iter().rposition(|given| is_this(&given.key));
         if let Some(number) = by(&|given| is_at_or_below(key, given)) {
             return Some(Location::Set(number));
         }
-        if let (Some(own), Some(read)) = (self.in_file.get(key), self.places.get(key)) {
+        if let (Some(own), Some(read)) = (self.file_spans.get(key), self.spans.get(key)) {
             let at = |byte: usize| (own.start + byte).saturating_sub(read.start);
             return Some(Location::File(at(span.start)..at(span.end)));
         }
@@ -196,42 +202,43 @@ impl Document {
     }
 
     /// True if the scenario or the command line gives the key itself.
-    pub fn has(&self, key: &str) -> bool {
-        self.places.contains_key(key)
+    pub fn contains(&self, key: &str) -> bool {
+        self.spans.contains_key(key)
     }
 
     /// The value of a key as written, without quotes.
-    pub(super) fn value(&self, key: &str) -> Option<&str> {
-        self.edited.get(self.places.get(key)?.clone()).map(|text| text.trim_matches(['"', '\'']))
+    pub(super) fn written_value(&self, key: &str) -> Option<&str> {
+        self.edited.get(self.spans.get(key)?.clone()).map(|text| text.trim_matches(['"', '\'']))
     }
 
     /// The given keys whose path begins with this text, and tables without keys.
-    pub(super) fn inside(&self, begin: &str) -> Vec<&str> {
-        let keys = self.places.range(begin.to_owned()..).map(|(key, _)| key.as_str());
+    pub(super) fn keys_below(&self, begin: &str) -> Vec<&str> {
+        let keys = self.spans.range(begin.to_owned()..).map(|(key, _)| key.as_str());
         let keys: Vec<&str> = keys.take_while(|key| key.starts_with(begin)).collect();
         let is_inner = |key: &str, other: &&str| other.strip_prefix(key).is_some_and(|rest| rest.starts_with('.'));
         keys.iter().copied().filter(|key| !keys.iter().any(|other| is_inner(key, other))).collect()
     }
 
     /// The refusal of a scenario that lacks `key` in `table`; for an empty `table`, that lacks the table `key`.
-    pub fn missing(&self, table: &str, key: &str) -> Error {
+    pub fn missing_key(&self, table: &str, key: &str) -> Error {
         let needed = format!("{table}.{key}");
-        self.refuse(table, missing(key, table)).with_missing_key(Some(needed.as_str()).filter(|_| !table.is_empty()))
+        self.refusal(table, missing_message(key, table))
+            .with_missing_key(Some(needed.as_str()).filter(|_| !table.is_empty()))
     }
 
     /// The refusal if one of these keys is needed; `loading_leg` names other remedies.
-    pub(super) fn missing_one_of(&self, table: &str, keys: &[&str], way_out: &str) -> Error {
+    pub(super) fn missing_any_key(&self, table: &str, keys: &[&str], way_out: &str) -> Error {
         let mut names = keys.iter().map(|path| path.rsplit('.').next().unwrap_or(path));
-        let first = missing(names.next().unwrap_or_default(), table);
+        let first = missing_message(names.next().unwrap_or_default(), table);
         let others: Vec<String> = names.map(|name| format!("`{name}`")).collect();
         let or_others = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
-        self.refuse(table, first + &or_others + way_out).with_missing_key(keys.first().copied())
+        self.refusal(table, first + &or_others + way_out).with_missing_key(keys.first().copied())
     }
 
     /// The refusal of a key that is given together with its alternative.
-    pub(super) fn one_key(&self, first: &str, second: &str) -> Error {
+    pub(super) fn refuse_both(&self, first: &str, second: &str) -> Error {
         let [one, other] = [first, second].map(|path| path.rsplit('.').next().unwrap_or(path));
-        self.refuse(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
+        self.refusal(second, format!("`{one}` is given too; write only one of `{one}` and `{other}`"))
     }
 
     fn error_at(&self, place: Option<Location>, key: &str, message: &str) -> Error {
@@ -239,7 +246,7 @@ impl Document {
         let mut details = Details {
             file: Some(self.name.clone()),
             key: Some(key.to_owned()).filter(|key| !key.is_empty()),
-            allowed: allowed(key),
+            allowed: allowed_value(key),
             message: Some(message.to_owned()),
             ..Details::default()
         };
@@ -251,7 +258,7 @@ impl Document {
                 details.value = text.split_once('=').map(|(_, value)| value.to_owned());
             }
             Some(Location::File(span)) => {
-                let Mark { line, column, value, excerpt: marked } = Mark::new(&self.text, &span);
+                let Excerpt { line, column, value, excerpt: marked } = Excerpt::new(&self.text, &span);
                 begin = format!("{begin}:{line}:{column}");
                 excerpt = marked;
                 (details.line, details.column) = (Some(line as u64), Some(column as u64));
@@ -261,8 +268,8 @@ impl Document {
             }
             None => {}
         }
-        let place = if key.is_empty() { String::new() } else { format!("{}: ", shortened(key, LONGEST_KEY)) };
-        let text = format!("{begin}: {place}{}{excerpt}", shortened(message, LONGEST_MESSAGE));
+        let place = if key.is_empty() { String::new() } else { format!("{}: ", elide_middle(key, MAX_KEY_LENGTH)) };
+        let text = format!("{begin}: {place}{}{excerpt}", elide_middle(message, MAX_MESSAGE_LENGTH));
         Error::input(text).with_details(details)
     }
 }

@@ -7,52 +7,52 @@ use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::law::{LawChoice, UnloadingExponent};
 use crate::contact::pair::{ALONE_FROM, yield_factor};
 use crate::contact::strength::flow_curve::FlowCurve;
-use crate::scenario::keys::{At, NUMBER, at, key_of};
+use crate::scenario::keys::{KeyId, NUMBER, body_key, key};
 
 impl Input {
     /// The law, with its parameters and with the flow curves of the bodies.
     pub fn law(&self) -> LawChoice {
         let mut law = self.named_law.clone();
-        let number = |at: At<NUMBER>| self.number(at);
-        let replace = |value: &mut f64, at: At<NUMBER>| *value = number(at).unwrap_or(*value);
+        let number = |at: KeyId<NUMBER>| self.number(at);
+        let replace = |value: &mut f64, at: KeyId<NUMBER>| *value = number(at).unwrap_or(*value);
         match &mut law {
             LawChoice::Plm(law) => {
-                law.exponent = match number(at!("law.plm.unloading_exponent")) {
+                law.exponent = match number(key!("law.plm.unloading_exponent")) {
                     None => law.exponent,
                     Some(f64::INFINITY) => UnloadingExponent::PressureShape,
                     Some(value) => UnloadingExponent::from_value(value),
                 };
-                if let Some(Value::Coefficients(table)) = self.value(at!("law.plm.coefficients")) {
+                if let Some(Value::Coefficients(table)) = self.value(key!("law.plm.coefficients")) {
                     law.coefficients = Arc::clone(table);
                 }
                 law.flow = self.flow_curves();
             }
-            LawChoice::Thornton(law) => law.yield_pressure = number(at!("law.thornton.yield_pressure")),
+            LawChoice::Thornton(law) => law.yield_pressure = number(key!("law.thornton.yield_pressure")),
             LawChoice::Stronge(law) => {
-                replace(&mut law.yield_pressure_ratio, at!("law.stronge.yield_pressure_ratio"));
-                replace(&mut law.unloading_factor, at!("law.stronge.unloading_factor"));
+                replace(&mut law.yield_pressure_ratio, key!("law.stronge.yield_pressure_ratio"));
+                replace(&mut law.unloading_factor, key!("law.stronge.unloading_factor"));
             }
             LawChoice::JacksonGreen(law) => {
-                law.yield_factor = number(at!("law.jackson_green.yield_factor"));
-                let hardness = self.word(at!("law.jackson_green.hardness"));
+                law.yield_factor = number(key!("law.jackson_green.yield_factor"));
+                let hardness = self.word(key!("law.jackson_green.hardness"));
                 law.hardness = hardness.map_or(law.hardness, |place| HardnessFit::ALL[place]);
             }
-            LawChoice::KogutEtsion(law) => law.yield_factor = number(at!("law.kogut_etsion.yield_factor")),
+            LawChoice::KogutEtsion(law) => law.yield_factor = number(key!("law.kogut_etsion.yield_factor")),
             LawChoice::YigitChristoforou(law) => {
-                law.yield_factor = number(at!("law.yigit_christoforou.yield_factor"));
+                law.yield_factor = number(key!("law.yigit_christoforou.yield_factor"));
             }
             LawChoice::MaLiu(law) => {
-                replace(&mut law.hardness_ratio, at!("law.ma_liu.hardness_ratio"));
-                replace(&mut law.transition_ratio, at!("law.ma_liu.transition_ratio"));
+                replace(&mut law.hardness_ratio, key!("law.ma_liu.hardness_ratio"));
+                replace(&mut law.transition_ratio, key!("law.ma_liu.transition_ratio"));
             }
             LawChoice::MesarovicJohnson(law) => {
-                replace(&mut law.area_factor, at!("law.mesarovic_johnson.area_factor"));
+                replace(&mut law.area_factor, key!("law.mesarovic_johnson.area_factor"));
             }
             LawChoice::WaltonBraun(law) => {
-                replace(&mut law.loading_stiffness, at!("law.walton_braun.loading_stiffness"));
-                replace(&mut law.stiffness_ratio, at!("law.walton_braun.stiffness_ratio"));
+                replace(&mut law.loading_stiffness, key!("law.walton_braun.loading_stiffness"));
+                replace(&mut law.stiffness_ratio, key!("law.walton_braun.stiffness_ratio"));
             }
-            LawChoice::Johnson(law) => law.dynamic_pressure = number(at!("law.johnson.dynamic_pressure")),
+            LawChoice::Johnson(law) => law.dynamic_pressure = number(key!("law.johnson.dynamic_pressure")),
             LawChoice::Hertz(_) | LawChoice::KogutKomvopoulos(_) | LawChoice::Brake(_) | LawChoice::Combined(_) => {}
         }
         law
@@ -63,16 +63,16 @@ impl Input {
     fn flow_curves(&self) -> [Option<FlowCurve>; 2] {
         let curves = Body::ALL.map(|body| self.flow_curve(body));
         let is_of_material = |body: Body| {
-            let exponent = key_of!(body, "flow_stress.power.exponent");
+            let exponent = body_key!(body, "flow_stress.power.exponent");
             let mut choices = self.materials().iter().filter(|choice| choice.body == body);
-            body.pick([&curves[0], &curves[1]]).is_none()
+            body.select([&curves[0], &curves[1]]).is_none()
                 || choices.any(|choice| choice.defaults.iter().any(|(at, _)| *at == exponent))
         };
         if curves.iter().all(Option::is_none) || !Body::ALL.into_iter().all(is_of_material) {
             return curves;
         }
         let pressure = |body: Body| {
-            let strength = self.yield_strength(body, body.pick([&curves[0], &curves[1]]).as_ref())?;
+            let strength = self.yield_strength(body, body.select([&curves[0], &curves[1]]).as_ref())?;
             Some(strength * yield_factor(self.material(body).poissons_ratio))
         };
         match Body::ALL.map(pressure) {
@@ -90,7 +90,7 @@ impl Input {
     }
 
     /// True if the key belongs to the table of the law.
-    pub fn is_of_law(&self, path: &str) -> bool {
+    pub fn is_law_key(&self, path: &str) -> bool {
         path.split('.').take(2).eq(["law", self.named_law.about().name])
     }
 }

@@ -4,13 +4,13 @@ use super::Input;
 use crate::impact::ImpactRow;
 use crate::impact::flight::free_flight::FreeFlight;
 use crate::scenario::keys::quantity::{FORCE, LEEB, LENGTH, RESTITUTION, SPEED, TIME};
-use crate::scenario::keys::{Quantity, at};
+use crate::scenario::keys::{Quantity, key};
 use crate::strings::named_enum;
 
 named_enum! {
     /// A measured quantity.
     #[derive(PartialOrd, Ord)]
-    pub enum Measured {
+    pub enum MeasuredQuantity {
         /// Rebound speed over impact speed.
         Restitution = "restitution",
         ReboundSpeed = "rebound_speed",
@@ -29,7 +29,7 @@ named_enum! {
     }
 }
 
-impl Measured {
+impl MeasuredQuantity {
     /// Dimension and allowed range.
     pub fn quantity(self) -> &'static Quantity {
         match self {
@@ -43,7 +43,7 @@ impl Measured {
     }
 
     /// True if the quantity depends only on the restitution and known keys.
-    pub fn is_of_restitution(self) -> bool {
+    pub fn follows_from_restitution(self) -> bool {
         self <= Self::Leeb
     }
 
@@ -54,16 +54,16 @@ impl Measured {
             Self::DentDepth => Some(row.dent_depth()),
             Self::ContactTime => Some(row.contact_time),
             Self::PeakForce => Some(row.peak_force),
-            Self::BounceInterval => Some(row.contact_time + self.of_rebound(row.measured_restitution(), input)?),
+            Self::BounceInterval => Some(row.contact_time + self.from_restitution(row.measured_restitution(), input)?),
             // elastic waves reduce the measured value, if the half-space has a density
-            _ => self.of_rebound(row.measured_restitution(), input),
+            _ => self.from_restitution(row.measured_restitution(), input),
         }
     }
 
     /// The value after a rebound with this restitution; `None` if the quantity does not follow from the restitution.
-    pub fn of_rebound(self, restitution: f64, input: &Input) -> Option<f64> {
+    pub fn from_restitution(self, restitution: f64, input: &Input) -> Option<f64> {
         let mut speed = restitution * input.speed();
-        if input.number(at!("half_space.mass")).is_some() {
+        if input.number(key!("half_space.mass")).is_some() {
             // the sphere transfers part of its speed to a free target; heights of two moving bodies are not modelled
             let [own, other] = [input.mass()?, input.half_space().free_mass()?];
             speed = (restitution * other - own) / (own + other) * input.speed();
@@ -71,7 +71,7 @@ impl Measured {
                 return None;
             }
         }
-        let flying = || input.flying().unwrap_or(FreeFlight::in_vacuum(input.falling_gravity()));
+        let flying = || input.free_flight().unwrap_or(FreeFlight::in_vacuum(input.drop_gravity()));
         match self {
             Self::Restitution => Some(restitution),
             Self::ReboundSpeed => Some(speed),

@@ -12,14 +12,17 @@ pub(in crate::scenario) mod strength;
 pub(in crate::scenario) mod unused_keys;
 
 pub(crate) use body_material::{Body, BodyMaterial};
-pub use measured::Measured;
-pub use numeric_key::{BODIES, EITHER, KEYS, Key, NEEDED, SPHERE, partner, varied};
-pub use unused_keys::{Purpose, without_effect};
+pub use measured::MeasuredQuantity;
+pub use numeric_key::{
+    ALTERNATIVES, N_BODY_KEYS, N_SPHERE_KEYS, NUMERIC_KEYS, NumericKey, REQUIRED_KEYS, alternative_to,
+    without_axis_table,
+};
+pub use unused_keys::{RunKind, unused_reason};
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::keys::{AnyKey, At, COUNT, EVERY_KEY, Form, NUMBER, OTHER, Part, Quantity, WORD};
+use super::keys::{ALL_KEYS, COUNT, KeyId, KeySpec, NUMBER, OTHER, Part, Quantity, ValueForm, WORD};
 use crate::contact::law::{LawChoice, PlmCoefficients};
 use crate::contact::strength::flow_curve::{FlowCurve, FlowPoint};
 use crate::units::{Dimension, format_input, format_number, format_si_and_short};
@@ -37,7 +40,7 @@ pub enum Value {
 
 /// The values that an input has besides its numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
-struct Others {
+struct NonNumericValues {
     /// By the indices of their keys.
     values: BTreeMap<usize, Value>,
     /// The items of lists of tables, by the paths of the lists.
@@ -50,16 +53,16 @@ struct Others {
 pub struct Input {
     /// Values by the index of their key: numbers in SI, whole numbers, and words by their index in the list of words. A missing value is
     /// NaN. A word in place of a number is infinity.
-    numbers: [f64; EVERY_KEY.len()],
+    numbers: [f64; ALL_KEYS.len()],
     // the rows of a table share these values; only an axis of materials changes them
-    others: Arc<Others>,
+    others: Arc<NonNumericValues>,
     /// The law that the scenario names, without the numbers that it gives to it: see [`Input::law`].
     pub named_law: LawChoice,
 }
 
 impl Default for Input {
     fn default() -> Self {
-        Self { numbers: [f64::NAN; EVERY_KEY.len()], others: Arc::default(), named_law: LawChoice::default() }
+        Self { numbers: [f64::NAN; ALL_KEYS.len()], others: Arc::default(), named_law: LawChoice::default() }
     }
 }
 
@@ -74,83 +77,83 @@ impl PartialEq for Input {
 impl Input {
     /// The number of a key, SI.
     #[inline]
-    pub fn number(&self, at: At<NUMBER>) -> Option<f64> {
-        self.given(at.place())
+    pub fn number(&self, at: KeyId<NUMBER>) -> Option<f64> {
+        self.number_at(at.index())
     }
 
     #[inline]
-    pub(super) fn given(&self, place: usize) -> Option<f64> {
+    pub(super) fn number_at(&self, place: usize) -> Option<f64> {
         let number = self.numbers[place];
         if number.is_nan() { None } else { Some(number) }
     }
 
     /// Sets a checked number, SI; `None` removes it.
     #[inline]
-    pub fn set(&mut self, at: At<NUMBER>, number: Option<f64>) {
-        self.numbers[at.place()] = number.unwrap_or(f64::NAN);
+    pub fn set(&mut self, at: KeyId<NUMBER>, number: Option<f64>) {
+        self.numbers[at.index()] = number.unwrap_or(f64::NAN);
     }
 
     /// A whole number.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole and positive, checked when it was read
-    pub fn count(&self, at: At<COUNT>) -> Option<u64> {
-        self.given(at.place()).map(|number| number as u64)
+    pub fn count(&self, at: KeyId<COUNT>) -> Option<u64> {
+        self.number_at(at.index()).map(|number| number as u64)
     }
 
     /// The index of a word in the list of the words of the key.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a place in a list
-    pub fn word(&self, at: At<WORD>) -> Option<usize> {
-        self.given(at.place()).map(|place| place as usize)
+    pub fn word(&self, at: KeyId<WORD>) -> Option<usize> {
+        self.number_at(at.index()).map(|place| place as usize)
     }
 
     /// Sets a word, by its index in the list of the words of the key; `None` removes it.
-    pub fn choose(&mut self, at: At<WORD>, word: Option<usize>) {
-        self.numbers[at.place()] = word.map_or(f64::NAN, |place| place as f64);
+    pub fn set_word(&mut self, at: KeyId<WORD>, word: Option<usize>) {
+        self.numbers[at.index()] = word.map_or(f64::NAN, |place| place as f64);
     }
 
     /// Any other value.
-    pub fn value(&self, at: At<OTHER>) -> Option<&Value> {
-        self.others.values.get(&at.place())
+    pub fn value(&self, at: KeyId<OTHER>) -> Option<&Value> {
+        self.others.values.get(&at.index())
     }
 
     /// Sets such a value; `None` removes it.
-    pub fn put_value(&mut self, at: At<OTHER>, value: Option<Value>) {
+    pub fn set_value(&mut self, at: KeyId<OTHER>, value: Option<Value>) {
         let values = &mut Arc::make_mut(&mut self.others).values;
         match value {
-            Some(value) => drop(values.insert(at.place(), value)),
-            None => drop(values.remove(&at.place())),
+            Some(value) => drop(values.insert(at.index(), value)),
+            None => drop(values.remove(&at.index())),
         }
     }
 
     /// Sets a parsed value at an index of the list.
-    pub(super) fn put_number(&mut self, place: usize, number: f64) {
+    pub(super) fn set_number_at(&mut self, place: usize, number: f64) {
         self.numbers[place] = number;
     }
 
-    pub(super) fn put_other(&mut self, place: usize, value: Value) {
+    pub(super) fn set_value_at(&mut self, place: usize, value: Value) {
         Arc::make_mut(&mut self.others).values.insert(place, value);
     }
 
-    pub fn words(&self, at: At<OTHER>) -> Option<&[String]> {
+    pub fn words(&self, at: KeyId<OTHER>) -> Option<&[String]> {
         if let Some(Value::Words(words)) = self.value(at) { Some(words) } else { None }
     }
 
-    pub fn numbers(&self, at: At<OTHER>) -> Option<&[f64]> {
+    pub fn numbers(&self, at: KeyId<OTHER>) -> Option<&[f64]> {
         if let Some(Value::Numbers(numbers)) = self.value(at) { Some(numbers) } else { None }
     }
 
     /// A text, or the name of a file.
-    pub fn text(&self, at: At<OTHER>) -> Option<&str> {
+    pub fn text(&self, at: KeyId<OTHER>) -> Option<&str> {
         if let Some(Value::Text(text)) = self.value(at) { Some(text) } else { None }
     }
 
     /// The items of a list of tables; `None` if it is not given.
-    pub fn items(&self, path: &str) -> Option<&[Self]> {
+    pub fn table_list(&self, path: &str) -> Option<&[Self]> {
         self.others.items.get(path).map(Vec::as_slice)
     }
 
     /// Sets the items of a list of tables.
-    pub fn set_items(&mut self, path: &'static str, items: Vec<Self>) {
+    pub fn set_table_list(&mut self, path: &'static str, items: Vec<Self>) {
         Arc::make_mut(&mut self.others).items.insert(path, items);
     }
 
@@ -164,18 +167,20 @@ impl Input {
     }
 
     /// Sets the defaults of the keys in `is_used` that are not given and have a default.
-    pub(super) fn fill(&mut self, is_used: impl Fn(&AnyKey) -> bool) {
-        for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| is_used(key)) {
+    pub(super) fn fill_defaults(&mut self, is_used: impl Fn(&KeySpec) -> bool) {
+        for (place, key) in ALL_KEYS.iter().enumerate().filter(|(_, key)| is_used(key)) {
             let default = key.default.trim_matches('"');
             let value = match key.form {
-                Form::Number(quantity) | Form::NumberOr(quantity, _) | Form::Count(quantity) => {
+                ValueForm::Number(quantity) | ValueForm::NumberOr(quantity, _) | ValueForm::Count(quantity) => {
                     quantity.parse(default).ok()
                 }
-                Form::Word(words) => (words.known)().iter().position(|word| word == default).map(|word| word as f64),
+                ValueForm::Word(words) => {
+                    (words.values)().iter().position(|word| word == default).map(|word| word as f64)
+                }
                 _ => None,
             };
-            if let (Some(value), None) = (value, self.given(place)) {
-                self.put_number(place, value);
+            if let (Some(value), None) = (value, self.number_at(place)) {
+                self.set_number_at(place, value);
             }
         }
     }
@@ -183,7 +188,7 @@ impl Input {
     /// The numbers of a table, by their names in alphabetical order.
     pub fn numbers_of(&self, table: &str) -> Vec<(String, f64)> {
         let name = |path: &'static str| path.strip_prefix(table)?.strip_prefix('.');
-        let all = EVERY_KEY.iter().zip(self.numbers).filter(|(key, number)| key.number().is_some() && !number.is_nan());
+        let all = ALL_KEYS.iter().zip(self.numbers).filter(|(key, number)| key.number().is_some() && !number.is_nan());
         let mut all: Vec<_> = all.filter_map(|(key, number)| Some((name(key.path)?.to_owned(), number))).collect();
         all.sort_by(|a, b| a.0.cmp(&b.0));
         all
@@ -194,17 +199,17 @@ impl Input {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // counts and places are whole
     pub fn key_values(&self) -> Vec<KeyValue> {
         let mut key_values = Vec::new();
-        for (place, key) in EVERY_KEY.iter().enumerate().filter(|(_, key)| key.part != Part::Kind) {
+        for (place, key) in ALL_KEYS.iter().enumerate().filter(|(_, key)| key.part != Part::Kind) {
             if key.part == Part::Law && !key_values.iter().any(|key_values: &KeyValue| key_values.path == "law") {
-                key_values.push(KeyValue::word("law", Part::Law, self.named_law.name()));
+                key_values.push(KeyValue::from_word("law", Part::Law, self.named_law.name()));
             }
-            if key.part == Part::Law && !self.is_of_law(key.path) {
+            if key.part == Part::Law && !self.is_law_key(key.path) {
                 continue;
             }
-            let value = match (key.form, self.given(place), self.others.values.get(&place)) {
-                (Form::NumberOr(_, word), Some(f64::INFINITY), _) => word.into(),
-                (Form::Count(_), Some(count), _) => (count as u64).into(),
-                (Form::Word(words), Some(place), _) => (words.known)().get(place as usize).cloned().into(),
+            let value = match (key.form, self.number_at(place), self.others.values.get(&place)) {
+                (ValueForm::NumberOr(_, word), Some(f64::INFINITY), _) => word.into(),
+                (ValueForm::Count(_), Some(count), _) => (count as u64).into(),
+                (ValueForm::Word(words), Some(place), _) => (words.values)().get(place as usize).cloned().into(),
                 (_, Some(number), _) => number.into(),
                 (.., Some(value)) if value.text().is_some() => value.text().into(),
                 _ => continue,
@@ -245,7 +250,7 @@ pub struct KeyValue {
 }
 
 impl KeyValue {
-    pub fn word(path: &str, part: Part, word: impl Into<serde_json::Value>) -> Self {
+    pub fn from_word(path: &str, part: Part, word: impl Into<serde_json::Value>) -> Self {
         Self { path: path.to_owned(), part, quantity: None, value: word.into() }
     }
 
@@ -258,7 +263,7 @@ impl KeyValue {
     pub fn text(&self) -> String {
         match (self.quantity, self.value.as_f64(), self.value.as_str()) {
             (Some(quantity), Some(number), _) if quantity.is_hardness => {
-                format!("{}, {}", format_si_and_short(number, quantity.dimension), quantity.human(number))
+                format!("{}, {}", format_si_and_short(number, quantity.dimension), quantity.display(number))
             }
             (Some(quantity), Some(number), _) => format_si_and_short(number, quantity.dimension),
             (.., Some(word)) => word.to_owned(),

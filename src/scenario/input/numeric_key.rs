@@ -4,30 +4,38 @@
 use std::sync::LazyLock;
 
 use super::Input;
-use crate::scenario::keys::{At, EVERY_KEY, NUMBER, Part, Quantity};
+use crate::scenario::keys::{ALL_KEYS, KeyId, NUMBER, Part, Quantity};
 
 /// A numeric key of an impact, which may vary: as an axis, as a random variable, or as a free key of a calibration.
 #[derive(Debug, PartialEq)]
-pub struct Key {
+pub struct NumericKey {
     /// With dots: `impact.speed`.
     pub path: &'static str,
     pub part: Part,
     /// Dimension and allowed range.
     pub quantity: &'static Quantity,
     /// A word that may replace the number.
-    pub word: Option<&'static str>,
-    at: At<NUMBER>,
+    pub alternative_word: Option<&'static str>,
+    id: KeyId<NUMBER>,
 }
 
 /// All numeric keys of the scene of an impact, in the order of the file.
-pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
-    let of_impact = EVERY_KEY.iter().enumerate().filter(|(_, key)| key.part != Part::Kind);
-    let numeric = of_impact.filter_map(|(place, key)| Some((key, key.number()?, At::new(place)?)));
-    numeric.map(|(key, (quantity, word), at)| Key { path: key.path, part: key.part, quantity, word, at }).collect()
+pub static NUMERIC_KEYS: LazyLock<Vec<NumericKey>> = LazyLock::new(|| {
+    let of_impact = ALL_KEYS.iter().enumerate().filter(|(_, key)| key.part != Part::Kind);
+    let numeric = of_impact.filter_map(|(place, key)| Some((key, key.number()?, KeyId::new(place)?)));
+    numeric
+        .map(|(key, (quantity, word), at)| NumericKey {
+            path: key.path,
+            part: key.part,
+            quantity,
+            alternative_word: word,
+            id: at,
+        })
+        .collect()
 });
 
 /// Alternative keys: a scene has one of the two.
-pub const EITHER: [[&str; 2]; 6] = [
+pub const ALTERNATIVES: [[&str; 2]; 6] = [
     ["sphere.radius", "sphere.diameter"],
     ["sphere.density", "sphere.mass"],
     ["sphere.yield_strength", "sphere.hardness"],
@@ -37,34 +45,34 @@ pub const EITHER: [[&str; 2]; 6] = [
 ];
 
 /// The alternative of this key.
-pub fn partner(path: &str) -> Option<&'static str> {
-    let pair = EITHER.iter().find(|pair| pair.contains(&path))?;
+pub fn alternative_to(path: &str) -> Option<&'static str> {
+    let pair = ALTERNATIVES.iter().find(|pair| pair.contains(&path))?;
     Some(if pair[0] == path { pair[1] } else { pair[0] })
 }
 
-impl Key {
+impl NumericKey {
     /// `None` if it is not given, infinite for the word.
     pub fn get(&self, input: &Input) -> Option<f64> {
-        input.number(self.at)
+        input.number(self.id)
     }
 
     /// Sets a checked number, SI, or removes it. Nothing else changes.
     pub fn set(&self, input: &mut Input, value: Option<f64>) {
-        input.set(self.at, value);
+        input.set(self.id, value);
     }
 
     /// The name of its column in tables, with its unit: `impact_speed_m_per_s`.
-    pub fn column(&self) -> String {
+    pub fn column_name(&self) -> String {
         format!("{}{}", self.path.replace('.', "_"), self.quantity.dimension.suffix())
     }
 
     pub fn find(path: &str) -> Option<&'static Self> {
-        KEYS.iter().find(|key| key.path == path)
+        NUMERIC_KEYS.iter().find(|key| key.path == path)
     }
 
     /// Sets a checked number, SI, in an input, and removes the alternative of the key.
-    pub fn put(&self, input: &mut Input, value: f64) {
-        if let Some(other) = partner(self.path).and_then(Self::find) {
+    pub fn set_exclusive(&self, input: &mut Input, value: f64) {
+        if let Some(other) = alternative_to(self.path).and_then(Self::find) {
             other.set(input, None);
         }
         self.set(input, Some(value));
@@ -72,12 +80,12 @@ impl Key {
 }
 
 /// The path of the key itself, for the path of an axis, a random key or a key of a calibration. Any other path does not change.
-pub fn varied(path: &str) -> &str {
+pub fn without_axis_table(path: &str) -> &str {
     ["sweep.", "monte_carlo.", "calibrate.free."].iter().find_map(|table| path.strip_prefix(table)).unwrap_or(path)
 }
 
-/// The keys that an impact needs, or their alternatives (see [`EITHER`]). The speed is the last.
-pub const NEEDED: [&str; 7] = [
+/// The keys that an impact needs, or their alternatives (see [`ALTERNATIVES`]). The speed is the last.
+pub const REQUIRED_KEYS: [&str; 7] = [
     "sphere.radius",
     "sphere.youngs_modulus",
     "sphere.poissons_ratio",
@@ -87,6 +95,6 @@ pub const NEEDED: [&str; 7] = [
     "impact.speed",
 ];
 
-/// The number of [`NEEDED`] keys of the sphere, and of both bodies; mass and speed follow.
-pub const SPHERE: usize = 3;
-pub const BODIES: usize = 5;
+/// The number of [`REQUIRED_KEYS`] keys of the sphere, and of both bodies; mass and speed follow.
+pub const N_SPHERE_KEYS: usize = 3;
+pub const N_BODY_KEYS: usize = 5;

@@ -5,66 +5,66 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use crate::scenario::keys::words::unknown_material;
-use crate::scenario::keys::{AnyKey, EVERY_KEY, Quantity, Words};
-use crate::scenario::toml_node::{Name, Node, below, described, whole_number};
+use crate::scenario::keys::{ALL_KEYS, KeySpec, Quantity, WordList};
+use crate::scenario::toml_node::{TomlKey, TomlValue, describe_value, join_path, whole_number};
 use crate::strings::{did_you_mean, known_names};
 
 /// A refused value: its span, and the reason.
 #[derive(Debug, Clone)]
-pub struct Fault {
+pub struct ValueError {
     pub span: Range<usize>,
     /// The value, the allowed range and the remedy.
     pub message: String,
 }
 
-impl Fault {
+impl ValueError {
     /// A refusal of the value at this span.
-    pub fn at(node: &Node, message: impl Into<String>) -> Self {
+    pub fn at(node: &TomlValue, message: impl Into<String>) -> Self {
         Self { span: node.span(), message: message.into() }
     }
 
     /// The refusal of a value of the wrong kind.
-    pub fn unexpected(node: &Node, expected: &str) -> Self {
-        Self::at(node, format!("found {}, expected {expected}", described(node)))
+    pub fn unexpected(node: &TomlValue, expected: &str) -> Self {
+        Self::at(node, format!("found {}, expected {expected}", describe_value(node)))
     }
 }
 
 /// Reads the file of this name, relative to the scenario, for the key of this path: returns its path and its text.
-pub type Files<'f> = &'f mut dyn FnMut(&str, &str) -> Result<[String; 2], String>;
+pub type FileReader<'f> = &'f mut dyn FnMut(&str, &str) -> Result<[String; 2], String>;
 
 /// Reads the tables of a scenario and collects the refusals.
 pub struct Reader<'f> {
     /// The table or key that is read, with dots.
     pub path: String,
     /// Keys whose value or name is refused.
-    pub refused: Vec<(String, Fault)>,
+    pub errors: Vec<(String, ValueError)>,
     pub has_unknown: bool,
-    files: Files<'f>,
+    files: FileReader<'f>,
 }
 
 impl<'f> Reader<'f> {
     /// A reader at the top of a scenario.
-    pub fn new(files: Files<'f>) -> Self {
-        Self { path: String::new(), refused: Vec::new(), has_unknown: false, files }
+    pub fn new(files: FileReader<'f>) -> Self {
+        Self { path: String::new(), errors: Vec::new(), has_unknown: false, files }
     }
 
     /// Reads the value of this name; a refusal is collected.
-    pub fn in_table(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), Fault>) {
-        let inner = below(&self.path, name);
+    pub fn in_table(&mut self, name: &str, read: impl FnOnce(&mut Self) -> Result<(), ValueError>) {
+        let inner = join_path(&self.path, name);
         let outer = std::mem::replace(&mut self.path, inner);
         if let Err(fault) = read(self) {
-            self.refused.push((self.path.clone(), fault));
+            self.errors.push((self.path.clone(), fault));
         }
         self.path = outer;
     }
 
     /// Path and text of the file that this key names.
-    pub fn file(&mut self, node: &Node, example: &str) -> Result<[String; 2], Fault> {
-        (self.files)(&self.path, text(node, example)?).map_err(|message| Fault::at(node, message))
+    pub fn file(&mut self, node: &TomlValue, example: &str) -> Result<[String; 2], ValueError> {
+        (self.files)(&self.path, read_text(node, example)?).map_err(|message| ValueError::at(node, message))
     }
 
     /// Refuses keys that are not in `known`, the names of the keys of this table.
-    pub fn unknown(&mut self, name: &Name, known: &[&str]) {
+    pub fn refuse_unknown(&mut self, name: &TomlKey, known: &[&str]) {
         let (thing, things) = match self.path.as_str() {
             "" => ("table", "tables"),
             "law" => ("law", "laws"),
@@ -82,18 +82,18 @@ impl<'f> Reader<'f> {
                 if self.path.is_empty() && &**written == "plate" { " A plate has `half_space.thickness`." } else { "" };
             format!("unknown {thing} `{written}`{hint}{way}")
         };
-        self.in_table(written, |_| Err(Fault { span: name.span(), message }));
+        self.in_table(written, |_| Err(ValueError { span: name.span(), message }));
     }
 }
 
 /// A hint at the keys that end in a name which is given as a table.
 fn keys_of_this_name(path: &str, name: &str) -> Option<String> {
     // `plate` is a key of the half-space, but a user who writes a table of this name means the body
-    let ends = |key: &&AnyKey| {
+    let ends = |key: &&KeySpec| {
         let (table, last) = key.path.rsplit_once('.').unwrap_or_default();
         last == name && !table.contains('.') && name != "plate"
     };
-    let keys: Vec<&str> = EVERY_KEY.iter().filter(ends).map(|key| key.path).filter(|_| path.is_empty()).collect();
+    let keys: Vec<&str> = ALL_KEYS.iter().filter(ends).map(|key| key.path).filter(|_| path.is_empty()).collect();
     match &keys[..] {
         [] => None,
         [one] => Some(format!(", did you mean `{one}`?")),
@@ -102,90 +102,90 @@ fn keys_of_this_name(path: &str, name: &str) -> Option<String> {
 }
 
 /// A number in SI, or a text with a unit; infinite for the word in place of the number.
-pub fn number(quantity: &Quantity, word: Option<&str>, node: &Node) -> Result<f64, Fault> {
+pub fn read_number(quantity: &Quantity, word: Option<&str>, node: &TomlValue) -> Result<f64, ValueError> {
     let or = |begin: &str| word.map_or_else(String::new, |word| format!("{begin} \"{word}\""));
     let value = match node.get_ref() {
         DeValue::String(text) if word.is_some_and(|word| text.trim() == word) => return Ok(f64::INFINITY),
         DeValue::String(text) => {
-            return quantity.parse(text).map_err(|message| Fault::at(node, message + &or("; or write")));
+            return quantity.parse(text).map_err(|message| ValueError::at(node, message + &or("; or write")));
         }
         DeValue::Integer(digits) => whole_number(digits),
         DeValue::Float(digits) => digits.as_str().parse().ok(),
         _ => None,
     };
     let expected = || format!("{} such as {}{}", quantity.name, quantity.example, or(", or"));
-    let value = value.ok_or_else(|| Fault::unexpected(node, &expected()))?;
-    quantity.plain(value).map_err(|message| Fault::at(node, message))
+    let value = value.ok_or_else(|| ValueError::unexpected(node, &expected()))?;
+    quantity.check_si_number(value).map_err(|message| ValueError::at(node, message))
 }
 
 /// A whole number.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, and below 2^64
-pub fn count(quantity: &Quantity, node: &Node) -> Result<u64, Fault> {
-    const TOO_MANY: f64 = 18_446_744_073_709_551_616.0;
+pub fn read_count(quantity: &Quantity, node: &TomlValue) -> Result<u64, ValueError> {
+    const U64_LIMIT: f64 = 18_446_744_073_709_551_616.0;
     if let DeValue::String(_) = node.get_ref() {
-        return Err(Fault::unexpected(node, &format!("a whole number such as {}", quantity.example)));
+        return Err(ValueError::unexpected(node, &format!("a whole number such as {}", quantity.example)));
     }
-    let value = number(quantity, None, node)?;
+    let value = read_number(quantity, None, node)?;
     // above 2^53 only the digits show the number
     let whole =
         node.get_ref().as_integer().and_then(|digits| u64::from_str_radix(digits.as_str(), digits.radix()).ok());
     match whole {
         Some(whole) => Ok(whole),
-        None if value.fract() == 0.0 && value < TOO_MANY => Ok(value as u64),
+        None if value.fract() == 0.0 && value < U64_LIMIT => Ok(value as u64),
         None => {
             let message = format!("{value} is not allowed: {} must be a whole number below 2^64", quantity.name);
-            Err(Fault::at(node, message))
+            Err(ValueError::at(node, message))
         }
     }
 }
 
 /// Two numbers.
-pub fn pair(quantities: [&Quantity; 2], node: &Node) -> Result<[f64; 2], Fault> {
+pub fn read_pair(quantities: [&Quantity; 2], node: &TomlValue) -> Result<[f64; 2], ValueError> {
     let example = quantities.map(|quantity| quantity.example).join(", ");
-    match list(node, &format!("[{example}]"))? {
-        [one, other] => Ok([number(quantities[0], None, one)?, number(quantities[1], None, other)?]),
-        items => Err(Fault::at(node, format!("has {} numbers; write two, such as [{example}]", items.len()))),
+    match read_list(node, &format!("[{example}]"))? {
+        [one, other] => Ok([read_number(quantities[0], None, one)?, read_number(quantities[1], None, other)?]),
+        items => Err(ValueError::at(node, format!("has {} numbers; write two, such as [{example}]", items.len()))),
     }
 }
 
-pub fn list<'n, 't>(node: &'n Node<'t>, example: &str) -> Result<&'n [Node<'t>], Fault> {
+pub fn read_list<'n, 't>(node: &'n TomlValue<'t>, example: &str) -> Result<&'n [TomlValue<'t>], ValueError> {
     match node.get_ref() {
         DeValue::Array(items) => Ok(items),
-        _ => Err(Fault::unexpected(node, &format!("a list in [ ] such as {example}"))),
+        _ => Err(ValueError::unexpected(node, &format!("a list in [ ] such as {example}"))),
     }
 }
 
 /// Any text.
-pub fn text<'n>(node: &'n Node, example: &str) -> Result<&'n str, Fault> {
+pub fn read_text<'n>(node: &'n TomlValue, example: &str) -> Result<&'n str, ValueError> {
     match node.get_ref() {
         DeValue::String(text) => Ok(text),
-        _ => Err(Fault::unexpected(node, &format!("a text in quotes such as \"{example}\""))),
+        _ => Err(ValueError::unexpected(node, &format!("a text in quotes such as \"{example}\""))),
     }
 }
 
 /// The index of a word in the list of known words.
-pub fn word(words: &Words, node: &Node) -> Result<usize, Fault> {
-    named(words, node, |given| (words.known)().iter().position(|word| word == given))
+pub fn read_word(words: &WordList, node: &TomlValue) -> Result<usize, ValueError> {
+    find_word(words, node, |given| (words.values)().iter().position(|word| word == given))
 }
 
 /// Reads a word, and finds its meaning.
-pub fn named<T>(words: &Words, node: &Node, find: impl FnOnce(&str) -> Option<T>) -> Result<T, Fault> {
-    let known = (words.known)();
-    let given = text(node, known.first().map_or("", String::as_str))?;
+pub fn find_word<T>(words: &WordList, node: &TomlValue, find: impl FnOnce(&str) -> Option<T>) -> Result<T, ValueError> {
+    let known = (words.values)();
+    let given = read_text(node, known.first().map_or("", String::as_str))?;
     find(given).ok_or_else(|| {
         let all: Vec<String> = known.iter().map(|word| format!("\"{word}\"")).collect();
         let all: Vec<&str> = all.iter().map(String::as_str).collect();
-        let hint = match words.one {
+        let hint = match words.singular {
             "material" => unknown_material(given),
-            _ => did_you_mean(given, known.iter().map(String::as_str), '"', &known_names(given, &all, words.several)),
+            _ => did_you_mean(given, known.iter().map(String::as_str), '"', &known_names(given, &all, words.plural)),
         };
-        Fault::at(node, format!("unknown {} \"{given}\"{hint}", words.one))
+        ValueError::at(node, format!("unknown {} \"{given}\"{hint}", words.singular))
     })
 }
 
-pub fn items<'n, 't>(node: &'n Node<'t>) -> Result<&'n DeTable<'t>, Fault> {
+pub fn as_table<'n, 't>(node: &'n TomlValue<'t>) -> Result<&'n DeTable<'t>, ValueError> {
     match node.get_ref() {
         DeValue::Table(table) => Ok(table),
-        _ => Err(Fault::unexpected(node, "a table")),
+        _ => Err(ValueError::unexpected(node, "a table")),
     }
 }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::{Body, BodyMaterial, Input, Key, Value};
+use super::{Body, BodyMaterial, Input, NumericKey, Value};
 use crate::contact::law::LawChoice;
 use crate::contact::pair::{HalfSpace, Sphere, Support, sphere_volume};
 use crate::contact::strength::kind::StrengthKind;
@@ -13,7 +13,7 @@ use crate::impact::{
     STANDARD_GRAVITY, Solver,
 };
 use crate::materials::{MaterialEntry, all};
-use crate::scenario::keys::{Part, at, key_of};
+use crate::scenario::keys::{Part, body_key, key};
 
 /// Evenly spaced rows of a trace, unless the scenario gives another number.
 pub const DEFAULT_SAMPLES: usize = 400;
@@ -27,14 +27,14 @@ impl Input {
         let [of_sphere, of_half_space] = law.flow_curves();
         let yield_strength = self.yield_strength(Body::Sphere, of_sphere);
         let strength = self.yield_strength(Body::HalfSpace, of_half_space);
-        let density = number(at!("sphere.density")).unwrap_or(f64::NAN);
-        let density = number(at!("sphere.mass")).map_or(density, of_mass);
+        let density = number(key!("sphere.density")).unwrap_or(f64::NAN);
+        let density = number(key!("sphere.mass")).map_or(density, of_mass);
         (
             Sphere { radius, material: self.material(Body::Sphere), density, yield_strength },
             HalfSpace {
-                density: number(at!("half_space.density")),
-                radius: number(at!("half_space.radius")),
-                support: match number(at!("half_space.mass")) {
+                density: number(key!("half_space.density")),
+                radius: number(key!("half_space.radius")),
+                support: match number(key!("half_space.mass")) {
                     None => Support::Fixed,
                     Some(f64::INFINITY) => Support::Ball,
                     Some(mass) => Support::Free(mass),
@@ -55,29 +55,29 @@ impl Input {
     /// True if more than a yield strength describes the flow stress of a body, or if the law does not use it.
     pub fn has_flow(&self, body: Body) -> bool {
         let law = self.law();
-        let is_hard = self.number(key_of!(body, "hardness")).is_some();
-        is_hard || body.pick(law.flow_curves()).is_some() || matches!(law, LawChoice::Hertz(_))
+        let is_hard = self.number(body_key!(body, "hardness")).is_some();
+        is_hard || body.select(law.flow_curves()).is_some() || matches!(law, LawChoice::Hertz(_))
     }
 
     /// Gravity, damping and the plate.
     pub fn forces(&self) -> Forces {
         let number = |at| self.number(at);
-        let viscous = || number(at!("damping.viscous")).map(Damping::Viscous);
-        let damping = number(at!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
-        let plate = number(at!("half_space.thickness")).map(|thickness| Plate {
+        let viscous = || number(key!("damping.viscous")).map(Damping::Viscous);
+        let damping = number(key!("damping.hunt_crossley")).map(Damping::HuntCrossley).or_else(viscous);
+        let plate = number(key!("half_space.thickness")).map(|thickness| Plate {
             thickness,
-            edge_distance: number(at!("half_space.edge_distance")),
+            edge_distance: number(key!("half_space.edge_distance")),
             theory: self
-                .word(at!("half_space.plate"))
+                .word(key!("half_space.plate"))
                 .map_or_else(PlateTheory::default, |place| PlateTheory::ALL[place]),
         });
-        Forces { gravity: number(at!("gravity.acceleration")), damping, plate, flight: self.flying() }
+        Forces { gravity: number(key!("gravity.acceleration")), damping, plate, flight: self.free_flight() }
     }
 
     /// The flight of the sphere, if there is gravity or a height.
-    pub fn flying(&self) -> Option<FreeFlight> {
-        let falls = self.number(at!("gravity.acceleration")).or(self.number(at!("impact.drop_height"))).is_some();
-        let gravity = self.falling_gravity();
+    pub fn free_flight(&self) -> Option<FreeFlight> {
+        let falls = self.number(key!("gravity.acceleration")).or(self.number(key!("impact.drop_height"))).is_some();
+        let gravity = self.drop_gravity();
         let in_vacuum = FreeFlight::in_vacuum(gravity);
         let in_air = || {
             let medium = self.air()?;
@@ -88,15 +88,15 @@ impl Input {
 
     /// The air of the scenario.
     pub fn air(&self) -> Option<Medium> {
-        let density = self.number(at!("air.density"))?;
-        let drag = self.number(at!("air.drag")).filter(|drag| drag.is_finite());
-        Some(Medium { density, drag, viscosity: self.number(at!("air.viscosity")).unwrap_or(f64::NAN) })
+        let density = self.number(key!("air.density"))?;
+        let drag = self.number(key!("air.drag")).filter(|drag| drag.is_finite());
+        Some(Medium { density, drag, viscosity: self.number(key!("air.viscosity")).unwrap_or(f64::NAN) })
     }
 
     /// The moving mass \[kg\], given directly or by the density of the sphere.
     pub fn mass(&self) -> Option<f64> {
-        let of_density = || Some(self.number(at!("sphere.density"))? * sphere_volume(self.radius()?));
-        self.number(at!("sphere.mass")).or_else(of_density)
+        let of_density = || Some(self.number(key!("sphere.density"))? * sphere_volume(self.radius()?));
+        self.number(key!("sphere.mass")).or_else(of_density)
     }
 
     /// The pair of the bodies for the law.
@@ -106,22 +106,22 @@ impl Input {
     pub fn contact(&self) -> Result<Contact, ImpactError> {
         let law = self.law();
         let (sphere, half_space) = self.bodies(&law);
-        self.pair(sphere, half_space, &law)
+        self.contact_of(sphere, half_space, &law)
     }
 
     /// Pairs these bodies under this law.
-    pub fn pair(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
+    pub fn contact_of(&self, sphere: Sphere, half_space: HalfSpace, law: &LawChoice) -> Result<Contact, ImpactError> {
         let mut contact = Contact::try_new(sphere, half_space, law.get())?.with_forces(self.forces());
-        if self.number(at!("sphere.mass")).is_some() {
+        if self.number(key!("sphere.mass")).is_some() {
             contact = contact.with_attached_mass();
         }
-        if let Some(moment) = self.number(at!("sphere.moment_of_inertia")) {
+        if let Some(moment) = self.number(key!("sphere.moment_of_inertia")) {
             contact = contact.with_moment_of_inertia(moment);
         }
         let [sphere, half_space] = Body::ALL.map(|body| self.named_material(body));
         let flow = law.flow_curves();
         let is_by_hardness =
-            Body::ALL.map(|body| self.number(key_of!(body, "hardness")).is_some() && body.pick(flow).is_none());
+            Body::ALL.map(|body| self.number(body_key!(body, "hardness")).is_some() && body.select(flow).is_none());
         let is_of_impact = Body::ALL.map(|body| self.strength_kind(body) == Some(StrengthKind::Flow));
         let is_by_hardness = [0, 1].map(|place| is_by_hardness[place] && !is_of_impact[place]);
         let named = MaterialNames { sphere, half_space, is_by_hardness, is_of_impact };
@@ -131,23 +131,23 @@ impl Input {
     /// The impact speed \[m/s\]: the speed after the fall if a height is given.
     pub fn speed(&self) -> f64 {
         let fallen =
-            self.number(at!("impact.drop_height")).and_then(|height| Some(self.flying()?.landing_speed(height)));
-        fallen.or(self.number(at!("impact.speed"))).unwrap_or(f64::NAN)
+            self.number(key!("impact.drop_height")).and_then(|height| Some(self.free_flight()?.landing_speed(height)));
+        fallen.or(self.number(key!("impact.speed"))).unwrap_or(f64::NAN)
     }
 
     /// The gravity of falls and of rebounds to a height \[m/s²\]. Without `[gravity]` a height only determines a speed.
-    pub fn falling_gravity(&self) -> f64 {
-        self.number(at!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
+    pub fn drop_gravity(&self) -> f64 {
+        self.number(key!("gravity.acceleration")).unwrap_or(STANDARD_GRAVITY)
     }
 
     /// Angle, spin and friction, if an angle or a spin is given.
     #[inline]
     pub fn incidence(&self) -> Option<Incidence> {
-        let (angle, spin) = (self.number(at!("impact.angle")), self.number(at!("sphere.spin")));
+        let (angle, spin) = (self.number(key!("impact.angle")), self.number(key!("sphere.spin")));
         (angle.is_some() || spin.is_some()).then(|| Incidence {
             angle: angle.unwrap_or(0.0),
             spin: spin.unwrap_or(0.0),
-            friction: self.number(at!("friction.coefficient")).unwrap_or(0.0),
+            friction: self.number(key!("friction.coefficient")).unwrap_or(0.0),
         })
     }
 
@@ -166,23 +166,23 @@ impl Input {
     /// Method and tolerance.
     pub fn solver(&self) -> Solver {
         let defaults = Solver::default();
-        let steps = self.count(at!("solver.steps_per_contact")).and_then(|steps| steps.try_into().ok());
+        let steps = self.count(key!("solver.steps_per_contact")).and_then(|steps| steps.try_into().ok());
         Solver {
-            method: self.word(at!("solver.method")).map_or(defaults.method, |place| Method::ALL[place]),
-            tolerance: self.number(at!("solver.tolerance")).unwrap_or(defaults.tolerance),
+            method: self.word(key!("solver.method")).map_or(defaults.method, |place| Method::ALL[place]),
+            tolerance: self.number(key!("solver.tolerance")).unwrap_or(defaults.tolerance),
             steps_per_contact: steps.unwrap_or(defaults.steps_per_contact),
         }
     }
 
     /// Sets this method, unless the scenario names one.
-    pub fn choose_method(&mut self, method: Method) {
-        if self.word(at!("solver.method")).is_none() {
-            self.choose(at!("solver.method"), Method::ALL.iter().position(|known| *known == method));
+    pub fn set_default_method(&mut self, method: Method) {
+        if self.word(key!("solver.method")).is_none() {
+            self.set_word(key!("solver.method"), Method::ALL.iter().position(|known| *known == method));
         }
     }
 
     /// True if a row of a table, or at least its times, are integrated.
-    pub fn is_stepped(&self) -> bool {
+    pub fn is_integrated(&self) -> bool {
         let forces = self.forces();
         let method = self.solver().method.resolve(&forces, false);
         forces.gravity.is_some() || method.is_some_and(|method| method != Method::ClosedForm)
@@ -190,24 +190,24 @@ impl Input {
 
     /// Evenly spaced rows of the trace.
     pub fn samples(&self) -> usize {
-        self.count(at!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
+        self.count(key!("output.samples")).and_then(|rows| rows.try_into().ok()).unwrap_or(DEFAULT_SAMPLES)
     }
 
     /// The sphere's radius \[m\], by its radius or its diameter.
     pub fn radius(&self) -> Option<f64> {
-        let of_diameter = || Some(0.5 * self.number(at!("sphere.diameter"))?);
-        self.number(at!("sphere.radius")).or_else(of_diameter)
+        let of_diameter = || Some(0.5 * self.number(key!("sphere.diameter"))?);
+        self.number(key!("sphere.radius")).or_else(of_diameter)
     }
 
     pub fn named_material(&self, body: Body) -> Option<&'static MaterialEntry> {
         // the file of materials is read only for a body that names one
-        self.word(key_of!(body, "material")).and_then(|place| all().get(place))
+        self.word(body_key!(body, "material")).and_then(|place| all().get(place))
     }
 
     /// Replaces the values that a body took from another material by the values of its material.
-    pub fn take(&mut self, choice: &BodyMaterial) {
-        self.choose(
-            key_of!(choice.body, "material"),
+    pub fn apply_material(&mut self, choice: &BodyMaterial) {
+        self.set_word(
+            body_key!(choice.body, "material"),
             all().iter().position(|known| known.name == choice.material.name),
         );
         if !self.materials().contains(choice) {
@@ -220,22 +220,22 @@ impl Input {
     }
 
     /// The input with the values that follow from others, and with the defaults of the used keys, for reports.
-    pub fn filled(&self) -> Self {
+    pub fn with_derived_values(&self) -> Self {
         let mut input = self.clone();
-        input.set(at!("sphere.radius"), self.radius());
-        input.set(at!("sphere.diameter"), None);
+        input.set(key!("sphere.radius"), self.radius());
+        input.set(key!("sphere.diameter"), None);
         for body in Body::ALL {
-            input.choose(key_of!(body, "material"), None);
+            input.set_word(body_key!(body, "material"), None);
         }
         let (sphere, half_space) = self.bodies(&self.law());
-        input.fill_strength(Body::Sphere, sphere.yield_strength);
-        input.fill_strength(Body::HalfSpace, half_space.yield_strength);
-        input.set(at!("impact.speed"), Some(self.speed()));
+        input.replace_strength(Body::Sphere, sphere.yield_strength);
+        input.replace_strength(Body::HalfSpace, half_space.yield_strength);
+        input.set(key!("impact.speed"), Some(self.speed()));
         if let Some(Incidence { angle, spin, .. }) = self.incidence() {
-            input.set(at!("impact.angle"), Some(angle));
-            input.set(at!("sphere.spin"), Some(spin));
+            input.set(key!("impact.angle"), Some(angle));
+            input.set(key!("sphere.spin"), Some(spin));
         }
-        input.choose_method(self.solver().method);
+        input.set_default_method(self.solver().method);
         let is_on_plate = self.forces().plate.is_some();
         let rates = self.rates();
         let is_raised = |path: &str| {
@@ -243,17 +243,17 @@ impl Input {
         };
         let has_reference = |path: &str| {
             !path.ends_with(".reference")
-                || Key::find(&path.replace("reference", "c")).is_some_and(|c| c.get(self).is_some())
+                || NumericKey::find(&path.replace("reference", "c")).is_some_and(|c| c.get(self).is_some())
         };
-        input.fill(|key| match key.part {
+        input.fill_defaults(|key| match key.part {
             Part::Rate => is_raised(key.path) && has_reference(key.path),
-            Part::Law => self.is_of_law(key.path),
+            Part::Law => self.is_law_key(key.path),
             Part::Motion => is_on_plate,
             part => matches!(part, Part::Solver | Part::Output),
         });
-        let coefficients = at!("law.plm.coefficients");
+        let coefficients = key!("law.plm.coefficients");
         if let (LawChoice::Plm(law), None) = (&self.named_law, self.value(coefficients)) {
-            input.put_value(coefficients, Some(Value::Coefficients(Arc::clone(&law.coefficients))));
+            input.set_value(coefficients, Some(Value::Coefficients(Arc::clone(&law.coefficients))));
         }
         input
     }

@@ -2,25 +2,25 @@
 
 use super::{Body, Input};
 use crate::impact::Method;
-use crate::scenario::keys::at;
+use crate::scenario::keys::key;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Purpose {
-    Rows,
+pub enum RunKind {
+    Table,
     Impact,
     Indentation,
 }
 
 /// Why no result of these inputs depends on a key, or on the table of a law; `None` if a result depends on it. Keys that are not
 /// named here always have an effect.
-pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<&'static str> {
+pub fn unused_reason(path: &str, inputs: &[Input], purpose: RunKind) -> Option<&'static str> {
     let all = |is_so: fn(&Input) -> bool| inputs.iter().all(is_so);
     let is_verlet = |input: &Input| input.solver().method == Method::Verlet;
-    let is_moving = purpose != Purpose::Indentation;
-    let has_steps = |input: &Input| purpose == Purpose::Impact || purpose == Purpose::Rows && input.is_stepped();
+    let is_moving = purpose != RunKind::Indentation;
+    let has_steps = |input: &Input| purpose == RunKind::Impact || purpose == RunKind::Table && input.is_integrated();
     let (is_idle, why) = match path {
         "sphere.poissons_ratio" => {
-            (all(|input| input.number(at!("sphere.youngs_modulus")) == Some(f64::INFINITY)), "the sphere is rigid")
+            (all(|input| input.number(key!("sphere.youngs_modulus")) == Some(f64::INFINITY)), "the sphere is rigid")
         }
         _ if path.starts_with("sphere.flow_stress") && all(|input| input.is_harder(Body::Sphere, 1.25)) => {
             (true, "the half-space yields alone; leave it out")
@@ -51,7 +51,7 @@ pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<
             "only drag = \"sphere\" needs it; leave the key out",
         ),
         "half_space.edge_distance" => {
-            (purpose != Purpose::Impact, "it only warns of single impacts; leave the key out")
+            (purpose != RunKind::Impact, "it only warns of single impacts; leave the key out")
         }
         "solver.tolerance" if inputs.iter().any(is_verlet) => (
             inputs.iter().all(|input| is_verlet(input) || !has_steps(input)),
@@ -61,7 +61,7 @@ pub fn without_effect(path: &str, inputs: &[Input], purpose: Purpose) -> Option<
         "solver.steps_per_contact" => {
             (!inputs.iter().any(is_verlet), "only the method verlet takes so many steps; leave the key out")
         }
-        _ if path != "law" && !inputs.iter().any(|input| input.is_of_law(path)) => (
+        _ if path != "law" && !inputs.iter().any(|input| input.is_law_key(path)) => (
             path.starts_with("law."),
             "no case is under that law; name it in \"law\" of [sweep] or as the only law, or leave the key out",
         ),

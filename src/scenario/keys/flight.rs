@@ -1,6 +1,6 @@
 //! Warnings about the flight of a sphere: a height beyond laboratory tests, and air that the scenario omits.
 
-use super::at;
+use super::key;
 use crate::impact::flight::free_flight::{FreeFlight, Medium};
 use crate::impact::{Warning, WarningKind};
 use crate::scenario::input::Input;
@@ -12,7 +12,7 @@ const MAX_SLOWING: f64 = 0.005;
 impl Input {
     /// The height of the fall \[m\]; `None` without a drop height.
     pub fn drop_height(&self) -> Option<f64> {
-        self.number(at!("impact.drop_height"))
+        self.number(key!("impact.drop_height"))
     }
 
     /// Warnings about the flight before the impact: a height beyond laboratory tests, and the effect of the air.
@@ -101,8 +101,8 @@ impl Input {
         /// Room air, and the drag of a smooth sphere.
         const USUAL: Medium = Medium { density: 1.2, drag: Some(0.47), viscosity: f64::NAN };
         let (radius, mass) = (self.radius()?, self.mass()?);
-        let is_ball = self.number(at!("sphere.mass")).is_none();
-        let gravity = self.falling_gravity();
+        let is_ball = self.number(key!("sphere.mass")).is_none();
+        let gravity = self.drop_gravity();
         let [in_air, in_vacuum] = [FreeFlight::in_air(gravity, &USUAL, radius, mass), FreeFlight::in_vacuum(gravity)];
         let slower = 1.0 - in_air.landing_speed(height) / in_vacuum.landing_speed(height);
         (is_ball && height > 0.0).then_some(slower)

@@ -3,15 +3,15 @@
 use super::Quantity;
 
 #[derive(Debug, Clone, Copy)]
-pub struct AnyKey {
+pub struct KeySpec {
     /// With dots; `[]` stands behind the name of a list of tables.
     pub path: &'static str,
     pub part: Part,
-    pub form: Form,
+    pub form: ValueForm,
     /// Its value if the scenario does not give it, in words; empty for a key without a default.
     pub default: &'static str,
     /// The meaning, in one sentence.
-    pub about: &'static str,
+    pub description: &'static str,
 }
 
 /// The part of a scene that a key describes.
@@ -55,7 +55,7 @@ impl Part {
 
 /// The form of a value.
 #[derive(Debug, Clone, Copy)]
-pub enum Form {
+pub enum ValueForm {
     /// A number in SI, or a text with a unit.
     Number(&'static Quantity),
     NumberOr(&'static Quantity, &'static str),
@@ -64,11 +64,11 @@ pub enum Form {
     Numbers(&'static Quantity),
     /// A list of points of a flow curve.
     Points,
-    Word(&'static Words),
+    Word(&'static WordList),
     /// A list of such words.
-    Words(&'static Words),
+    Words(&'static WordList),
     /// A word, or a table with keys of its own.
-    WordOrTable(&'static Words),
+    WordOrTable(&'static WordList),
     /// Any text; the field is an example.
     Text(&'static str),
     /// The name of a file; the field is an example.
@@ -83,20 +83,20 @@ pub enum Form {
 
 /// Words that a key takes.
 #[derive(Debug)]
-pub struct Words {
+pub struct WordList {
     /// The name of one of them in messages.
-    pub one: &'static str,
+    pub singular: &'static str,
     /// The name of several of them in messages.
-    pub several: &'static str,
-    pub known: fn() -> Vec<String>,
+    pub plural: &'static str,
+    pub values: fn() -> Vec<String>,
 }
 
-impl AnyKey {
+impl KeySpec {
     /// The quantity of a number, and the word that may replace it.
     pub fn number(&self) -> Option<(&'static Quantity, Option<&'static str>)> {
         match self.form {
-            Form::Number(quantity) => Some((quantity, None)),
-            Form::NumberOr(quantity, word) => Some((quantity, Some(word))),
+            ValueForm::Number(quantity) => Some((quantity, None)),
+            ValueForm::NumberOr(quantity, word) => Some((quantity, Some(word))),
             _ => None,
         }
     }
@@ -104,7 +104,7 @@ impl AnyKey {
 
 /// A list of tables, each item with the keys below its path.
 #[derive(Debug)]
-pub struct List {
+pub struct TableList {
     pub path: &'static str,
     /// An example of the list.
     pub example: &'static str,
@@ -113,15 +113,15 @@ pub struct List {
 }
 
 /// How steps of an indentation are written.
-pub const STEPS: &str = "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]";
+pub const STEPS_EXAMPLE: &str = "steps = [{ load = \"200 N\" }, { load = \"0 N\" }]";
 
-pub const LISTS: [List; 2] = [
-    List {
+pub const TABLE_LISTS: [TableList; 2] = [
+    TableList {
         path: "indentation.steps[]",
-        example: STEPS,
+        example: STEPS_EXAMPLE,
         item: "a step such as { load = \"200 N\" } or { indentation = \"12 um\" }",
     },
-    List {
+    TableList {
         path: "indentation.half_space[]",
         example: "[[indentation.half_space]] with a name",
         item: "a table with a name",

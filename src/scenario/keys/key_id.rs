@@ -1,10 +1,10 @@
 //! Keys that are named in the source: the compiler finds their paths, `at!("sphere.radius")`.
 
-use super::{EVERY_KEY, Form};
+use super::{ALL_KEYS, ValueForm};
 
 /// The index of a key in the list. The kind of its value is part of the type, so the compiler refuses a value of another kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct At<const KIND: u8>(usize);
+pub struct KeyId<const KIND: u8>(usize);
 
 /// The kinds of values: number, whole number, word, and other values.
 pub const NUMBER: u8 = 0;
@@ -12,43 +12,43 @@ pub const COUNT: u8 = 1;
 pub const WORD: u8 = 2;
 pub const OTHER: u8 = 3;
 
-const fn kind(place: usize) -> u8 {
-    match EVERY_KEY[place].form {
-        Form::Number(_) | Form::NumberOr(..) => NUMBER,
-        Form::Count(_) => COUNT,
-        Form::Word(_) => WORD,
+const fn kind_of(place: usize) -> u8 {
+    match ALL_KEYS[place].form {
+        ValueForm::Number(_) | ValueForm::NumberOr(..) => NUMBER,
+        ValueForm::Count(_) => COUNT,
+        ValueForm::Word(_) => WORD,
         _ => OTHER,
     }
 }
 
-impl<const KIND: u8> At<KIND> {
+impl<const KIND: u8> KeyId<KIND> {
     /// The key with this index, if its value is of this kind.
     pub const fn new(place: usize) -> Option<Self> {
-        if kind(place) == KIND { Some(Self(place)) } else { None }
+        if kind_of(place) == KIND { Some(Self(place)) } else { None }
     }
 
     pub const fn path(self) -> &'static str {
-        EVERY_KEY[self.0].path
+        ALL_KEYS[self.0].path
     }
 
     #[inline]
-    pub const fn place(self) -> usize {
+    pub const fn index(self) -> usize {
         self.0
     }
 }
 
 /// The index of a key that is named in the source. It is used in constants only, so a path that is no key is a compile error.
-pub const fn known<const KIND: u8>(path: &str) -> At<KIND> {
+pub const fn find_key<const KIND: u8>(path: &str) -> KeyId<KIND> {
     let (mut at, path) = (0, path.as_bytes());
-    while at < EVERY_KEY.len() {
-        let known = EVERY_KEY[at].path.as_bytes();
+    while at < ALL_KEYS.len() {
+        let known = ALL_KEYS[at].path.as_bytes();
         let mut i = 0;
         while i < known.len() && i < path.len() && known[i] == path[i] {
             i += 1;
         }
         if i == known.len()
             && i == path.len()
-            && let Some(found) = At::new(at)
+            && let Some(found) = KeyId::new(at)
         {
             return found;
         }
@@ -58,20 +58,20 @@ pub const fn known<const KIND: u8>(path: &str) -> At<KIND> {
 }
 
 /// The index of the key with this path, found by the compiler.
-macro_rules! at {
+macro_rules! key {
     ($path:literal) => {
-        const { $crate::scenario::keys::key_id::known($path) }
+        const { $crate::scenario::keys::key_id::find_key($path) }
     };
 }
-pub(crate) use at;
+pub(crate) use key;
 
-/// The index of a key that sphere and half-space both have, by its name without the body: `key_of!(body, "hardness")`.
-macro_rules! key_of {
+/// The index of a key that sphere and half-space both have, by its name without the body: `body_key!(body, "hardness")`.
+macro_rules! body_key {
     ($body:expr, $name:literal) => {
-        $body.pick([
-            const { $crate::scenario::keys::known(concat!("sphere.", $name)) },
-            const { $crate::scenario::keys::known(concat!("half_space.", $name)) },
+        $body.select([
+            const { $crate::scenario::keys::find_key(concat!("sphere.", $name)) },
+            const { $crate::scenario::keys::find_key(concat!("half_space.", $name)) },
         ])
     };
 }
-pub(crate) use key_of;
+pub(crate) use body_key;

@@ -1,7 +1,7 @@
 //! All keys of a scenario, once each: path, part, form, default in words, meaning. Parsing, "did you mean", axes, columns of tables,
 //! `check`, the page of keys and the schema use this list.
 
-use super::key::Form::{
+use super::key::ValueForm::{
     Axes, Count, File, Free, Number, NumberOr, Numbers, Points, Text, Variables, Word, WordOrTable, Words,
 };
 use super::quantity::{
@@ -12,28 +12,28 @@ use super::quantity::{
     TIME, TOLERANCE, TRANSITION_RATIO, VISCOSITY, VISCOUS,
 };
 use super::words::{
-    COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, RATES, ROBUSTS, SPOTS, STRENGTH_KINDS,
-    UNLOADINGS,
+    COLUMNS, HARDNESSES, LAWS, LOADINGS, MATERIALS, METHODS, NOISES, PLATES, RATES, ROBUSTS, SPOT_MODES,
+    STRENGTH_KINDS, UNLOADINGS,
 };
-use super::{AnyKey, Part};
+use super::{KeySpec, Part};
 
-macro_rules! keys {
+macro_rules! key_specs {
     // the keys below a path, which ends in a dot or is empty
     ($table:literal; $($(#[doc = $about:literal])+ $path:literal of $part:ident: $form:expr $(=> $default:literal)?;)+) => {
-        [$(AnyKey {
+        [$(KeySpec {
             path: concat!($table, $path),
             part: Part::$part,
             form: $form,
             default: concat!($($default)?),
-            about: concat!($($about),+).trim_ascii_start(),
+            description: concat!($($about),+).trim_ascii_start(),
         }),+]
     };
 }
 
 /// The strength of a body, by the same keys for both bodies.
-macro_rules! strength {
+macro_rules! strength_keys {
     ($table:literal, $part:ident) => {
-        keys! {
+        key_specs! {
             $table;
             /// Uniaxial yield strength of the body; without it the body stays elastic. The softer body yields; within a factor of
             /// 1.25 of the pressures at first yield both do.
@@ -79,10 +79,15 @@ macro_rules! strength {
 }
 
 /// All keys, in the order of the reference page.
-pub const EVERY_KEY: &[AnyKey] = &{
-    let parts: [&[AnyKey]; 5] =
-        [&SPHERE, &strength!("sphere.", Sphere), &HALF_SPACE, &strength!("half_space.", HalfSpace), &OTHERS];
-    let mut all = [SPHERE[0]; SPHERE.len() + HALF_SPACE.len() + 30 + OTHERS.len()];
+pub const ALL_KEYS: &[KeySpec] = &{
+    let parts: [&[KeySpec]; 5] = [
+        &SPHERE_KEYS,
+        &strength_keys!("sphere.", Sphere),
+        &HALF_SPACE_KEYS,
+        &strength_keys!("half_space.", HalfSpace),
+        &OTHER_KEYS,
+    ];
+    let mut all = [SPHERE_KEYS[0]; SPHERE_KEYS.len() + HALF_SPACE_KEYS.len() + 30 + OTHER_KEYS.len()];
     let (mut part, mut place, mut next) = (0, 0, 0);
     while part < parts.len() {
         if place == parts[part].len() {
@@ -97,7 +102,7 @@ pub const EVERY_KEY: &[AnyKey] = &{
 };
 
 /// The sphere, except for its strength.
-const SPHERE: [AnyKey; 9] = keys! {
+const SPHERE_KEYS: [KeySpec; 9] = key_specs! {
     "";
     /// Radius of the sphere (not its diameter).
     "sphere.radius" of Sphere: Number(&LENGTH);
@@ -121,7 +126,7 @@ const SPHERE: [AnyKey; 9] = keys! {
 };
 
 /// The half-space, except for its strength.
-const HALF_SPACE: [AnyKey; 9] = keys! {
+const HALF_SPACE_KEYS: [KeySpec; 9] = key_specs! {
     "";
     /// Young's modulus of the half-space.
     "half_space.youngs_modulus" of HalfSpace: Number(&MODULUS);
@@ -145,7 +150,7 @@ const HALF_SPACE: [AnyKey; 9] = keys! {
     "half_space.plate" of Motion: Word(&PLATES) => "zener";
 };
 
-const OTHERS: [AnyKey; 70] = keys! {
+const OTHER_KEYS: [KeySpec; 70] = key_specs! {
     "";
     /// Speed of the sphere at first touch, towards the half-space.
     "impact.speed" of Approach: Number(&SPEED);
@@ -224,7 +229,7 @@ const OTHERS: [AnyKey; 70] = keys! {
     /// Random cases: samples, seed, and keys with distributions.
     "monte_carlo" of Kind: Variables;
     /// Where repeated impacts hit: same is in the dent of the impacts before, fresh is on new surface every time.
-    "repeat.spot" of Kind: Word(&SPOTS);
+    "repeat.spot" of Kind: Word(&SPOT_MODES);
     /// Largest number of impacts.
     "repeat.impacts" of Kind: Count(&IMPACTS);
     /// Bouncing ends before an impact that would be slower than this.

@@ -8,11 +8,11 @@ pub mod list;
 pub mod quantity;
 pub mod words;
 
-pub(crate) use key_id::{At, COUNT, NUMBER, OTHER, WORD, at, key_of, known};
+pub(crate) use key_id::{COUNT, KeyId, NUMBER, OTHER, WORD, body_key, find_key, key};
 
 pub use interval::{HardnessRanges, RestitutionInterval, SMALL, Uncertainty, restitution_interval, strength_notes};
-pub use key::{AnyKey, Form, Part, Words};
+pub use key::{KeySpec, Part, ValueForm, WordList};
 
-pub use list::EVERY_KEY;
+pub use list::ALL_KEYS;
 
 pub use quantity::Quantity;

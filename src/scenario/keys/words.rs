@@ -1,6 +1,6 @@
 //! The words that keys take in place of numbers.
 
-use super::Words;
+use super::WordList;
 use crate::contact::law::LawChoice;
 use crate::contact::law::catalogue::jackson_green::HardnessFit;
 use crate::contact::strength::kind::StrengthKind;
@@ -10,8 +10,8 @@ use crate::materials::{MaterialEntry, all};
 use crate::results::result_columns;
 use crate::strings::did_you_mean;
 
-const fn words(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> Words {
-    Words { one, several, known }
+const fn word_list(one: &'static str, several: &'static str, known: fn() -> Vec<String>) -> WordList {
+    WordList { singular: one, plural: several, values: known }
 }
 
 /// The end of a message about a material that is not in the list. Its other names, such as "AISI 304", are in the descriptions
@@ -43,43 +43,45 @@ pub fn unknown_material(name: &str) -> String {
 const NORMS: [&str; 8] = ["aisi", "sae", "en", "din", "jis", "astm", "alloy", "grade"];
 
 /// Names of integration methods.
-pub static METHODS: Words = words("method", "methods", || texts(Method::ALL.map(Method::name)));
+pub static METHODS: WordList = word_list("method", "methods", || to_texts(Method::ALL.map(Method::name)));
 /// Names of whole laws.
-pub static LAWS: Words = words("law", "laws", || laws(LawChoice::has_loading));
+pub static LAWS: WordList = word_list("law", "laws", || law_names(LawChoice::has_loading));
 /// Laws, as an axis takes them.
-pub static AXIS_OF_LAWS: Words =
-    words("law", "laws (or \"loading + unloading\" such as \"jackson_green + brake\")", || {
-        laws(LawChoice::has_loading)
+pub static LAW_AXIS: WordList =
+    word_list("law", "laws (or \"loading + unloading\" such as \"jackson_green + brake\")", || {
+        law_names(LawChoice::has_loading)
     });
-pub static LOADINGS: Words = words("loading", "loadings", || laws(LawChoice::has_loading));
-pub static UNLOADINGS: Words = words("unloading", "unloadings", || laws(|_| true));
+pub static LOADINGS: WordList = word_list("loading", "loadings", || law_names(LawChoice::has_loading));
+pub static UNLOADINGS: WordList = word_list("unloading", "unloadings", || law_names(|_| true));
 /// Spots of repeated impacts.
-pub static SPOTS: Words = words("spot", "spots", || texts(SpotMode::ALL.map(SpotMode::name)));
+pub static SPOT_MODES: WordList = word_list("spot", "spots", || to_texts(SpotMode::ALL.map(SpotMode::name)));
 /// Forms of the hardness of Jackson and Green.
-pub static HARDNESSES: Words = words("word", "words here", || texts(HardnessFit::ALL.map(HardnessFit::name)));
+pub static HARDNESSES: WordList = word_list("word", "words here", || to_texts(HardnessFit::ALL.map(HardnessFit::name)));
 /// Words for the noise of measurements, if it is not given by numbers.
-pub static NOISES: Words = words("word", "words here", || texts(["estimate"]));
+pub static NOISES: WordList = word_list("word", "words here", || to_texts(["estimate"]));
 /// Kinds of a strength.
-pub static STRENGTH_KINDS: Words = words("kind", "kinds", || texts(StrengthKind::ALL.map(StrengthKind::name)));
+pub static STRENGTH_KINDS: WordList =
+    word_list("kind", "kinds", || to_texts(StrengthKind::ALL.map(StrengthKind::name)));
 /// How the rise of a strength with the rate of strain is given, if not by a table.
-pub static RATES: Words = words("word", "words here", || texts(["material"]));
+pub static RATES: WordList = word_list("word", "words here", || to_texts(["material"]));
 /// Scales on which the range of a key is searched.
-pub static SCALES: Words = words("scale", "scales", || texts(["log", "linear"]));
+pub static SCALES: WordList = word_list("scale", "scales", || to_texts(["log", "linear"]));
 /// The ways to treat outliers.
-pub static ROBUSTS: Words = words("word", "words here", || texts(["student-t", "none"]));
+pub static ROBUSTS: WordList = word_list("word", "words here", || to_texts(["student-t", "none"]));
 /// The place of `student-t` among them.
 pub const STUDENT_T: usize = 0;
-pub static MATERIALS: Words = words("material", "materials", || texts(all().iter().map(|entry| &entry.name)));
-pub static PLATES: Words = words("word", "words here", || texts(PlateTheory::ALL.map(PlateTheory::name)));
+pub static MATERIALS: WordList = word_list("material", "materials", || to_texts(all().iter().map(|entry| &entry.name)));
+pub static PLATES: WordList = word_list("word", "words here", || to_texts(PlateTheory::ALL.map(PlateTheory::name)));
 /// Distributions of a material within its ranges.
-pub static DRAWN: Words = words("word", "words here", || texts(["uniform"]));
+pub static MATERIAL_DISTRIBUTIONS: WordList = word_list("word", "words here", || to_texts(["uniform"]));
 /// Names of the results that a table may have.
-pub static COLUMNS: Words = words("result", "results", || texts(result_columns().iter().map(|column| column.name)));
+pub static COLUMNS: WordList =
+    word_list("result", "results", || to_texts(result_columns().iter().map(|column| column.name)));
 
-fn texts(known: impl IntoIterator<Item = impl ToString>) -> Vec<String> {
+fn to_texts(known: impl IntoIterator<Item = impl ToString>) -> Vec<String> {
     known.into_iter().map(|word| word.to_string()).collect()
 }
 
-fn laws(is_wanted: fn(&LawChoice) -> bool) -> Vec<String> {
-    texts(LawChoice::all().iter().filter(|law| is_wanted(law)).map(LawChoice::name))
+fn law_names(is_wanted: fn(&LawChoice) -> bool) -> Vec<String> {
+    to_texts(LawChoice::all().iter().filter(|law| is_wanted(law)).map(LawChoice::name))
 }

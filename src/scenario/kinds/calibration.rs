@@ -6,14 +6,14 @@ use crate::contact::strength::hardness::{self, HardnessScale};
 use crate::error::Error;
 use crate::impact::Method;
 use crate::scenario::document::read_text;
-use crate::scenario::input::{BODIES, Body, BodyMaterial, Input, Key, NEEDED};
-use crate::scenario::keys::at;
+use crate::scenario::input::{Body, BodyMaterial, Input, N_BODY_KEYS, NumericKey, REQUIRED_KEYS};
+use crate::scenario::keys::key;
 use crate::scenario::keys::words::STUDENT_T;
-use crate::scenario::plan::{Axis, Cases, Free, Plan, Values};
-use crate::scenario::{DATA, LARGEST_DATA, Scenario};
+use crate::scenario::plan::{Axis, AxisValues, Cases, FreeKey, Plan};
+use crate::scenario::{DATA_KEY, MAX_DATA_MIB, Scenario};
 
 #[derive(Debug, Clone, PartialEq)]
-pub enum Source {
+pub enum MeasurementSource {
     /// A file: its name and its text.
     Text(String, String),
     /// The table `[calibrate.measured]`: names and values, SI, of one impact.
@@ -22,12 +22,12 @@ pub enum Source {
 
 /// The request of `[calibrate]`. All numbers are in SI, and checked.
 #[derive(Debug, Clone)]
-pub struct Wanted {
+pub struct CalibrationRequest {
     /// The input, with the free keys at the lower ends of their ranges. The speed is NaN if it is not given.
     pub input: Input,
     /// The free keys: one or two, or empty if measurements are only compared.
-    pub free: Vec<Free>,
-    pub source: Source,
+    pub free: Vec<FreeKey>,
+    pub source: MeasurementSource,
     /// Standard deviations by the name of the measurement.
     pub deviations: Vec<(String, f64)>,
     /// Error of the law, as a fraction of each value.
@@ -41,129 +41,134 @@ pub struct Wanted {
 }
 
 /// The range of the strength in multiples of the modulus of its body.
-const RANGE: [f64; 2] = [1e-5, 0.1];
+const STRENGTH_RANGE: [f64; 2] = [1e-5, 0.1];
 
 impl Scenario {
     /// The calibration of the scenario.
-    pub fn wanted(&self) -> Result<Wanted, Error> {
+    pub fn calibration_request(&self) -> Result<CalibrationRequest, Error> {
         self.refuse_columns()?;
-        if !self.has("calibrate") {
-            return Err(self.document.refuse("", NO_TABLE));
+        if !self.has_key("calibrate") {
+            return Err(self.document.refusal("", NO_TABLE_TEXT));
         }
-        let mut input = self.checked(BODIES)?;
-        input.choose_method(Method::Auto);
-        let free = self.free(&input);
+        let mut input = self.checked_input(N_BODY_KEYS)?;
+        input.set_default_method(Method::Auto);
+        let free = self.free_keys(&input);
         for free in &free {
-            free.key.put(&mut input, free.from);
+            free.key.set_exclusive(&mut input, free.from);
         }
-        let laws = self.input.words(at!("calibrate.laws")).unwrap_or_default();
+        let laws = self.input.words(key!("calibrate.laws")).unwrap_or_default();
         let laws: Vec<LawChoice> = laws.iter().filter_map(|name| LawChoice::from_name(name)).collect();
         let hardens = Body::ALL.into_iter().find(|body| input.flow_curve(*body).is_some());
         let has_others = laws.iter().any(|law| law.name() != input.named_law.name());
         if let Some(body) = hardens.filter(|_| has_others) {
             let table = body.flow_stress();
             let message = format!("only the law plm has hardening: leave out {table}, or the other laws");
-            return Err(self.document.refuse("calibrate.laws", message));
+            return Err(self.document.refusal("calibrate.laws", message));
         }
         if input.has_rate() && has_others {
             let message = "only the law plm has a strain rate: leave out the rate, or the other laws";
-            return Err(self.document.refuse("calibrate.laws", message));
+            return Err(self.document.refusal("calibrate.laws", message));
         }
         let mut deviations = self.input.numbers_of("calibrate.noise");
-        let is_estimated = self.has("calibrate.noise") && deviations.is_empty();
+        let is_estimated = self.has_key("calibrate.noise") && deviations.is_empty();
         deviations.retain(|(name, _)| name != "model");
-        Ok(Wanted {
+        Ok(CalibrationRequest {
             source: self.measurements()?,
             free,
             deviations,
-            model_error: self.input.number(at!("calibrate.noise.model")).unwrap_or(0.0),
+            model_error: self.input.number(key!("calibrate.noise.model")).unwrap_or(0.0),
             is_estimated,
-            is_robust: self.input.word(at!("calibrate.robust")) == Some(STUDENT_T),
+            is_robust: self.input.word(key!("calibrate.robust")) == Some(STUDENT_T),
             laws,
             input,
         })
     }
 
-    fn measurements(&self) -> Result<Source, Error> {
+    fn measurements(&self) -> Result<MeasurementSource, Error> {
         let measured = self.input.numbers_of("calibrate.measured");
-        match (self.input.text(at!("calibrate.data")), measured.is_empty()) {
+        match (self.input.text(key!("calibrate.data")), measured.is_empty()) {
             (Some(name), _) => {
-                if let Some((path, text)) = self.files.get(DATA) {
-                    return Ok(Source::Text(path.display().to_string(), text.clone()));
+                if let Some((path, text)) = self.files.get(DATA_KEY) {
+                    return Ok(MeasurementSource::Text(path.display().to_string(), text.clone()));
                 }
                 let path = self.directory.join(name);
-                read_text(&path, LARGEST_DATA).map(|text| Source::Text(path.display().to_string(), text))
+                read_text(&path, MAX_DATA_MIB).map(|text| MeasurementSource::Text(path.display().to_string(), text))
             }
-            (None, false) => Ok(Source::Numbers(measured)),
+            (None, false) => Ok(MeasurementSource::Numbers(measured)),
             (None, true) => {
                 let message = "there are no measurements: give data = \"drops.csv\", or one number such as measured.restitution = 0.49";
-                Err(self.document.refuse("calibrate", message))
+                Err(self.document.refusal("calibrate", message))
             }
         }
     }
 
     /// The free keys. If the scenario names none, the free key is the yield strength of one body, or its hardness if the scenario gives
     /// a hardness.
-    fn free(&self, input: &Input) -> Vec<Free> {
-        if let Some(free) = &self.varied.free {
-            let on_scale = |free: &Free| Free { hardness: self.scale_of(free.key), ..*free };
+    fn free_keys(&self, input: &Input) -> Vec<FreeKey> {
+        if let Some(free) = &self.variation.free {
+            let on_scale = |free: &FreeKey| FreeKey { hardness: self.hardness_scale(free.key), ..*free };
             return free.iter().map(on_scale).collect();
         }
-        let body = self.unknown(input);
+        let body = self.default_body(input);
         let material = input.material(body);
         let own = Some(material.youngs_modulus).filter(|modulus| modulus.is_finite());
         let modulus = own.unwrap_or(input.half_space().material.youngs_modulus);
-        let strengths = RANGE.map(|share| share * modulus);
-        let (path, [from, to]) = if self.has(body.hardness()) {
+        let strengths = STRENGTH_RANGE.map(|share| share * modulus);
+        let (path, [from, to]) = if self.has_key(body.hardness()) {
             (body.hardness(), strengths.map(|strength| hardness_of_flow_stress(strength, &material)))
         } else {
             (body.yield_strength(), strengths)
         };
-        let free = |key: &'static Key| {
-            let (from, hardness) = (from.max(key.quantity.range().0), self.scale_of(key));
-            Free { key, from, to, is_logarithmic: true, hardness }
+        let free = |key: &'static NumericKey| {
+            let (from, hardness) = (from.max(key.quantity.range().0), self.hardness_scale(key));
+            FreeKey { key, from, to, is_logarithmic: true, hardness }
         };
-        Key::find(path).map(free).into_iter().collect()
+        NumericKey::find(path).map(free).into_iter().collect()
     }
 
     /// The body whose strength is fitted, if the scenario names no key. This is the half-space. It is the sphere if the scenario gives the
     /// strength of the sphere, makes the sphere the softer body, and names no material of the half-space.
-    fn unknown(&self, input: &Input) -> Body {
+    fn default_body(&self, input: &Input) -> Body {
         let sphere = Body::Sphere;
-        let is_given = [sphere.yield_strength(), sphere.hardness()].iter().any(|path| self.document.has(path));
+        let is_given = [sphere.yield_strength(), sphere.hardness()].iter().any(|path| self.document.contains(path));
         let is_softer =
             || input.contact().ok().and_then(|contact| Some(contact.pair().yield_point?.yield_partition.is_sphere));
-        let is_named = self.document.has(Body::HalfSpace.material());
+        let is_named = self.document.contains(Body::HalfSpace.material());
         if is_given && !is_named && is_softer() == Some(true) { sphere } else { Body::HalfSpace }
     }
 
     /// The hardness scale on which the scenario or a material gives a key, or on which the scenario gives an end of its range.
-    fn scale_of(&self, key: &Key) -> Option<HardnessScale> {
+    fn hardness_scale(&self, key: &NumericKey) -> Option<HardnessScale> {
         let end = format!("calibrate.free.{}.from", key.path);
-        let given = [key.path, &end].into_iter().find_map(|path| self.document.value(path));
+        let given = [key.path, &end].into_iter().find_map(|path| self.document.written_value(path));
         let of_material =
-            self.input.materials().iter().flat_map(BodyMaterial::values).find(|(path, _)| *path == key.path);
+            self.input.materials().iter().flat_map(BodyMaterial::known_values).find(|(path, _)| *path == key.path);
         let text = given.or(of_material.map(|(_, known)| known.value.text.as_str()))?;
         key.quantity.is_hardness.then(|| hardness::parse(text)).flatten().map(|(_, scale)| scale)
     }
 
     /// Refuses free keys and columns of the data that have no effect, and impacts without a speed or a mass.
-    pub fn check_varied(&self, wanted: &Wanted, columns: &[&'static Key], is_of_impacts: bool) -> Result<(), Error> {
+    pub fn check_varied(
+        &self,
+        wanted: &CalibrationRequest,
+        columns: &[&'static NumericKey],
+        is_of_impacts: bool,
+    ) -> Result<(), Error> {
         let refuse = |path: &str, message: String| {
             let is_column = columns.iter().any(|key| key.path == path);
             let (place, before) =
                 if is_column { ("calibrate.data", format!("its column {path} ")) } else { (path, String::new()) };
-            Err(self.refuse_varied(place, before + &message))
+            Err(self.refusal_where_varied(place, before + &message))
         };
         let mut input = wanted.input.clone();
         let free = wanted.free.iter().map(|free| (free.key, free.from));
-        let axis = |(key, value): (&'static Key, f64)| {
-            key.put(&mut input, value);
-            Axis::of_number(key, Values::List(vec![value]))
+        let axis = |(key, value): (&'static NumericKey, f64)| {
+            key.set_exclusive(&mut input, value);
+            Axis::from_numbers(key, AxisValues::List(vec![value]))
         };
         let axes = free.chain(columns.iter().map(|key| (*key, 1.0))).map(axis).collect();
         let plan = Plan::new(&input, Cases::Grid(axes));
-        let paths = plan.paths();
+        let paths = plan.varied_paths();
         if let Some(free) = wanted.free.iter().find(|free| columns.iter().any(|key| key.path == free.key.path)) {
             return refuse(
                 free.key.path,
@@ -178,19 +183,21 @@ impl Scenario {
         }
         // the speed of the data replaces the speed of the scenario
         let is_speed = |path: &str| path.starts_with("impact.");
-        if let Some((path, problem)) = self.contradicted(&paths).filter(|(path, _)| !is_speed(path)) {
+        if let Some((path, problem)) = self.conflicting_axis(&paths).filter(|(path, _)| !is_speed(path)) {
             return refuse(path, problem);
         }
-        if let Some((path, problem)) = plan.unused() {
+        if let Some((path, problem)) = plan.unused_axis() {
             return refuse(path, problem);
         }
         let has_speed = paths.iter().any(|path| is_speed(path));
         if is_of_impacts {
-            self.need(&NEEDED[BODIES..if has_speed { NEEDED.len() - 1 } else { NEEDED.len() }])
+            self.require(
+                &REQUIRED_KEYS[N_BODY_KEYS..if has_speed { REQUIRED_KEYS.len() - 1 } else { REQUIRED_KEYS.len() }],
+            )
         } else {
             Ok(())
         }
     }
 }
 
-const NO_TABLE: &str = "there is nothing to calibrate: add [calibrate] with data = \"drops.csv\"";
+const NO_TABLE_TEXT: &str = "there is nothing to calibrate: add [calibrate] with data = \"drops.csv\"";

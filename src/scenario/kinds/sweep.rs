@@ -3,10 +3,10 @@
 use crate::error::Error;
 use crate::impact::{ImpactError, Method};
 use crate::results::{ResultColumn, result_columns};
-use crate::scenario::input::Purpose;
-use crate::scenario::keys::{At, OTHER, at};
-use crate::scenario::plan::read_axes::{METHOD, RandomKeys};
-use crate::scenario::plan::{Cases, MOST_CASES, Plan, RESTITUTION};
+use crate::scenario::input::RunKind;
+use crate::scenario::keys::{KeyId, OTHER, key};
+use crate::scenario::plan::read_axes::{METHOD_KEY, RandomKeys};
+use crate::scenario::plan::{Cases, MAX_CASES, Plan, RESTITUTION};
 use crate::scenario::{Kind, Scenario};
 
 impl Scenario {
@@ -20,39 +20,40 @@ impl Scenario {
         }
         let mut input = self.resolve()?;
         // a table has no trace, so the closed form is enough
-        input.choose_method(Method::Auto);
-        let refuse = |path: &str, message: String| Err(self.refuse_varied(path, message));
-        let cases = if let Some(RandomKeys { samples, seed, variables, .. }) = self.varied.monte_carlo.clone() {
+        input.set_default_method(Method::Auto);
+        let refuse = |path: &str, message: String| Err(self.refusal_where_varied(path, message));
+        let cases = if let Some(RandomKeys { samples, seed, variables, .. }) = self.variation.monte_carlo.clone() {
             Cases::MonteCarlo { samples, seed, variables }
         } else {
-            let axes = self.varied.sweep.clone().unwrap_or_default();
-            self.refuse_mixture(&axes)?;
+            let axes = self.variation.sweep.clone().unwrap_or_default();
+            self.refuse_mixed_classes(&axes)?;
             Cases::Grid(axes)
         };
         let mut plan = Plan::new(&input, cases);
-        plan.warnings = self.without_effect(&plan.with_words(), Purpose::Impact);
-        self.choose_columns(&mut plan)?;
-        plan.pictures = self.chosen("output.picture", at!("output.picture"), &plan)?;
+        plan.warnings = self.unused_key_warnings(&plan.inputs_of_word_axes(), RunKind::Impact);
+        self.select_columns(&mut plan)?;
+        plan.pictures = self.selected_results("output.picture", key!("output.picture"), &plan)?;
         if let (Some(columns), Some(pictures)) = (&mut plan.columns, &plan.pictures)
             && matches!(plan.cases, Cases::MonteCarlo { .. })
         {
             // a resumed run reads the values of a histogram back
             columns.extend(pictures);
         }
-        if let Some((path, problem)) = plan.unused() {
+        if let Some((path, problem)) = plan.unused_axis() {
             return refuse(path, problem);
         }
         if plan.lacks_closed_form() {
-            return refuse(METHOD, ImpactError::NoClosedForm.to_string());
+            return refuse(METHOD_KEY, ImpactError::NoClosedForm.to_string());
         }
         if let Cases::MonteCarlo { variables, .. } = &plan.cases
-            && let Some(variable) = variables.iter().find(|variable| variable.share_in_range() < LEAST_KEPT)
+            && let Some(variable) =
+                variables.iter().find(|variable| variable.probability_in_range() < MIN_PROBABILITY_IN_RANGE)
         {
-            let allowed = variable.key.quantity.allowed();
+            let allowed = variable.key.quantity.allowed_range();
             let message = format!("almost nothing of its distribution is in the allowed range, {allowed}");
             return refuse(variable.key.path, message);
         }
-        if plan.count() > MOST_CASES {
+        if plan.n_cases() > MAX_CASES {
             return refuse(
                 if plan.is_monte_carlo() { "monte_carlo" } else { "sweep" },
                 "has more than 2^63 cases; take fewer".to_owned(),
@@ -62,24 +63,24 @@ impl Scenario {
     }
 
     /// Leaves in the table of a plan only the results that the scenario names, if it names any.
-    pub(in crate::scenario) fn choose_columns(&self, plan: &mut Plan) -> Result<(), Error> {
-        let chosen = self.chosen("output.columns", at!("output.columns"), plan)?;
+    pub(in crate::scenario) fn select_columns(&self, plan: &mut Plan) -> Result<(), Error> {
+        let chosen = self.selected_results("output.columns", key!("output.columns"), plan)?;
         plan.columns = chosen.map(|chosen| [chosen, vec![RESTITUTION]].concat());
         Ok(())
     }
 
     /// The results that this key names, in the order of the columns; `None` where it is not given.
-    fn chosen(&self, key: &str, at: At<OTHER>, plan: &Plan) -> Result<Option<Vec<&'static str>>, Error> {
+    fn selected_results(&self, key: &str, at: KeyId<OTHER>, plan: &Plan) -> Result<Option<Vec<&'static str>>, Error> {
         let Some(names) = self.input.words(at) else { return Ok(None) };
         let mut chosen = Vec::new();
         for ResultColumn { name, needs, .. } in result_columns() {
             let count = names.iter().filter(|given| *given == name).count();
-            let missing = plan.missing(needs).filter(|_| count > 0);
+            let missing = plan.column_refusal(needs).filter(|_| count > 0);
             if let Some(reason) = missing {
-                return Err(self.document.refuse(key, format!("\"{name}\" is not there: {reason}")));
+                return Err(self.document.refusal(key, format!("\"{name}\" is not there: {reason}")));
             }
             if count > 1 {
-                return Err(self.document.refuse(key, format!("\"{name}\" is named twice")));
+                return Err(self.document.refusal(key, format!("\"{name}\" is named twice")));
             }
             chosen.extend((count > 0).then_some(name));
         }
@@ -88,15 +89,17 @@ impl Scenario {
 
     /// Refuses columns for a scenario that is computed as no table.
     pub(crate) fn refuse_columns(&self) -> Result<(), Error> {
-        let given = [("output.columns", at!("output.columns")), ("output.picture", at!("output.picture"))];
+        let given = [("output.columns", key!("output.columns")), ("output.picture", key!("output.picture"))];
         let Some((key, _)) = given.into_iter().find(|(_, at)| self.input.words(*at).is_some()) else { return Ok(()) };
         // of a table only the first case may be asked for, which is one impact
         let kind = Some(self.kind()?).filter(|kind| !kind.is_table()).unwrap_or(Kind::Impact);
-        let message =
-            format!("is for tables, and this scenario is {}: leave it out, or give an impact a [sweep]", kind.what());
-        Err(self.document.refuse(key, message))
+        let message = format!(
+            "is for tables, and this scenario is {}: leave it out, or give an impact a [sweep]",
+            kind.description()
+        );
+        Err(self.document.refusal(key, message))
     }
 }
 
 /// A distribution with a smaller share in the allowed range is taken for a mistake.
-const LEAST_KEPT: f64 = 1e-3;
+const MIN_PROBABILITY_IN_RANGE: f64 = 1e-3;

@@ -2,13 +2,13 @@
 
 use crate::contact::strength::hardness::HardnessScale;
 use crate::numerics::functions::{exp, ln};
-use crate::scenario::input::Key;
+use crate::scenario::input::NumericKey;
 use crate::units::{Dimension, format_exact, format_input, format_number};
 
 /// A free key.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Free {
-    pub key: &'static Key,
+pub struct FreeKey {
+    pub key: &'static NumericKey,
     /// The lower end of its range, SI.
     pub from: f64,
     /// The upper end of its range, SI.
@@ -19,9 +19,9 @@ pub struct Free {
     pub hardness: Option<HardnessScale>,
 }
 
-impl Free {
+impl FreeKey {
     /// The value at a fraction of the range from the lower end to the upper end; the ends are exact.
-    pub fn at(&self, share: f64) -> f64 {
+    pub fn value_at_share(&self, share: f64) -> f64 {
         let Self { from, to, is_logarithmic, .. } = *self;
         if share <= 0.0 {
             from
@@ -35,45 +35,47 @@ impl Free {
     }
 
     /// The derivative of the value with respect to the fraction.
-    pub fn slope(&self, share: f64) -> f64 {
-        if self.is_logarithmic { self.at(share) * ln(self.to / self.from) } else { self.to - self.from }
+    pub fn slope_at_share(&self, share: f64) -> f64 {
+        if self.is_logarithmic { self.value_at_share(share) * ln(self.to / self.from) } else { self.to - self.from }
     }
 
     /// A value of the key with `digits` digits in a fitting unit; a hardness on its scale, with the pressure beside it.
-    pub fn text(&self, value: f64, digits: usize) -> String {
-        let pressure = format_input(rounded(value, digits), self.key.quantity.dimension);
-        match self.on_scale(value) {
-            Some((value, scale)) => format!("{} {} ({pressure})", format_number(rounded(value, digits)), scale.name()),
+    pub fn format_value(&self, value: f64, digits: usize) -> String {
+        let pressure = format_input(round_to_digits(value, digits), self.key.quantity.dimension);
+        match self.hardness_number(value) {
+            Some((value, scale)) => {
+                format!("{} {} ({pressure})", format_number(round_to_digits(value, digits)), scale.name())
+            }
             None => pressure,
         }
     }
 
     /// The standard deviation of a value, with `digits` digits.
-    pub fn deviation_text(&self, value: f64, deviation: f64, digits: usize) -> String {
-        match self.on_scale(value).zip(self.on_scale(value + deviation)) {
+    pub fn format_deviation(&self, value: f64, deviation: f64, digits: usize) -> String {
+        match self.hardness_number(value).zip(self.hardness_number(value + deviation)) {
             Some(((value, scale), (more, _))) => {
-                format!("{} {}", format_number(rounded(more - value, digits)), scale.name())
+                format!("{} {}", format_number(round_to_digits(more - value, digits)), scale.name())
             }
-            None => format_input(rounded(deviation, digits), self.key.quantity.dimension),
+            None => format_input(round_to_digits(deviation, digits), self.key.quantity.dimension),
         }
     }
 
     /// A value as in a scenario, with its unit and all digits; `None` for a plain number.
-    pub fn written(&self, value: f64) -> Option<String> {
+    pub fn to_scenario_text(&self, value: f64) -> Option<String> {
         let dimension = self.key.quantity.dimension;
         let on_scale =
-            || self.on_scale(value).map(|(value, scale)| format!("{} {}", format_number(value), scale.name()));
+            || self.hardness_number(value).map(|(value, scale)| format!("{} {}", format_number(value), scale.name()));
         (dimension != Dimension::Ratio).then(|| on_scale().unwrap_or_else(|| format_exact(value, dimension)))
     }
 
     /// A hardness on the scale of the scenario, if the scale covers it.
-    fn on_scale(&self, value: f64) -> Option<(f64, HardnessScale)> {
+    fn hardness_number(&self, value: f64) -> Option<(f64, HardnessScale)> {
         let scale = self.hardness?;
         Some((scale.number_at_mean_pressure(value)?, scale))
     }
 }
 
 /// A value with `digits` significant digits.
-fn rounded(value: f64, digits: usize) -> f64 {
+fn round_to_digits(value: f64, digits: usize) -> f64 {
     format!("{value:.*e}", digits - 1).parse().unwrap_or(value)
 }

@@ -6,15 +6,15 @@ pub(crate) mod random;
 pub(in crate::scenario) mod read_axes;
 pub(in crate::scenario) mod varied;
 
-use super::input::{Body, Input, Key, Purpose, without_effect};
+use super::input::{Body, Input, NumericKey, RunKind, unused_reason};
 use super::keys::interval::has_strength_parts;
 use super::keys::interval::law_error::has_law_error;
-use super::keys::{at, key_of};
+use super::keys::{body_key, key};
 use crate::impact::{Method, Warning};
 use crate::results::{Requirement, ResultColumn, result_columns};
-pub(crate) use axis::{Axis, Setting, Values, Word};
-pub use free_key::Free;
-pub(crate) use random::{Distribution, Draws, Variable};
+pub(crate) use axis::{Axis, AxisSetting, AxisValues, AxisWord};
+pub use free_key::FreeKey;
+pub(crate) use random::{Distribution, Variable, VariableSampler};
 
 /// The source of the cases.
 #[derive(Debug, Clone)]
@@ -50,7 +50,7 @@ pub const YIELD_STRENGTH: &str = "half_space.yield_strength";
 pub const HARDNESS: &str = "half_space.hardness";
 
 /// Maximum number of cases. Every tool can represent a case number of this size.
-pub const MOST_CASES: u64 = 1 << 63;
+pub const MAX_CASES: u64 = 1 << 63;
 
 impl Plan {
     /// The cases of an input in which every varied key has its first value or its median.
@@ -65,9 +65,9 @@ impl Plan {
         if let Cases::Grid(axes) = &self.cases { axes } else { &[] }
     }
 
-    /// The number of cases, or `u64::MAX` for more than can be counted. More than [`MOST_CASES`] are refused while the
+    /// The number of cases, or `u64::MAX` for more than can be counted. More than [`MAX_CASES`] are refused while the
     /// scenario is read.
-    pub fn count(&self) -> u64 {
+    pub fn n_cases(&self) -> u64 {
         match &self.cases {
             Cases::Grid(axes) => axes.iter().map(Axis::len).fold(1, u64::saturating_mul),
             Cases::MonteCarlo { samples, .. } => *samples,
@@ -77,35 +77,36 @@ impl Plan {
     /// The input of the case at these indices on the axes.
     pub fn input_at(&self, places: &[u64]) -> Input {
         let mut input = self.input.clone();
-        put(self.axes(), places, &mut input);
+        apply_axes(self.axes(), places, &mut input);
         input
     }
 
     /// The columns of the swept values, and of yield strengths that follow from them.
-    pub fn columns(&self) -> Vec<String> {
-        let derived = self.derived().map(Body::yield_strength);
-        let column = |path: &str| Key::find(path).map_or_else(|| path.replace('.', "_"), Key::column);
-        self.paths().into_iter().chain(derived).map(column).collect()
+    pub fn axis_columns(&self) -> Vec<String> {
+        let derived = self.derived_bodies().map(Body::yield_strength);
+        let column =
+            |path: &str| NumericKey::find(path).map_or_else(|| path.replace('.', "_"), NumericKey::column_name);
+        self.varied_paths().into_iter().chain(derived).map(column).collect()
     }
 
     /// The bodies whose yield strength follows from values that vary.
-    pub fn derived(&self) -> impl Iterator<Item = Body> {
+    pub fn derived_bodies(&self) -> impl Iterator<Item = Body> {
         Body::ALL.into_iter().filter(|body| self.derives_strength(*body))
     }
 
     /// True if the yield strength of a body follows from varied values: from a hardness, given or from the material, and then also
     /// from the moduli and the hardening exponent.
     pub fn derives_strength(&self, body: Body) -> bool {
-        let paths = self.paths();
+        let paths = self.varied_paths();
         let varies = |path: &str| paths.contains(&path);
-        self.input.number(key_of!(body, "hardness")).is_some()
+        self.input.number(body_key!(body, "hardness")).is_some()
             && (varies(body.material()) || body.strength_numbers().into_iter().any(|number| varies(number.path())))
     }
 
-    pub fn results(&self) -> Vec<ResultColumn> {
+    pub fn result_columns(&self) -> Vec<ResultColumn> {
         let is_wanted = |name| self.columns.as_ref().is_none_or(|columns| columns.contains(&name));
         let all = result_columns().into_iter();
-        all.filter(|column| self.missing(column.needs).is_none() && is_wanted(column.name)).collect()
+        all.filter(|column| self.column_refusal(column.needs).is_none() && is_wanted(column.name)).collect()
     }
 
     /// The columns whose distribution is reported, the restitution first: the columns that the scenario names among its columns or
@@ -116,17 +117,17 @@ impl Plan {
         }
         let named = [&self.columns, &self.pictures];
         let is_named = |name| named.iter().any(|names| names.as_ref().is_some_and(|names| names.contains(&name)));
-        let mut all: Vec<ResultColumn> = self.results();
+        let mut all: Vec<ResultColumn> = self.result_columns();
         all.retain(|column| column.name == RESTITUTION || is_named(column.name));
         all.sort_by_key(|column| column.name != RESTITUTION);
         all
     }
 
     /// Why a table lacks a column with this requirement; `None` if the table has it.
-    pub fn missing(&self, needs: Requirement) -> Option<&'static str> {
+    pub fn column_refusal(&self, needs: Requirement) -> Option<&'static str> {
         let input = &self.input;
         let is_on_plate = input.forces().plate.is_some();
-        let is_free = input.number(at!("half_space.mass")).is_some();
+        let is_free = input.number(key!("half_space.mass")).is_some();
         match needs {
             Requirement::Strength if !input.can_yield() => Some("without half_space.yield_strength there is no dent"),
             Requirement::Interval if !self.has_interval() => Some(
@@ -139,10 +140,10 @@ impl Plan {
             Requirement::Incidence if input.incidence().is_none() => {
                 Some("without impact.angle or sphere.spin nothing slides")
             }
-            Requirement::Flight if input.flying().is_none() => {
+            Requirement::Flight if input.free_flight().is_none() => {
                 Some("without impact.drop_height or gravity.acceleration nothing says how high the sphere rises")
             }
-            Requirement::Density if input.number(at!("half_space.density")).is_none() => {
+            Requirement::Density if input.number(key!("half_space.density")).is_none() => {
                 Some("without half_space.density nothing is known of elastic waves")
             }
             Requirement::Flight if is_free => {
@@ -165,19 +166,23 @@ impl Plan {
 
     /// True if some rows have an interval of e that more than the law is a part of.
     fn has_interval(&self) -> bool {
-        if self.paths().contains(&"law.plm.unloading_exponent") {
+        if self.varied_paths().contains(&"law.plm.unloading_exponent") {
             return false;
         }
-        self.with_words().iter().any(|input| has_law_error(&input.law()) && has_strength_parts(input))
+        self.inputs_of_word_axes().iter().any(|input| has_law_error(&input.law()) && has_strength_parts(input))
     }
 
     pub fn column_names(&self) -> Vec<String> {
-        let results = self.results().into_iter().map(|column| column.name.to_owned());
-        std::iter::once("case".to_owned()).chain(self.columns()).chain(results).chain(["status".to_owned()]).collect()
+        let results = self.result_columns().into_iter().map(|column| column.name.to_owned());
+        std::iter::once("case".to_owned())
+            .chain(self.axis_columns())
+            .chain(results)
+            .chain(["status".to_owned()])
+            .collect()
     }
 
     /// The varied keys.
-    pub fn paths(&self) -> Vec<&'static str> {
+    pub fn varied_paths(&self) -> Vec<&'static str> {
         match &self.cases {
             Cases::Grid(axes) => axes.iter().map(Axis::path).collect(),
             Cases::MonteCarlo { variables, .. } => variables.iter().map(|variable| variable.key.path).collect(),
@@ -185,26 +190,28 @@ impl Plan {
     }
 
     /// A varied key without effect on the table, and the reason.
-    pub fn unused(&self) -> Option<(&'static str, String)> {
-        let (paths, cases) = (self.paths(), self.with_words());
+    pub fn unused_axis(&self) -> Option<(&'static str, String)> {
+        let (paths, cases) = (self.varied_paths(), self.inputs_of_word_axes());
         let has_laws = paths.contains(&"law");
         paths.into_iter().find_map(|path| {
             let problem = if has_laws && path.starts_with("law.") && !path.starts_with("law.plm.") {
                 "cannot vary together with \"law\": give it in the table of its law".to_owned()
             } else {
-                format!("is not used: {}", without_effect(path, &cases, Purpose::Rows)?)
+                format!("is not used: {}", unused_reason(path, &cases, RunKind::Table)?)
             };
             Some((path, problem))
         })
     }
 
     /// The inputs under all laws and methods of the axes, with the first values of the other axes.
-    pub fn with_words(&self) -> Vec<Input> {
+    pub fn inputs_of_word_axes(&self) -> Vec<Input> {
         let mut all = vec![self.input_at(&vec![0; self.axes().len()])];
-        for axis in self.axes().iter().filter(|axis| matches!(axis.words(), [Word::Law(_) | Word::Method(_), ..])) {
+        for axis in
+            self.axes().iter().filter(|axis| matches!(axis.words(), [AxisWord::Law(_) | AxisWord::Method(_), ..]))
+        {
             let with = |input: &Input, place| {
                 let mut input = input.clone();
-                axis.put(place, &mut input);
+                axis.apply(place, &mut input);
                 input
             };
             all = all.iter().flat_map(|input| (0..axis.len()).map(move |place| with(input, place))).collect();
@@ -243,13 +250,15 @@ impl Plan {
     }
 
     fn methods(&self) -> Vec<Method> {
-        self.with_words().iter().map(|input| input.solver().method).collect()
+        self.inputs_of_word_axes().iter().map(|input| input.solver().method).collect()
     }
 
     /// True if a case has the method `closed_form`, but no closed form.
     pub fn lacks_closed_form(&self) -> bool {
         let mut input = self.input.clone();
-        for key in self.paths().into_iter().filter(|path| path.starts_with("damping.")).filter_map(Key::find) {
+        for key in
+            self.varied_paths().into_iter().filter(|path| path.starts_with("damping.")).filter_map(NumericKey::find)
+        {
             // a swept damping may begin at 0
             key.set(&mut input, Some(1.0));
         }
@@ -258,7 +267,7 @@ impl Plan {
     }
 
     /// About the microseconds of a row on one core, for the slowest of its methods.
-    pub fn microseconds(&self) -> f64 {
+    pub fn row_time_us(&self) -> f64 {
         let of_case = |input: &Input| {
             // with partial slip
             let friction = input.incidence().map_or(0.0, |_| 150.0);
@@ -267,11 +276,11 @@ impl Plan {
                 + match solver.method {
                     Method::Verlet => 0.05 * f64::from(solver.steps_per_contact),
                     Method::Dopri5 | Method::Dop853 => 32.0,
-                    _ if input.is_stepped() => 8.0,
+                    _ if input.is_integrated() => 8.0,
                     _ => 0.25,
                 }
         };
-        self.with_words().iter().map(of_case).fold(0.25, f64::max)
+        self.inputs_of_word_axes().iter().map(of_case).fold(0.25, f64::max)
     }
 
     pub fn is_monte_carlo(&self) -> bool {
@@ -280,15 +289,15 @@ impl Plan {
 }
 
 /// Sets the values of all axes in an input. Laws and materials are set first: they set keys that numeric axes then override.
-pub fn put(axes: &[Axis], places: &[u64], input: &mut Input) {
+pub fn apply_axes(axes: &[Axis], places: &[u64], input: &mut Input) {
     for is_word in [true, false] {
         for (axis, place) in axes.iter().zip(places).filter(|(axis, _)| axis.words().is_empty() != is_word) {
-            axis.put(*place, input);
+            axis.apply(*place, input);
         }
     }
 }
 
-pub fn places(axes: &[Axis], case: u64) -> Vec<u64> {
+pub fn axis_indices(axes: &[Axis], case: u64) -> Vec<u64> {
     let mut rest = case;
     let mut places: Vec<u64> = Vec::new();
     for axis in axes.iter().rev() {

@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 use crate::numerics::functions::{exp, ln, ln_1p, normal_cdf, normal_quantile, powi};
-use crate::scenario::input::Key;
+use crate::scenario::input::NumericKey;
 
 /// A distribution of a key's values, in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,36 +33,36 @@ pub enum Distribution {
 /// A key with random values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
-    pub key: &'static Key,
+    pub key: &'static NumericKey,
     /// The distribution, truncated at the allowed range.
     pub distribution: Distribution,
     /// The allowed range.
     range: (f64, f64),
     /// The probabilities of values below either end of the range.
-    share: (f64, f64),
+    cdf_range: (f64, f64),
 }
 
 impl Variable {
     /// The variable, truncated at the allowed range of its key (the ends may be infinite).
-    pub fn new(key: &'static Key, distribution: Distribution) -> Self {
+    pub fn new(key: &'static NumericKey, distribution: Distribution) -> Self {
         let range = key.quantity.range();
-        let share = (distribution.below(range.0), distribution.below(range.1));
-        Self { key, distribution, range, share }
+        let cdf_range = (distribution.cdf(range.0), distribution.cdf(range.1));
+        Self { key, distribution, range, cdf_range }
     }
 
     /// The probability of the allowed range.
-    pub fn share_in_range(&self) -> f64 {
-        self.share.1 - self.share.0
+    pub fn probability_in_range(&self) -> f64 {
+        self.cdf_range.1 - self.cdf_range.0
     }
 
     /// The median.
-    pub fn middle(&self) -> f64 {
+    pub fn median(&self) -> f64 {
         self.value(0.5)
     }
 
     /// The value at the uniform number `u` in (0, 1).
     pub fn value(&self, u: f64) -> f64 {
-        let (low, high) = self.share;
+        let (low, high) = self.cdf_range;
         let value = self.distribution.quantile(low + u * (high - low));
         // rounding at the very ends of an open range
         value.clamp(self.range.0.next_up(), self.range.1.next_down())
@@ -71,7 +71,7 @@ impl Variable {
 
 impl Distribution {
     /// Its name, and its two ends, or mean and standard deviation before truncation.
-    pub fn parts(&self) -> (&'static str, [f64; 2]) {
+    pub fn name_and_parameters(&self) -> (&'static str, [f64; 2]) {
         match *self {
             Self::Uniform { from, to } => ("uniform", [from, to]),
             Self::Normal { mean, sd } => ("normal", [mean, sd]),
@@ -80,13 +80,13 @@ impl Distribution {
     }
 
     /// Standard deviation and mean of the logarithm of a lognormal.
-    fn logarithmic(mean: f64, sd: f64) -> (f64, f64) {
+    fn log_parameters(mean: f64, sd: f64) -> (f64, f64) {
         let variance = ln_1p(powi(sd / mean, 2));
         (variance.sqrt(), ln(mean) - 0.5 * variance)
     }
 
     /// Probability of a value below x.
-    fn below(&self, x: f64) -> f64 {
+    fn cdf(&self, x: f64) -> f64 {
         match *self {
             Self::Uniform { from, to } => {
                 if from == to {
@@ -98,7 +98,7 @@ impl Distribution {
             Self::Normal { mean, sd } => normal_cdf((x - mean) / sd),
             Self::Lognormal { .. } if x <= 0.0 => 0.0,
             Self::Lognormal { mean, sd } => {
-                let (sigma, mu) = Self::logarithmic(mean, sd);
+                let (sigma, mu) = Self::log_parameters(mean, sd);
                 normal_cdf((ln(x) - mu) / sigma)
             }
         }
@@ -110,7 +110,7 @@ impl Distribution {
             Self::Uniform { from, to } => from + p * (to - from),
             Self::Normal { mean, sd } => mean + sd * normal_quantile(p),
             Self::Lognormal { mean, sd } => {
-                let (sigma, mu) = Self::logarithmic(mean, sd);
+                let (sigma, mu) = Self::log_parameters(mean, sd);
                 exp(mu + sigma * normal_quantile(p))
             }
         }
@@ -119,12 +119,12 @@ impl Distribution {
 
 /// Draws the values of consecutive cases of one variable.
 #[derive(Debug)]
-pub struct Draws<'a> {
+pub struct VariableSampler<'a> {
     pub variable: &'a Variable,
     generator: ChaCha8Rng,
 }
 
-impl<'a> Draws<'a> {
+impl<'a> VariableSampler<'a> {
     /// From case `first` on; `stream` is the index of the variable in the file.
     pub fn new(variable: &'a Variable, seed: u64, stream: u64, first: u64) -> Self {
         let mut generator = ChaCha8Rng::seed_from_u64(seed);

@@ -5,22 +5,22 @@ use toml::de::{DeTable, DeValue};
 use super::read_axes;
 use super::read_axes::RandomKeys;
 use crate::scenario::input::reader::Reader;
-use crate::scenario::plan::{Axis, Free};
+use crate::scenario::plan::{Axis, FreeKey};
 
 /// The keys that vary. In most scenarios there are none.
 #[derive(Debug, Clone, Default)]
-pub(in crate::scenario) struct Varied {
+pub(in crate::scenario) struct VariedKeys {
     pub(in crate::scenario) sweep: Option<Vec<Axis>>,
     pub(in crate::scenario) monte_carlo: Option<RandomKeys>,
-    pub(in crate::scenario) free: Option<Vec<Free>>,
+    pub(in crate::scenario) free: Option<Vec<FreeKey>>,
 }
 
-impl Varied {
+impl VariedKeys {
     /// Reads it from the tables of a scenario. What is refused stays with the reader.
     pub(in crate::scenario) fn read(tables: &DeTable, reader: &mut Reader) -> Self {
         let mut varied = Self::default();
         if let Some(node) = tables.get("sweep") {
-            reader.in_table("sweep", |reader| read_axes::axes(node, reader).map(|axes| varied.sweep = Some(axes)));
+            reader.in_table("sweep", |reader| read_axes::read_axes(node, reader).map(|axes| varied.sweep = Some(axes)));
         }
         if let Some(node) = tables.get("monte_carlo") {
             reader
@@ -30,7 +30,7 @@ impl Varied {
             && let Some(node) = calibrate.get("free")
         {
             reader.in_table("calibrate.free", |reader| {
-                read_axes::free_keys(node, reader).map(|free| varied.free = Some(free))
+                read_axes::read_free_keys(node, reader).map(|free| varied.free = Some(free))
             });
         }
         varied

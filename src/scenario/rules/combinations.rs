@@ -6,50 +6,50 @@ use crate::impact::flight::free_flight::FreeFlight;
 use crate::impact::{ImpactError, PlateError};
 use crate::scenario::Scenario;
 use crate::scenario::input::read_input::is_at_or_below;
-use crate::scenario::input::{EITHER, Input, KEYS};
-use crate::scenario::keys::at;
+use crate::scenario::input::{ALTERNATIVES, Input, NUMERIC_KEYS};
+use crate::scenario::keys::key;
 use crate::units::format_four_digits;
 
 /// A rule that refuses keys because of other keys.
 struct KeyRule {
     keys: &'static [&'static str],
     /// The keys are refused if any of these is given too. An empty list refuses them always.
-    others: &'static [&'static str],
+    other_keys: &'static [&'static str],
     /// The keys are allowed if one of these is given.
     unless: &'static [&'static str],
     /// The reason and the remedy, for the message; `{}` stands for the other key.
-    why: &'static str,
+    reason: &'static str,
 }
 
 const fn needs(keys: &'static [&'static str], needed: &'static [&'static str], why: &'static str) -> KeyRule {
-    KeyRule { keys, others: &[], unless: needed, why }
+    KeyRule { keys, other_keys: &[], unless: needed, reason: why }
 }
 
 /// The keys are refused together with any of the others.
 const fn excludes(keys: &'static [&'static str], others: &'static [&'static str], why: &'static str) -> KeyRule {
-    KeyRule { keys, others, unless: &[], why }
+    KeyRule { keys, other_keys: others, unless: &[], reason: why }
 }
 
-const OBLIQUE: &[&str] = &["impact.angle", "sphere.spin"];
-const ONE_OF_TWO: &str = "[{}] is given too; write only one of the two";
+const OBLIQUE_KEYS: &[&str] = &["impact.angle", "sphere.spin"];
+const ONE_OF_TWO_TEXT: &str = "[{}] is given too; write only one of the two";
 
 const RULES: &[KeyRule] = &[
     KeyRule {
         keys: &["impact.drop_height"],
-        others: &["repeat"],
+        other_keys: &["repeat"],
         unless: &["gravity.acceleration"],
-        why: "a dropped sphere bounces only under gravity: add [gravity] with acceleration = \"9.80665 m/s^2\" to the file, or --set gravity.acceleration=\"9.80665 m/s^2\" to the command, or give `speed` for shots",
+        reason: "a dropped sphere bounces only under gravity: add [gravity] with acceleration = \"9.80665 m/s^2\" to the file, or --set gravity.acceleration=\"9.80665 m/s^2\" to the command, or give `speed` for shots",
     },
     needs(
-        OBLIQUE,
+        OBLIQUE_KEYS,
         &["friction.coefficient"],
         "needs friction: add [friction] with coefficient = 0.1, or coefficient = 0 for none",
     ),
     KeyRule {
-        keys: OBLIQUE,
-        others: &["sphere.mass"],
+        keys: OBLIQUE_KEYS,
+        other_keys: &["sphere.mass"],
         unless: &["sphere.moment_of_inertia"],
-        why: "needs sphere.moment_of_inertia beside {}, as the body is no plain sphere",
+        reason: "needs sphere.moment_of_inertia beside {}, as the body is no plain sphere",
     },
     needs(
         &["air"],
@@ -57,27 +57,27 @@ const RULES: &[KeyRule] = &[
         "nothing flies: add [gravity] with acceleration = \"9.81 m/s^2\", or give impact.drop_height, or leave [air] out",
     ),
     excludes(
-        OBLIQUE,
+        OBLIQUE_KEYS,
         &["air"],
         "[{}] would slow the ball along its path too, which is not computed: leave one of them out",
     ),
     KeyRule {
-        keys: OBLIQUE,
-        others: &["repeat"],
+        keys: OBLIQUE_KEYS,
+        other_keys: &["repeat"],
         unless: &["gravity.acceleration"],
-        why: "shots of [{}] are straight, and a ball hops along only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or leave this key out",
+        reason: "shots of [{}] are straight, and a ball hops along only under gravity: add [gravity] with acceleration = \"9.81 m/s^2\", or leave this key out",
     },
     excludes(
-        OBLIQUE,
+        OBLIQUE_KEYS,
         &["calibrate"],
         "the impacts of [{}] are straight: leave this key out, and give the speed normal to the surface",
     ),
     // a plate radiates no waves into a half-space: its density serves the plate
     KeyRule {
         keys: &["half_space.density"],
-        others: &["damping"],
+        other_keys: &["damping"],
         unless: &["half_space.thickness", "half_space.mass"],
-        why: "elastic waves are computed from the force of the law, without damping: leave out this key, or [{}]",
+        reason: "elastic waves are computed from the force of the law, without damping: leave out this key, or [{}]",
     },
     excludes(
         &["half_space.mass"],
@@ -127,56 +127,57 @@ const RULES: &[KeyRule] = &[
         &["indentation"],
         "[{}] is given too, and it is computed in closed form; write only one of the two",
     ),
-    excludes(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO),
-    excludes(&["indentation.half_space"], &["half_space"], ONE_OF_TWO),
+    excludes(&["calibrate.data"], &["calibrate.measured"], ONE_OF_TWO_TEXT),
+    excludes(&["indentation.half_space"], &["half_space"], ONE_OF_TWO_TEXT),
 ];
 
 impl Scenario {
     /// The refusals of tables of two kinds, of keys that exclude each other, of keys that need another key, and of empty tables.
     pub(in crate::scenario) fn check_combinations(&self) -> Vec<Error> {
         let mut refused: Vec<Error> = self.kind().err().into_iter().collect();
-        for [one, other] in EITHER {
-            if self.has(one) && self.has(other) {
-                refused.push(self.document.one_key(one, other));
+        for [one, other] in ALTERNATIVES {
+            if self.has_key(one) && self.has_key(other) {
+                refused.push(self.document.refuse_both(one, other));
             }
         }
         for table in ["friction", "gravity", "damping"] {
-            let keys: Vec<&str> = KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
-            if self.document.has(table) && !keys.iter().any(|path| self.document.has(path)) {
-                refused.push(self.document.missing_one_of(table, &keys, "; or leave the table out"));
+            let keys: Vec<&str> =
+                NUMERIC_KEYS.iter().map(|key| key.path).filter(|path| path.starts_with(table)).collect();
+            if self.document.contains(table) && !keys.iter().any(|path| self.document.contains(path)) {
+                refused.push(self.document.missing_any_key(table, &keys, "; or leave the table out"));
             }
         }
         // the keys that a calibration varies are checked with the data
-        let swept = if self.has("calibrate") { Vec::new() } else { self.varied.paths() };
-        if let Some((path, problem)) = self.contradicted(&swept) {
-            refused.push(self.refuse_varied(path, problem));
+        let swept = if self.has_key("calibrate") { Vec::new() } else { self.variation.paths() };
+        if let Some((path, problem)) = self.conflicting_axis(&swept) {
+            refused.push(self.refusal_where_varied(path, problem));
         }
-        let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.gives(path));
-        for KeyRule { keys, others, unless, why } in RULES {
+        let given = |paths: &[&'static str]| paths.iter().copied().find(|path| self.is_given_or_varies(path));
+        for KeyRule { keys, other_keys: others, unless, reason: why } in RULES {
             let (Some(key), None) = (given(keys), given(unless)) else { continue };
             if let Some(other) = if others.is_empty() { Some("") } else { given(others) } {
                 // together with another key there are other remedies
                 let needed = unless.first().copied().filter(|_| others.is_empty());
-                refused.push(self.refuse_varied(key, why.replace("{}", other)).with_missing_key(needed));
+                refused.push(self.refusal_where_varied(key, why.replace("{}", other)).with_missing_key(needed));
             }
         }
         refused
     }
 
     /// True if a key or a table is given, or a key of the table varies.
-    pub(in crate::scenario) fn gives(&self, path: &str) -> bool {
+    pub(in crate::scenario) fn is_given_or_varies(&self, path: &str) -> bool {
         // a refused value is given too
-        let is_axis = |table: &&str| self.document.has(&format!("{table}.{path}"));
-        self.has(path)
-            || self.varied.paths().iter().any(|varied| is_at_or_below(varied, path))
+        let is_axis = |table: &&str| self.document.contains(&format!("{table}.{path}"));
+        self.has_key(path)
+            || self.variation.paths().iter().any(|varied| is_at_or_below(varied, path))
             || ["sweep", "monte_carlo", "calibrate.free"].iter().any(is_axis)
     }
 
     /// A refusal of a key at its position, or at the position of its axis.
-    pub(in crate::scenario) fn refuse_varied(&self, path: &str, message: impl AsRef<str>) -> Error {
+    pub(in crate::scenario) fn refusal_where_varied(&self, path: &str, message: impl AsRef<str>) -> Error {
         let places = ["sweep.", "monte_carlo.", "calibrate.free.", ""].map(|table| format!("{table}{path}"));
-        let place = places.iter().find(|place| self.document.has(place)).map_or(path, String::as_str);
-        self.document.refuse(place, message)
+        let place = places.iter().find(|place| self.document.contains(place)).map_or(path, String::as_str);
+        self.document.refusal(place, message)
     }
 
     /// Refuses a plate together with parts of the scene that are not computed on a plate.
@@ -184,34 +185,34 @@ impl Scenario {
         let contact = input.contact().ok().filter(|_| input.forces().plate.is_some());
         let refuse = |error: PlateError| {
             let needed = (error == PlateError::NoDensity).then_some("half_space.density");
-            self.refuse_varied("half_space.thickness", error.to_string()).with_missing_key(needed)
+            self.refusal_where_varied("half_space.thickness", error.to_string()).with_missing_key(needed)
         };
         contact.map_or(Ok(()), |contact| contact.check_plate().map_err(refuse))
     }
 
     /// Refuses a hollow that is too narrow for a point contact, and a free target with missing values.
     pub(in crate::scenario) fn check_target(&self, input: &Input) -> Result<(), Error> {
-        let refuse = |key: &str, message: &str| Err(self.refuse_varied(key, message));
-        let radius = input.number(at!("half_space.radius"));
+        let refuse = |key: &str, message: &str| Err(self.refusal_where_varied(key, message));
+        let radius = input.number(key!("half_space.radius"));
         if radius == Some(0.0) {
             return refuse("half_space.radius", "must not be 0: for a flat half-space leave the key out");
         }
         if let Err(error @ ImpactError::Hollow(_)) = input.contact() {
             return refuse("half_space.radius", &error.to_string());
         }
-        let Some(mass) = input.number(at!("half_space.mass")) else { return Ok(()) };
+        let Some(mass) = input.number(key!("half_space.mass")) else { return Ok(()) };
         if mass.is_finite() {
             let message = "a body that is free to move has to be a ball where it is hit at an angle: give mass = \"ball\", or leave out impact.angle and sphere.spin";
             return if input.incidence().is_some() { refuse("half_space.mass", message) } else { Ok(()) };
         }
         match radius {
-            None => Err(self.document.missing("half_space", "radius")),
+            None => Err(self.document.missing_key("half_space", "radius")),
             Some(hollow) if hollow < 0.0 => refuse(
                 "half_space.mass",
                 "a hollow is no ball: give its mass as a number, or half_space.radius above 0",
             ),
-            Some(_) if input.number(at!("half_space.density")).is_none() => {
-                Err(self.document.missing("half_space", "density"))
+            Some(_) if input.number(key!("half_space.density")).is_none() => {
+                Err(self.document.missing_key("half_space", "density"))
             }
             Some(_) => Ok(()),
         }
@@ -219,16 +220,16 @@ impl Scenario {
 
     /// Refuses air with missing values, and a ball that floats in the air.
     pub(in crate::scenario) fn check_air(&self, input: &Input) -> Result<(), Error> {
-        if !self.has("air") {
+        if !self.has_key("air") {
             return Ok(());
         }
         for (key, is_missing) in [
-            ("density", input.number(at!("air.density")).is_none()),
-            ("drag", input.number(at!("air.drag")).is_none()),
+            ("density", input.number(key!("air.density")).is_none()),
+            ("drag", input.number(key!("air.drag")).is_none()),
             ("viscosity", input.air().is_some_and(|air| air.drag.is_none() && air.viscosity.is_nan())),
         ] {
             if is_missing {
-                return Err(self.document.missing("air", key));
+                return Err(self.document.missing_key("air", key));
             }
         }
         let (Some(air), Some(radius), Some(mass)) = (input.air(), input.radius(), input.mass()) else { return Ok(()) };
@@ -238,21 +239,21 @@ impl Scenario {
                 "the sphere floats: its buoyancy is {} times its weight; look at density and radius, and give a hollow ball its sphere.mass",
                 format_four_digits(lift)
             );
-            return Err(self.refuse_varied("air.density", message));
+            return Err(self.refusal_where_varied("air.density", message));
         }
         Ok(())
     }
 
     /// A key that cannot vary, because its alternative is given or varies too.
-    pub(in crate::scenario) fn contradicted(&self, varied: &[&'static str]) -> Option<(&'static str, String)> {
+    pub(in crate::scenario) fn conflicting_axis(&self, varied: &[&'static str]) -> Option<(&'static str, String)> {
         let varies = |path: &str| varied.contains(&path);
         // a swept diameter replaces a radius in the file
-        let pairs = EITHER.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
-        let given = pairs.into_iter().find(|(key, other)| varies(key) && self.has(other));
+        let pairs = ALTERNATIVES.into_iter().skip(1).flat_map(|[one, other]| [(one, other), (other, one)]);
+        let given = pairs.into_iter().find(|(key, other)| varies(key) && self.has_key(other));
         let refusal = |(key, other, is_given)| {
             (key, format!("stands in place of {other}, which {is_given}; keep one of the two"))
         };
-        let both = || EITHER.into_iter().find(|pair| pair.iter().all(|path| varies(path)));
+        let both = || ALTERNATIVES.into_iter().find(|pair| pair.iter().all(|path| varies(path)));
         let given = given.map(|(key, other)| (key, other, "the scenario gives"));
         given.or_else(|| both().map(|[other, key]| (key, other, "varies too"))).map(refusal)
     }

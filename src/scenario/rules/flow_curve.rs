@@ -4,13 +4,13 @@ use crate::contact::law::LawChoice;
 use crate::contact::strength::flow_curve::FlowCurve;
 use crate::error::Error;
 use crate::scenario::Scenario;
-use crate::scenario::input::read_input::names;
-use crate::scenario::input::{Body, Input, Key};
-use crate::scenario::keys::EVERY_KEY;
+use crate::scenario::input::read_input::names_in_table;
+use crate::scenario::input::{Body, Input, NumericKey};
+use crate::scenario::keys::ALL_KEYS;
 use crate::units::{Dimension, format_result};
 
 /// The four forms of a curve.
-const EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
+const FLOW_CURVE_EXAMPLE: &str = "power = { exponent = 0.1 }, voce = { saturation = 1.5, rate = 15 }, linear = { slope = \"4.2 GPa\" }, points = [[0.002, \"300 MPa\"], [0.01, \"340 MPa\"]] or table = \"flow.csv\"";
 
 impl Scenario {
     /// Refuses two forms of a flow curve, a missing form, and a form that lacks a number.
@@ -20,16 +20,16 @@ impl Scenario {
 
     fn check_curve(&self, input: &Input, table: &str) -> Result<(), Error> {
         let path = |form: &str| format!("{table}.{form}");
-        let mut forms = names(table).into_iter().filter(|form| self.gives(&path(form)));
+        let mut forms = names_in_table(table).into_iter().filter(|form| self.is_given_or_varies(&path(form)));
         let Some(form) = forms.next() else {
-            return if self.has(table) {
-                Err(self.document.refuse(table, format!("has no curve; write one of {EXAMPLE}")))
+            return if self.has_key(table) {
+                Err(self.document.refusal(table, format!("has no curve; write one of {FLOW_CURVE_EXAMPLE}")))
             } else {
                 Ok(())
             };
         };
         if let Some(second) = forms.next() {
-            return Err(self.document.one_key(&path(form), &path(second)));
+            return Err(self.document.refuse_both(&path(form), &path(second)));
         }
         self.check_numbers(input, &path(form))
     }
@@ -37,11 +37,11 @@ impl Scenario {
     /// Refuses a form of a flow curve, or of a rate, that lacks a number; numbers with a default may be omitted.
     pub(in crate::scenario) fn check_numbers(&self, input: &Input, form: &str) -> Result<(), Error> {
         let begin = format!("{form}.");
-        let needed = EVERY_KEY.iter().filter(|key| key.path.starts_with(&begin) && key.default.is_empty());
-        let is_missing = |key: &&Key| key.get(input).is_none();
-        let missing = needed.filter_map(|key| Key::find(key.path)).find(is_missing);
+        let needed = ALL_KEYS.iter().filter(|key| key.path.starts_with(&begin) && key.default.is_empty());
+        let is_missing = |key: &&NumericKey| key.get(input).is_none();
+        let missing = needed.filter_map(|key| NumericKey::find(key.path)).find(is_missing);
         match missing.and_then(|key| key.path.rsplit_once('.')) {
-            Some((table, name)) => Err(self.document.missing(table, name)),
+            Some((table, name)) => Err(self.document.missing_key(table, name)),
             None => Ok(()),
         }
     }
@@ -52,19 +52,19 @@ impl Scenario {
     }
 
     fn check_strength_of(&self, input: &Input, body: Body) -> Result<(), Error> {
-        let varies = |key: &str| self.varies(key);
+        let varies = |key: &str| self.is_varied(key);
         let (yield_strength, hardness) = (body.yield_strength(), body.hardness());
         let (sphere, half_space) = input.bodies(&input.law());
-        let strength = body.pick([sphere.yield_strength, half_space.yield_strength]);
+        let strength = body.select([sphere.yield_strength, half_space.yield_strength]);
         if strength.is_some_and(f64::is_nan) && !varies(hardness) {
             let modulus = format_result(input.material(body).youngs_modulus, Dimension::Pressure);
             let message = format!(
                 "is more than the pressure under a diamond that leaves no dent in a body with Young's modulus {modulus}: check the units"
             );
-            return Err(self.document.refuse(hardness, message));
+            return Err(self.document.refusal(hardness, message));
         }
         let Some(flow) = input.flow_curve(body) else { return Ok(()) };
-        let refuse = |message: &str| Err(self.document.refuse(body.flow_stress(), message));
+        let refuse = |message: &str| Err(self.document.refusal(body.flow_stress(), message));
         if !matches!(input.named_law, LawChoice::Plm(_)) {
             let name = input.named_law.name();
             return refuse(&format!("the law {name} has no hardening: leave the table out, or take the law plm"));
@@ -77,7 +77,7 @@ impl Scenario {
                 "a flow curve begins at a strength: give the body its yield_strength, the stress at plastic strain 0",
             );
         };
-        if (self.has(hardness) || varies(hardness)) && !matches!(flow, FlowCurve::Power { .. }) {
+        if (self.has_key(hardness) || varies(hardness)) && !matches!(flow, FlowCurve::Power { .. }) {
             return refuse(
                 "a hardness gives the strength of a power curve only: with this curve give yield_strength in place of hardness",
             );
@@ -87,7 +87,7 @@ impl Scenario {
                 "a curve through points begins at one yield strength, which then cannot vary; take power or voce",
             );
         }
-        let modulus = body.pick([sphere.material, half_space.material]).youngs_modulus;
+        let modulus = body.select([sphere.material, half_space.material]).youngs_modulus;
         let sound = flow.check_start(strength).and_then(|()| flow.check_slope(modulus, strength));
         sound.or_else(|error| refuse(&error.to_string()))
     }

@@ -4,43 +4,43 @@ use crate::contact::law::LawChoice;
 use crate::error::Error;
 use crate::materials::{Property, all};
 use crate::scenario::Scenario;
-use crate::scenario::body_materials::asks_material;
+use crate::scenario::body_materials::takes_rate_from_material;
 use crate::scenario::input::{Body, Input};
 use crate::units::format_number;
 
 /// The forms of strain-rate hardening.
-const EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { rate = \"6844 1/s\", exponent = 3.91 }";
+const RATE_EXAMPLE: &str = "johnson_cook = { c = 0.014 } or cowper_symonds = { rate = \"6844 1/s\", exponent = 3.91 }";
 
 impl Scenario {
     /// Refuses two forms, a missing form, a form that lacks a number or gives no strength, and keys that cannot be combined with it.
     pub(in crate::scenario) fn check_rates(&self, input: &Input) -> Result<(), Error> {
-        let mut given = Body::ALL.into_iter().filter(|body| self.gives(body.rate_table()));
+        let mut given = Body::ALL.into_iter().filter(|body| self.is_given_or_varies(body.rate_table()));
         given.try_for_each(|body| self.check_rate(input, body))
     }
 
     fn check_rate(&self, input: &Input, body: Body) -> Result<(), Error> {
         let table = body.rate_table();
         let of_body = table.trim_end_matches(".rate");
-        let refuse = |message: String| Err(self.refuse_varied(table, message));
-        if asks_material(input, body) && input.rate(body).is_none() {
+        let refuse = |message: String| Err(self.refusal_where_varied(table, message));
+        if takes_rate_from_material(input, body) && input.rate(body).is_none() {
             let known: Vec<&str> = all()
                 .iter()
                 .filter(|entry| entry.get(Property::RateSensitivity).is_some())
                 .map(|entry| &*entry.name)
                 .collect();
             return refuse(format!(
-                "nothing is known of the rate of the material of [{of_body}], only of {}: write {EXAMPLE}",
+                "nothing is known of the rate of the material of [{of_body}], only of {}: write {RATE_EXAMPLE}",
                 known.join(", ")
             ));
         }
         let forms = ["johnson_cook", "cowper_symonds"].map(|form| format!("{table}.{form}"));
-        match forms.each_ref().map(|form| self.gives(form)) {
-            [true, true] => return Err(self.document.one_key(&forms[0], &forms[1])),
+        match forms.each_ref().map(|form| self.is_given_or_varies(form)) {
+            [true, true] => return Err(self.document.refuse_both(&forms[0], &forms[1])),
             [true, false] => self.check_numbers(input, &forms[0])?,
             [false, true] => self.check_numbers(input, &forms[1])?,
             // a material gives c of the first form
-            [false, false] if asks_material(input, body) => {}
-            [false, false] => return refuse(format!("has no law; write {EXAMPLE}")),
+            [false, false] if takes_rate_from_material(input, body) => {}
+            [false, false] => return refuse(format!("has no law; write {RATE_EXAMPLE}")),
         }
         if !input.has_strength(body) {
             return refuse(format!("raises a strength: give [{of_body}] its yield_strength, or leave the table out"));
@@ -49,7 +49,7 @@ impl Scenario {
             let name = input.named_law.name();
             return refuse(format!("the law {name} has no rate: leave the table out, or take the law plm"));
         }
-        if self.varies("law") {
+        if self.is_varied("law") {
             return refuse("only the law plm has a rate: leave the table out, or the axis \"law\"".to_owned());
         }
         let Some(rate) = input.rate(body) else { return Ok(()) };

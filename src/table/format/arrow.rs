@@ -40,7 +40,7 @@ impl Column {
         match self {
             Self::Case => rows.cases.iter().map(|case| *case as f64).collect(),
             Self::Plain(place) | Self::Name(place, _) => swept(*place).collect(),
-            Self::Number(place, values) => swept(*place).map(|place| values.at(place as u64)).collect(),
+            Self::Number(place, values) => swept(*place).map(|place| values.value_at(place as u64)).collect(),
             Self::Result(column) => {
                 let value = |row: &Result<ImpactRow, _>| row.as_ref().ok().and_then(column.value);
                 rows.results.iter().map(|row| value(row).unwrap_or(f64::NAN)).collect()

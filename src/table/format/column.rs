@@ -1,7 +1,7 @@
 //! The columns of a table in any format: where the values of each column come from.
 
 use crate::results::ResultColumn;
-use crate::scenario::plan::{Cases, Plan, Setting, Values, Word};
+use crate::scenario::plan::{AxisSetting, AxisValues, AxisWord, Cases, Plan};
 
 /// Where the values of a column come from.
 #[derive(Debug, Clone)]
@@ -10,7 +10,7 @@ pub(crate) enum Column {
     /// A random or derived number, written as it is: its place among the swept values of a row.
     Plain(usize),
     /// A number of an axis: the place of the axis, and its values.
-    Number(usize, Values),
+    Number(usize, AxisValues),
     /// A name of an axis of methods, laws or materials: the place of the axis, and its names.
     Name(usize, Vec<String>),
     Result(ResultColumn),
@@ -25,14 +25,14 @@ pub(crate) fn columns(plan: &Plan) -> Vec<Column> {
         Cases::Grid(axes) => (0..)
             .zip(axes)
             .map(|(place, axis)| match &axis.setting {
-                Setting::Number { values, .. } => Column::Number(place, values.clone()),
-                Setting::Words { words, .. } => Column::Name(place, words.iter().map(Word::name).collect()),
+                AxisSetting::Number { values, .. } => Column::Number(place, values.clone()),
+                AxisSetting::Words { words, .. } => Column::Name(place, words.iter().map(AxisWord::name).collect()),
             })
             .collect(),
     };
-    for _ in plan.derived() {
+    for _ in plan.derived_bodies() {
         swept.push(Column::Plain(swept.len()));
     }
-    let results = plan.results().into_iter().map(Column::Result);
+    let results = plan.result_columns().into_iter().map(Column::Result);
     std::iter::once(Column::Case).chain(swept).chain(results).chain([Column::Status]).collect()
 }

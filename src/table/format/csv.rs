@@ -8,7 +8,7 @@ use super::Form;
 use super::column::{Column, columns};
 use crate::files::{AtomicFile, begins_like};
 use crate::results::ResultColumn;
-use crate::scenario::plan::{Plan, Values};
+use crate::scenario::plan::{AxisValues, Plan};
 use crate::table::Rows;
 use crate::table::tally::{Count, status, written};
 
@@ -30,7 +30,7 @@ fn rendered(column: &Column) -> Vec<Vec<u8>> {
     let render = |value: &f64| zmij::Buffer::new().format(*value).as_bytes().to_vec();
     match column {
         Column::Name(_, names) => names.iter().map(|name| name.clone().into_bytes()).collect(),
-        Column::Number(_, Values::List(values)) if values.len() <= RENDERED => values.iter().map(render).collect(),
+        Column::Number(_, AxisValues::List(values)) if values.len() <= RENDERED => values.iter().map(render).collect(),
         _ => Vec::new(),
     }
 }
@@ -73,7 +73,7 @@ impl Csv {
                         continue;
                     }
                     Column::Result(column) => result.as_ref().ok().and_then(column.value),
-                    Column::Number(place, values) => Some(values.at(swept[*place] as u64)),
+                    Column::Number(place, values) => Some(values.value_at(swept[*place] as u64)),
                     Column::Plain(place) => Some(swept[*place]).filter(|number| !number.is_nan()),
                 };
                 if let Some(number) = number {

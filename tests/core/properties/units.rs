@@ -33,7 +33,7 @@ fn exponents(dimension: Dimension) -> [i32; 3] {
 fn in_other_units(scene: &AnyScene, factor: impl Fn(Dimension) -> f64) -> AnyScene {
     let mut other = scene.clone();
     for (path, given) in &mut other.keys {
-        let key = EVERY_KEY.iter().find(|key| key.path == *path);
+        let key = ALL_KEYS.iter().find(|key| key.path == *path);
         match given {
             Given::Number(number) => *number *= factor(key.unwrap().number().unwrap().0.dimension),
             Given::Points(points) => points.iter_mut().for_each(|point| point[1] *= factor(Dimension::Pressure)),

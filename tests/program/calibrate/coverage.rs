@@ -5,8 +5,8 @@ use plm_impact::calibrate::data::{Data, Row, Value};
 use plm_impact::calibrate::fit::NoiseModel;
 use plm_impact::calibrate::problem::Problem;
 use plm_impact::numerics::functions::normal_quantile;
-use plm_impact::scenario::input::measured::Measured;
-use plm_impact::scenario::plan::free_key::Free;
+use plm_impact::scenario::input::measured::MeasuredQuantity;
+use plm_impact::scenario::plan::free_key::FreeKey;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
@@ -53,21 +53,21 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
     let Made { sets, readings, sd, is_estimated, is_robust, quantities, keys } = made;
     let mut scene = Scenario::from_text("steel", crate::common::STEEL, &[]).unwrap().resolve().unwrap();
     // by the closed form, as the command calibrates
-    scene.choose_method(Method::Auto);
+    scene.set_default_method(Method::Auto);
     let contact = scene.contact().unwrap();
     let speeds: Vec<f64> = (0..readings).map(|i| 0.3 * 17_f64.powf(f64::from(i) / f64::from(readings - 1))).collect();
-    let range = |(path, truth): &(&str, f64)| Free {
-        key: Key::find(path).unwrap(),
+    let range = |(path, truth): &(&str, f64)| FreeKey {
+        key: NumericKey::find(path).unwrap(),
         from: 0.5 * truth,
         to: 2.0 * truth,
         is_logarithmic: true,
         hardness: None,
     };
-    let free: Vec<Free> = keys.iter().map(range).collect();
+    let free: Vec<FreeKey> = keys.iter().map(range).collect();
     let exact = |(row, speed): (usize, &f64)| {
         let impact = contact.closed_form(*speed).unwrap();
         let value = |name: &&str| {
-            let quantity = Measured::find(name).unwrap();
+            let quantity = MeasuredQuantity::find(name).unwrap();
             Value { row, quantity, value: quantity.predict(&impact, &scene).unwrap(), deviation: None }
         };
         quantities.iter().map(value).collect::<Vec<_>>()
@@ -77,7 +77,7 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
         let noisy = exact.iter().zip(normals(set, exact.len()));
         let data = Data {
             name: "made".to_owned(),
-            keys: vec![Key::find("impact.speed").unwrap()],
+            keys: vec![NumericKey::find("impact.speed").unwrap()],
             rows: speeds.iter().map(|speed| Row { keys: vec![*speed], ..Row::default() }).collect(),
             values: noisy.map(|(value, noise)| Value { value: value.value * (1.0 + sd * noise), ..*value }).collect(),
         };
@@ -87,8 +87,10 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
         let fit = Fit::new(Problem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
         let of_key = |key: usize| {
             fit.intervals(key).map(|[low, high]| {
-                let [low, high] =
-                    [low.map_or(0.0, |end| free[key].at(end)), high.map_or(f64::MAX, |end| free[key].at(end))];
+                let [low, high] = [
+                    low.map_or(0.0, |end| free[key].value_at_share(end)),
+                    high.map_or(f64::MAX, |end| free[key].value_at_share(end)),
+                ];
                 (low..=high).contains(&keys[key].1)
             })
         };

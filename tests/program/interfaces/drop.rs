@@ -118,7 +118,7 @@ fn part_of_name_finds_keys_and_materials() {
         "{angle}"
     );
     let (all, _) = desk.ends(&["keys"], 0);
-    assert!(EVERY_KEY.iter().all(|key| all.contains(key.path)));
+    assert!(ALL_KEYS.iter().all(|key| all.contains(key.path)));
     assert!(
         all.contains("which `plm-impact materials` lists") && !all.contains("]("),
         "a terminal has no links: {all}"

@@ -1,12 +1,12 @@
 //! Changes in the text of a scenario, of the command line and of the page: all else stays as it was written.
 
-use plm_impact::scenario::document::edit::{Change, changed, edited, given};
+use plm_impact::scenario::document::edit::{Change, given_values, with_changes, with_value};
 
 const TEXT: &str = "# a ball\n[sphere]\n# how large\nradius = \"5 mm\"  # not the diameter\n[impact]\nspeed = 3\n";
 
 #[test]
 fn change_keeps_rest_of_text() {
-    let change = |path, given| edited(TEXT, path, given).unwrap();
+    let change = |path, given| with_value(TEXT, path, given).unwrap();
     assert_eq!(change("sphere.radius", "2 mm"), TEXT.replace("5 mm", "2 mm"));
     assert_eq!(change("impact.speed", "0.5"), TEXT.replace("= 3", "= 0.5"));
     assert_eq!(
@@ -16,11 +16,11 @@ fn change_keeps_rest_of_text() {
     assert_eq!(change("gravity.acceleration", "9.81"), format!("{TEXT}\n[gravity]\nacceleration = 9.81\n"));
     assert_eq!(change("law", "thornton"), format!("{TEXT}\n[law.thornton]\n"));
     assert_eq!(change("impact.speed", ""), TEXT.replace("speed = 3\n", ""));
-    assert_eq!(edited(&change("gravity.acceleration", "9.81"), "gravity.acceleration", "").unwrap(), TEXT);
+    assert_eq!(with_value(&change("gravity.acceleration", "9.81"), "gravity.acceleration", "").unwrap(), TEXT);
     assert_eq!(change("damping.viscous", ""), TEXT);
     // TOML has no whole number beyond 64 bits
     let large = format!("{TEXT}[monte_carlo]\nseed = 36893488147419103232\n");
-    assert!(edited(&large, "impact.speed", "0.5").is_err() && given(&large).is_err());
+    assert!(with_value(&large, "impact.speed", "0.5").is_err() && given_values(&large).is_err());
 }
 
 /// The text with these changes of the command line.
@@ -29,7 +29,7 @@ fn with(text: &str, changes: &[&str]) -> String {
         let (key, value) = change.split_once('=').unwrap();
         Change::parse(key, value).unwrap()
     };
-    changed(text, &changes.iter().map(parse).collect::<Vec<_>>()).unwrap()
+    with_changes(text, &changes.iter().map(parse).collect::<Vec<_>>()).unwrap()
 }
 
 #[test]
@@ -75,12 +75,12 @@ fn set_table_replaces_and_set_key_extends() {
 #[test]
 fn text_has_exactly_its_changed_keys() {
     let changes = [("impact.speed", "3 m/s"), ("half_space.flow_stress.power.exponent", "0.1"), ("law", "stronge")];
-    let text = changes.iter().fold(TEXT.to_owned(), |text, (path, value)| edited(&text, path, value).unwrap());
-    let found = given(&text).unwrap();
+    let text = changes.iter().fold(TEXT.to_owned(), |text, (path, value)| with_value(&text, path, value).unwrap());
+    let found = given_values(&text).unwrap();
     for (path, value) in changes.iter().chain(&[("sphere.radius", "5 mm")]) {
         assert!(found.contains(&((*path).to_owned(), (*value).to_owned())), "{path} in {found:?}");
     }
     assert_eq!(found.len(), 4, "{found:?}");
     // a comment behind a number is no part of it
-    assert_eq!(given("speed = 3  # fast\n").unwrap(), [("speed".to_owned(), "3".to_owned())]);
+    assert_eq!(given_values("speed = 3  # fast\n").unwrap(), [("speed".to_owned(), "3".to_owned())]);
 }

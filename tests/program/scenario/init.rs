@@ -38,7 +38,7 @@ fn every_template_runs_with_all_optional_keys() {
 
 #[test]
 fn comment_of_key_is_its_registry_sentence() {
-    let about = |path: &str| EVERY_KEY.iter().map(|key| (key.path, key.about)).find(|(known, _)| *known == path);
+    let about = |path: &str| ALL_KEYS.iter().map(|key| (key.path, key.description)).find(|(known, _)| *known == path);
     let mut told = 0;
     for (kind, _) in TEMPLATES {
         let scenario = Desk::with("").ends(&["init", kind, "--out", "-"], 0).0;
@@ -75,7 +75,7 @@ fn templates_name_and_describe_every_table() {
     let all: Vec<String> =
         TEMPLATES.iter().map(|(kind, _)| Desk::with("").ends(&["init", kind, "--out", "-"], 0).0).collect();
     let all = all.join("\n");
-    let mut tables: Vec<&str> = EVERY_KEY.iter().map(|key| key.path.split('.').next().unwrap()).collect();
+    let mut tables: Vec<&str> = ALL_KEYS.iter().map(|key| key.path.split('.').next().unwrap()).collect();
     tables.dedup();
     assert!(tables.len() >= 14, "{tables:?}");
     for table in tables {

@@ -8,9 +8,9 @@ use std::path::Path;
 use plm_impact::impact::indentation::SetPoint;
 use plm_impact::results::TABLES;
 use plm_impact::results::impact::impact_results;
-use plm_impact::scenario::Source;
-use plm_impact::scenario::input::{KEYS, Purpose, without_effect};
-use plm_impact::scenario::keys::key::{Form, Part};
+use plm_impact::scenario::ScenarioSource;
+use plm_impact::scenario::input::{NUMERIC_KEYS, RunKind, unused_reason};
+use plm_impact::scenario::keys::key::{Part, ValueForm};
 
 use crate::common::golden::assert_golden;
 use crate::common::prelude::*;
@@ -37,7 +37,7 @@ fn reference_pages_have_tables_of_program() {
     }
     assert_eq!(tables, 4);
     let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/scenarios/keys.md")).unwrap();
-    for path in EVERY_KEY.iter().map(|key| key.path) {
+    for path in ALL_KEYS.iter().map(|key| key.path) {
         let name = path.rsplit('.').next().unwrap();
         assert!(page.contains(&format!("`{name}`")) || page.contains(&format!("`[{path}]`")), "{path}");
     }
@@ -73,10 +73,13 @@ fn key_without_effect_on_contact_says_so() {
     let contact = |input: &Input| format!("{:?}", input.contact());
     let (own, law) = (contact(&scene), scene.law());
     let mut kept = 0;
-    for key in KEYS.iter() {
+    for key in NUMERIC_KEYS.iter() {
         let (low, high) = key.quantity.range();
         let mut changed = scene.clone();
-        key.put(&mut changed, if high.is_finite() { 0.3 * low.max(0.0) + 0.7 * high } else { low.max(0.0) + 1.0 });
+        key.set_exclusive(
+            &mut changed,
+            if high.is_finite() { 0.3 * low.max(0.0) + 0.7 * high } else { low.max(0.0) + 1.0 },
+        );
         assert!(key.part.changes_contact() || contact(&changed) == own, "{}", key.path);
         assert!(key.part.changes_law() || changed.law() == law, "{}", key.path);
         kept += u32::from(!key.part.changes_contact());
@@ -86,26 +89,26 @@ fn key_without_effect_on_contact_says_so() {
 
 #[test]
 fn every_named_file_enters_the_hash() {
-    let mut hashes = BTreeSet::from([Source::default().sha256()]);
+    let mut hashes = BTreeSet::from([ScenarioSource::default().sha256()]);
     let named: Vec<&str> =
-        EVERY_KEY.iter().filter(|key| matches!(key.form, Form::File(_))).map(|key| key.path).collect();
+        ALL_KEYS.iter().filter(|key| matches!(key.form, ValueForm::File(_))).map(|key| key.path).collect();
     for path in &named {
         let files = BTreeMap::from([((*path).to_owned(), "x".to_owned())]);
-        hashes.insert(Source { files, ..Source::default() }.sha256());
+        hashes.insert(ScenarioSource { files, ..ScenarioSource::default() }.sha256());
     }
     assert_eq!(hashes.len(), named.len() + 1);
 }
 
 /// Computes what this purpose needs of an input, and writes it as text with all digits.
-fn computed(input: &Input, of: Purpose) -> String {
-    if of == Purpose::Indentation {
+fn computed(input: &Input, of: RunKind) -> String {
+    if of == RunKind::Indentation {
         let law = input.law();
         let (sphere, half_space) = input.bodies(&law);
         let contact = StaticContact::try_new(&sphere, &half_space, law.get());
         return format!("{:?}", contact.unwrap().indent(&[SetPoint::Load(1e4), SetPoint::Load(0.0)], None));
     }
     let contact = input.contact().unwrap();
-    if of == Purpose::Rows {
+    if of == RunKind::Table {
         format!("{:?}", contact.row(input.approach(), &input.solver()))
     } else {
         // a run writes a trace
@@ -139,15 +142,15 @@ fn every_key_has_effect_or_reason() {
     let (mut met, mut idle) = (BTreeSet::new(), BTreeSet::new());
     for scenario in scenes.iter().map(|set| read(STEEL, set)).chain([elastic]) {
         let input = scenario.resolve().unwrap();
-        for of in [Purpose::Rows, Purpose::Impact, Purpose::Indentation] {
+        for of in [RunKind::Table, RunKind::Impact, RunKind::Indentation] {
             let is_refused = |part| {
-                of == Purpose::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
+                of == RunKind::Indentation && matches!(part, Part::Forces | Part::Approach | Part::Solver | Part::Rate)
             };
-            for key in KEYS.iter().filter(|key| !is_refused(key.part)) {
+            for key in NUMERIC_KEYS.iter().filter(|key| !is_refused(key.part)) {
                 let Some(number) = key.get(&input).filter(|number| number.is_finite()) else { continue };
                 let mut changed = input.clone();
                 key.set(&mut changed, Some(0.9 * number));
-                let reason = without_effect(key.path, std::slice::from_ref(&input), of);
+                let reason = unused_reason(key.path, std::slice::from_ref(&input), of);
                 let is_idle = computed(&changed, of) == computed(&input, of);
                 assert_eq!(reason.is_some(), is_idle, "{} for {of:?}: {reason:?}, {input:?}", key.path);
                 met.insert(key.path);

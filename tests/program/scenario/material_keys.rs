@@ -186,14 +186,14 @@ fn material_ranges_are_drawn_by_one_line() {
 #[test]
 fn calibration_frees_the_strength_of_the_material() {
     let text = steel() + "[calibrate.measured]\nrestitution = 0.5\n";
-    let wanted = Scenario::from_text("s.toml", &text, &[]).unwrap().wanted().unwrap();
+    let wanted = Scenario::from_text("s.toml", &text, &[]).unwrap().calibration_request().unwrap();
     assert_eq!(
         (given(&wanted.input, "half_space.hardness"), wanted.free[0].key.path),
         (None, "half_space.yield_strength")
     );
     assert_eq!(wanted.input.half_space().material.youngs_modulus, 210e9);
     let hardness = text + "[calibrate.free]\n\"half_space.hardness\" = { from = \"100 HV\", to = \"300 HV\" }\n";
-    let wanted = Scenario::from_text("s.toml", &hardness, &[]).unwrap().wanted();
+    let wanted = Scenario::from_text("s.toml", &hardness, &[]).unwrap().calibration_request();
     assert!(wanted.is_ok(), "{wanted:?}");
 }
 

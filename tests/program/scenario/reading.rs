@@ -1,6 +1,6 @@
 //! Scenarios as text: the scenes that they resolve to, and the refusal of bad scenarios.
 
-use plm_impact::scenario::input::{EITHER, KEYS};
+use plm_impact::scenario::input::{ALTERNATIVES, NUMERIC_KEYS};
 
 use crate::common::prelude::*;
 
@@ -71,8 +71,8 @@ fn overrides_from_shell_change_keys() {
 fn overrides_replace_alternatives_and_tables_and_remove_keys() {
     let set = |set: &[&str]| resolve(STEEL, set).unwrap();
     assert_eq!(set(&["sphere.diameter=1 cm"]), set(&["sphere.radius=none", "sphere.diameter=1 cm"]));
-    for [other, own] in EITHER {
-        let quantity = Key::find(own).unwrap().quantity;
+    for [other, own] in ALTERNATIVES {
+        let quantity = NumericKey::find(own).unwrap().quantity;
         let number = quantity.parse(quantity.example.trim_matches('"')).unwrap();
         let need = if own == "impact.drop_height" { "gravity.acceleration=9.81" } else { "solver.method=auto" };
         let input = set(&[need, &format!("{own}={number}")]);
@@ -132,7 +132,7 @@ fn beside(path: &str) -> (Vec<String>, &'static str) {
 
 #[test]
 fn every_listed_key_is_read_from_file() {
-    for key in KEYS.iter() {
+    for key in NUMERIC_KEYS.iter() {
         let is_share =
             ["poissons_ratio", "stiffness_ratio", "power.exponent"].iter().any(|name| key.path.ends_with(name));
         // a value inside of the range of the key
@@ -156,13 +156,13 @@ fn every_listed_key_is_read_from_file() {
         let law = key.path.strip_prefix("law.").and_then(|rest| rest.split('.').next()).unwrap_or("plm");
         if key.path != "sphere.radius" {
             let mut by_key = given(&[&format!("law.{law}={{}}")]);
-            key.put(&mut by_key, value);
+            key.set_exclusive(&mut by_key, value);
             assert_eq!(by_file, by_key, "{}", key.path);
         }
         assert_eq!(key.get(&by_file), Some(value), "{}", key.path);
     }
-    assert_eq!(Key::find("impact.speed").unwrap().column(), "impact_speed_m_per_s");
-    assert!(Key::find("solver.method").is_none());
+    assert_eq!(NumericKey::find("impact.speed").unwrap().column_name(), "impact_speed_m_per_s");
+    assert!(NumericKey::find("solver.method").is_none());
 }
 
 /// Where the keys of a law are not given, `check` shows the values that the law takes.
@@ -172,7 +172,7 @@ fn key_defaults_match_law_defaults() {
         let mut input = Input::default();
         input.named_law = law;
         let own = input.law();
-        assert_eq!(input.filled().law(), own);
+        assert_eq!(input.with_derived_values().law(), own);
     }
 }
 
@@ -188,9 +188,9 @@ fn drop_height_sets_speed_without_gravity_in_contact() {
     assert_eq!(scene.speed(), 9.81_f64.sqrt());
     assert_eq!((scene.forces().gravity, given(&scene, "impact.drop_height")), (Some(9.81), Some(0.5)));
     let mut input = scene;
-    Key::find("gravity.acceleration").unwrap().put(&mut input, 4.0);
+    NumericKey::find("gravity.acceleration").unwrap().set_exclusive(&mut input, 4.0);
     assert_eq!(input.speed(), 2.0, "the height stays");
-    Key::find("impact.speed").unwrap().put(&mut input, 3.0);
+    NumericKey::find("impact.speed").unwrap().set_exclusive(&mut input, 3.0);
     let scene = input;
     assert_eq!((scene.speed(), given(&scene, "impact.drop_height")), (3.0, None));
     assert_eq!(resolve(&text, &[gravity, "impact.drop_height=0"]).unwrap().speed(), 0.0);

@@ -1,4 +1,4 @@
-//! `[repeat]`: what is read, and what is written.
+//! `[series]`: what is read, and what is written.
 
 use crate::common::prelude::*;
 
@@ -28,7 +28,7 @@ samples = 20
 fn series_keys_are_read() {
     let read = |rest: &str| {
         let scenario = Scenario::from_text("s.toml", &format!("{BODIES}{rest}"), &[]).unwrap();
-        scenario.repeat(&scenario.resolve().unwrap()).unwrap()
+        scenario.series(&scenario.resolve().unwrap()).unwrap()
     };
     let bouncing = read(BOUNCING);
     assert_eq!(bouncing.spot_mode, SpotMode::Fresh);

@@ -38,7 +38,7 @@ fn mass_replaces_density() {
     let plan = Scenario::from_text("s.toml", &text.replace("radius = \"5 mm\"\n", ""), &[]).unwrap().plan().unwrap();
     let mut one = plan.input.clone();
     for radius in [1e-3, 5e-3, 2e-3] {
-        Key::find("sphere.radius").unwrap().put(&mut one, radius);
+        NumericKey::find("sphere.radius").unwrap().set_exclusive(&mut one, radius);
         assert!(off(one.contact().unwrap().mass(), 0.004) < 1e-14);
     }
 }
@@ -86,7 +86,7 @@ fn hardness_with_exponent_holds_at_strain_0_08() {
     assert!(off(strength, 843_782_897.820_715_2) < 1e-10, "{strength}");
     // the same after a change of the modulus
     let mut changed = scene;
-    Key::find("half_space.youngs_modulus").unwrap().put(&mut changed, 100e9);
+    NumericKey::find("half_space.youngs_modulus").unwrap().set_exclusive(&mut changed, 100e9);
     let strength = changed.half_space().yield_strength.unwrap();
     assert!(off(strength, 1_012_142_663.287_387_1) < 1e-10, "{strength}");
 }

@@ -9,7 +9,7 @@ use super::parts::{IntervalPart, PartKind};
 use crate::contact::law::{LawChoice, PlmCoefficients, UnloadingExponent};
 use crate::impact::Contact;
 use crate::scenario::input::{Body, Input};
-use crate::scenario::keys::key_of;
+use crate::scenario::keys::body_key;
 use crate::strings::names::named_enum;
 
 named_enum! {
@@ -130,7 +130,7 @@ pub(super) fn poissons_ratio_part(input: &Input, contact: &Contact) -> Option<Ve
         return Some(Vec::new());
     }
     let share = pressure_ratio(poissons_ratio) - 1.0;
-    let (kind, low, high) = if input.number(key_of!(body, "hardness")).is_some() {
+    let (kind, low, high) = if input.number(body_key!(body, "hardness")).is_some() {
         let width = share.abs().min(BY_HARDNESS);
         (PartKind::Width, -width, width)
     } else {

@@ -52,7 +52,7 @@ impl Uncertainty {
                 let (mut sphere, mut half_space) = (*contact.sphere(), *contact.half_space());
                 sphere.yield_strength = strengths[0].or(sphere.yield_strength);
                 half_space.yield_strength = strengths[1].or(half_space.yield_strength);
-                input.pair(sphere, half_space, law).ok()
+                input.contact_of(sphere, half_space, law).ok()
             };
             let [low, high] = range.strengths.map(at);
             hardness.push((range.clone(), [low?, high?]));

@@ -8,7 +8,7 @@ use crate::contact::strength::kind::StrengthKind;
 use crate::impact::{Contact, TOO_HIGH_BY};
 use crate::materials::{MaterialEntry, PropertyValue};
 use crate::scenario::input::{Body, Input};
-use crate::scenario::keys::{at, key_of};
+use crate::scenario::keys::{body_key, key};
 use crate::units::{Dimension, format_input};
 
 /// e of a cold-worked or quenched metal from its hardness is too low by at most this fraction.
@@ -51,27 +51,27 @@ impl HardnessRanges {
 
     /// The ranges of another input. A body whose strength is the same keeps its range.
     pub fn renewed(self, input: &Input, law: &LawChoice) -> Self {
-        let is_same = |body: Body| body.pick(self.bodies).origin == origin(input, law, body);
+        let is_same = |body: Body| body.select(self.bodies).origin == origin(input, law, body);
         if Body::ALL.into_iter().all(is_same) { self } else { Self::from_earlier(input, law, Some(self.bodies)) }
     }
 
     fn from_earlier(input: &Input, law: &LawChoice, earlier: Option<[BodyRange; 2]>) -> Self {
         let known = Body::ALL.map(|body| known_range(input, body));
         let strength = |body: Body, end: usize| {
-            let flow = body.pick(law.flow_curves());
-            let hardness = body.pick(known)?.range[end].value;
+            let flow = body.select(law.flow_curves());
+            let hardness = body.select(known)?.range[end].value;
             let mut input = input.clone();
-            input.set(key_of!(body, "hardness"), Some(hardness));
+            input.set(body_key!(body, "hardness"), Some(hardness));
             input.yield_strength(body, flow)
         };
         let bodies = Body::ALL.map(|body| {
             let origin = origin(input, law, body);
-            let same = earlier.map(|bodies| body.pick(bodies)).filter(|one| one.origin == origin);
+            let same = earlier.map(|bodies| body.select(bodies)).filter(|one| one.origin == origin);
             same.unwrap_or_else(|| BodyRange { origin, strengths: [0, 1].map(|end| strength(body, end)) })
         });
         let range = |of: &[Body], name: &str, known: &PropertyValue| {
             let at_end =
-                |end: usize| Body::ALL.map(|body| body.pick(bodies).strengths[end].filter(|_| of.contains(&body)));
+                |end: usize| Body::ALL.map(|body| body.select(bodies).strengths[end].filter(|_| of.contains(&body)));
             let [low, high] = known.range.each_ref().map(|end| end.text.as_str());
             HardnessRange { name: format!("{HARDNESS}{name} {low} to {high}"), strengths: [at_end(0), at_end(1)] }
         };
@@ -94,22 +94,22 @@ impl HardnessRanges {
 
 fn origin(input: &Input, law: &LawChoice, body: Body) -> RangeOrigin {
     let numbers = body.strength_numbers().map(|at| input.number(at));
-    let has = [known_range(input, body).is_some(), body.pick(law.flow_curves()).is_some()];
-    (numbers, input.word(key_of!(body, "material")), has)
+    let has = [known_range(input, body).is_some(), body.select(law.flow_curves()).is_some()];
+    (numbers, input.word(body_key!(body, "material")), has)
 }
 
 /// The property of the material behind the hardness of a body; `None` if the hardness is not taken from a material.
 fn known_range(input: &Input, body: Body) -> Option<&'static PropertyValue> {
-    let at = key_of!(body, "hardness");
+    let at = body_key!(body, "hardness");
     let choice = input.materials().iter().find(|choice| choice.body == body)?;
-    let (_, known) = choice.values().find(|(key, _)| *key == at.path())?;
+    let (_, known) = choice.known_values().find(|(key, _)| *key == at.path())?;
     (input.number(at) == Some(known.value.value) && !input.is_calibrated(body)).then_some(known)
 }
 
 /// True if the interval of e has a part for the strength of a body, whatever the impact.
 pub fn has_strength_parts(input: &Input) -> bool {
     Body::ALL.into_iter().any(|body| {
-        let is_hard = input.number(key_of!(body, "hardness")).is_some();
+        let is_hard = input.number(body_key!(body, "hardness")).is_some();
         let has_kind = input.strength_kind(body) == Some(StrengthKind::Proof);
         let is_named = input.named_material(body).is_some() && input.has_strength(body);
         is_hard || has_kind || is_named
@@ -124,11 +124,11 @@ pub(super) fn strength_parts(input: &Input, contact: &Contact, law: &LawChoice) 
     let is_alike =
         input.named_material(Body::Sphere).is_some_and(|entry| Some(entry) == input.named_material(Body::HalfSpace));
     let mut parts: Vec<IntervalPart> = Vec::new();
-    for body in Body::ALL.into_iter().filter(|body| body.pick(shares) > 0.0) {
+    for body in Body::ALL.into_iter().filter(|body| body.select(shares) > 0.0) {
         if is_no_metal(input, body) {
             return None;
         }
-        let share = if is_alike { 1.0 } else { body.pick(shares) };
+        let share = if is_alike { 1.0 } else { body.select(shares) };
         for (name, ends) in body_parts(input, body, law) {
             let kind = if ends.is_some() { PartKind::Shift } else { PartKind::NotIncluded };
             // a body that takes a share of the yielding changes e by that share at least, and by the whole at most
@@ -155,8 +155,8 @@ fn is_no_metal(input: &Input, body: Body) -> bool {
 fn body_parts(input: &Input, body: Body, law: &LawChoice) -> Vec<(String, Option<[f64; 2]>)> {
     let entry = input.named_material(body);
     let may_harden = entry.map(|entry| entry.lacks_exponent || entry.has_hardening());
-    let is_by_hardness = input.number(key_of!(body, "hardness")).is_some();
-    let has_curve = body.pick(law.flow_curves()).is_some();
+    let is_by_hardness = input.number(body_key!(body, "hardness")).is_some();
+    let has_curve = body.select(law.flow_curves()).is_some();
     let kind = input.strength_kind(body);
     let mut parts = Vec::new();
     if kind == Some(StrengthKind::Flow) {
@@ -204,7 +204,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied:
             body.table(),
             format_input(input.material(body).youngs_modulus, Dimension::Pressure)
         ));
-    } else if let Some(strength) = input.number(key_of!(body, "yield_strength")).filter(|_| is_vague) {
+    } else if let Some(strength) = input.number(body_key!(body, "yield_strength")).filter(|_| is_vague) {
         let key = body.yield_strength();
         let value = if varied.contains(&key) {
             String::new()
@@ -217,7 +217,7 @@ pub fn strength_notes(input: &Input, contact: &Contact, law: &LawChoice, varied:
         ));
     }
     let is_of_paper = matches!(law, LawChoice::Plm(law) if law.exponent == UnloadingExponent::Paper);
-    let exponent = at!("law.plm.unloading_exponent");
+    let exponent = key!("law.plm.unloading_exponent");
     let is_default = input.number(exponent).is_none() && !varied.contains(&exponent.path());
     if let (true, true, Some(error)) = (is_of_paper, is_default, paper_exponent_error()) {
         let [mean, high, low] = [error.mean, error.high, error.low].map(|share| -100.0 * share);
@@ -238,7 +238,7 @@ pub fn expected_notes(input: &Input, contact: &Contact) -> Vec<String> {
 impl Input {
     /// The kind of strength that a body has, if the scenario states it.
     pub fn strength_kind(&self, body: Body) -> Option<StrengthKind> {
-        self.word(key_of!(body, "strength_kind")).map(|place| StrengthKind::ALL[place])
+        self.word(body_key!(body, "strength_kind")).map(|place| StrengthKind::ALL[place])
     }
 
     /// True if the strength of a body is that of its impacts, such as one that a rebound was calibrated with.

@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 use plm_impact::report::text::{calibrate, check, indentation, materials, sweep, units};
 use plm_impact::results::series;
 use plm_impact::results::{NumberFormat, ResultSpec, impact, trace};
-use plm_impact::scenario::key_docs::written;
-use plm_impact::scenario::keys::key::AnyKey;
+use plm_impact::scenario::key_docs::form_as_markdown;
+use plm_impact::scenario::keys::key::KeySpec;
 use plm_impact::strings::markdown_table;
 
 use crate::common::prelude::*;
@@ -18,7 +18,7 @@ type Part = (&'static str, fn() -> String);
 const PARTS: [Part; 4] = [("keys", keys), ("results", of_results), ("materials", of_materials), ("units", units_table)];
 
 /// A page in which every table between two marks is written anew, and the number of these tables. The marks are comments such as
-/// `<!-- keys: written by a test -->`.
+/// `<!-- keys: form_as_markdown by a test -->`.
 pub fn renewed(page: &str) -> (String, usize) {
     let mut count = 0;
     let write = |page: String, (name, text): &Part| {
@@ -94,13 +94,13 @@ fn names_end_in_unit_of_their_number() {
 /// All keys, a table for every table of a scenario: first those that a user sets, then those for experts.
 fn keys() -> String {
     let mut tables: Vec<&str> = Vec::new();
-    for (table, _) in EVERY_KEY.iter().map(place) {
+    for (table, _) in ALL_KEYS.iter().map(place) {
         if !tables.contains(&table) {
             tables.push(table);
         }
     }
     // the tables in the order of the registry, those of the laws together
-    tables.sort_by_key(|table| EVERY_KEY.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
+    tables.sort_by_key(|table| ALL_KEYS.iter().position(|key| key.path.split('.').next() == table.split('.').next()));
     let (of_experts, usual): (Vec<&str>, Vec<&str>) = tables.into_iter().partition(|table| is_of_experts(table));
     let [usual, of_experts] = [usual, of_experts].map(|tables| tables.into_iter().map(table).collect::<String>());
     usual + EXPERTS + &of_experts
@@ -120,16 +120,22 @@ fn is_of_experts(table: &str) -> bool {
 
 fn table(name: &str) -> String {
     let mut text = format!("### {}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", heading(name));
-    for key in EVERY_KEY.iter().filter(|key| place(key).0 == name) {
-        let axis = if Key::find(key.path).is_some() { " \u{2195}" } else { "" };
+    for key in ALL_KEYS.iter().filter(|key| place(key).0 == name) {
+        let axis = if NumericKey::find(key.path).is_some() { " \u{2195}" } else { "" };
         let default = if key.default.is_empty() { "\u{2013}" } else { key.default };
-        let _ = writeln!(text, "| `{}`{axis} | {} | {default} | {} |", place(key).1, written(&key.form), key.about);
+        let _ = writeln!(
+            text,
+            "| `{}`{axis} | {} | {default} | {} |",
+            place(key).1,
+            form_as_markdown(&key.form),
+            key.description
+        );
     }
     text + "\n"
 }
 
 /// The table that a key stands in, and its name there; `sweep` and `monte_carlo` are tables themselves.
-fn place(key: &AnyKey) -> (&'static str, &'static str) {
+fn place(key: &KeySpec) -> (&'static str, &'static str) {
     key.path.rsplit_once('.').unwrap_or((key.path, key.path))
 }
 

@@ -26,9 +26,9 @@ fn understood(text: &str, change: &str) -> Result<(), Error> {
     match scenario.kind()? {
         Kind::Indentation => scenario.indentation().map(drop),
         Kind::Sweep | Kind::MonteCarlo => scenario.plan().map(drop),
-        Kind::Calibrate => scenario.wanted().map(drop),
+        Kind::Calibrate => scenario.calibration_request().map(drop),
         Kind::Impact => scenario.resolve().map(drop),
-        Kind::Repeat => scenario.resolve().and_then(|scene| scenario.repeat(&scene)).map(drop),
+        Kind::Repeat => scenario.resolve().and_then(|scene| scenario.series(&scene)).map(drop),
     }
 }
 
