@@ -8,11 +8,11 @@ use crate::files::Progress;
 use crate::report::run::table;
 use crate::scenario::plan::Plan;
 use crate::table::Rows;
-use crate::table::format::csv::Csv;
+use crate::table::format::csv::CsvEncoder;
 
 /// Rows a second of a plan on all cores, in memory: computed alone, and with their lines of CSV, each the best of all rounds.
 pub fn throughput(plan: &Plan, rounds: u32) -> Result<[f64; 2], Error> {
-    let csv = Csv::new(plan);
+    let csv = CsvEncoder::new(plan);
     let mut best = [0.0; 2];
     for _ in 0..rounds {
         let rates = [rate(plan, |rows| rows.results.len())?, rate(plan, |rows| csv.lines(rows))?];

@@ -10,7 +10,7 @@ use crate::scenario::input::Input;
 use crate::scenario::plan::{Axis, AxisSetting, AxisValues, AxisWord, Cases, Plan, Variable, apply_axes};
 
 /// Up to this number, which thirteen axes of numbers have, all corners are computed. If there are more, a sample of this size is.
-const MOST_CORNERS: u64 = 1 << 13;
+const MAX_CORNERS: u64 = 1 << 13;
 /// The tails of a distribution lie below the first of these shares and above the second.
 const TAILS: [f64; 2] = [0.001, 0.999];
 
@@ -24,20 +24,20 @@ pub struct Corners {
 }
 
 /// Computes the impacts at the corners. `known` is the contact of the plan, if it is made already.
-pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Corners {
+pub fn corner_warnings(plan: &Plan, known: Option<&Contact>) -> Corners {
     let tails: Vec<Axis> = match &plan.cases {
         Cases::Grid(_) => Vec::new(),
-        Cases::MonteCarlo { variables, .. } => variables.iter().map(tails).collect(),
+        Cases::MonteCarlo { variables, .. } => variables.iter().map(tail_axis).collect(),
     };
     let axes = if plan.is_monte_carlo() { &tails } else { plan.axes() };
-    let ends: Vec<Vec<u64>> = axes.iter().map(ends).collect();
+    let ends: Vec<Vec<u64>> = axes.iter().map(extreme_indices).collect();
     let all = ends.iter().map(|ends| ends.len() as u64).fold(1, u64::saturating_mul);
-    let chosen: Vec<Vec<u64>> = if all <= MOST_CORNERS {
-        (0..all).map(|number| corner(&ends, number)).collect()
+    let chosen: Vec<Vec<u64>> = if all <= MAX_CORNERS {
+        (0..all).map(|number| corner_indices(&ends, number)).collect()
     } else {
         // the same in every run; an end of an axis is in so large a sample many times
         let mut random = ChaCha8Rng::seed_from_u64(0);
-        (0..MOST_CORNERS).map(|_| corner(&ends, random.next_u64())).collect()
+        (0..MAX_CORNERS).map(|_| corner_indices(&ends, random.next_u64())).collect()
     };
     // where no axis changes the contact, one serves all corners
     let is_one = axes.iter().all(Axis::is_contact_constant);
@@ -65,9 +65,9 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Corners {
     worst.sort_by_key(|(warning, _)| !warning.is_fatal());
     let mut warnings: Vec<String> =
         worst.into_iter().map(|(warning, place)| format!("at {place}: {warning}")).collect();
-    if all > MOST_CORNERS {
+    if all > MAX_CORNERS {
         warnings.push(format!(
-            "of the {all} corners of this table {MOST_CORNERS} were looked at, a sample; the model may be left at the others"
+            "of the {all} corners of this table {MAX_CORNERS} were looked at, a sample; the model may be left at the others"
         ));
     }
     Corners { warnings, has_dent }
@@ -75,7 +75,7 @@ pub fn at_corners(plan: &Plan, known: Option<&Contact>) -> Corners {
 
 /// The corner of this number; beyond the last corner they begin again.
 #[allow(clippy::cast_possible_truncation)] // less than the length of a list
-fn corner(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
+fn corner_indices(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
     let place = |ends: &Vec<u64>| {
         let count = ends.len() as u64;
         let place = ends[(number % count) as usize];
@@ -86,7 +86,7 @@ fn corner(ends: &[Vec<u64>], mut number: u64) -> Vec<u64> {
 }
 
 /// The places of the smallest and the largest value of an axis, or of all its words.
-fn ends(axis: &Axis) -> Vec<u64> {
+fn extreme_indices(axis: &Axis) -> Vec<u64> {
     let mut places: Vec<u64> = match &axis.setting {
         AxisSetting::Number { .. } => axis.extreme_places().to_vec(),
         // of the methods only fixed steps have warnings of their own
@@ -101,7 +101,7 @@ fn ends(axis: &Axis) -> Vec<u64> {
 }
 
 /// The values of a random key in the tails of its distribution, as an axis.
-fn tails(variable: &Variable) -> Axis {
+fn tail_axis(variable: &Variable) -> Axis {
     Axis::from_numbers(variable.key, AxisValues::List(TAILS.map(|share| variable.value(share)).to_vec()))
 }
 

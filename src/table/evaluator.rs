@@ -14,7 +14,7 @@ use crate::strings::named_enum;
 
 named_enum! {
     /// The reason why a row has no numbers, with its name in the column `status`.
-    pub enum Failure {
+    pub enum RowFailure {
         /// A quantity is too large or too small for double precision.
         OutOfFloatRange = "out_of_float_range",
         /// The integrator's step underflowed.
@@ -38,7 +38,7 @@ named_enum! {
     }
 }
 
-impl From<ImpactError> for Failure {
+impl From<ImpactError> for RowFailure {
     fn from(error: ImpactError) -> Self {
         match error {
             ImpactError::Range(_) | ImpactError::Invalid(_) => Self::OutOfFloatRange,
@@ -72,8 +72,8 @@ pub struct Rows {
     pub cases: Vec<u64>,
     /// Swept values, case after case. On a grid each entry is the index of the value on its axis, not the value; it is an `f64` because
     /// Monte Carlo rows hold values. Yield strengths that follow from the swept values ([`Plan::derives_strength`]) are the last entries.
-    pub swept: Vec<f64>,
-    pub results: Vec<Result<ImpactRow, Failure>>,
+    pub axis_values: Vec<f64>,
+    pub results: Vec<Result<ImpactRow, RowFailure>>,
 }
 
 impl Rows {
@@ -82,7 +82,7 @@ impl Rows {
         let count = usize::try_from(count).unwrap_or(0);
         Self {
             cases: Vec::with_capacity(count),
-            swept: Vec::with_capacity(count * n_swept),
+            axis_values: Vec::with_capacity(count * n_swept),
             results: Vec::with_capacity(count),
         }
     }
@@ -90,7 +90,7 @@ impl Rows {
     /// Takes all rows away; the memory stays.
     pub fn clear(&mut self) {
         self.cases.clear();
-        self.swept.clear();
+        self.axis_values.clear();
         self.results.clear();
     }
 }
@@ -100,7 +100,7 @@ impl Rows {
 struct RowContact {
     /// The yield strengths of sphere and half-space.
     strengths: [Option<f64>; 2],
-    contact: Result<Contact, Failure>,
+    contact: Result<Contact, RowFailure>,
     /// The uncertainty of e, if the table has columns for it.
     uncertainty: Option<Uncertainty>,
 }
@@ -109,7 +109,7 @@ impl RowContact {
     /// The contact of an input under its law; `known` is this contact if it exists already.
     fn new(input: &Input, law: &LawChoice, known: Option<&Contact>, ranges: Option<&HardnessRanges>) -> Self {
         let (sphere, half_space) = input.bodies(law);
-        let pair = || input.contact_of(sphere, half_space, law).map_err(Failure::from);
+        let pair = || input.contact_of(sphere, half_space, law).map_err(RowFailure::from);
         let contact = known.cloned().map_or_else(pair, Ok);
         let uncertainty = contact
             .as_ref()
@@ -137,7 +137,7 @@ impl RowLaw {
     }
 
     /// The bodies of a row and their law.
-    fn contact_of(&mut self, input: &Input) -> RowContact {
+    fn contact_for(&mut self, input: &Input) -> RowContact {
         if self.changes {
             self.law = input.law();
         }
@@ -159,7 +159,7 @@ fn shows_interval(plan: &Plan) -> bool {
 pub struct Evaluator<'a> {
     plan: &'a Plan,
     /// True if the yield strengths of sphere and half-space follow from the swept values ([`Plan::derives_strength`]).
-    derives: [bool; 2],
+    derives_strength: [bool; 2],
     /// True if the table shows the interval of e.
     has_interval: bool,
     /// The contact of every combination of the axes that change the contact, made when its first row needs it. Empty if there
@@ -194,9 +194,9 @@ impl<'a> Evaluator<'a> {
         Self::with_contacts(plan, contacts, strides)
     }
 
-    /// An evaluator of [`Self::listed`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
+    /// An evaluator of [`Self::append_rows_with_values`] rows alone, without the contacts of a grid. `contact` is the contact of the plan, if no key
     /// changes it.
-    pub fn of_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
+    pub fn with_contact(plan: &'a Plan, contact: Option<&Contact>) -> Self {
         let input = &plan.input;
         let law = input.law();
         let ranges = shows_interval(plan).then(|| HardnessRanges::new(input, &law));
@@ -206,13 +206,13 @@ impl<'a> Evaluator<'a> {
     }
 
     fn with_contacts(plan: &'a Plan, contacts: Vec<OnceLock<Box<RowContact>>>, strides: Vec<u64>) -> Self {
-        let derives = Body::ALL.map(|body| plan.derives_strength(body));
-        Self { plan, derives, has_interval: shows_interval(plan), contacts, strides }
+        let derives_strength = Body::ALL.map(|body| plan.derives_strength(body));
+        Self { plan, derives_strength, has_interval: shows_interval(plan), contacts, strides }
     }
 
     /// The number of swept values of a row.
-    pub fn n_swept(&self) -> usize {
-        self.plan.varied_paths().len() + self.derives.iter().filter(|is_derived| **is_derived).count()
+    pub fn n_axis_values(&self) -> usize {
+        self.plan.varied_paths().len() + self.derives_strength.iter().filter(|is_derived| **is_derived).count()
     }
 
     /// The cache of the contact of these indices on the axes; `None` if contacts are not cached.
@@ -223,19 +223,19 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Appends the rows of `cases`.
-    pub fn rows(&self, cases: Range<u64>, rows: &mut Rows) {
+    pub fn append_rows(&self, cases: Range<u64>, rows: &mut Rows) {
         rows.cases.extend(cases.clone());
         match &self.plan.cases {
-            Cases::Grid(axes) => self.grid(axes, cases, rows),
-            Cases::MonteCarlo { seed, variables, .. } => self.samples(variables, *seed, cases, rows),
+            Cases::Grid(axes) => self.append_grid_rows(axes, cases, rows),
+            Cases::MonteCarlo { seed, variables, .. } => self.append_random_rows(variables, *seed, cases, rows),
         }
     }
 
     /// Appends the row of an input with this contact.
-    fn row(&self, input: &Input, RowContact { strengths, contact, uncertainty }: &RowContact, rows: &mut Rows) {
-        for (strength, is_derived) in strengths.iter().zip(self.derives) {
+    fn append_row(&self, input: &Input, RowContact { strengths, contact, uncertainty }: &RowContact, rows: &mut Rows) {
+        for (strength, is_derived) in strengths.iter().zip(self.derives_strength) {
             // a body that stays elastic has none
-            rows.swept.extend(is_derived.then(|| strength.unwrap_or(f64::NAN)));
+            rows.axis_values.extend(is_derived.then(|| strength.unwrap_or(f64::NAN)));
         }
         let row = contact.as_ref().map_err(|error| *error);
         let mut row = row.and_then(|contact| Ok(contact.row(input.approach(), &input.solver())?));
@@ -246,18 +246,18 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Appends the rows of a grid.
-    fn grid(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
+    fn append_grid_rows(&self, axes: &[Axis], cases: Range<u64>, rows: &mut Rows) {
         let mut places = axis_indices(axes, cases.start);
         let mut input = self.plan.input_at(&places);
         let mut own: Option<RowContact> = None;
         let mut row_law = RowLaw::new(&input, axes.iter().any(Axis::changes_law), self.has_interval);
         for _ in cases {
-            rows.swept.extend(places.iter().map(|place| *place as f64));
+            rows.axis_values.extend(places.iter().map(|place| *place as f64));
             let contact = match self.kept(&places) {
-                Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_of(&input))),
-                None => own.get_or_insert_with(|| row_law.contact_of(&input)),
+                Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_for(&input))),
+                None => own.get_or_insert_with(|| row_law.contact_for(&input)),
             };
-            self.row(&input, contact, rows);
+            self.append_row(&input, contact, rows);
             // the next combination: the last axis moves by one; when an axis starts over, the axis before it moves too
             let mut brings_values = false;
             for (axis, place) in axes.iter().zip(&mut places).rev() {
@@ -278,13 +278,13 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Appends the rows of random cases.
-    fn samples(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
+    fn append_random_rows(&self, variables: &[Variable], seed: u64, cases: Range<u64>, rows: &mut Rows) {
         let mut draws: Vec<VariableSampler> = (0..)
             .zip(variables)
             .map(|(stream, variable)| VariableSampler::new(variable, seed, stream, cases.start))
             .collect();
         let keys: Vec<&NumericKey> = variables.iter().map(|variable| variable.key).collect();
-        self.one_by_one(&keys, cases, rows, |place, _, swept| {
+        self.append_each(&keys, cases, rows, |place, _, swept| {
             let value = draws[place].next_value();
             swept.push(value);
             value
@@ -294,14 +294,14 @@ impl<'a> Evaluator<'a> {
     /// Appends the results of listed cases; every key comes with one value for each case. The keys are axes of the
     /// plan, but the values of those axes are ignored. The result of a case is the same as on a grid. Of the swept
     /// values only yield strengths that follow from the keys are appended.
-    pub fn listed(&self, keys: &[(&NumericKey, &[f64])], cases: Range<usize>, rows: &mut Rows) {
+    pub fn append_rows_with_values(&self, keys: &[(&NumericKey, &[f64])], cases: Range<usize>, rows: &mut Rows) {
         let only_keys: Vec<&NumericKey> = keys.iter().map(|(key, _)| *key).collect();
-        self.one_by_one(&only_keys, cases, rows, |place, case, _| keys[place].1[case]);
+        self.append_each(&only_keys, cases, rows, |place, case, _| keys[place].1[case]);
     }
 
     /// Appends the rows of cases in which each of these keys has a value of its own. `value` gives that of a key, by its place, in
     /// a case, and may add it to the swept values.
-    fn one_by_one<C: Copy>(
+    fn append_each<C: Copy>(
         &self,
         keys: &[&NumericKey],
         cases: impl Iterator<Item = C>,
@@ -314,17 +314,17 @@ impl<'a> Evaluator<'a> {
         let is_one = !keys.iter().any(|key| key.part.changes_contact());
         for case in cases {
             for (place, key) in keys.iter().enumerate() {
-                let new = Some(value(place, case, &mut rows.swept));
+                let new = Some(value(place, case, &mut rows.axis_values));
                 if key.part.changes_contact() && key.get(&input) != new {
                     own = None;
                 }
                 key.set(&mut input, new);
             }
             let contact = match self.contacts.first().filter(|_| is_one) {
-                Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_of(&input))),
-                None => own.get_or_insert_with(|| row_law.contact_of(&input)),
+                Some(kept) => &**kept.get_or_init(|| Box::new(row_law.contact_for(&input))),
+                None => own.get_or_insert_with(|| row_law.contact_for(&input)),
             };
-            self.row(&input, contact, rows);
+            self.append_row(&input, contact, rows);
         }
     }
 }
@@ -347,7 +347,7 @@ mod tests {
             let evaluator = Evaluator::new(&plan);
             let n_kept = || evaluator.contacts.iter().filter(|kept| kept.get().is_some()).count();
             let after = cases.map(|cases| {
-                evaluator.rows(cases, &mut Rows::default());
+                evaluator.append_rows(cases, &mut Rows::default());
                 n_kept()
             });
             let is_inside = axes[1] == speeds;

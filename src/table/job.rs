@@ -8,25 +8,25 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::format::csv::Csv;
-use super::format::{Form, Format};
-use super::parts::{Identity, JOINED, ONE_FILE, PARTS, remove_parts};
+use super::format::csv::CsvEncoder;
+use super::format::{Format, TableEncoder};
+use super::parts::{MAX_JOINED_ROWS, MAX_PARTS_OF_ONE_FILE, PARTS_FOLDER, TableIdentity, remove_parts};
 use super::shard::Shard;
-use super::tally::Count;
-use super::{Evaluator, Layout, Rows, Tally, count, file, unwritable};
+use super::tally::RowOutcome;
+use super::{Evaluator, PartLayout, Rows, Tally, classify, file_error, unwritable_error};
 use crate::error::{Error, ErrorKind};
 use crate::files::{AtomicFile, OutputDirectory, Progress, remove, remove_stale};
 use crate::scenario::ScenarioSource;
 use crate::scenario::plan::Plan;
 
 /// A sweep to be run.
-pub struct Job<'a> {
+pub struct TableJob<'a> {
     /// The cases of the table.
     pub plan: &'a Plan,
     /// The shard to compute; `None` for the whole table.
     pub shard: Option<Shard>,
     pub format: Format,
-    pub layout: Layout,
+    pub layout: PartLayout,
     /// The directory that the table is written to.
     pub directory: &'a OutputDirectory,
     /// The scenario that the plan was read from.
@@ -38,13 +38,13 @@ pub struct Job<'a> {
 
 /// A finished table or shard.
 #[derive(Debug)]
-pub struct Written {
+pub struct FinishedTable {
     /// The file, or the folder of the parts.
     pub table: PathBuf,
     /// Counts of rows and failures, and the distribution of e.
     pub tally: Tally,
     /// Rows that an earlier run had written, or another process.
-    pub found: u64,
+    pub resumed_rows: u64,
 }
 
 /// One piece of the work for a table.
@@ -56,25 +56,28 @@ enum Task {
 }
 
 /// Some rows of a part, encoded; without a piece if they are in a file already.
-struct Made<T> {
+struct EncodedChunk<T> {
     cases: Range<u64>,
     piece: Option<T>,
-    counts: Vec<Count>,
+    counts: Vec<RowOutcome>,
 }
 
-impl Job<'_> {
+impl TableJob<'_> {
     /// Writes the table, or what is missing of it.
     ///
     /// # Errors
     /// [`Error`]; parts written so far stay.
-    pub fn run(&self) -> Result<Written, Error> {
-        let identity = Identity::new(self.source, self.format, self.layout);
+    pub fn run(&self) -> Result<FinishedTable, Error> {
+        let identity = TableIdentity::new(self.source, self.format, self.layout);
         match self.format {
-            Format::Csv => self.run_as(&Csv::new(self.plan), &identity),
+            Format::Csv => self.run_with_encoder(&CsvEncoder::new(self.plan), &identity),
             #[cfg(feature = "parquet")]
             Format::Parquet => {
                 let failed = |error| Error::failed(format!("Parquet: {error}"));
-                self.run_as(&super::format::parquet::Parquet::new(self.plan).map_err(failed)?, &identity)
+                self.run_with_encoder(
+                    &super::format::parquet::ParquetEncoder::new(self.plan).map_err(failed)?,
+                    &identity,
+                )
             }
             #[cfg(not(feature = "parquet"))]
             Format::Parquet => Err(Error::input(
@@ -83,8 +86,8 @@ impl Job<'_> {
         }
     }
 
-    fn run_as<F: Form>(&self, form: &F, identity: &Identity) -> Result<Written, Error> {
-        let table = Table {
+    fn run_with_encoder<F: TableEncoder>(&self, form: &F, identity: &TableIdentity) -> Result<FinishedTable, Error> {
+        let table = TableWriter {
             job: self,
             form,
             evaluator: &Evaluator::new(self.plan),
@@ -103,67 +106,68 @@ impl Job<'_> {
 }
 
 /// A table in one form.
-struct Table<'a, F> {
-    job: &'a Job<'a>,
+struct TableWriter<'a, F> {
+    job: &'a TableJob<'a>,
     form: &'a F,
     evaluator: &'a Evaluator<'a>,
-    layout: Layout,
+    layout: PartLayout,
     name: String,
 }
 
-impl<F: Form> Table<'_, F> {
+impl<F: TableEncoder> TableWriter<'_, F> {
     fn path(&self, name: &str) -> PathBuf {
         self.job.directory.path().join(name)
     }
 
-    fn part(&self, part: u64) -> PathBuf {
+    fn part_path(&self, part: u64) -> PathBuf {
         // with enough digits that the names sort in the order of the parts
-        self.path(PARTS).join(format!("part-{part:05}.{}", self.job.format.name()))
+        self.path(PARTS_FOLDER).join(format!("part-{part:05}.{}", self.job.format.name()))
     }
 
-    fn write(&self, identity: &Identity) -> Result<Written, Error> {
+    fn write(&self, identity: &TableIdentity) -> Result<FinishedTable, Error> {
         let Self { job, layout, .. } = *self;
-        let (table, folder) = (self.path(&self.name), self.path(PARTS));
+        let (table, folder) = (self.path(&self.name), self.path(PARTS_FOLDER));
         job.directory.check_replaceable(&self.name, |path| self.form.is_own(path))?;
-        remove_stale(&table).map_err(file("cannot be written", &table))?;
-        let is_begun = identity.is_in(job.directory)?;
-        if !is_begun && job.shard.is_none() && layout.parts() <= ONE_FILE {
-            let (tally, found) = self.fill(Layout { rows_per_part: layout.rows.max(1), ..layout }, true)?;
-            return Ok(Written { table, tally, found });
+        remove_stale(&table).map_err(file_error("cannot be written", &table))?;
+        let is_begun = identity.matches_parts_in(job.directory)?;
+        if !is_begun && job.shard.is_none() && layout.n_parts() <= MAX_PARTS_OF_ONE_FILE {
+            let (tally, found) =
+                self.compute_missing_parts(PartLayout { rows_per_part: layout.rows.max(1), ..layout }, true)?;
+            return Ok(FinishedTable { table, tally, resumed_rows: found });
         }
         // CSV becomes one file in the end
-        let is_joined = job.format == Format::Csv && layout.rows <= JOINED;
+        let is_joined = job.format == Format::Csv && layout.rows <= MAX_JOINED_ROWS;
         if !is_begun {
             job.directory.remove_earlier_results(&[])?;
-            remove(&table).map_err(file("cannot be removed", &table))?;
+            remove(&table).map_err(file_error("cannot be removed", &table))?;
             identity.create(job.directory)?;
         } else if is_joined && table.exists() {
             // the table was finished, perhaps by another run; without its parts it is as good
             let mut tally = Tally::new(job.plan);
-            if self.read(&table, 0..layout.rows, &mut |count| tally.push(count))? {
+            if self.read_part(&table, 0..layout.rows, &mut |count| tally.push(count))? {
                 remove_parts(job.directory)?;
-                return Ok(Written { table, found: tally.rows, tally });
+                return Ok(FinishedTable { table, resumed_rows: tally.rows, tally });
             }
         }
-        fs::create_dir_all(&folder).map_err(file("cannot be made", &folder))?;
-        let (tally, found) = self.fill(layout, false)?;
+        fs::create_dir_all(&folder).map_err(file_error("cannot be made", &folder))?;
+        let (tally, found) = self.compute_missing_parts(layout, false)?;
         if job.shard.is_some() || !is_joined {
-            return Ok(Written { table: folder, tally, found });
+            return Ok(FinishedTable { table: folder, tally, resumed_rows: found });
         }
-        self.join()?;
-        Ok(Written { table, tally, found })
+        self.join_parts()?;
+        Ok(FinishedTable { table, tally, resumed_rows: found })
     }
 
     /// Puts the parts together, and removes them.
-    fn join(&self) -> Result<(), Error> {
+    fn join_parts(&self) -> Result<(), Error> {
         let (table, header) = (self.path(&self.name), self.form.header());
-        let unwritable = unwritable(&table);
+        let unwritable = unwritable_error(&table);
         let mut whole = AtomicFile::create(&table).map_err(&unwritable)?;
         whole.write_all(header).map_err(&unwritable)?;
-        for part in 0..self.layout.parts() {
-            let path = self.part(part);
-            let mut part = File::open(&path).map_err(file("cannot be read", &path))?;
-            part.seek(SeekFrom::Start(header.len() as u64)).map_err(file("cannot be read", &path))?;
+        for part in 0..self.layout.n_parts() {
+            let path = self.part_path(part);
+            let mut part = File::open(&path).map_err(file_error("cannot be read", &path))?;
+            part.seek(SeekFrom::Start(header.len() as u64)).map_err(file_error("cannot be read", &path))?;
             whole.append(&mut part).map_err(&unwritable)?;
         }
         whole.sync().and_then(|()| whole.persist()).map_err(&unwritable)?;
@@ -171,24 +175,24 @@ impl<F: Form> Table<'_, F> {
     }
 
     /// Reads a file that ought to hold these cases. Returns true if it is whole.
-    fn read(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(Count)) -> Result<bool, Error> {
-        self.form.read(path, cases.end - cases.start, count).map_err(file("cannot be read", path))
+    fn read_part(&self, path: &Path, cases: Range<u64>, count: &mut dyn FnMut(RowOutcome)) -> Result<bool, Error> {
+        self.form.read(path, cases.end - cases.start, count).map_err(file_error("cannot be read", path))
     }
 
     /// Reads the parts of this table or shard that are there, and computes the others; as one file all is computed. Returns
     /// the counts of all rows, and how many were there.
-    fn fill(&self, layout: Layout, is_one_file: bool) -> Result<(Tally, u64), Error> {
+    fn compute_missing_parts(&self, layout: PartLayout, is_one_file: bool) -> Result<(Tally, u64), Error> {
         let job = self.job;
-        let path = |part| if is_one_file { self.path(&self.name) } else { self.part(part) };
+        let path = |part| if is_one_file { self.path(&self.name) } else { self.part_path(part) };
         // rows may be slow, and a signal has to be heard between two pieces
-        let step = F::BATCH.min(self.layout.rows_per_part / 64).max(1);
+        let step = F::BATCH_ROWS.min(self.layout.rows_per_part / 64).max(1);
         let pieces = |part: u64| {
-            let cases = layout.cases(part);
+            let cases = layout.part_cases(part);
             let count = (cases.end - cases.start).div_ceil(step);
             (0..count).map(move |k| cases.start + k * step..cases.end.min(cases.start + (k + 1) * step))
         };
-        let mine = || (0..layout.parts()).filter(|part| job.shard.is_none_or(|shard| shard.has(*part)));
-        let total = mine().map(|part| layout.cases(part)).map(|cases| cases.end - cases.start).sum();
+        let mine = || (0..layout.n_parts()).filter(|part| job.shard.is_none_or(|shard| shard.contains(*part)));
+        let total = mine().map(|part| layout.part_cases(part)).map(|cases| cases.end - cases.start).sum();
         let tasks = mine().flat_map(|part| -> Box<dyn Iterator<Item = Task> + Send> {
             // looked for when its turn comes: another process may have written it in the meantime
             if !is_one_file && path(part).exists() {
@@ -214,30 +218,30 @@ impl<F: Form> Table<'_, F> {
             }
             let known: Option<Rows> = spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
             let mut rows =
-                known.unwrap_or_else(|| Rows::with_capacity(cases.end - cases.start, self.evaluator.n_swept()));
+                known.unwrap_or_else(|| Rows::with_capacity(cases.end - cases.start, self.evaluator.n_axis_values()));
             rows.clear();
-            self.evaluator.rows(cases.clone(), &mut rows);
-            let piece = self.form.encode(&rows).map_err(file("cannot be encoded", &self.path(&self.name)))?;
-            let counts = rows.results.iter().map(|row| count(row, &with_statistics)).collect();
+            self.evaluator.append_rows(cases.clone(), &mut rows);
+            let piece = self.form.encode(&rows).map_err(file_error("cannot be encoded", &self.path(&self.name)))?;
+            let counts = rows.results.iter().map(|row| classify(row, &with_statistics)).collect();
             spare.lock().unwrap_or_else(PoisonError::into_inner).push(rows);
-            Ok(Made { cases, piece: Some(piece), counts })
+            Ok(EncodedChunk { cases, piece: Some(piece), counts })
         };
-        let make = |task| -> Result<Vec<Made<F::Piece>>, Error> {
+        let make = |task| -> Result<Vec<EncodedChunk<F::Chunk>>, Error> {
             let part = match task {
                 Task::Compute(cases) => return Ok(vec![compute(cases)?]),
                 Task::Read(part) => part,
             };
-            let (path, cases, mut counts) = (path(part), layout.cases(part), Vec::new());
-            if self.read(&path, cases.clone(), &mut |count| counts.push(count))? {
-                return Ok(vec![Made { cases, piece: None, counts }]);
+            let (path, cases, mut counts) = (path(part), layout.part_cases(part), Vec::new());
+            if self.read_part(&path, cases.clone(), &mut |count| counts.push(count))? {
+                return Ok(vec![EncodedChunk { cases, piece: None, counts }]);
             }
             pieces(part).collect::<Vec<_>>().into_par_iter().map(compute).collect()
         };
         let (mut tally, mut found, mut open) = (Tally::new(job.plan), 0, None);
-        let append = |cases: &Range<u64>, piece: &F::Piece, open: &mut Option<F::Writer>| -> Result<(), Error> {
+        let append = |cases: &Range<u64>, piece: &F::Chunk, open: &mut Option<F::Writer>| -> Result<(), Error> {
             let part = cases.start / layout.rows_per_part;
-            let (of_part, path) = (layout.cases(part), path(part));
-            let unwritable = unwritable(&path);
+            let (of_part, path) = (layout.part_cases(part), path(part));
+            let unwritable = unwritable_error(&path);
             let begin = || AtomicFile::create(&path).and_then(|file| self.form.begin(file));
             let mut writer = open.take().map_or_else(begin, Ok).map_err(&unwritable)?;
             self.form.append(&mut writer, piece).map_err(&unwritable)?;
@@ -246,14 +250,14 @@ impl<F: Form> Table<'_, F> {
                 return Ok(());
             }
             // the part is whole: it is put in its place
-            let file = self.form.end(writer).and_then(|file| file.sync().map(|()| file)).map_err(&unwritable)?;
+            let file = self.form.finish(writer).and_then(|file| file.sync().map(|()| file)).map_err(&unwritable)?;
             if is_one_file {
                 job.directory.remove_earlier_results(&[&self.name])?;
             }
             file.persist().map_err(&unwritable)
         };
-        let take = |many: Vec<Made<F::Piece>>| {
-            for Made { cases, piece, counts } in many {
+        let take = |many: Vec<EncodedChunk<F::Chunk>>| {
+            for EncodedChunk { cases, piece, counts } in many {
                 match piece {
                     Some(piece) => append(&cases, &piece, &mut open)?,
                     None => found += cases.end - cases.start,
@@ -265,7 +269,7 @@ impl<F: Form> Table<'_, F> {
             }
             Ok(())
         };
-        match in_order(tasks, make, take) {
+        match ordered_parallel(tasks, make, take) {
             Err(error) if error.kind == ErrorKind::Stopped(130) => Err(interrupted(tally.rows)),
             result => result.map(|()| (tally, found)),
         }
@@ -273,21 +277,21 @@ impl<F: Form> Table<'_, F> {
 }
 
 /// Pieces in memory for each thread: enough that few threads wait at the end of a round.
-const PIECES: usize = 16;
+const CHUNKS_PER_THREAD: usize = 16;
 
 /// Makes a piece of every task on all threads, and takes the pieces in the order of the tasks. While the pieces of one round
 /// are taken, those of the next are made.
 ///
 /// # Errors
 /// The first error of `make` or `take`; then nothing more is begun.
-pub fn in_order<T: Send, M: Send, E: Send>(
+pub fn ordered_parallel<T: Send, M: Send, E: Send>(
     mut tasks: impl Iterator<Item = T> + Send,
     make: impl Fn(T) -> Result<M, E> + Sync + Send,
     mut take: impl FnMut(M) -> Result<(), E> + Send,
 ) -> Result<(), E> {
     let mut made: Vec<Result<M, E>> = Vec::new();
     loop {
-        let round: Vec<T> = tasks.by_ref().take(PIECES * rayon::current_num_threads()).collect();
+        let round: Vec<T> = tasks.by_ref().take(CHUNKS_PER_THREAD * rayon::current_num_threads()).collect();
         if round.is_empty() && made.is_empty() {
             return Ok(());
         }

@@ -14,12 +14,12 @@ pub mod shard;
 pub mod statistics;
 pub mod tally;
 
-pub use evaluator::{Evaluator, Failure, Rows};
+pub use evaluator::{Evaluator, RowFailure, Rows};
 pub use format::Format;
-pub use job::{Job, Written};
-pub use parts::Layout;
+pub use job::{FinishedTable, TableJob};
+pub use parts::PartLayout;
 pub use shard::Shard;
-pub use tally::{Tally, count};
+pub use tally::{Tally, classify};
 
 use std::io;
 use std::path::Path;
@@ -27,16 +27,16 @@ use std::path::Path;
 use crate::error::{Error, ErrorKind};
 
 /// Makes an error from that of the file system, for `map_err`. The parts written so far stay.
-pub(crate) fn file(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Error {
+pub(crate) fn file_error(problem: &'static str, path: &Path) -> impl Fn(io::Error) -> Error {
     Error::from_io(ErrorKind::Failed, path, problem, "")
 }
 
 /// The error of a table that cannot be written.
-pub(crate) fn unwritable(path: &Path) -> impl Fn(io::Error) -> Error {
+pub(crate) fn unwritable_error(path: &Path) -> impl Fn(io::Error) -> Error {
     Error::from_io(ErrorKind::Failed, path, "cannot be written", "free space, then give the same command")
 }
 
 /// The error for a file that prevents writing, with the remedy.
-pub(crate) fn refused(path: &Path, problem: impl std::fmt::Display) -> Error {
+pub(crate) fn blocked_file_error(path: &Path, problem: impl std::fmt::Display) -> Error {
     Error::for_file(ErrorKind::Input, &path.display().to_string(), problem)
 }

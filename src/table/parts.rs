@@ -10,60 +10,60 @@ use serde_json::Value;
 
 use super::format::Format;
 use super::shard::Shard;
-use super::{file, refused};
+use super::{blocked_file_error, file_error};
 use crate::error::Error;
 use crate::files::{FORMAT_VERSION, OutputDirectory, RESULTS_VERSION, VERSION, create, remove, remove_folder};
 use crate::scenario::ScenarioSource;
 use crate::scenario::plan::Plan;
 
 /// A table of at most this number of parts is written as one file: about a second of work.
-pub const ONE_FILE: u64 = 16;
+pub const MAX_PARTS_OF_ONE_FILE: u64 = 16;
 /// CSV is joined to one file up to this number of rows.
-pub const JOINED: u64 = 10_000_000;
+pub const MAX_JOINED_ROWS: u64 = 10_000_000;
 /// The folder of the parts, beside the summary.
-pub const PARTS: &str = "parts";
+pub const PARTS_FOLDER: &str = "parts";
 /// The file that says which table it is.
-pub const IDENTITY: &str = "_table.json";
+pub const IDENTITY_FILE: &str = "_table.json";
 
 /// The most rows of a part.
-const LONGEST: u64 = 1 << 18;
+const MAX_ROWS_PER_PART: u64 = 1 << 18;
 /// More parts than this make a slow folder.
-const MOST_PARTS: u64 = 1 << 16;
+const MAX_PARTS: u64 = 1 << 16;
 
 /// The parts of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Layout {
+pub struct PartLayout {
     pub rows: u64,
     /// Rows of a part; the last part may have fewer.
     pub rows_per_part: u64,
 }
 
-impl Layout {
+impl PartLayout {
     /// The parts of this plan have the rows of about 65 ms on one core. That follows from the number of rows and from the method
     /// alone, so that the parts of all runs fit together.
     pub fn new(plan: &Plan) -> Self {
         let at_most = 65_536.0 / plan.row_time_us();
         // a power of two
-        let mut rows_per_part = LONGEST;
+        let mut rows_per_part = MAX_ROWS_PER_PART;
         while rows_per_part > 16 && rows_per_part as f64 > at_most {
             rows_per_part /= 2;
         }
         let rows = plan.n_cases();
-        Self { rows, rows_per_part: rows_per_part.max(rows.div_ceil(MOST_PARTS).next_multiple_of(16)) }
+        Self { rows, rows_per_part: rows_per_part.max(rows.div_ceil(MAX_PARTS).next_multiple_of(16)) }
     }
 
     /// True if the table is written in parts, from which the same command resumes: a shard, a large table, or one that was begun in
     /// parts.
-    pub fn is_in_parts(&self, shard: Option<Shard>, directory: &OutputDirectory) -> bool {
-        shard.is_some() || self.parts() > ONE_FILE || directory.path().join(IDENTITY).exists()
+    pub fn is_split(&self, shard: Option<Shard>, directory: &OutputDirectory) -> bool {
+        shard.is_some() || self.n_parts() > MAX_PARTS_OF_ONE_FILE || directory.path().join(IDENTITY_FILE).exists()
     }
 
     /// How many parts there are.
-    pub fn parts(&self) -> u64 {
+    pub fn n_parts(&self) -> u64 {
         self.rows.div_ceil(self.rows_per_part)
     }
 
-    pub fn cases(&self, part: u64) -> Range<u64> {
+    pub fn part_cases(&self, part: u64) -> Range<u64> {
         let first = part * self.rows_per_part;
         first..self.rows.min(first.saturating_add(self.rows_per_part))
     }
@@ -75,7 +75,7 @@ fn names_in(folder: &Path) -> Result<Vec<OsString>, Error> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         entries => entries.and_then(|entries| entries.map(|entry| entry.map(|entry| entry.file_name())).collect()),
     };
-    names.map_err(file("cannot be read", folder))
+    names.map_err(file_error("cannot be read", folder))
 }
 
 fn is_part(name: impl AsRef<OsStr>) -> bool {
@@ -83,34 +83,37 @@ fn is_part(name: impl AsRef<OsStr>) -> bool {
 }
 
 /// Makes way for other results where a table was begun in parts. Its parts are refused, or removed by force.
-pub fn make_way(directory: &OutputDirectory) -> Result<(), Error> {
-    let (folder, identity) = (directory.path().join(PARTS), directory.path().join(IDENTITY));
+pub fn clear_parts(directory: &OutputDirectory) -> Result<(), Error> {
+    let (folder, identity) = (directory.path().join(PARTS_FOLDER), directory.path().join(IDENTITY_FILE));
     let names = names_in(&folder)?;
     if !directory.is_forced() && names.iter().any(is_part) {
-        return Err(refused(&folder, "has the parts of a table; name another --out, or remove them with --force"));
+        return Err(blocked_file_error(
+            &folder,
+            "has the parts of a table; name another --out, or remove them with --force",
+        ));
     }
     if identity.exists() || !names.is_empty() {
         remove_parts(directory)?;
     }
-    remove(&identity).map_err(file("cannot be removed", &identity))
+    remove(&identity).map_err(file_error("cannot be removed", &identity))
 }
 
 /// Removes the parts of a table, and their folder. Files of others in that folder stay, and then the folder stays too.
 pub fn remove_parts(directory: &OutputDirectory) -> Result<(), Error> {
-    let folder = directory.path().join(PARTS);
+    let folder = directory.path().join(PARTS_FOLDER);
     directory.check_removable(&folder)?;
     let names = names_in(&folder)?;
     let is_own = |name: &&OsString| is_part(name) || name.as_encoded_bytes().starts_with(b".part-");
     if names.iter().all(|name| is_own(&name)) {
-        return remove_folder(&folder).map_err(file("cannot be removed", &folder));
+        return remove_folder(&folder).map_err(file_error("cannot be removed", &folder));
     }
     let mut parts = names.iter().filter(is_own).map(|name| folder.join(name));
-    parts.try_for_each(|part| remove(&part).map_err(file("cannot be removed", &part)))
+    parts.try_for_each(|part| remove(&part).map_err(file_error("cannot be removed", &part)))
 }
 
 /// The description of the table to which the parts in a folder belong. Tables with equal descriptions have the same bytes.
 #[derive(Debug, Serialize)]
-pub struct Identity {
+pub struct TableIdentity {
     format_version: u64,
     version: String,
     numbers: u64,
@@ -121,9 +124,9 @@ pub struct Identity {
     scenario: ScenarioSource,
 }
 
-impl Identity {
+impl TableIdentity {
     /// The table that was read from `scenario`.
-    pub fn new(scenario: &ScenarioSource, format: Format, layout: Layout) -> Self {
+    pub fn new(scenario: &ScenarioSource, format: Format, layout: PartLayout) -> Self {
         Self {
             format_version: FORMAT_VERSION,
             version: VERSION.to_owned(),
@@ -135,29 +138,31 @@ impl Identity {
         }
     }
 
-    fn text(&self) -> String {
+    fn to_text(&self) -> String {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
     /// True if the table was begun in parts here, perhaps by another process. Parts of another table are refused, or removed
     /// by force.
-    pub fn is_in(&self, directory: &OutputDirectory) -> Result<bool, Error> {
-        let (path, folder) = (directory.path().join(IDENTITY), directory.path().join(PARTS));
+    pub fn matches_parts_in(&self, directory: &OutputDirectory) -> Result<bool, Error> {
+        let (path, folder) = (directory.path().join(IDENTITY_FILE), directory.path().join(PARTS_FOLDER));
         let there = fs::read_to_string(&path);
-        if there.as_ref().is_ok_and(|there| *there == self.text()) {
+        if there.as_ref().is_ok_and(|there| *there == self.to_text()) {
             return Ok(true);
         }
         if directory.is_forced() || !names_in(&folder)?.iter().any(is_part) {
-            make_way(directory)?;
+            clear_parts(directory)?;
             return Ok(false);
         }
         let difference = match there {
             Ok(there) => self.difference(&there),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => format!("of a table that no {IDENTITY} tells"),
-            Err(error) => return Err(file("cannot be read", &path)(error)),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                format!("of a table that no {IDENTITY_FILE} tells")
+            }
+            Err(error) => return Err(file_error("cannot be read", &path)(error)),
         };
         let way_out = "go on as they were begun, name another --out, or start over with --force";
-        Err(refused(&folder, format!("these parts are {difference}; {way_out}")))
+        Err(blocked_file_error(&folder, format!("these parts are {difference}; {way_out}")))
     }
 
     /// Writes it into a folder that has none.
@@ -165,23 +170,24 @@ impl Identity {
     /// # Errors
     /// [`Error`] if another process has written that of another table in the meantime.
     pub fn create(&self, directory: &OutputDirectory) -> Result<(), Error> {
-        let path = directory.path().join(IDENTITY);
-        match create(&path, self.text().as_bytes()) {
+        let path = directory.path().join(IDENTITY_FILE);
+        match create(&path, self.to_text().as_bytes()) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => match fs::read_to_string(&path) {
-                Ok(there) if there != self.text() => {
-                    Err(refused(&path, format!("another process has begun a table {}", self.difference(&there))))
-                }
+                Ok(there) if there != self.to_text() => Err(blocked_file_error(
+                    &path,
+                    format!("another process has begun a table {}", self.difference(&there)),
+                )),
                 _ => Ok(()),
             },
-            result => result.map_err(file("cannot be written", &path)),
+            result => result.map_err(file_error("cannot be written", &path)),
         }
     }
 
     /// In what another table differs: the first entry that is not the same.
     fn difference(&self, there: &str) -> String {
         let object = |text: &str| serde_json::from_str::<serde_json::Map<String, Value>>(text).ok();
-        let (Some(ours), Some(theirs)) = (object(&self.text()), object(there)) else {
-            return format!("of a table that {IDENTITY} does not tell");
+        let (Some(ours), Some(theirs)) = (object(&self.to_text()), object(there)) else {
+            return format!("of a table that {IDENTITY_FILE} does not tell");
         };
         let Some((name, own)) = ours.iter().find(|(name, own)| theirs.get(*name) != Some(own)) else {
             return "of another version of the program".to_owned();

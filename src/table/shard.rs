@@ -12,19 +12,19 @@ pub struct Shard {
 }
 
 /// The largest number of shards, that of an indexed job of Kubernetes.
-pub const MOST_SHARDS: u64 = 100_000;
+pub const MAX_SHARDS: u64 = 100_000;
 
 impl Shard {
     /// Reads `i/n`.
     ///
     /// # Errors
-    /// [`Error`] for a text of another form, for n = 0 or above [`MOST_SHARDS`], and unless i < n.
+    /// [`Error`] for a text of another form, for n = 0 or above [`MAX_SHARDS`], and unless i < n.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let numbers = text.split_once('/').map(|(index, count)| (index.trim().parse(), count.trim().parse()));
         let problem = match numbers {
             Some((Ok(_), Ok(0))) => "there are no shards of 0: write i/n with n of 1 or more, such as 0/16".to_owned(),
-            Some((Ok(_), Ok(count))) if count > MOST_SHARDS => {
-                format!("{count} shards: at most {MOST_SHARDS} are allowed")
+            Some((Ok(_), Ok(count))) if count > MAX_SHARDS => {
+                format!("{count} shards: at most {MAX_SHARDS} are allowed")
             }
             Some((Ok(index), Ok(count))) if index < count => return Ok(Self { index, count }),
             Some((Ok(index), Ok(count))) => format!(
@@ -57,7 +57,7 @@ impl Shard {
     }
 
     /// True if a part belongs to this shard.
-    pub fn has(self, part: u64) -> bool {
+    pub fn contains(self, part: u64) -> bool {
         part % self.count == self.index
     }
 }

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 /// Up to this number of samples the quantiles are exact; with more samples they come from bins.
-const EXACT: usize = 1_000_000;
+const MAX_EXACT_SAMPLES: usize = 1_000_000;
 /// A bin holds the numbers that differ in this number of last bits of their 52: it is 2⁻¹⁷ of a power of two wide.
 const BIN_BITS: u32 = 35;
 /// Samples that scatter by a smaller share of their size are equal within rounding.
@@ -13,7 +13,7 @@ const ROUNDING: f64 = 1e-9;
 /// Statistics of a column of random cases; [`crate::report::text::sweep`] says what each number is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[allow(missing_docs)]
-pub struct Distribution {
+pub struct RestitutionStatistics {
     pub samples: u64,
     pub mean: f64,
     pub standard_deviation: f64,
@@ -27,20 +27,20 @@ pub struct Distribution {
 
 /// Collects the values of a column, case after case.
 #[derive(Debug, Clone)]
-pub struct Statistics {
+pub struct RunningStatistics {
     count: u64,
     mean: f64,
     /// Sum of squared deviations from the mean.
     deviation: f64,
     /// The smallest and the largest value.
     ends: (f64, f64),
-    /// All values, up to [`EXACT`] of them.
+    /// All values, up to [`MAX_EXACT_SAMPLES`] of them.
     values: Vec<f64>,
-    /// Number of values in each bin that has some, once there are more than [`EXACT`].
+    /// Number of values in each bin that has some, once there are more than [`MAX_EXACT_SAMPLES`].
     bins: BTreeMap<u64, u64>,
 }
 
-impl Default for Statistics {
+impl Default for RunningStatistics {
     fn default() -> Self {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
         Self { count: 0, mean: 0.0, deviation: 0.0, ends, values: Vec::new(), bins: BTreeMap::new() }
@@ -48,7 +48,7 @@ impl Default for Statistics {
 }
 
 /// The bin of a value; bins rise with their values.
-fn bin(value: f64) -> u64 {
+fn bin_index(value: f64) -> u64 {
     let bits = value.to_bits();
     let rising = if value.is_sign_negative() { !bits } else { bits | (1 << 63) };
     rising >> BIN_BITS
@@ -60,7 +60,7 @@ fn edge(bin: u64) -> f64 {
     f64::from_bits(if rising >> 63 == 1 { rising ^ (1 << 63) } else { !rising })
 }
 
-impl Statistics {
+impl RunningStatistics {
     /// Adds one value (Welford 1962). One that is not finite does not count.
     pub fn push(&mut self, value: f64) {
         if !value.is_finite() {
@@ -73,26 +73,26 @@ impl Statistics {
         self.deviation += from_old * (value - self.mean);
         if self.bins.is_empty() {
             self.values.push(value);
-            if self.values.len() > EXACT {
+            if self.values.len() > MAX_EXACT_SAMPLES {
                 for value in std::mem::take(&mut self.values) {
-                    *self.bins.entry(bin(value)).or_default() += 1;
+                    *self.bins.entry(bin_index(value)).or_default() += 1;
                 }
             }
         } else {
-            *self.bins.entry(bin(value)).or_default() += 1;
+            *self.bins.entry(bin_index(value)).or_default() += 1;
         }
     }
 
     /// The summary; `None` without samples.
-    pub fn distribution(&self) -> Option<Distribution> {
+    pub fn distribution(&self) -> Option<RestitutionStatistics> {
         let mut sorted = self.values.clone();
         sorted.sort_by(f64::total_cmp);
         let quantile = |share: f64| {
-            if self.bins.is_empty() { (of_sorted(&sorted, share), 0.0) } else { self.of_bins(share) }
+            if self.bins.is_empty() { (quantile_of_sorted(&sorted, share), 0.0) } else { self.quantile_of_bins(share) }
         };
         let [(quantile_05, low), (quantile_50, middle), (quantile_95, high)] = [0.05, 0.5, 0.95].map(quantile);
         let (least, largest) = self.ends;
-        (self.count > 0).then(|| Distribution {
+        (self.count > 0).then(|| RestitutionStatistics {
             samples: self.count,
             mean: self.mean,
             standard_deviation: if self.count > 1 { (self.deviation / (self.count - 1) as f64).sqrt() } else { 0.0 },
@@ -105,7 +105,7 @@ impl Statistics {
     }
 
     /// A quantile from the bins, and the width of its bin.
-    fn of_bins(&self, share: f64) -> (f64, f64) {
+    fn quantile_of_bins(&self, share: f64) -> (f64, f64) {
         let wanted = share * self.count as f64;
         let mut below = 0.0;
         for (bin, count) in &self.bins {
@@ -136,7 +136,7 @@ impl Statistics {
 
 /// Linear interpolation between order statistics at (n − 1) × share (Hyndman and Fan 1996, type 7).
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-fn of_sorted(sorted: &[f64], share: f64) -> f64 {
+fn quantile_of_sorted(sorted: &[f64], share: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };
     let at = share * last as f64;
     let below = at as usize;
@@ -152,17 +152,17 @@ mod tests {
     fn bins_are_narrow_ordered_and_hold_their_values() {
         let values = [-3e5, -1.0, -1e-30, 0.0, 1e-300, 1e-6, 0.69, 0.7, 1.0, 4e9];
         for value in values {
-            let (low, high) = (edge(bin(value)), edge(bin(value) + 1));
+            let (low, high) = (edge(bin_index(value)), edge(bin_index(value) + 1));
             assert!(low <= value && value <= high, "{low} {value} {high}");
             assert!(high - low <= value.abs() / f64::from(1_u32 << 16) + 1e-300, "{low} {high}");
         }
-        assert!(values.windows(2).all(|pair| bin(pair[0]) < bin(pair[1])));
+        assert!(values.windows(2).all(|pair| bin_index(pair[0]) < bin_index(pair[1])));
     }
 
     #[test]
     fn many_samples_have_the_quantiles_of_few() {
         let value = |i: usize| 1e-4 * (1.0 + (i * 7919 % 1_000_003) as f64 / 1_000_003.0);
-        let mut all = Statistics::default();
+        let mut all = RunningStatistics::default();
         for i in 0..1_000_003 {
             all.push(value(i));
         }
@@ -180,7 +180,7 @@ mod tests {
     #[test]
     fn equal_samples_differ_from_scattered_samples() {
         let of = |values: &[f64]| {
-            let mut all = Statistics::default();
+            let mut all = RunningStatistics::default();
             for value in values {
                 all.push(*value);
             }

@@ -62,7 +62,7 @@ pub fn contact(text: &str, set: &[impl ToString]) -> Contact {
 pub fn rows_of(text: &str, set: &[impl ToString]) -> Rows {
     let plan = read(text, set).plan().unwrap();
     let mut rows = Rows::default();
-    Evaluator::new(&plan).rows(0..plan.n_cases(), &mut rows);
+    Evaluator::new(&plan).append_rows(0..plan.n_cases(), &mut rows);
     rows
 }
 

@@ -76,11 +76,11 @@ fn compare(set: &[String], keys: [&'static NumericKey; 2], values: [[f64; 2]; 2]
         };
         let evaluator = Evaluator::new(&plan);
         let (mut rows, mut listed) = (Rows::default(), Rows::default());
-        evaluator.rows(0..4, &mut rows);
+        evaluator.append_rows(0..4, &mut rows);
         let cases = [0, 1].map(|outer| [0, 1].map(|inner| [outer, inner])).concat();
         let columns = [0, 1].map(|at| cases.iter().map(|case| values[order[at]][case[at]]).collect::<Vec<_>>());
         let list = [0, 1].map(|at| (keys[order[at]], columns[at].as_slice()));
-        Evaluator::of_contact(&plan, None).listed(&list, 0..4, &mut listed);
+        Evaluator::with_contact(&plan, None).append_rows_with_values(&list, 0..4, &mut listed);
         let shared = Inputs::of_plan(&plan);
         for (case, of) in cases.iter().enumerate() {
             let mut places = [0; 2];

@@ -51,8 +51,8 @@ fn bodies(axes: &[(&str, &[&str])]) -> String {
 }
 
 /// Asserts that a row has the bits of a single run. With partial slip a row is within 1e-5 and a single run within 1e-7.
-pub fn assert_same(row: &Result<ImpactRow, Failure>, single: &Result<ImpactRow, Failure>, what: &str) {
-    let slips = |of: &Result<ImpactRow, Failure>| {
+pub fn assert_same(row: &Result<ImpactRow, RowFailure>, single: &Result<ImpactRow, RowFailure>, what: &str) {
+    let slips = |of: &Result<ImpactRow, RowFailure>| {
         let rebound = of.as_ref().ok().and_then(|of| of.rebound)?;
         (!rebound.is_sliding && rebound.psi != 0.0).then_some(rebound.contact_point_restitution)
     };
@@ -68,9 +68,9 @@ pub fn assert_same(row: &Result<ImpactRow, Failure>, single: &Result<ImpactRow, 
 }
 
 /// The results of the single run that a row is compared with. If the row has the interval of e, the single run has its own.
-pub fn single_of(input: &Input, row: &Result<ImpactRow, Failure>) -> Result<ImpactRow, Failure> {
-    let contact = input.contact().map_err(Failure::from)?;
-    let mut single = contact.impact(input.approach(), &input.solver(), None).map_err(Failure::from)?.essentials;
+pub fn single_of(input: &Input, row: &Result<ImpactRow, RowFailure>) -> Result<ImpactRow, RowFailure> {
+    let contact = input.contact().map_err(RowFailure::from)?;
+    let mut single = contact.impact(input.approach(), &input.solver(), None).map_err(RowFailure::from)?.essentials;
     if let Ok(ImpactRow { restitution_interval: Some(_), .. }) = row {
         let interval = restitution_interval(input, &contact, input.speed(), &single);
         single.restitution_interval = interval.map(|interval| [interval.low, interval.high]);
@@ -169,14 +169,14 @@ fn listed_cases_have_the_results_of_a_grid() {
         let Cases::Grid(axes) = &plan.cases else { panic!("{text}") };
         let (evaluator, count) = (Evaluator::new(&plan), plan.n_cases());
         let (mut grid, mut listed) = (Rows::default(), Rows::default());
-        evaluator.rows(0..count, &mut grid);
+        evaluator.append_rows(0..count, &mut grid);
         let values = |k: usize| (0..count).map(|case| axes[k].value_at(axis_indices(axes, case)[k])).collect();
         let values: Vec<Vec<f64>> = (0..axes.len()).map(values).collect();
         let keys = axes.iter().map(|axis| NumericKey::find(axis.path()).unwrap());
         let keys: Vec<(&NumericKey, &[f64])> = keys.zip(values.iter().map(Vec::as_slice)).collect();
         let count = usize::try_from(count).unwrap();
-        evaluator.listed(&keys, 0..1, &mut listed);
-        evaluator.listed(&keys, 1..count, &mut listed);
+        evaluator.append_rows_with_values(&keys, 0..1, &mut listed);
+        evaluator.append_rows_with_values(&keys, 1..count, &mut listed);
         assert_eq!(listed.results, grid.results, "{text}");
         assert!(listed.results.iter().all(Result::is_ok), "{text}");
     }

@@ -156,7 +156,7 @@ law = ["plm", "thornton"]
     let evaluator = Evaluator::new(&plan);
     let whole = rows(&text);
     let mut single = Rows::default();
-    (0..plan.n_cases()).for_each(|case| evaluator.rows(case..case + 1, &mut single));
+    (0..plan.n_cases()).for_each(|case| evaluator.append_rows(case..case + 1, &mut single));
     assert!(single.results == whole.results);
     let e = |case: usize| whole.results[case].unwrap().restitution;
     let radius = "sphere.radius=0.02";
@@ -237,7 +237,7 @@ fn corner_sample_finds_the_worst_and_reports_coverage() {
     let warnings = |words: &str| {
         let text = format!("{STEEL}[sweep]\n{words}{eleven}");
         let plan = Scenario::from_text("corners", &text, &[]).unwrap().plan().unwrap();
-        plm_impact::table::corner_warnings::at_corners(&plan, None).warnings
+        plm_impact::table::corner_warnings::corner_warnings(&plan, None).warnings
     };
     let is_deep =
         |text: &String| text.contains("contact radius / sphere radius") && text.contains("impact.speed = 100 m/s");
@@ -279,7 +279,7 @@ fn varied_key_needs_no_own_table() {
         let gap = STEEL.replacen(without, "", 1);
         // the same scenario with the key also in its own table
         let (short, full) = (rows(&format!("{gap}{tables}")), rows(&format!("{STEEL}{tables}")));
-        assert_eq!((short.swept, short.results), (full.swept, full.results), "{tables}");
+        assert_eq!((short.axis_values, short.results), (full.axis_values, full.results), "{tables}");
     };
     same("[impact]\nspeed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = [\"3 m/s\", 4]\n");
     same("speed = \"3 m/s\"\n", "[sweep]\n\"impact.speed\" = { logspace = [\"3 m/s\", 4], points = 3 }\n");

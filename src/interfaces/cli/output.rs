@@ -12,7 +12,7 @@ use plm_impact::report::chart::Pictures;
 use plm_impact::report::run::{Outcome, RunOptions, at_once, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
-use plm_impact::table::parts::make_way;
+use plm_impact::table::parts::clear_parts;
 use sha2::{Digest as _, Sha256};
 
 use super::watch::{Signals, Watch};
@@ -62,7 +62,7 @@ impl Output {
     pub fn once(&self, file: &Path, mut scenario: Scenario) -> Result<(), Error> {
         let signals = Signals::listen()?;
         let directory = self.prepare(file, &mut scenario)?;
-        make_way(&directory)?;
+        clear_parts(&directory)?;
         let pictures = self.pictures.format;
         let detail = if self.verbose { Detail::Whole } else { Detail::Usual };
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(signals, move |progress| {

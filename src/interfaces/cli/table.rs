@@ -9,7 +9,7 @@ use plm_impact::error::Error;
 use plm_impact::files::OutputDirectory;
 use plm_impact::report::run::{refuse_warnings, table};
 use plm_impact::scenario::Scenario;
-use plm_impact::table::{Format, Job, Layout, Shard, Tally};
+use plm_impact::table::{Format, PartLayout, Shard, TableJob, Tally};
 use rayon::ThreadPoolBuilder;
 
 use super::output::{Output, note_replaced, one_of, warn};
@@ -73,18 +73,18 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     let directory = output.prepare(file, scenario)?;
     let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
     let Options { format, threads, .. } = *options;
-    let mut layout = Layout::new(&plan);
+    let mut layout = PartLayout::new(&plan);
     if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse::<NonZeroU64>().ok()) {
         layout.rows_per_part = rows.get();
     }
-    let leaves = if layout.is_in_parts(shard, &directory) {
+    let leaves = if layout.is_split(shard, &directory) {
         "the same command goes on from the parts that are whole"
     } else {
         "nothing was written; the same command starts anew"
     };
     let watch = Watch { is_quiet: output.quiet, counted: "rows", patience: PATIENCE, leaves };
     let (directory, plan, written) = watch.watch(signals, move |progress| {
-        let job = Job {
+        let job = TableJob {
             plan: &plan,
             shard,
             format: format.unwrap_or(Format::Csv),
@@ -110,7 +110,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         removed = directory.write(&files)?;
     }
     note_replaced(&directory, &removed);
-    let found = match written.found {
+    let found = match written.resumed_rows {
         0 => String::new(),
         rows => format!("{rows} of these rows were there\n"),
     };

@@ -16,9 +16,9 @@ use crate::report::run::table;
 use crate::scenario::Scenario;
 use crate::scenario::input::{Input, NUMERIC_KEYS, NumericKey};
 use crate::scenario::plan::{Axis, AxisValues, Cases, Plan};
-use crate::table::Failure;
+use crate::table::RowFailure;
 use crate::table::format::arrow;
-use crate::table::format::column::Column;
+use crate::table::format::column::TableColumn;
 use crate::units::Dimension;
 
 /// The key of the argument `speed`.
@@ -215,8 +215,8 @@ fn listed_if_allowed(
     let kept: Vec<Vec<f64>> = given.iter().map(values).collect();
     let keys: Vec<_> = given.iter().zip(&kept).map(|(given, values)| (given.key, values.as_slice())).collect();
     let computed = listed(py, plan, &contact.inner, &keys, allowed.len(), named)?;
-    let status = arrow::code(Failure::NotAllowed);
-    let empty = named.iter().map(|(_, column)| if matches!(column, Column::Status) { status } else { f64::NAN });
+    let status = arrow::failure_code(RowFailure::NotAllowed);
+    let empty = named.iter().map(|(_, column)| if matches!(column, TableColumn::Status) { status } else { f64::NAN });
     let columns = computed.into_iter().zip(empty).map(|(column, empty)| {
         let mut all = vec![empty; count];
         allowed.iter().zip(column).for_each(|(row, value)| all[*row] = value);
@@ -238,12 +238,12 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
         // friction does not change e
         let restitution_at = |speed: &f64| {
             if !given[0].is_allowed(*speed) {
-                return (f64::NAN, arrow::code(Failure::NotAllowed));
+                return (f64::NAN, arrow::failure_code(RowFailure::NotAllowed));
             }
             let [normal_speed, _] = contact.input.approach_at(*speed).components();
             match contact.inner.row(normal_speed, &Solver::AUTO) {
                 Ok(row) => (row.restitution, 0.0),
-                Err(error) => (f64::NAN, arrow::code(error.into())),
+                Err(error) => (f64::NAN, arrow::failure_code(error.into())),
             }
         };
         if speeds.iter().any(|speed| given[0].is_allowed(*speed)) {

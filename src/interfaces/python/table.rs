@@ -81,9 +81,9 @@ impl Column {
         match data.extract::<(Vec<String>, Vec<i32>)>() {
             Ok((words, places)) => {
                 let places: Vec<f64> = places.into_iter().map(f64::from).collect();
-                arrow::words(&places, &Arc::new(words.into())).map(Self).map_err(failed)
+                arrow::word_array(&places, &Arc::new(words.into())).map(Self).map_err(failed)
             }
-            Err(_) => Ok(Self(arrow::numbers(numbers(data, "column")?.values))),
+            Err(_) => Ok(Self(arrow::number_array(numbers(data, "column")?.values))),
         }
     }
 }
@@ -129,13 +129,14 @@ pub fn of_values(
     named: Named,
     values: Vec<Vec<f64>>,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let array =
-        |((name, column), values): ((String, crate::table::format::column::Column), Vec<f64>)| match column.words() {
-            None => Ok((name, arrow::numbers(values))),
-            Some(words) => Ok((name, arrow::words(&values, &Arc::new(words.into())).map_err(failed)?)),
-        };
+    let array = |((name, column), values): ((String, crate::table::format::column::TableColumn), Vec<f64>)| match column
+        .categories()
+    {
+        None => Ok((name, arrow::number_array(values))),
+        Some(words) => Ok((name, arrow::word_array(&values, &Arc::new(words.into())).map_err(failed)?)),
+    };
     let computed = named.into_iter().zip(values).map(array).collect::<PyResult<Vec<_>>>()?;
-    columns(py, given.into_iter().map(|(name, values)| (name, arrow::numbers(values))).chain(computed))
+    columns(py, given.into_iter().map(|(name, values)| (name, arrow::number_array(values))).chain(computed))
 }
 
 /// The table of a CSV file. A column holds numbers if all its fields are numbers or empty, else words.
@@ -148,7 +149,7 @@ pub fn table_of_csv<'py>(py: Python<'py>, bytes: &[u8]) -> PyResult<Bound<'py, P
         let fields = || rows.iter().map(|row| row.get(place).unwrap_or_default());
         let number = |field: &str| if field.is_empty() { Some(f64::NAN) } else { field.parse().ok() };
         let array = match fields().map(number).collect() {
-            Some(values) => arrow::numbers(values),
+            Some(values) => arrow::number_array(values),
             None => Arc::new(fields().collect::<DictionaryArray<Int32Type>>()),
         };
         (name.to_owned(), array)

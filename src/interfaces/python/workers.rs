@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::files::Progress;
-use crate::table::job::in_order;
+use crate::table::job::ordered_parallel;
 
 /// Number of rows that a thread computes at a time: of usual rows, and of slow ones. Ctrl-C stops a computation between them.
 const TOGETHER: [usize; 2] = [1024, 16];
@@ -92,7 +92,7 @@ pub fn columns(
     let pieces = (0..rows).step_by(together).map(|start| start..rows.min(start + together));
     let done = interruptible(py, |progress| {
         let make = |piece| if progress.is_stopped() { Err(String::new()) } else { make(piece) };
-        in_order(pieces, make, |made| {
+        ordered_parallel(pieces, make, |made| {
             append(&mut columns, made);
             Ok(())
         })

@@ -12,8 +12,8 @@ use crate::report::chart::{Style, extremes};
 use crate::results::{ResultColumn, dimension_of, result_columns};
 use crate::scenario::plan::{Axis, AxisSetting, AxisWord, Cases, Plan, RESTITUTION};
 use crate::strings::capital;
-use crate::table::statistics::Statistics;
-use crate::table::{Evaluator, Failure, Rows, Tally};
+use crate::table::statistics::RunningStatistics;
+use crate::table::{Evaluator, RowFailure, Rows, Tally};
 use crate::units::{format_four_digits, format_result, quantities};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
@@ -73,13 +73,13 @@ fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
 }
 
-fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<ImpactRow, Failure>> {
+fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<ImpactRow, RowFailure>> {
     let case = axes
         .iter()
         .zip(places.iter().copied().chain(std::iter::repeat(0)))
         .fold(0, |case, (axis, place)| case * axis.len() + place);
     let mut rows = Rows::default();
-    evaluator.rows(case..case + 1, &mut rows);
+    evaluator.append_rows(case..case + 1, &mut rows);
     rows.results.pop()
 }
 
@@ -351,7 +351,7 @@ fn result_axis(name: &str) -> (String, chart::Axis) {
 }
 
 /// The histogram of a column of random cases; `None` where all values are equal.
-fn bars(column: &ResultColumn, statistics: &Statistics) -> Option<Chart> {
+fn bars(column: &ResultColumn, statistics: &RunningStatistics) -> Option<Chart> {
     let (low, high, counts) = statistics.histogram(BARS)?;
     let all = statistics.distribution()?;
     let dimension = dimension_of(column.name);

@@ -15,7 +15,7 @@ use crate::scenario::{Kind, Scenario};
 pub use outcome::{Outcome, RunOptions, no_result, texts};
 
 /// The outcome of a scenario: with options it has all files, and without options it has the text of a check. `None` for a table, which
-/// is made row after row by [`crate::table::Job`].
+/// is made row after row by [`crate::table::TableJob`].
 pub fn at_once(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
     let outcome = match scenario.kind()? {
         Kind::Sweep | Kind::MonteCarlo => return Ok(None),

@@ -15,9 +15,9 @@ use crate::report::text::sweep::{found, lines};
 use crate::scenario::Scenario;
 use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
-use crate::table::corner_warnings::at_corners;
-use crate::table::job::in_order;
-use crate::table::{Evaluator, Rows, Tally, count};
+use crate::table::corner_warnings::corner_warnings;
+use crate::table::job::ordered_parallel;
+use crate::table::{Evaluator, Rows, Tally, classify};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
@@ -46,11 +46,11 @@ pub fn rows<P: Send>(
             return Err(Error::new(ErrorKind::Stopped(130), "the table was stopped"));
         }
         let mut rows = Rows::default();
-        evaluator.rows(piece * step..plan.n_cases().min((piece + 1) * step), &mut rows);
-        let counts: Vec<_> = rows.results.iter().map(|row| count(row, &with_statistics)).collect();
+        evaluator.append_rows(piece * step..plan.n_cases().min((piece + 1) * step), &mut rows);
+        let counts: Vec<_> = rows.results.iter().map(|row| classify(row, &with_statistics)).collect();
         Ok((encode(&rows), counts))
     };
-    in_order(0..plan.n_cases().div_ceil(step), make, |(piece, counts)| {
+    ordered_parallel(0..plan.n_cases().div_ceil(step), make, |(piece, counts)| {
         take(piece);
         for count in counts {
             tally.push(count);
@@ -96,7 +96,7 @@ pub struct Cautions {
 
 /// The warnings and the notes about a table of this plan; `known` is its contact, if that is made already.
 pub fn cautions(plan: &Plan, known: Option<&Contact>) -> Cautions {
-    let corners = at_corners(plan, known);
+    let corners = corner_warnings(plan, known);
     let own = if known.is_none() { plan.input.contact().ok() } else { None };
     let contact = known.or(own.as_ref()).filter(|_| corners.has_dent);
     let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.varied_paths()));

@@ -9,11 +9,11 @@ use crate::results::{ResultSpec, dimension_of, result_specs, to_field_list, to_f
 use crate::scenario::plan::{Cases, Plan, RESTITUTION, Variable};
 use crate::strings::align_columns;
 use crate::table::Tally;
-use crate::table::statistics::Distribution;
+use crate::table::statistics::RestitutionStatistics;
 use crate::units::{format_result, quantities};
 
 /// Counts of the rows of a table; if the cases are random, the statistics of their restitutions and of their other columns.
-type Totals<'a> = (&'a Tally, Option<Distribution>, Option<Value>);
+type Totals<'a> = (&'a Tally, Option<RestitutionStatistics>, Option<Value>);
 
 /// The results of the rows, in the order of `summary.json`.
 pub fn totals<'a>() -> Vec<ResultSpec<Totals<'a>>> {
@@ -44,8 +44,8 @@ pub fn totals<'a>() -> Vec<ResultSpec<Totals<'a>>> {
 }
 
 /// The distribution of a column of random cases.
-pub fn distributions() -> Vec<ResultSpec<(ResultColumn, Distribution)>> {
-    result_specs! { |one: (ResultColumn, Distribution)|
+pub fn distributions() -> Vec<ResultSpec<(ResultColumn, RestitutionStatistics)>> {
+    result_specs! { |one: (ResultColumn, RestitutionStatistics)|
         /// Name of the column, with its unit.
         "column": one.0.name;
         /// Values that the distribution is made of.
@@ -123,7 +123,7 @@ fn words(column: &ResultColumn) -> String {
 }
 
 /// The row of a column in the table of random cases: "5 %" has the value above 5 % of all values.
-fn quantiles((column, all): &(ResultColumn, Distribution)) -> [String; 6] {
+fn quantiles((column, all): &(ResultColumn, RestitutionStatistics)) -> [String; 6] {
     let dimension = dimension_of(column.name);
     let values = [all.mean, all.quantile_05, all.quantile_50, all.quantile_95];
     let mut texts = quantities(&values, dimension).into_iter();

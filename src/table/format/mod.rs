@@ -1,4 +1,4 @@
-//! The file formats of a table. A format is added as a value of [`Format`] and an implementation of the trait `Form`: see `csv.rs` and
+//! The file formats of a table. A format is added as a value of [`Format`] and an implementation of the trait `TableEncoder`: see `csv.rs` and
 //! `parquet.rs`.
 
 #[cfg(any(feature = "parquet", feature = "python"))]
@@ -14,7 +14,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::Rows;
-use super::tally::Count;
+use super::tally::RowOutcome;
 use crate::files::AtomicFile;
 use crate::strings::named_enum;
 
@@ -31,14 +31,14 @@ named_enum! {
 }
 
 /// A file format: it encodes rows, writes them into a file, and reads such a file again.
-pub(super) trait Form: Sync + Send {
+pub(super) trait TableEncoder: Sync + Send {
     /// Encoded rows.
-    type Piece: Send;
+    type Chunk: Send;
     /// A file that is being written.
     type Writer: Send;
 
     /// The most rows that are encoded at a time.
-    const BATCH: u64;
+    const BATCH_ROWS: u64;
 
     /// Every file begins with these bytes.
     fn header(&self) -> &[u8];
@@ -47,16 +47,16 @@ pub(super) trait Form: Sync + Send {
     fn is_own(&self, path: &Path) -> io::Result<bool>;
 
     /// Encodes rows; many threads do so at a time.
-    fn encode(&self, rows: &Rows) -> io::Result<Self::Piece>;
+    fn encode(&self, rows: &Rows) -> io::Result<Self::Chunk>;
 
     fn begin(&self, file: AtomicFile) -> io::Result<Self::Writer>;
 
     /// Appends the next rows.
-    fn append(&self, writer: &mut Self::Writer, piece: &Self::Piece) -> io::Result<()>;
+    fn append(&self, writer: &mut Self::Writer, piece: &Self::Chunk) -> io::Result<()>;
 
     /// Ends the file, which is then complete but not yet in its place.
-    fn end(&self, writer: Self::Writer) -> io::Result<AtomicFile>;
+    fn finish(&self, writer: Self::Writer) -> io::Result<AtomicFile>;
 
     /// Reads a file that should have `rows` rows, and counts them. Returns false as soon as it finds that the file is not whole.
-    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<bool>;
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(RowOutcome)) -> io::Result<bool>;
 }

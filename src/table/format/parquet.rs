@@ -16,41 +16,41 @@ use parquet::errors::ParquetError;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::ColumnPath;
 
-use super::Form;
+use super::TableEncoder;
 use super::arrow;
-use super::column::{Column, columns};
+use super::column::{TableColumn, table_columns};
 use crate::files::{AtomicFile, PROGRAM};
 use crate::scenario::plan::Plan;
 use crate::table::Rows;
-use crate::table::tally::{Count, written};
+use crate::table::tally::{RowOutcome, parse_outcome};
 
 /// Rows encoded at a time, and of a page: few enough for the cache.
 const BATCH: usize = 4096;
 /// The most rows of a row group, which the writer keeps in memory.
 const ROW_GROUP: usize = 65_536;
 /// Bytes written to the file at a time.
-const WRITE: usize = 1 << 18;
+const WRITE_BYTES: usize = 1 << 18;
 
 /// Writes rows as Parquet.
 #[derive(Debug)]
-pub(in crate::table) struct Parquet {
-    columns: Vec<Column>,
+pub(in crate::table) struct ParquetEncoder {
+    columns: Vec<TableColumn>,
     words: Vec<Option<Arc<StringArray>>>,
     schema: SchemaRef,
     /// The names of the columns with statistics.
     with_statistics: Vec<&'static str>,
 }
 
-impl Parquet {
+impl ParquetEncoder {
     pub(in crate::table) fn new(plan: &Plan) -> Result<Self, ParquetError> {
-        let columns = columns(plan);
-        let words = columns.iter().map(|column| Some(Arc::new(StringArray::from(column.words()?)))).collect();
+        let columns = table_columns(plan);
+        let words = columns.iter().map(|column| Some(Arc::new(StringArray::from(column.categories()?)))).collect();
         let with_statistics = plan.statistics_columns().into_iter().map(|column| column.name).collect();
         let mut parquet = Self { columns, words, schema: Arc::new(Schema::empty()), with_statistics };
         // the types are those of the arrays
         let fields = |arrays: Vec<ArrayRef>| {
             let names = plan.column_names().into_iter().zip(arrays).zip(&parquet.columns);
-            let fields = names.map(|((name, array), column)| (name, array, matches!(column, Column::Result(_))));
+            let fields = names.map(|((name, array), column)| (name, array, matches!(column, TableColumn::Result(_))));
             RecordBatch::try_from_iter_with_nullable(fields)
         };
         let empty = parquet.arrays(&Rows::default()).and_then(fields)?;
@@ -76,19 +76,19 @@ impl Parquet {
     /// Rows as Arrow data, column by column.
     #[allow(clippy::cast_possible_wrap)] // cases < 2^63
     fn arrays(&self, rows: &Rows) -> Result<Vec<ArrayRef>, ArrowError> {
-        let array = |(column, words): (&Column, &Option<Arc<StringArray>>)| match (column, words) {
-            (Column::Case, _) => {
+        let array = |(column, words): (&TableColumn, &Option<Arc<StringArray>>)| match (column, words) {
+            (TableColumn::Case, _) => {
                 Ok(Arc::new(rows.cases.iter().map(|case| *case as i64).collect::<Int64Array>()) as ArrayRef)
             }
-            (_, Some(words)) => arrow::words(&column.values(rows), words),
-            (_, None) => Ok(arrow::numbers(column.values(rows))),
+            (_, Some(words)) => arrow::word_array(&column.values(rows), words),
+            (_, None) => Ok(arrow::number_array(column.values(rows))),
         };
         self.columns.iter().zip(&self.words).map(array).collect()
     }
 }
 
 /// Counts the rows of a file; true if there are `rows` of them, and all are whole. `names` are the columns with statistics.
-fn count_rows(file: File, names: &[&str], rows: u64, count: &mut dyn FnMut(Count)) -> Result<bool, ParquetError> {
+fn count_rows(file: File, names: &[&str], rows: u64, count: &mut dyn FnMut(RowOutcome)) -> Result<bool, ParquetError> {
     let reader = ParquetRecordBatchReaderBuilder::try_new(file)?;
     if u64::try_from(reader.metadata().file_metadata().num_rows()).ok() != Some(rows) {
         return Ok(false);
@@ -102,7 +102,7 @@ fn count_rows(file: File, names: &[&str], rows: u64, count: &mut dyn FnMut(Count
         let Some((columns, states)) = columns.zip(states) else { return Ok(false) };
         for (row, state) in states.iter().enumerate() {
             let value = |column: &&Float64Array| if column.is_valid(row) { column.value(row) } else { f64::NAN };
-            let Some(one) = written(state.unwrap_or_default(), columns.iter().map(value).collect()) else {
+            let Some(one) = parse_outcome(state.unwrap_or_default(), columns.iter().map(value).collect()) else {
                 return Ok(false);
             };
             count(one);
@@ -111,11 +111,11 @@ fn count_rows(file: File, names: &[&str], rows: u64, count: &mut dyn FnMut(Count
     Ok(true)
 }
 
-impl Form for Parquet {
-    type Piece = RecordBatch;
+impl TableEncoder for ParquetEncoder {
+    type Chunk = RecordBatch;
     type Writer = ArrowWriter<BufWriter<AtomicFile>>;
 
-    const BATCH: u64 = BATCH as u64;
+    const BATCH_ROWS: u64 = BATCH as u64;
 
     fn header(&self) -> &[u8] {
         b"PAR1"
@@ -137,26 +137,26 @@ impl Form for Parquet {
     fn begin(&self, file: AtomicFile) -> io::Result<Self::Writer> {
         // the columns of words are plain strings to those who read the file
         let options = ArrowWriterOptions::new().with_properties(self.properties()).with_skip_arrow_metadata(true);
-        let file = BufWriter::with_capacity(WRITE, file);
-        ArrowWriter::try_new_with_options(file, self.schema.clone(), options).map_err(error)
+        let file = BufWriter::with_capacity(WRITE_BYTES, file);
+        ArrowWriter::try_new_with_options(file, self.schema.clone(), options).map_err(io_error)
     }
 
     fn append(&self, writer: &mut Self::Writer, piece: &RecordBatch) -> io::Result<()> {
-        writer.write(piece).map_err(error)
+        writer.write(piece).map_err(io_error)
     }
 
-    fn end(&self, writer: Self::Writer) -> io::Result<AtomicFile> {
-        writer.into_inner().map_err(error)?.into_inner().map_err(io::IntoInnerError::into_error)
+    fn finish(&self, writer: Self::Writer) -> io::Result<AtomicFile> {
+        writer.into_inner().map_err(io_error)?.into_inner().map_err(io::IntoInnerError::into_error)
     }
 
-    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(Count)) -> io::Result<bool> {
+    fn read(&self, path: &Path, rows: u64, count: &mut dyn FnMut(RowOutcome)) -> io::Result<bool> {
         // a file that is no Parquet is torn too
         Ok(count_rows(File::open(path)?, &self.with_statistics, rows, count).unwrap_or(false))
     }
 }
 
 /// The error of the file system in an error of the writer, if there is one.
-fn error(error: ParquetError) -> io::Error {
+fn io_error(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(source) => match source.downcast::<io::Error>() {
             Ok(source) => *source,

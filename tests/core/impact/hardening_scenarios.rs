@@ -47,7 +47,7 @@ fn contact_time_is_sum_over_pieces() {
 fn impossible_flow_curve_is_outside_the_law() {
     let rate = "half_space.flow_stress.voce.rate=2300";
     let got = rows_of(STEEL, &[rate, "sweep={\"half_space.flow_stress.voce.saturation\" = [0.1, 1, 23]}"]);
-    let is_outside: Vec<bool> = got.results.iter().map(|row| *row == Err(Failure::OutsideLaw)).collect();
+    let is_outside: Vec<bool> = got.results.iter().map(|row| *row == Err(RowFailure::OutsideLaw)).collect();
     assert_eq!(is_outside, [false, true, true]);
 }
 

@@ -19,7 +19,7 @@ pub fn a_row_has_the_bits_of_the_impact(run: &Run) -> Judged {
     let list = vec![format!("sweep={{\"impact.speed\"=[{:e}]}}", run.approach.speed)];
     let plan = run.scene.without(&["impact.speed"]).scenario(&list).unwrap().plan().unwrap();
     let mut rows = Rows::default();
-    Evaluator::new(&plan).rows(0..1, &mut rows);
+    Evaluator::new(&plan).append_rows(0..1, &mut rows);
     let of_library = run.contact.row(run.approach, &run.solver).unwrap();
     prop_assert_eq!(text(&rows.results[0].unwrap()), text(&of_library));
     let [mut row, mut impact] = [of_library, impact];

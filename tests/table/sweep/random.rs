@@ -27,7 +27,7 @@ fn random_values_follow_their_distribution() {
             100.0 * (1.0 - 2.0 / std::f64::consts::PI).sqrt(),
         ),
     ] {
-        let values = plan(text).swept;
+        let values = plan(text).axis_values;
         assert_eq!(values.len(), 200_000);
         assert!(values.iter().all(|value| *value > 0.0));
         let (mean, sd) = moments(&values);
@@ -57,14 +57,14 @@ fn sample_depends_only_on_seed_key_number() {
     let plan = Scenario::from_text("test", &text, &[]).unwrap().plan().unwrap();
     let evaluator = Evaluator::new(&plan);
     let (mut whole, mut part) = (Rows::default(), Rows::default());
-    evaluator.rows(0..10_000, &mut whole);
-    evaluator.rows(7_777..7_779, &mut part);
-    assert_eq!(part.swept, whole.swept[2 * 7_777..2 * 7_779]);
+    evaluator.append_rows(0..10_000, &mut whole);
+    evaluator.append_rows(7_777..7_779, &mut part);
+    assert_eq!(part.axis_values, whole.axis_values[2 * 7_777..2 * 7_779]);
     assert_eq!(part.results, whole.results[7_777..7_779]);
     // the two keys have different random numbers
-    assert!(whole.swept.chunks(2).all(|pair| pair[0] != pair[1]));
+    assert!(whole.axis_values.chunks(2).all(|pair| pair[0] != pair[1]));
     let other = text.replace("seed = 7", "seed = 8");
-    assert!(rows(&other).swept != whole.swept);
+    assert!(rows(&other).axis_values != whole.axis_values);
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn computed([strength, modulus]: [f64; 2], set: &[String]) -> Vec<[f64; 3]> {
         format!("sweep.\"impact.speed\"={speeds:?}"),
     ];
     let rows = rows_of(STEEL, &[&keys, set].concat()).results;
-    let row = |(speed, row): (f64, Result<ImpactRow, Failure>)| {
+    let row = |(speed, row): (f64, Result<ImpactRow, RowFailure>)| {
         let row = row.unwrap();
         [speed, row.restitution, row.peak_force]
     };
