@@ -25,7 +25,7 @@ use crate::units::{Dimension, parse};
 
 /// A measured value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Value {
+pub struct MeasuredValue {
     pub row: usize,
     /// The kind of measurement.
     pub quantity: MeasuredQuantity,
@@ -37,7 +37,7 @@ pub struct Value {
 
 /// One line.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Row {
+pub struct MeasurementRow {
     /// Number of the line in the file, counted from 1.
     pub line: u64,
     /// Values of the keys that are columns, SI.
@@ -45,23 +45,23 @@ pub struct Row {
     /// Indentation of a point of an indentation curve \[m\].
     pub indentation: Option<f64>,
     /// The interval before \[s\], which gives the speed of an impact whose own is empty: its key is not a number.
-    pub interval_before: Option<f64>,
+    pub preceding_interval: Option<f64>,
 }
 
 /// The measurements.
 #[derive(Debug, Clone, Default)]
-pub struct Data {
+pub struct MeasurementData {
     pub name: String,
     pub keys: Vec<&'static NumericKey>,
     /// The rows in the order of the file.
-    pub rows: Vec<Row>,
+    pub rows: Vec<MeasurementRow>,
     /// The values, row after row.
-    pub values: Vec<Value>,
+    pub values: Vec<MeasuredValue>,
 }
 
 /// The use of a column.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Role {
+enum ColumnRole {
     Key(usize),
     Measured(MeasuredQuantity),
     Deviation(MeasuredQuantity),
@@ -70,20 +70,20 @@ enum Role {
 
 struct DataColumn {
     name: String,
-    role: Role,
+    role: ColumnRole,
     quantity: Quantity,
     /// The unit as `units` spells it; empty for SI units.
     unit: String,
 }
 
-impl Data {
+impl MeasurementData {
     /// The data of one impact, from names and values of the measured quantities.
-    pub fn of_numbers(name: &str, numbers: &[(String, f64)]) -> Self {
+    pub fn single_impact(name: &str, numbers: &[(String, f64)]) -> Self {
         let value = |(name, value): &(String, f64)| {
-            Some(Value { row: 0, quantity: MeasuredQuantity::find(name)?, value: *value, deviation: None })
+            Some(MeasuredValue { row: 0, quantity: MeasuredQuantity::find(name)?, value: *value, deviation: None })
         };
         let values = numbers.iter().filter_map(value).collect();
-        Self { name: name.to_owned(), keys: Vec::new(), rows: vec![Row::default()], values }
+        Self { name: name.to_owned(), keys: Vec::new(), rows: vec![MeasurementRow::default()], values }
     }
 
     /// The rows are then points of an indentation curve, not impacts.
@@ -92,7 +92,7 @@ impl Data {
     }
 
     /// The quantities that were measured, in the order of [`Measured::ALL`].
-    pub fn measured(&self) -> Vec<MeasuredQuantity> {
+    pub fn measured_quantities(&self) -> Vec<MeasuredQuantity> {
         MeasuredQuantity::ALL
             .into_iter()
             .filter(|quantity| self.values.iter().any(|value| value.quantity == *quantity))
@@ -101,7 +101,7 @@ impl Data {
 
     /// For every value the number that its relative errors refer to: the value itself, or for a curve its largest force,
     /// because a force may be zero.
-    pub fn sizes(&self) -> Vec<f64> {
+    pub fn error_scales(&self) -> Vec<f64> {
         let largest = self.values.iter().map(|value| value.value).fold(0.0, f64::max);
         self.values
             .iter()
@@ -136,20 +136,20 @@ impl Data {
             }
             columns.push(column);
         }
-        let has = |role: Role| columns.iter().flatten().any(|column| column.role == role);
+        let has = |role: ColumnRole| columns.iter().flatten().any(|column| column.role == role);
         for column in columns.iter().flatten() {
-            if let Role::Deviation(quantity) = column.role
-                && !has(Role::Measured(quantity))
+            if let ColumnRole::Deviation(quantity) = column.role
+                && !has(ColumnRole::Measured(quantity))
             {
                 return Err(format!("the column `{}` has no column `{}` beside it", column.name, quantity.name()));
             }
         }
         let is_impact = MeasuredQuantity::ALL
             .into_iter()
-            .any(|quantity| quantity != MeasuredQuantity::Force && has(Role::Measured(quantity)));
-        match (has(Role::Indentation), has(Role::Measured(MeasuredQuantity::Force))) {
-            (true, true) | (false, false) if is_impact != has(Role::Indentation) => Ok(columns),
-            (false, false) => Err(format!("no column is a measured quantity; {}", all())),
+            .any(|quantity| quantity != MeasuredQuantity::Force && has(ColumnRole::Measured(quantity)));
+        match (has(ColumnRole::Indentation), has(ColumnRole::Measured(MeasuredQuantity::Force))) {
+            (true, true) | (false, false) if is_impact != has(ColumnRole::Indentation) => Ok(columns),
+            (false, false) => Err(format!("no column is a measured quantity; {}", column_names())),
             (true, true) => Err("a file holds impacts or an indentation curve, not both; make two files".to_owned()),
             _ => Err("an indentation curve has the columns indentation_m and force_N".to_owned()),
         }
@@ -157,14 +157,15 @@ impl Data {
 
     fn column(&mut self, name: &str) -> Result<DataColumn, String> {
         let (base, is_deviation) = name.strip_suffix("_sd").map_or((name, false), |base| (base, true));
-        let measured =
-            MeasuredQuantity::ALL.into_iter().map(|one| (one.name().to_owned(), Role::Measured(one), one.quantity()));
+        let measured = MeasuredQuantity::ALL
+            .into_iter()
+            .map(|one| (one.name().to_owned(), ColumnRole::Measured(one), one.quantity()));
         let alias = |key: &NumericKey| match key.path.split_once('.') {
             Some(("impact", short)) => short.to_owned(),
             _ => key.path.replace('.', "_"),
         };
-        let keys = NUMERIC_KEYS.iter().enumerate().map(|(at, key)| (alias(key), Role::Key(at), key.quantity));
-        let known = measured.chain([("indentation".to_owned(), Role::Indentation, &INDENTATION)]).chain(keys);
+        let keys = NUMERIC_KEYS.iter().enumerate().map(|(at, key)| (alias(key), ColumnRole::Key(at), key.quantity));
+        let known = measured.chain([("indentation".to_owned(), ColumnRole::Indentation, &INDENTATION)]).chain(keys);
         let plain = base.replace('.', "_");
         let plain = plain.strip_prefix("impact_").unwrap_or(&plain);
         // the longest name that fits, because one name may be the beginning of another
@@ -180,7 +181,7 @@ impl Data {
             }
             let names: Vec<&str> =
                 MeasuredQuantity::ALL.iter().map(|one| one.name()).chain(["speed", "drop_height"]).collect();
-            return Err(format!("unknown column `{name}`{}", did_you_mean(base, names, '`', &all())));
+            return Err(format!("unknown column `{name}`{}", did_you_mean(base, names, '`', &column_names())));
         };
         let dimension = quantity.dimension;
         let example = format!("{known}{}{}", dimension.suffix(), if is_deviation { "_sd" } else { "" });
@@ -194,15 +195,15 @@ impl Data {
         let quantity = match role {
             _ if is_deviation => crate::scenario::keys::quantity::positive_quantity(dimension),
             // the force of a curve may be 0
-            Role::Measured(MeasuredQuantity::Force) => LOAD,
+            ColumnRole::Measured(MeasuredQuantity::Force) => LOAD,
             _ => *quantity,
         };
         let role = match role {
-            Role::Measured(quantity) if is_deviation => Role::Deviation(quantity),
+            ColumnRole::Measured(quantity) if is_deviation => ColumnRole::Deviation(quantity),
             _ if is_deviation => return Err(format!("the column `{name}`: only measured quantities have an sd")),
-            Role::Key(at) => {
+            ColumnRole::Key(at) => {
                 self.keys.push(&NUMERIC_KEYS[at]);
-                Role::Key(at)
+                ColumnRole::Key(at)
             }
             role => role,
         };
@@ -216,7 +217,7 @@ impl Data {
             return Ok(());
         }
         let row = self.rows.len();
-        let mut read = Row { line, keys: Vec::with_capacity(self.keys.len()), ..Row::default() };
+        let mut read = MeasurementRow { line, keys: Vec::with_capacity(self.keys.len()), ..MeasurementRow::default() };
         let first = self.values.len();
         let mut deviations = Vec::new();
         for (number, (field, column)) in (1..).zip(record.iter().zip(columns)) {
@@ -224,28 +225,31 @@ impl Data {
             let refuse = |message: String| format!("column {number}, `{}`: {message}", column.name);
             if field.is_empty() {
                 match column.role {
-                    Role::Key(at) if NUMERIC_KEYS[at].path.starts_with("impact.") => {
+                    ColumnRole::Key(at) if NUMERIC_KEYS[at].path.starts_with("impact.") => {
                         // the line before may have other measured values too, left and right of its interval
-                        let is_interval =
-                            |value: &&Value| value.row + 1 == row && value.quantity == MeasuredQuantity::BounceInterval;
+                        let is_interval = |value: &&MeasuredValue| {
+                            value.row + 1 == row && value.quantity == MeasuredQuantity::BounceInterval
+                        };
                         let interval = self.values.iter().rev().find(is_interval);
-                        read.interval_before = Some(interval.map(|value| value.value).ok_or_else(|| {
+                        read.preceding_interval = Some(interval.map(|value| value.value).ok_or_else(|| {
                             refuse("is empty, and the line before has no bounce_interval from which the speed follows; give a value".to_owned())
                         })?);
                         read.keys.push(f64::NAN);
                         continue;
                     }
-                    Role::Deviation(_) => continue,
-                    Role::Measured(quantity) if quantity != MeasuredQuantity::Force => continue,
+                    ColumnRole::Deviation(_) => continue,
+                    ColumnRole::Measured(quantity) if quantity != MeasuredQuantity::Force => continue,
                     _ => return Err(refuse("is empty; give a value, or leave the line out".to_owned())),
                 }
             }
             let value = column.read(field).map_err(refuse)?;
             match column.role {
-                Role::Key(_) => read.keys.push(value),
-                Role::Indentation => read.indentation = Some(value),
-                Role::Measured(quantity) => self.values.push(Value { row, quantity, value, deviation: None }),
-                Role::Deviation(quantity) => deviations.push((quantity, value)),
+                ColumnRole::Key(_) => read.keys.push(value),
+                ColumnRole::Indentation => read.indentation = Some(value),
+                ColumnRole::Measured(quantity) => {
+                    self.values.push(MeasuredValue { row, quantity, value, deviation: None })
+                }
+                ColumnRole::Deviation(quantity) => deviations.push((quantity, value)),
             }
         }
         // the column of a standard deviation may stand before that of its quantity
@@ -290,7 +294,7 @@ fn plain_column(name: &str) -> String {
 }
 
 /// The names that columns may have, for messages.
-fn all() -> String {
+fn column_names() -> String {
     let names = MeasuredQuantity::ALL.map(|one| format!("{}{}", one.name(), one.quantity().dimension.suffix()));
     format!(
         "columns are speed_m_per_s, drop_height_m, {}, indentation_m, each of the measured ones with _sd at the end, the numeric keys of a scenario such as sphere_radius_m, and note",

@@ -2,15 +2,15 @@
 
 use nalgebra::DMatrix;
 
-use super::minimise::{ParameterPoint, Profile, Range, is_same};
-use super::problem::{NoAnswer, Problem, TAILS};
+use super::minimise::{BasinSearch, ParameterPoint, ShareRange, is_equal_within_rounding};
+use super::problem::{PredictionError, Problem, STUDENT_DEGREES};
 use crate::numerics::functions::hypot;
 
 /// No instrument repeats its readings to this share of a value. Where the scatter is smaller, the readings are rounded.
-pub(crate) const NO_SCATTER: f64 = 1e-6;
+pub(crate) const MIN_SCATTER: f64 = 1e-6;
 /// The noise may be a share of the value by the law. If the law gives less than this part of the reading, it is a share of this
 /// part of the reading.
-const LEAST: f64 = 0.5;
+const MIN_MODEL_TO_READING: f64 = 0.5;
 
 /// How the standard deviations are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,12 +62,12 @@ pub struct Fit<'a> {
 
 impl<'a> Fit<'a> {
     /// Finds the best values of the keys.
-    pub fn new(mut problem: Problem<'a>, noise_model: &NoiseModel) -> Result<Self, NoAnswer> {
-        let (values, keys, is_estimated) = (problem.counted.len(), problem.free.len(), noise_model.is_estimated);
+    pub fn new(mut problem: Problem<'a>, noise_model: &NoiseModel) -> Result<Self, PredictionError> {
+        let (values, keys, is_estimated) = (problem.used_values.len(), problem.free.len(), noise_model.is_estimated);
         let is_robust = problem.is_robust && !(is_estimated && values <= keys);
         problem.is_robust = is_robust && !is_estimated;
-        let anywhere = vec![Range::WHOLE; keys];
-        let mut found = Profile::new(&problem).minima(&anywhere);
+        let anywhere = vec![ShareRange::WHOLE; keys];
+        let mut found = BasinSearch::new(&problem).minima(&anywhere);
         let mut noise = match is_estimated {
             true if values <= keys => Noise::TooFew,
             true => Noise::estimated(&problem, 1.0),
@@ -82,20 +82,20 @@ impl<'a> Fit<'a> {
             (_, true, _) => 3,
             (.., is_scaled) => u32::from(is_scaled),
         };
-        let (mut whole, sizes) = (1.0, problem.data.sizes());
+        let (mut whole, sizes) = (1.0, problem.data.error_scales());
         for round in 1..=rounds {
             let (false, Some(place)) = (noise == Noise::TooFew, found.first()) else { break };
             if has_shares {
                 let law = problem.predict(&place.shares)?.into_iter().zip(&sizes);
-                let law: Vec<f64> = law.map(|(law, size)| law.abs().max(LEAST * size)).collect();
+                let law: Vec<f64> = law.map(|(law, size)| law.abs().max(MIN_MODEL_TO_READING * size)).collect();
                 problem.deviations = noise_model.deviations(&law);
                 problem.deviations.iter_mut().for_each(|deviation| *deviation *= whole);
             }
             if is_estimated {
                 let residuals = problem.residuals(&place.shares)?;
-                let scale = scatter(&residuals, keys, is_robust);
-                let shares = problem.counted.iter().map(|at| scale * problem.deviations[*at] / sizes[*at]);
-                if shares.fold(0.0, f64::max) < NO_SCATTER {
+                let scale = residual_scale(&residuals, keys, is_robust);
+                let shares = problem.used_values.iter().map(|at| scale * problem.deviations[*at] / sizes[*at]);
+                if shares.fold(0.0, f64::max) < MIN_SCATTER {
                     noise = Noise::NoScatter;
                     break;
                 }
@@ -105,23 +105,24 @@ impl<'a> Fit<'a> {
                 problem.is_robust = is_robust;
             }
             found = if is_robust {
-                Profile::new(&problem).minima(&anywhere)
+                BasinSearch::new(&problem).minima(&anywhere)
             } else if round < rounds {
-                let profile = Profile::new(&problem);
-                let near =
-                    |place: &ParameterPoint| place.shares.iter().map(|share| Range::about(*share)).collect::<Vec<_>>();
+                let profile = BasinSearch::new(&problem);
+                let near = |place: &ParameterPoint| {
+                    place.shares.iter().map(|share| ShareRange::around(*share)).collect::<Vec<_>>()
+                };
                 found.iter().filter_map(|place| profile.minima(&near(place)).into_iter().next()).collect()
             } else {
-                let again = |ParameterPoint { shares, .. }| ParameterPoint { sum: problem.sum(&shares), shares };
+                let again = |ParameterPoint { shares, .. }| ParameterPoint { sum: problem.objective(&shares), shares };
                 found.into_iter().map(again).collect()
             };
             found.sort_by(|a, b| a.sum.total_cmp(&b.sum));
         }
         let Some(best) = found.first() else {
-            return Err(problem.predict(&vec![0.5; keys]).err().unwrap_or(NoAnswer::Captured));
+            return Err(problem.predict(&vec![0.5; keys]).err().unwrap_or(PredictionError::Captured));
         };
         let parameters = (keys + usize::from(is_estimated)) as f64;
-        let aic = problem.full(best.sum) + 2.0 * parameters;
+        let aic = problem.neg2_log_likelihood(best.sum) + 2.0 * parameters;
         let covariance = problem.jacobian(&best.shares).ok().and_then(|matrix| covariance(&problem, &matrix));
         Ok(Self { problem, minima: found, covariance, noise, aic })
     }
@@ -129,8 +130,8 @@ impl<'a> Fit<'a> {
     /// The range of shares around the best one of the only key in which the sum is the same; `None` if it is one point.
     pub(super) fn plateau(&self) -> Option<[f64; 2]> {
         let [best] = self.best().shares[..] else { return None };
-        let is_level = |share: &f64| is_same(self.problem.sum(&[*share]), self.best().sum);
-        let nodes = Range::WHOLE.nodes();
+        let is_level = |share: &f64| is_equal_within_rounding(self.problem.objective(&[*share]), self.best().sum);
+        let nodes = ShareRange::WHOLE.nodes();
         let above = nodes.iter().copied().filter(|node| *node > best).take_while(is_level).last();
         let below = nodes.iter().rev().copied().filter(|node| *node < best).take_while(is_level).last();
         (above.is_some() || below.is_some()).then(|| [below.unwrap_or(best), above.unwrap_or(best)])
@@ -147,26 +148,26 @@ impl<'a> Fit<'a> {
     }
 
     /// The noise is unknown then, and so are the intervals.
-    pub fn has_no_noise(&self) -> bool {
+    pub fn is_noise_unknown(&self) -> bool {
         matches!(self.noise, Noise::TooFew | Noise::NoScatter)
     }
 
     /// Degrees of freedom of the estimated noise; `None` if the noise is not estimated.
-    pub fn freedom(&self) -> Option<f64> {
+    pub fn degrees_of_freedom(&self) -> Option<f64> {
         if let Noise::Estimated { freedom, .. } = self.noise { Some(freedom) } else { None }
     }
 }
 
 impl Noise {
     fn estimated(problem: &Problem, scale: f64) -> Self {
-        let freedom = (problem.counted.len() - problem.free.len()) as f64;
+        let freedom = (problem.used_values.len() - problem.free.len()) as f64;
         let is_share = problem.data.values.iter().all(|value| value.deviation.is_none());
         Self::Estimated { freedom, share: is_share.then_some(scale) }
     }
 }
 
 /// The scale of the residuals of a fit with this number of keys.
-fn scatter(residuals: &[f64], keys: usize, is_robust: bool) -> f64 {
+fn residual_scale(residuals: &[f64], keys: usize, is_robust: bool) -> f64 {
     let (count, freedom) = (residuals.len() as f64, (residuals.len() - keys) as f64);
     if is_robust {
         1.482_602_218_505_602 * median(residuals.iter().map(|residual| residual.abs())) * (count / freedom).sqrt()
@@ -190,14 +191,14 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 /// Covariance of the shares: the inverse of the Fisher information; `None` if that has no inverse.
 fn covariance(problem: &Problem, matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     // with long tails the same residuals hold less information
-    let factor = if problem.is_robust { (TAILS + 1.0) / (TAILS + 3.0) } else { 1.0 };
+    let factor = if problem.is_robust { (STUDENT_DEGREES + 1.0) / (STUDENT_DEGREES + 3.0) } else { 1.0 };
     let inverse = (matrix.tr_mul(matrix) * factor).try_inverse()?;
     inverse.diagonal().iter().all(|square| square.is_finite() && *square > 0.0).then_some(inverse)
 }
 
 /// For each value (row), the change of each key (in shares) if this value were left out: the first step of Newton's
 /// method.
-pub(super) fn shifts(
+pub(super) fn leave_one_out_shifts(
     problem: &Problem,
     covariance: &DMatrix<f64>,
     matrix: &DMatrix<f64>,
@@ -206,17 +207,18 @@ pub(super) fn shifts(
     let mut gains = matrix * covariance;
     for ((mut gain, row), residual) in gains.row_iter_mut().zip(matrix.row_iter()).zip(residuals) {
         let leverage = gain.dot(&row);
-        let weight = if problem.is_robust { (TAILS + 1.0) / (TAILS + residual * residual) } else { 1.0 };
+        let weight =
+            if problem.is_robust { (STUDENT_DEGREES + 1.0) / (STUDENT_DEGREES + residual * residual) } else { 1.0 };
         gain *= -weight * residual / (1.0 - leverage).max(f64::EPSILON);
     }
     gains
 }
 
 /// The residuals, quantity after quantity, in the order of rising speed. Points of a curve stay in their order.
-pub(super) fn in_order(problem: &Problem, residuals: &[f64]) -> Vec<f64> {
+pub(super) fn ordered_residuals(problem: &Problem, residuals: &[f64]) -> Vec<f64> {
     let speeds = problem.speeds();
     let mut sorted: Vec<usize> = (0..residuals.len()).collect();
-    let value = |i: &usize| &problem.data.values[problem.counted[*i]];
+    let value = |i: &usize| &problem.data.values[problem.used_values[*i]];
     sorted.sort_by(|a, b| {
         let (a, b) = (value(a), value(b));
         a.quantity.cmp(&b.quantity).then(speeds[a.row].total_cmp(&speeds[b.row]))

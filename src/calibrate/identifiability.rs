@@ -5,7 +5,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::data::{Data, Value};
+use super::data::{MeasuredValue, MeasurementData};
 use super::minimise::ParameterPoint;
 use super::problem::Problem;
 use crate::numerics::functions::{exp, ln};
@@ -13,9 +13,9 @@ use crate::scenario::input::MeasuredQuantity;
 use crate::units::{format_four_digits, format_percent};
 
 /// Usual error of a law, as a share of a prediction.
-pub const LAW: f64 = 0.02;
+pub const MODEL_ERROR: f64 = 0.02;
 /// This number of impacts is enough to find which other measurement would help.
-const ENOUGH: usize = 100;
+const MAX_SCREENED_ROWS: usize = 100;
 
 /// How well the measurements determine the keys together.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,12 +31,12 @@ pub struct Identifiability {
     /// Relative standard deviation of that combination.
     pub deviation: f64,
     /// Why the keys get no interval, and what would help; `None` if they get one.
-    pub refusal: Option<String>,
+    pub reason_without_intervals: Option<String>,
 }
 
 /// Derivatives of the predictions by the logarithms of the keys, over the standard deviations: one column for every
 /// key.
-fn by_logarithms(problem: &Problem, place: &ParameterPoint) -> Option<DMatrix<f64>> {
+fn log_jacobian(problem: &Problem, place: &ParameterPoint) -> Option<DMatrix<f64>> {
     let mut matrix = problem.jacobian(&place.shares).ok()?;
     for ((mut column, free), share) in matrix.column_iter_mut().zip(problem.free).zip(&place.shares) {
         let value = free.value_at_share(*share);
@@ -47,7 +47,7 @@ fn by_logarithms(problem: &Problem, place: &ParameterPoint) -> Option<DMatrix<f6
 }
 
 /// Singular values and right singular vectors, the largest value first.
-fn decomposed(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
+fn singular_vectors(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
     // from the eigenvalues of the product, which is small even if there are many rows
     let eigen = matrix.tr_mul(matrix).symmetric_eigen();
     let vectors = eigen.eigenvectors.column_iter().map(nalgebra::Matrix::into_owned);
@@ -57,7 +57,7 @@ fn decomposed(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
 }
 
 /// Length of the step along a unit direction that doubles the key that changes most.
-fn doubling(direction: &DVector<f64>) -> f64 {
+fn doubling_step(direction: &DVector<f64>) -> f64 {
     ln(2.0) / direction.amax()
 }
 
@@ -66,44 +66,45 @@ pub fn identify(problem: &Problem, place: &ParameterPoint) -> Option<Identifiabi
     if problem.free.is_empty() {
         return None;
     }
-    let matrix = by_logarithms(problem, place)?;
-    let root = (problem.counted.len() as f64).sqrt();
-    let sizes = MeasuredQuantity::ALL.map(|quantity| size(problem, quantity));
+    let matrix = log_jacobian(problem, place)?;
+    let root = (problem.used_values.len() as f64).sqrt();
+    let sizes = MeasuredQuantity::ALL.map(|quantity| typical_size(problem, quantity));
     let mut relative = matrix.clone();
-    for (mut row, at) in relative.row_iter_mut().zip(&problem.counted) {
+    for (mut row, at) in relative.row_iter_mut().zip(&problem.used_values) {
         row *= problem.deviations[*at] / sizes[problem.data.values[*at].quantity as usize] / root;
     }
-    let relative = decomposed(&relative)?;
+    let relative = singular_vectors(&relative)?;
     let (least, direction) = relative.last()?;
-    let change = least * doubling(direction);
-    let (strongest, combination) = decomposed(&matrix)?.swap_remove(0);
-    let refusal = (change < LAW).then(|| refusal(problem, place, direction, change));
+    let change = least * doubling_step(direction);
+    let (strongest, combination) = singular_vectors(&matrix)?.swap_remove(0);
+    let refusal = (change < MODEL_ERROR).then(|| unidentifiable_message(problem, place, direction, change));
     Some(Identifiability {
         singular_values: relative.iter().map(|(value, _)| *value).collect(),
         change,
         exponents: combination.iter().map(|part| part / combination[0]).collect(),
         deviation: 1.0 / (strongest * combination[0].abs()),
-        refusal,
+        reason_without_intervals: refusal,
     })
 }
 
 /// Root mean square of the values of a quantity.
-fn size(problem: &Problem, quantity: MeasuredQuantity) -> f64 {
-    let values = problem.counted.iter().map(|at| &problem.data.values[*at]).filter(|value| value.quantity == quantity);
+fn typical_size(problem: &Problem, quantity: MeasuredQuantity) -> f64 {
+    let values =
+        problem.used_values.iter().map(|at| &problem.data.values[*at]).filter(|value| value.quantity == quantity);
     let (count, sum) = values.fold((0.0, 0.0), |(count, sum), value| (count + 1.0, sum + value.value * value.value));
     f64::sqrt(sum / count)
 }
 
-fn refusal(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, change: f64) -> String {
+fn unidentifiable_message(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, change: f64) -> String {
     let names: Vec<&str> = problem.free.iter().map(|free| free.key.path).collect();
-    let off = format_percent(LAW);
+    let off = format_percent(MODEL_ERROR);
     let statement = if let [name] = names[..] {
         format!(
             "twice the {name} changes what was measured by {} only, and the law itself is off by {off}",
             format_percent(change)
         )
     } else {
-        let step = doubling(direction);
+        let step = doubling_step(direction);
         let factors: Vec<String> = names
             .iter()
             .zip(direction.iter())
@@ -118,7 +119,7 @@ fn refusal(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, 
             format_percent(change)
         )
     };
-    let mut helpful = helpful(problem, place, direction);
+    let mut helpful = helpful_quantities(problem, place, direction);
     helpful.sort_by(|a, b| b.1.total_cmp(&a.1));
     let helpful: Vec<String> =
         helpful.iter().map(|(name, change)| format!("{name} ({})", format_percent(*change))).collect();
@@ -142,24 +143,25 @@ fn refusal(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>, 
 }
 
 /// Quantities that were not measured but change along a direction, each with its relative change.
-fn helpful(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>) -> Vec<(&'static str, f64)> {
+fn helpful_quantities(problem: &Problem, place: &ParameterPoint, direction: &DVector<f64>) -> Vec<(&'static str, f64)> {
     if problem.data.is_curve() {
         return Vec::new();
     }
-    let measured = problem.data.measured();
+    let measured = problem.data.measured_quantities();
     let has_restitution = measured.iter().any(|quantity| quantity.follows_from_restitution());
     let is_new = |quantity: &MeasuredQuantity| {
         !(measured.contains(quantity) || has_restitution && quantity.follows_from_restitution())
     };
     let change = |quantity: MeasuredQuantity| {
         let rows = 0..problem.data.rows.len();
-        let values = rows.map(|row| Value { row, quantity, value: 1.0, deviation: None }).collect();
-        let data = Data { values, ..problem.data.clone() };
-        let problem = problem.predicting(&data).thinned(ENOUGH);
+        let values = rows.map(|row| MeasuredValue { row, quantity, value: 1.0, deviation: None }).collect();
+        let data = MeasurementData { values, ..problem.data.clone() };
+        let problem = problem.for_prediction(&data).subsampled(MAX_SCREENED_ROWS);
         let predicted = problem.predict(&place.shares).ok()?;
-        let moved = (by_logarithms(&problem, place)? * direction).norm();
-        let size = problem.counted.iter().map(|at| predicted[*at] * predicted[*at]).sum::<f64>().sqrt();
-        Some((quantity.name(), doubling(direction) * moved / size)).filter(|(_, change)| *change > 2.0 * LAW)
+        let moved = (log_jacobian(&problem, place)? * direction).norm();
+        let size = problem.used_values.iter().map(|at| predicted[*at] * predicted[*at]).sum::<f64>().sqrt();
+        Some((quantity.name(), doubling_step(direction) * moved / size))
+            .filter(|(_, change)| *change > 2.0 * MODEL_ERROR)
     };
     let of_impacts = MeasuredQuantity::ALL.into_iter().filter(|quantity| *quantity != MeasuredQuantity::Force);
     of_impacts.filter(is_new).filter_map(change).collect()

@@ -9,17 +9,17 @@ use rayon::prelude::*;
 use super::problem::Problem;
 
 /// This number of impacts is enough to find the cells with basins.
-const ENOUGH: usize = 1000;
+const MAX_SCREENED_ROWS: usize = 1000;
 /// Cells along the range of a key, and along that of a key inside of a profile.
 const CELLS: u32 = 64;
 const CELLS_INSIDE: u32 = 24;
 /// Largest number of basins whose minimum is computed.
-const MOST_BASINS: usize = 8;
+const MAX_BASINS: usize = 8;
 /// Two minima are in different basins if the sum between them rises by this multiple of its mean per value.
-const RISE: f64 = 1.0;
+const BARRIER_PER_VALUE: f64 = 1.0;
 /// How exactly a share of the first key is found, and one of a key inside of a profile.
-const EXACT: f64 = 1e-9;
-const INSIDE: f64 = 1e-7;
+const TOLERANCE: f64 = 1e-9;
+const INNER_TOLERANCE: f64 = 1e-7;
 
 /// A place in the ranges of the keys, and the sum there.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,13 +32,13 @@ pub struct ParameterPoint {
 
 /// A part of the range of a key, as shares, and the cells in it. A key that is held has a range without width.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
+pub struct ShareRange {
     low: f64,
     high: f64,
     cells: u32,
 }
 
-impl Range {
+impl ShareRange {
     pub const WHOLE: Self = Self { low: 0.0, high: 1.0, cells: CELLS };
 
     pub fn with_share(share: f64) -> Self {
@@ -46,7 +46,7 @@ impl Range {
     }
 
     /// Up to a cell on each side of a share.
-    pub fn about(share: f64) -> Self {
+    pub fn around(share: f64) -> Self {
         let cell = 1.0 / f64::from(CELLS);
         Self { low: (share - cell).max(0.0), high: (share + cell).min(1.0), cells: 4 }
     }
@@ -60,54 +60,54 @@ impl Range {
 }
 
 /// True if two sums differ only by rounding.
-pub fn is_same(a: f64, b: f64) -> bool {
+pub fn is_equal_within_rounding(a: f64, b: f64) -> bool {
     a == b || (a - b).abs() <= 1e-11 * a.abs().max(b.abs()) + 1e-24
 }
 
 /// The problem with all measurements, and a smaller one with some of them, by which the basins are found.
 #[derive(Debug, Clone)]
-pub struct Profile<'p, 'a> {
+pub struct BasinSearch<'p, 'a> {
     whole: &'p Problem<'a>,
-    thinned: Problem<'a>,
+    subsampled: Problem<'a>,
 }
 
-impl<'p, 'a> Profile<'p, 'a> {
+impl<'p, 'a> BasinSearch<'p, 'a> {
     pub fn new(problem: &'p Problem<'a>) -> Self {
-        Self { whole: problem, thinned: problem.thinned(ENOUGH) }
+        Self { whole: problem, subsampled: problem.subsampled(MAX_SCREENED_ROWS) }
     }
 
     /// The minima of all basins in these ranges, the lowest first; empty if the law gives no result anywhere.
-    pub fn minima(&self, ranges: &[Range]) -> Vec<ParameterPoint> {
-        minima(self.whole, &self.thinned, ranges, EXACT)
+    pub fn minima(&self, ranges: &[ShareRange]) -> Vec<ParameterPoint> {
+        find_minima(self.whole, &self.subsampled, ranges, TOLERANCE)
     }
 
     /// The place with the lowest sum; the sum is infinite if the law gives no result anywhere.
-    pub fn lowest(&self, ranges: &[Range]) -> ParameterPoint {
-        lowest(self.whole, &self.thinned, ranges)
+    pub fn profile_minimum(&self, ranges: &[ShareRange]) -> ParameterPoint {
+        profile_minimum(self.whole, &self.subsampled, ranges)
     }
 }
 
-fn lowest(whole: &Problem, thinned: &Problem, ranges: &[Range]) -> ParameterPoint {
-    let ranges: Vec<Range> =
-        ranges.iter().map(|range| Range { cells: range.cells.min(CELLS_INSIDE), ..*range }).collect();
+fn profile_minimum(whole: &Problem, thinned: &Problem, ranges: &[ShareRange]) -> ParameterPoint {
+    let ranges: Vec<ShareRange> =
+        ranges.iter().map(|range| ShareRange { cells: range.cells.min(CELLS_INSIDE), ..*range }).collect();
     let nowhere = || ParameterPoint { shares: ranges.iter().map(|range| range.low).collect(), sum: f64::INFINITY };
-    minima(whole, thinned, &ranges, INSIDE).into_iter().next().unwrap_or_else(nowhere)
+    find_minima(whole, thinned, &ranges, INNER_TOLERANCE).into_iter().next().unwrap_or_else(nowhere)
 }
 
-fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> Vec<ParameterPoint> {
+fn find_minima(whole: &Problem, thinned: &Problem, ranges: &[ShareRange], exact: f64) -> Vec<ParameterPoint> {
     let Some(key) = ranges.iter().position(|range| range.cells > 0) else {
         let shares: Vec<f64> = ranges.iter().map(|range| range.low).collect();
-        let place = ParameterPoint { sum: whole.sum(&shares), shares };
+        let place = ParameterPoint { sum: whole.objective(&shares), shares };
         return Some(place).filter(|place| place.sum.is_finite()).into_iter().collect();
     };
     let with = |share: f64| {
         let mut ranges = ranges.to_vec();
-        ranges[key] = Range::with_share(share);
+        ranges[key] = ShareRange::with_share(share);
         ranges
     };
     let nodes = ranges[key].nodes();
-    let sums: Vec<f64> = nodes.par_iter().map(|share| lowest(thinned, thinned, &with(*share)).sum).collect();
-    let place = |share: f64| lowest(whole, thinned, &with(share));
+    let sums: Vec<f64> = nodes.par_iter().map(|share| profile_minimum(thinned, thinned, &with(*share)).sum).collect();
+    let place = |share: f64| profile_minimum(whole, thinned, &with(share));
     let bottom = |[first, last]: [usize; 2]| {
         let [before, after] = [first.saturating_sub(1), (last + 1).min(nodes.len() - 1)].map(|at| nodes[at]);
         if first == last {
@@ -117,15 +117,18 @@ fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> V
         let sides = [(before, nodes[first], nodes[first]), (nodes[last], after, nodes[last])];
         let sides = sides.into_iter().filter(|(low, high, _)| low < high);
         let found = sides.map(|(low, high, start)| brent([low, high], start, exact, place));
-        let lower = |a: ParameterPoint, b: ParameterPoint| if b.sum < a.sum && !is_same(a.sum, b.sum) { b } else { a };
+        let lower = |a: ParameterPoint, b: ParameterPoint| {
+            if b.sum < a.sum && !is_equal_within_rounding(a.sum, b.sum) { b } else { a }
+        };
         (first, found.reduce(lower).unwrap_or_else(|| place(nodes[first])))
     };
-    let bottoms = basins(&sums).into_iter().take(MOST_BASINS).map(bottom);
+    let bottoms = basins(&sums).into_iter().take(MAX_BASINS).map(bottom);
     let mut found: Vec<(usize, ParameterPoint)> = bottoms.filter(|(_, place)| place.sum.is_finite()).collect();
     found.sort_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
     let mut apart: Vec<(usize, ParameterPoint)> = Vec::new();
     for (at, place) in found {
-        let least = place.sum + RISE * place.sum / whole.counted.len() as f64 + f64::MIN_POSITIVE.sqrt();
+        let least =
+            place.sum + BARRIER_PER_VALUE * place.sum / whole.used_values.len() as f64 + f64::MIN_POSITIVE.sqrt();
         let is_apart = |(other, _): &(usize, ParameterPoint)| {
             sums[(*other).min(at)..=(*other).max(at)].iter().copied().fold(0.0, f64::max) > least
         };
@@ -139,7 +142,7 @@ fn minima(whole: &Problem, thinned: &Problem, ranges: &[Range], exact: f64) -> V
 /// The nodes at the bottom of each basin, the first and the last of those with the same sum. The lowest basin comes first.
 fn basins(sums: &[f64]) -> Vec<[usize; 2]> {
     let (mut basins, mut first) = (Vec::new(), 0);
-    for level in sums.chunk_by(|a, b| is_same(*a, *b)) {
+    for level in sums.chunk_by(|a, b| is_equal_within_rounding(*a, *b)) {
         let last = first + level.len() - 1;
         let mut neighbours = [first.checked_sub(1), Some(last + 1)].into_iter().flatten().filter_map(|at| sums.get(at));
         if level[0].is_finite() && neighbours.all(|sum| *sum > level[0]) {
@@ -178,7 +181,7 @@ fn brent(
         };
         let share = (x + if step.abs() < exact { exact.copysign(step) } else { step }).clamp(low, high);
         let tried = (share, place(share));
-        let is_better = if is_same(tried.1.sum, best.1.sum) {
+        let is_better = if is_equal_within_rounding(tried.1.sum, best.1.sum) {
             (share - start).abs() > (x - start).abs()
         } else {
             tried.1.sum < best.1.sum

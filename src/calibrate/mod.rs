@@ -35,44 +35,46 @@ use crate::scenario::kinds::calibration::{CalibrationRequest, MeasurementSource}
 use crate::scenario::{Scenario, ScenarioSource as Text};
 use crate::strings::csv::csv_file_error;
 use crate::units::{format_four_digits, format_input};
-use data::Data;
+use data::MeasurementData;
 pub use fit::{Fit, Noise};
-use fit::{NoiseModel, in_order, shifts};
+use fit::{NoiseModel, leave_one_out_shifts, ordered_residuals};
 use identifiability::{Identifiability, identify};
-pub use problem::NoAnswer;
+pub use problem::PredictionError;
 use problem::Problem;
-use result::OUTLIER;
+use result::OUTLIER_LIMIT;
 pub use result::{Calibration, KeyEstimate, LawFit, Verdict};
-use statistics::{p_of_chi_square, runs_test};
+use statistics::{chi_square_p_value, runs_test};
 
 /// Smallest standard deviation, as a share of the value: squares of residuals stay finite.
-const LEAST_DEVIATION: f64 = 1e-9;
+const MIN_DEVIATION: f64 = 1e-9;
 
 /// The keys that are wanted, and the measurements.
 #[derive(Debug, Clone)]
-pub struct Measurements {
+pub struct CalibrationTask {
     /// The request of the scenario.
-    pub wanted: CalibrationRequest,
-    pub data: Data,
+    pub request: CalibrationRequest,
+    pub data: MeasurementData,
     /// SHA-256 of the file; `None` if the measurements are in the scenario.
     pub sha256: Option<String>,
 }
 
-impl Measurements {
+impl CalibrationTask {
     /// Reads the request of a scenario and its measurements.
     pub fn new(scenario: &Scenario) -> Result<Self, Error> {
         let wanted = scenario.calibration_request()?;
         let of_text = |name: &str, text: String| {
-            let data = Data::parse(name, &text)?;
+            let data = MeasurementData::parse(name, &text)?;
             let text = Text { text, ..Text::default() };
             Ok::<_, Error>((data, Some(text.sha256())))
         };
         let (data, sha256) = match &wanted.source {
-            MeasurementSource::Numbers(numbers) => (Data::of_numbers(scenario.document.name(), numbers), None),
+            MeasurementSource::Numbers(numbers) => {
+                (MeasurementData::single_impact(scenario.document.name(), numbers), None)
+            }
             MeasurementSource::Text(name, text) => of_text(name, text.clone())?,
         };
         scenario.check_varied(&wanted, &data.keys, !data.is_curve())?;
-        let measured = Self { wanted, data, sha256 };
+        let measured = Self { request: wanted, data, sha256 };
         measured.check()?;
         Ok(measured)
     }
@@ -80,24 +82,25 @@ impl Measurements {
     /// The request and the data without deviations.
     fn problem(&self) -> Problem<'_> {
         let ones = vec![1.0; self.data.values.len()];
-        Problem::new(&self.wanted.input, &self.wanted.free, &self.data, ones, false)
+        Problem::new(&self.request.input, &self.request.free, &self.data, ones, false)
     }
 
     fn check(&self) -> Result<(), Error> {
-        let refuse = |message: String| Err(self.refusal(None, message));
-        let (values, keys, measured) = (self.data.values.len(), self.wanted.free.len(), self.data.measured());
+        let refuse = |message: String| Err(self.data_error(None, message));
+        let (values, keys, measured) =
+            (self.data.values.len(), self.request.free.len(), self.data.measured_quantities());
         if values < keys {
             return refuse(format!("{values} value for {keys} keys: measure more, or free fewer keys"));
         }
         let is_idle =
             |name: &String| !MeasuredQuantity::find(name).is_some_and(|quantity| measured.contains(&quantity));
-        if let Some((name, _)) = self.wanted.deviations.iter().find(|(name, _)| is_idle(name)) {
+        if let Some((name, _)) = self.request.deviations.iter().find(|(name, _)| is_idle(name)) {
             return refuse(format!("calibrate.noise.{name} is given, but no {name} was measured; leave it out"));
         }
         // the limit is known if speed and gravity are not to be found
         let is_open = |path: &str| path.starts_with("impact.") || path.starts_with("gravity.");
-        match self.problem().beyond_elastic() {
-            Some((value, limit)) if !self.wanted.free.iter().any(|free| is_open(free.key.path)) => {
+        match self.problem().exceeding_value() {
+            Some((value, limit)) if !self.request.free.iter().any(|free| is_open(free.key.path)) => {
                 let shown =
                     [value.value, limit].map(|value_of| format_input(value_of, value.quantity.quantity().dimension));
                 let [found, limit] = shown.map(|text| text.trim_end().to_owned());
@@ -105,29 +108,29 @@ impl Measurements {
                     "the {} of {found} is more than a rebound without any loss gives, {limit}: check columns and units",
                     value.quantity.name()
                 );
-                Err(self.refusal(self.line_of(value), message))
+                Err(self.data_error(self.value_line(value), message))
             }
             _ => Ok(()),
         }
     }
 
     /// The line of a value; `None` if the measurements are in the scenario.
-    fn line_of(&self, value: &data::Value) -> Option<u64> {
+    fn value_line(&self, value: &data::MeasuredValue) -> Option<u64> {
         self.sha256.is_some().then(|| self.data.rows[value.row].line)
     }
 
     /// The noise of every value, from the standard deviations and the model error that are given.
-    fn noise(&self) -> Result<NoiseModel, Error> {
-        let CalibrationRequest { deviations, model_error, is_estimated, .. } = &self.wanted;
+    fn noise_model(&self) -> Result<NoiseModel, Error> {
+        let CalibrationRequest { deviations, model_error, is_estimated, .. } = &self.request;
         let of_quantity = |name: &str| deviations.iter().find(|given| given.0 == name).map(|given| given.1);
-        let given = |value: &data::Value| value.deviation.or_else(|| of_quantity(value.quantity.name()));
+        let given = |value: &data::MeasuredValue| value.deviation.or_else(|| of_quantity(value.quantity.name()));
         let values = &self.data.values;
         let is_given = values.iter().any(|value| given(value).is_some());
         let is_estimated = *is_estimated || *model_error == 0.0 && !is_given && deviations.is_empty();
         if is_estimated && !is_given {
             return Ok(NoiseModel { instrument: vec![0.0; values.len()], share: 1.0, is_estimated });
         }
-        let instrument = |(value, size): (&data::Value, f64)| {
+        let instrument = |(value, size): (&data::MeasuredValue, f64)| {
             let name = value.quantity.name();
             let sd = given(value);
             let whole = hypot(sd.unwrap_or(0.0), size * model_error);
@@ -135,54 +138,54 @@ impl Measurements {
                 format!(
                     "the {name} of this line has no standard deviation: give calibrate.noise.{name}, or a column for it, or noise = \"estimate\""
                 )
-            } else if whole < LEAST_DEVIATION * size {
+            } else if whole < MIN_DEVIATION * size {
                 format!(
                     "the standard deviation of this {name} is {}, less than {} of the value: no instrument is so exact; give what the readings scatter by",
                     format_four_digits(whole),
-                    format_four_digits(LEAST_DEVIATION)
+                    format_four_digits(MIN_DEVIATION)
                 )
             } else {
                 return Ok(sd.unwrap_or(0.0));
             };
-            Err(self.refusal(self.line_of(value), message))
+            Err(self.data_error(self.value_line(value), message))
         };
-        let instrument = values.iter().zip(self.data.sizes()).map(instrument).collect::<Result<_, _>>()?;
+        let instrument = values.iter().zip(self.data.error_scales()).map(instrument).collect::<Result<_, _>>()?;
         Ok(NoiseModel { instrument, share: *model_error, is_estimated })
     }
 
-    fn refusal(&self, line: Option<u64>, message: String) -> Error {
+    fn data_error(&self, line: Option<u64>, message: String) -> Error {
         csv_file_error(&self.data.name)((line, message))
     }
 
     /// The error where the law gives no result anywhere in the ranges of the keys, or where the calibration was stopped.
-    fn no_answer(&self, reason: &NoAnswer) -> Error {
-        if *reason == NoAnswer::Stopped {
+    fn no_fit_error(&self, reason: &PredictionError) -> Error {
+        if *reason == PredictionError::Stopped {
             return Error::new(ErrorKind::Stopped(130), reason.to_string());
         }
         let place = " anywhere in the range of the keys";
-        let [place, way_out] = if self.wanted.free.is_empty() { ["", ""] } else { [place, "; choose another range"] };
+        let [place, way_out] = if self.request.free.is_empty() { ["", ""] } else { [place, "; choose another range"] };
         let reason = format!("the law has no answer for these measurements{place}: {reason}{way_out}");
         Error::for_file(ErrorKind::Input, &self.data.name, reason)
     }
 
     /// The best keys under a law.
-    fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Progress) -> Result<Result<Fit<'a>, NoAnswer>, Error> {
-        let noise = self.noise()?;
-        let deviations = noise.deviations(&self.data.sizes());
-        let mut input = self.wanted.input.clone();
+    fn fit<'a>(&'a self, law: &LawChoice, progress: &'a Progress) -> Result<Result<Fit<'a>, PredictionError>, Error> {
+        let noise = self.noise_model()?;
+        let deviations = noise.deviations(&self.data.error_scales());
+        let mut input = self.request.input.clone();
         input.named_law.clone_from(law);
-        let problem = Problem::new(&input, &self.wanted.free, &self.data, deviations, self.wanted.is_robust);
-        Ok(Fit::new(problem.watched(progress), &noise))
+        let problem = Problem::new(&input, &self.request.free, &self.data, deviations, self.request.is_robust);
+        Ok(Fit::new(problem.with_progress(progress), &noise))
     }
 
     /// The fits of all laws that were asked for, the best first.
-    fn ranked<'a>(&'a self, progress: &'a Progress) -> Result<Vec<LawFit<'a>>, Error> {
+    fn ranked_fits<'a>(&'a self, progress: &'a Progress) -> Result<Vec<LawFit<'a>>, Error> {
         let mut laws = Vec::new();
-        for law in &self.wanted.laws {
+        for law in &self.request.laws {
             laws.push((law.name(), self.fit(law, progress)?));
             progress.advance();
         }
-        let aic = |fit: &Result<Fit, NoAnswer>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
+        let aic = |fit: &Result<Fit, PredictionError>| fit.as_ref().map_or(f64::INFINITY, |fit| fit.aic);
         laws.sort_by(|a, b| aic(&a.1).total_cmp(&aic(&b.1)));
         Ok(laws)
     }
@@ -192,51 +195,54 @@ impl Measurements {
     /// # Errors
     /// [`Error`] of the kind `Stopped` if `progress` is asked to stop; others if there is no answer.
     pub fn calibrate<'a>(&'a self, progress: &'a Progress) -> Result<Calibration<'a>, Error> {
-        progress.add_total((1 + self.wanted.laws.len() + self.wanted.free.len()) as u64);
-        let laws = self.ranked(progress)?;
-        let no_answer = |reason: NoAnswer| self.no_answer(&reason);
-        let fit = self.fit(&self.wanted.input.named_law, progress)?.map_err(no_answer)?;
+        progress.add_total((1 + self.request.laws.len() + self.request.free.len()) as u64);
+        let laws = self.ranked_fits(progress)?;
+        let no_answer = |reason: PredictionError| self.no_fit_error(&reason);
+        let fit = self.fit(&self.request.input.named_law, progress)?.map_err(no_answer)?;
         progress.advance();
         let (problem, shares) = (&fit.problem, &fit.best().shares);
         let predicted = problem.predict(shares).map_err(no_answer)?;
         let residuals = problem.residuals(shares).map_err(no_answer)?;
         let matrix = problem.jacobian(shares).map_err(no_answer)?;
         let identifiability = identify(problem, fit.best());
-        let refusal = refusal(&fit, identifiability.as_ref());
+        let refusal = reason_without_interval(&fit, identifiability.as_ref());
         let keys = (0..problem.free.len()).map(|key| {
-            let found = found(&fit, key, refusal.is_none());
+            let found = estimate_of_key(&fit, key, refusal.is_none());
             progress.advance();
             found
         });
         let keys: Vec<KeyEstimate> = keys.collect();
-        let has_sd = self.wanted.is_robust && !fit.has_no_noise();
-        let outlies = |residual: &&f64| has_sd && residual.abs() > OUTLIER;
+        let has_sd = self.request.is_robust && !fit.is_noise_unknown();
+        let outlies = |residual: &&f64| has_sd && residual.abs() > OUTLIER_LIMIT;
         let outliers = residuals.iter().filter(outlies).count();
         let freedom = (residuals.len() - outliers).saturating_sub(keys.len());
         let inliers = residuals.iter().filter(|residual| !outlies(residual));
         let chi_square = inliers.map(|residual| residual * residual).sum();
         let calibration = Calibration {
-            p: if fit.noise == Noise::Given { p_of_chi_square(chi_square, freedom) } else { None },
-            runs: runs_test(&in_order(problem, &residuals)),
-            shifts: fit.covariance.as_ref().map(|covariance| shifts(problem, covariance, &matrix, &residuals)),
+            p: if fit.noise == Noise::Given { chi_square_p_value(chi_square, freedom) } else { None },
+            runs: runs_test(&ordered_residuals(problem, &residuals)),
+            shifts: fit
+                .covariance
+                .as_ref()
+                .map(|covariance| leave_one_out_shifts(problem, covariance, &matrix, &residuals)),
             misfit: misfit(&self.data, &predicted),
             fit,
             keys,
             predicted,
             residuals,
             chi_square,
-            freedom,
+            degrees_of_freedom: freedom,
             outliers,
             identifiability,
-            refusal,
+            reason_without_intervals: refusal,
             laws,
         };
-        if progress.is_stopped() { Err(self.no_answer(&NoAnswer::Stopped)) } else { Ok(calibration) }
+        if progress.is_stopped() { Err(self.no_fit_error(&PredictionError::Stopped)) } else { Ok(calibration) }
     }
 }
 
 /// The result for one key. It has an interval only if the measurements determine the keys (`is_determined`).
-fn found(fit: &Fit, key: usize, is_determined: bool) -> KeyEstimate {
+fn estimate_of_key(fit: &Fit, key: usize, is_determined: bool) -> KeyEstimate {
     let (free, share) = (fit.problem.free[key], fit.best().shares[key]);
     let covariance = fit.covariance.as_ref().filter(|_| is_determined);
     let intervals = || fit.intervals(key).map(|ends| ends.map(|end| end.map(|share| free.value_at_share(share))));
@@ -249,7 +255,7 @@ fn found(fit: &Fit, key: usize, is_determined: bool) -> KeyEstimate {
 }
 
 /// Why the keys get no interval; `None` if they get one.
-fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<String> {
+fn reason_without_interval(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<String> {
     let problem = &fit.problem;
     if let Some([low, high]) = fit.plateau() {
         let free = problem.free[0];
@@ -266,13 +272,13 @@ fn refusal(fit: &Fit, identifiability: Option<&Identifiability>) -> Option<Strin
         Noise::NoScatter => {
             "the readings repeat without scatter, so that nothing is known of their noise: readings are rounded; give calibrate.noise, at least half of their last digit"
         }
-        _ => return identifiability.and_then(|found| found.refusal.clone()),
+        _ => return identifiability.and_then(|found| found.reason_without_intervals.clone()),
     };
     Some(message.to_owned())
 }
 
 /// See [`Calibration::misfit`].
-fn misfit(data: &Data, predicted: &[f64]) -> f64 {
+fn misfit(data: &MeasurementData, predicted: &[f64]) -> f64 {
     let share_off = |quantity: MeasuredQuantity| {
         let values = data.values.iter().zip(predicted).filter(|(value, _)| value.quantity == quantity);
         let (off, size) = values.fold((0.0, 0.0), |(off, size), (value, predicted)| {
@@ -280,5 +286,5 @@ fn misfit(data: &Data, predicted: &[f64]) -> f64 {
         });
         f64::sqrt(off / size)
     };
-    data.measured().into_iter().map(share_off).fold(0.0, f64::max)
+    data.measured_quantities().into_iter().map(share_off).fold(0.0, f64::max)
 }

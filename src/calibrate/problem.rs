@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::data::{Data, Row, Value};
+use super::data::{MeasuredValue, MeasurementData, MeasurementRow};
 use crate::contact::pair::Sphere;
 use crate::files::Progress;
 use crate::impact::ImpactError;
@@ -16,7 +16,7 @@ use crate::scenario::input::Input;
 use crate::scenario::plan::FreeKey;
 
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum NoAnswer {
+pub enum PredictionError {
     /// An impact has no result.
     #[error(transparent)]
     Impact(#[from] ImpactError),
@@ -32,7 +32,7 @@ pub enum NoAnswer {
 }
 
 /// Degrees of freedom of the likelihood with long tails.
-pub const TAILS: f64 = 4.0;
+pub const STUDENT_DEGREES: f64 = 4.0;
 
 /// Number of rows that one thread computes at a time.
 const CHUNK: usize = 512;
@@ -43,27 +43,33 @@ const CHUNK: usize = 512;
 pub struct Problem<'a> {
     pub input: Input,
     /// The input in which the keys that are wanted, and those of the data, have a place.
-    filled: Input,
+    template: Input,
     /// The keys that are wanted.
     pub free: &'a [FreeKey],
-    pub data: &'a Data,
+    pub data: &'a MeasurementData,
     /// Standard deviation of each value of the data.
     pub deviations: Vec<f64>,
     /// The likelihood then has long tails.
     pub is_robust: bool,
     /// Pieces of rows; all rows of a piece have the same contact, or are points of one curve.
-    pieces: Vec<Vec<usize>>,
+    batches: Vec<Vec<usize>>,
     /// The values that are used: all of them, or those of the thinned data.
-    pub counted: Vec<usize>,
+    pub used_values: Vec<usize>,
     /// For every row, the range of its values.
-    ranges: Vec<std::ops::Range<usize>>,
+    value_ranges: Vec<std::ops::Range<usize>>,
     /// Says when the result is no longer wanted.
     progress: Option<&'a Progress>,
 }
 
 impl<'a> Problem<'a> {
     /// A problem with all rows of the data.
-    pub fn new(input: &Input, free: &'a [FreeKey], data: &'a Data, deviations: Vec<f64>, is_robust: bool) -> Self {
+    pub fn new(
+        input: &Input,
+        free: &'a [FreeKey],
+        data: &'a MeasurementData,
+        deviations: Vec<f64>,
+        is_robust: bool,
+    ) -> Self {
         let mut ranges = vec![0..0; data.rows.len()];
         for (at, value) in data.values.iter().enumerate() {
             let range = &mut ranges[value.row];
@@ -75,42 +81,53 @@ impl<'a> Problem<'a> {
             key.set_exclusive(&mut filled, 1.0);
         }
         let (input, pieces, counted, progress) = (input.clone(), Vec::new(), Vec::new(), None);
-        let empty = Self { input, filled, free, data, deviations, is_robust, pieces, counted, ranges, progress };
-        empty.of_rows(0..data.rows.len())
+        let empty = Self {
+            input,
+            template: filled,
+            free,
+            data,
+            deviations,
+            is_robust,
+            batches: pieces,
+            used_values: counted,
+            value_ranges: ranges,
+            progress,
+        };
+        empty.with_rows(0..data.rows.len())
     }
 
     /// Returns this problem, which stops with an error when `progress` is asked to stop.
-    pub fn watched(self, progress: &'a Progress) -> Self {
+    pub fn with_progress(self, progress: &'a Progress) -> Self {
         Self { progress: Some(progress), ..self }
     }
 
     /// Replaces the data, to predict them by the same keys and law: every standard deviation is 1.
-    pub fn predicting<'b>(&'b self, data: &'b Data) -> Problem<'b> {
+    pub fn for_prediction<'b>(&'b self, data: &'b MeasurementData) -> Problem<'b> {
         Problem::new(&self.input, self.free, data, vec![1.0; data.values.len()], false)
     }
 
     /// Leaves at most `most` impacts, at even steps through the data. A curve keeps all points.
-    pub fn thinned(&self, most: usize) -> Self {
+    pub fn subsampled(&self, most: usize) -> Self {
         let step = if self.data.is_curve() { 1 } else { self.data.rows.len().div_ceil(most) };
-        self.clone().of_rows((0..self.data.rows.len()).step_by(step))
+        self.clone().with_rows((0..self.data.rows.len()).step_by(step))
     }
 
-    fn of_rows(mut self, rows: impl Iterator<Item = usize>) -> Self {
+    fn with_rows(mut self, rows: impl Iterator<Item = usize>) -> Self {
         let contacts: Vec<usize> =
             (0..self.data.keys.len()).filter(|at| self.data.keys[*at].part.changes_contact()).collect();
         let most = if self.data.is_curve() { usize::MAX } else { CHUNK };
         let mut places: HashMap<Vec<u64>, usize> = HashMap::new();
-        (self.pieces, self.counted) = (Vec::new(), Vec::new());
+        (self.batches, self.used_values) = (Vec::new(), Vec::new());
         for row in rows {
             let keys = &self.data.rows[row].keys;
             let contact: Vec<u64> = contacts.iter().map(|at| keys[*at].to_bits()).collect();
             let place = places.entry(contact).or_insert(usize::MAX);
-            if *place == usize::MAX || self.pieces[*place].len() >= most {
-                *place = self.pieces.len();
-                self.pieces.push(Vec::new());
+            if *place == usize::MAX || self.batches[*place].len() >= most {
+                *place = self.batches.len();
+                self.batches.push(Vec::new());
             }
-            self.pieces[*place].push(row);
-            self.counted.extend(self.ranges[row].clone());
+            self.batches[*place].push(row);
+            self.used_values.extend(self.value_ranges[row].clone());
         }
         self
     }
@@ -121,8 +138,8 @@ impl<'a> Problem<'a> {
     }
 
     /// The input with the keys that are wanted at these shares.
-    fn filled_at(&self, shares: &[f64]) -> Input {
-        let mut input = self.filled.clone();
+    fn input_at(&self, shares: &[f64]) -> Input {
+        let mut input = self.template.clone();
         for (free, share) in self.free.iter().zip(shares) {
             free.key.set(&mut input, Some(free.value_at_share(*share)));
         }
@@ -130,64 +147,64 @@ impl<'a> Problem<'a> {
     }
 
     /// The input of the impact of a row, with the keys that are wanted at these shares.
-    pub(super) fn input_of(&self, row: usize, shares: &[f64]) -> Input {
-        let mut input = self.filled_at(shares);
-        self.with_row(&mut input, row, 0.0);
+    pub(super) fn row_input(&self, row: usize, shares: &[f64]) -> Input {
+        let mut input = self.input_at(shares);
+        self.set_row_keys(&mut input, row, 0.0);
         input
     }
 
     /// The prediction for every value of the data; NaN for values that are not used.
     ///
     /// # Errors
-    /// [`NoAnswer`] if a row has no result, or the calibration was stopped.
-    pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
-        let input = self.filled_at(shares);
+    /// [`PredictionError`] if a row has no result, or the calibration was stopped.
+    pub fn predict(&self, shares: &[f64]) -> Result<Vec<f64>, PredictionError> {
+        let input = self.input_at(shares);
         let predicted = |piece: &Vec<usize>| {
             let mut input = input.clone();
-            self.with_row(&mut input, piece[0], 0.0);
+            self.set_row_keys(&mut input, piece[0], 0.0);
             if self.data.is_curve() { self.curve(&input, piece) } else { self.impacts(input, piece) }
         };
-        let found: Result<Vec<Vec<f64>>, NoAnswer> = if self.pieces.len() > 1 {
-            self.pieces.par_iter().with_min_len(CHUNK.div_ceil(self.pieces[0].len())).map(predicted).collect()
+        let found: Result<Vec<Vec<f64>>, PredictionError> = if self.batches.len() > 1 {
+            self.batches.par_iter().with_min_len(CHUNK.div_ceil(self.batches[0].len())).map(predicted).collect()
         } else {
-            self.pieces.iter().map(predicted).collect()
+            self.batches.iter().map(predicted).collect()
         };
         let mut all = vec![f64::NAN; self.data.values.len()];
-        for (piece, values) in self.pieces.iter().zip(found?) {
-            let places = piece.iter().flat_map(|row| self.ranges[*row].clone());
+        for (piece, values) in self.batches.iter().zip(found?) {
+            let places = piece.iter().flat_map(|row| self.value_ranges[*row].clone());
             places.zip(values).for_each(|(place, value)| all[place] = value);
         }
         Ok(all)
     }
 
     /// Refuses to go on after the calibration was stopped.
-    fn go_on(&self) -> Result<(), NoAnswer> {
-        if self.progress.is_some_and(Progress::is_stopped) { Err(NoAnswer::Stopped) } else { Ok(()) }
+    fn check_cancelled(&self) -> Result<(), PredictionError> {
+        if self.progress.is_some_and(Progress::is_stopped) { Err(PredictionError::Stopped) } else { Ok(()) }
     }
 
     /// The impact speed of every row \[m/s\]; NaN for a row without one.
     pub fn speeds(&self) -> Vec<f64> {
-        let mut input = self.filled.clone();
+        let mut input = self.template.clone();
         let speed = |row| {
-            self.with_row(&mut input, row, 0.0);
+            self.set_row_keys(&mut input, row, 0.0);
             input.speed()
         };
         (0..self.data.rows.len()).map(speed).collect()
     }
 
     /// The first value that is more than a rebound without loss would give, with that limit.
-    pub fn beyond_elastic(&self) -> Option<(&Value, f64)> {
-        let mut input = self.filled.clone();
+    pub fn exceeding_value(&self) -> Option<(&MeasuredValue, f64)> {
+        let mut input = self.template.clone();
         self.data.values.iter().find_map(|value| {
-            self.with_row(&mut input, value.row, 0.0);
+            self.set_row_keys(&mut input, value.row, 0.0);
             let limit = value.quantity.from_restitution(1.0, &input)?;
             (value.value > limit * (1.0 + 1e-12)).then_some((value, limit))
         })
     }
 
     /// Puts the keys of a row into an input. The flight before it lasts as long as the interval less the time in contact.
-    fn with_row(&self, input: &mut Input, row: usize, in_contact: f64) {
-        let Row { keys, interval_before, .. } = &self.data.rows[row];
+    fn set_row_keys(&self, input: &mut Input, row: usize, in_contact: f64) {
+        let MeasurementRow { keys, preceding_interval: interval_before, .. } = &self.data.rows[row];
         for (key, value) in self.data.keys.iter().zip(keys) {
             key.set(input, Some(*value));
         }
@@ -202,21 +219,21 @@ impl<'a> Problem<'a> {
     }
 
     /// The predictions for rows of one contact. The input has the keys of the first row.
-    fn impacts(&self, mut input: Input, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
+    fn impacts(&self, mut input: Input, rows: &[usize]) -> Result<Vec<f64>, PredictionError> {
         let contact = input.contact()?;
         let mut predicted = Vec::with_capacity(rows.len());
         for row in rows {
-            self.go_on()?;
-            self.with_row(&mut input, *row, 0.0);
-            if self.data.rows[*row].interval_before.is_some() {
+            self.check_cancelled()?;
+            self.set_row_keys(&mut input, *row, 0.0);
+            if self.data.rows[*row].preceding_interval.is_some() {
                 // the contact before took about as long as this one
                 let first = contact.row(input.speed(), &input.solver())?;
-                self.with_row(&mut input, *row, first.contact_time);
+                self.set_row_keys(&mut input, *row, first.contact_time);
             }
             let result = contact.row(input.speed(), &input.solver())?;
-            for value in &self.data.values[self.ranges[*row].clone()] {
+            for value in &self.data.values[self.value_ranges[*row].clone()] {
                 let found = value.quantity.predict(&result, &input).filter(|value| value.is_finite());
-                predicted.push(found.ok_or(NoAnswer::Captured)?);
+                predicted.push(found.ok_or(PredictionError::Captured)?);
             }
         }
         Ok(predicted)
@@ -224,8 +241,8 @@ impl<'a> Problem<'a> {
 
     /// The forces along an indentation curve. A point at the indentation of the point before adds no step; nor does a
     /// first point at zero indentation.
-    fn curve(&self, input: &Input, rows: &[usize]) -> Result<Vec<f64>, NoAnswer> {
-        self.go_on()?;
+    fn curve(&self, input: &Input, rows: &[usize]) -> Result<Vec<f64>, PredictionError> {
+        self.check_cancelled()?;
         let law = input.law();
         let (sphere, half_space) = input.bodies(&law);
         let sphere = Sphere { yield_strength: None, ..sphere };
@@ -244,48 +261,49 @@ impl<'a> Problem<'a> {
     }
 
     /// The residual of every value that is used: measured minus predicted, over the standard deviation.
-    pub fn residuals(&self, shares: &[f64]) -> Result<Vec<f64>, NoAnswer> {
+    pub fn residuals(&self, shares: &[f64]) -> Result<Vec<f64>, PredictionError> {
         let predicted = self.predict(shares)?;
         let residual = |at: &usize| (self.data.values[*at].value - predicted[*at]) / self.deviations[*at];
-        Ok(self.counted.iter().map(residual).collect())
+        Ok(self.used_values.iter().map(residual).collect())
     }
 
     /// The part of a residual in −2 ln of the likelihood.
-    pub fn loss(&self, residual: f64) -> f64 {
+    pub fn likelihood_term(&self, residual: f64) -> f64 {
         let square = residual * residual;
-        if self.is_robust { (TAILS + 1.0) * ln_1p(square / TAILS) } else { square }
+        if self.is_robust { (STUDENT_DEGREES + 1.0) * ln_1p(square / STUDENT_DEGREES) } else { square }
     }
 
     /// −2 ln of the likelihood without its constants; infinite if the law gives no result.
-    pub fn sum(&self, shares: &[f64]) -> f64 {
+    pub fn objective(&self, shares: &[f64]) -> f64 {
         let residuals = self.residuals(shares);
-        let sum = residuals.map_or(f64::INFINITY, |all| all.into_iter().map(|residual| self.loss(residual)).sum());
+        let sum =
+            residuals.map_or(f64::INFINITY, |all| all.into_iter().map(|residual| self.likelihood_term(residual)).sum());
         if f64::is_nan(sum) { f64::INFINITY } else { sum }
     }
 
     /// −2 ln of the likelihood with its constants, from [`Self::sum`]. It serves to compare laws.
-    pub fn full(&self, sum: f64) -> f64 {
+    pub fn neg2_log_likelihood(&self, sum: f64) -> f64 {
         let tau = 2.0 * std::f64::consts::PI;
         let constant = if self.is_robust { 0.980_829_253_011_726_3 } else { 0.5 * ln(tau) };
-        self.counted.iter().map(|at| 2.0 * ln(self.deviations[*at]) + 2.0 * constant).sum::<f64>() + sum
+        self.used_values.iter().map(|at| 2.0 * ln(self.deviations[*at]) + 2.0 * constant).sum::<f64>() + sum
     }
 
     /// Derivatives of the predictions, over the standard deviations, by the shares: a row for every value that is used,
     /// a column for every key.
-    pub fn jacobian(&self, shares: &[f64]) -> Result<DMatrix<f64>, NoAnswer> {
+    pub fn jacobian(&self, shares: &[f64]) -> Result<DMatrix<f64>, PredictionError> {
         let column = |i: usize| {
             let moved = |by: f64| {
                 let mut moved = shares.to_vec();
                 moved[i] = (shares[i] + by).clamp(0.0, 1.0);
-                Ok::<_, NoAnswer>((moved[i], DVector::from_vec(self.residuals(&moved)?)))
+                Ok::<_, PredictionError>((moved[i], DVector::from_vec(self.residuals(&moved)?)))
             };
-            let ((low, before), (high, after)) = (moved(-STEP)?, moved(STEP)?);
+            let ((low, before), (high, after)) = (moved(-DIFFERENCE_STEP)?, moved(DIFFERENCE_STEP)?);
             Ok((before - after) / (high - low))
         };
-        let columns: Vec<DVector<f64>> = (0..shares.len()).map(column).collect::<Result<_, NoAnswer>>()?;
-        Ok(if columns.is_empty() { DMatrix::zeros(self.counted.len(), 0) } else { DMatrix::from_columns(&columns) })
+        let columns: Vec<DVector<f64>> = (0..shares.len()).map(column).collect::<Result<_, PredictionError>>()?;
+        Ok(if columns.is_empty() { DMatrix::zeros(self.used_values.len(), 0) } else { DMatrix::from_columns(&columns) })
     }
 }
 
 /// Step of finite differences, as a share of the range of a key.
-const STEP: f64 = 1e-6;
+const DIFFERENCE_STEP: f64 = 1e-6;

@@ -5,13 +5,13 @@ use std::f64::consts::PI;
 use nalgebra::{Cholesky, DMatrix};
 
 use super::fit::Fit;
-use super::minimise::{ParameterPoint, Profile, Range};
+use super::minimise::{BasinSearch, ParameterPoint, ShareRange};
 use super::statistics::{LEVELS, half_width};
 use crate::numerics::functions::{exp_m1, ln_1p, sin_cos};
 use crate::numerics::root::newton_bisection;
 
 /// Both ends of an interval; `None` if an end lies outside of the range of the key.
-pub type Ends = [Option<f64>; 2];
+pub type IntervalEnds = [Option<f64>; 2];
 
 impl Fit<'_> {
     fn sd(&self, key: usize) -> f64 {
@@ -19,19 +19,19 @@ impl Fit<'_> {
     }
 
     /// How far the sum, minimised over the other keys, is above the least where this key has this share.
-    fn excess(&self, key: usize, share: f64) -> f64 {
-        let mut ranges = vec![Range::WHOLE; self.problem.free.len()];
-        ranges[key] = Range::with_share(share);
-        (Profile::new(&self.problem).lowest(&ranges).sum - self.best().sum).max(0.0)
+    fn deviance(&self, key: usize, share: f64) -> f64 {
+        let mut ranges = vec![ShareRange::WHOLE; self.problem.free.len()];
+        ranges[key] = ShareRange::with_share(share);
+        (BasinSearch::new(&self.problem).profile_minimum(&ranges).sum - self.best().sum).max(0.0)
     }
 
     /// The intervals of the share of a key at both levels.
-    pub fn intervals(&self, key: usize) -> [Ends; 2] {
-        LEVELS.map(|level| self.ends(key, half_width(level, self.freedom())))
+    pub fn intervals(&self, key: usize) -> [IntervalEnds; 2] {
+        LEVELS.map(|level| self.interval_ends(key, half_width(level, self.degrees_of_freedom())))
     }
 
     /// The shares on both sides at which the sum has risen by the square of `reach`.
-    fn ends(&self, key: usize, reach: f64) -> Ends {
+    fn interval_ends(&self, key: usize, reach: f64) -> IntervalEnds {
         let level = reach * reach;
         [-1.0, 1.0].map(|direction| {
             let beyond = |share: &f64, than: f64| direction * (share - than) > 0.0;
@@ -45,18 +45,18 @@ impl Fit<'_> {
             cells.sort_by(|a, b| (direction * b).total_cmp(&(direction * a)));
             // if there is only one basin, the steps in `end` find the end
             if self.minima.len() > 1 {
-                inside = cells.into_iter().find(|cell| self.excess(key, *cell) < level).unwrap_or(inside);
+                inside = cells.into_iter().find(|cell| self.deviance(key, *cell) < level).unwrap_or(inside);
             }
-            self.end(key, direction, inside, reach)
+            self.interval_end(key, direction, inside, reach)
         })
     }
 
-    fn end(&self, key: usize, direction: f64, mut inside: f64, reach: f64) -> Option<f64> {
+    fn interval_end(&self, key: usize, direction: f64, mut inside: f64, reach: f64) -> Option<f64> {
         let bound = if direction < 0.0 { 0.0 } else { 1.0 };
         let mut step = (1.1 * reach * self.sd(key)).max(1e-9);
         let outside = loop {
             let next = if direction < 0.0 { (inside - step).max(bound) } else { (inside + step).min(bound) };
-            if self.excess(key, next) >= reach * reach {
+            if self.deviance(key, next) >= reach * reach {
                 break next;
             }
             if next == bound {
@@ -67,7 +67,7 @@ impl Fit<'_> {
         let (at, width) = (|t: f64| inside + t * (outside - inside), outside - inside);
         // the square root of the rise is nearly linear
         let rise = |t: f64| {
-            let root = self.excess(key, at(t)).sqrt();
+            let root = self.deviance(key, at(t)).sqrt();
             let slope = root / (at(t) - self.best().shares[key]) * width;
             (reach - root, -slope)
         };
@@ -80,7 +80,7 @@ impl Fit<'_> {
     /// where the noise is known.
     pub fn region(&self, probability: f64) -> Vec<Vec<[f64; 2]>> {
         let beyond = -2.0 * ln_1p(-probability);
-        let rise = self.freedom().map_or(beyond, |freedom| freedom * exp_m1(beyond / freedom));
+        let rise = self.degrees_of_freedom().map_or(beyond, |freedom| freedom * exp_m1(beyond / freedom));
         let Some(axes) = self.covariance.clone().and_then(Cholesky::new) else { return Vec::new() };
         let minima = self.minima.iter().filter(|place| place.sum - self.best().sum < rise);
         minima.map(|place| self.outline(place, &axes.l(), rise)).collect()
@@ -97,7 +97,8 @@ impl Fit<'_> {
             let room = |from: f64, by: f64| if by > 0.0 { (1.0 - from) / by } else { from / -by };
             let end = room(x, dx).min(room(y, dy));
             // the square root of the rise is nearly linear
-            let short = |t: f64| (rise.sqrt() - (self.problem.sum(&at(t)) - self.best().sum).max(0.0).sqrt(), -1.0);
+            let short =
+                |t: f64| (rise.sqrt() - (self.problem.objective(&at(t)) - self.best().sum).max(0.0).sqrt(), -1.0);
             let (mut inside, mut outside) = (0.0, rise.sqrt().min(end));
             while short(outside).0 > 0.0 && outside < end {
                 (inside, outside) = (outside, (2.0 * outside).min(end));

@@ -2,7 +2,7 @@
 //! at the ends are computed: those with the smallest and the largest value of every column, and the slowest and the fastest.
 
 use super::Calibration;
-use super::data::Value;
+use super::data::MeasuredValue;
 use super::problem::Problem;
 use crate::impact::Warning;
 use crate::scenario::input::MeasuredQuantity;
@@ -10,15 +10,15 @@ use crate::scenario::input::MeasuredQuantity;
 impl Calibration<'_> {
     /// The worst warning of each kind, with the line of its impact, which measurements of the scenario itself do not have. A
     /// slow indentation has no warnings here.
-    pub fn cautions(&self) -> Vec<(Warning, Option<u64>)> {
+    pub fn range_warnings(&self) -> Vec<(Warning, Option<u64>)> {
         let (problem, mut worst) = (&self.fit.problem, Vec::new());
-        let rows = if problem.data.is_curve() { Vec::new() } else { ends(problem) };
+        let rows = if problem.data.is_curve() { Vec::new() } else { extreme_rows(problem) };
         for row in rows {
-            let input = problem.input_of(row, &self.fit.best().shares);
+            let input = problem.row_input(row, &self.fit.best().shares);
             let Ok(contact) = input.contact() else { continue };
             let Ok(impact) = contact.impact(input.speed(), &input.solver(), None) else { continue };
             let line = Some(problem.data.rows[row].line).filter(|line| *line > 0);
-            let risen = |value: &Value| match value.quantity {
+            let risen = |value: &MeasuredValue| match value.quantity {
                 MeasuredQuantity::ReboundHeight => Some(value.value),
                 MeasuredQuantity::BounceInterval => {
                     Some(impact.restitution * impact.restitution * input.drop_height()?)
@@ -39,7 +39,7 @@ impl Calibration<'_> {
 }
 
 /// The rows at the ends.
-fn ends(problem: &Problem) -> Vec<usize> {
+fn extreme_rows(problem: &Problem) -> Vec<usize> {
     let rows = &problem.data.rows;
     let column = |at: usize| rows.iter().map(|row| row.keys[at]).collect();
     let ends_of = |values: Vec<f64>| {

@@ -3,22 +3,22 @@
 use nalgebra::DMatrix;
 
 use super::fit::{Fit, Noise};
-use super::identifiability::{Identifiability, LAW};
-use super::problem::NoAnswer;
-use super::profile::Ends;
-use super::statistics::{Runs, p_of_chi_square};
+use super::identifiability::{Identifiability, MODEL_ERROR};
+use super::problem::PredictionError;
+use super::profile::IntervalEnds;
+use super::statistics::{RunsTest, chi_square_p_value};
 use crate::scenario::input::Input;
 use crate::scenario::plan::FreeKey;
 use crate::units::{format_four_digits, format_percent};
 
 /// With `robust`, residuals of more than this many standard deviations are outliers.
-pub(super) const OUTLIER: f64 = 3.0;
+pub(super) const OUTLIER_LIMIT: f64 = 3.0;
 /// If more than this share of the values are outliers, the law is taken not to fit.
-const MOST_OUTLIERS: f64 = 0.2;
+const MAX_OUTLIER_SHARE: f64 = 0.2;
 /// The law is rejected if the measurements have a smaller probability than this.
-const REJECTED: f64 = 0.01;
+const REJECTION_P: f64 = 0.01;
 
-pub type LawFit<'a> = (String, Result<Fit<'a>, NoAnswer>);
+pub type LawFit<'a> = (String, Result<Fit<'a>, PredictionError>);
 
 /// The result for one key.
 #[derive(Debug, Clone)]
@@ -31,7 +31,7 @@ pub struct KeyEstimate {
     pub sd: Option<f64>,
     /// Intervals of the profile likelihood at both levels, SI; an end is `None` if it lies outside of the range of the
     /// key.
-    pub intervals: Option<[Ends; 2]>,
+    pub intervals: Option<[IntervalEnds; 2]>,
 }
 
 /// The result of a calibration.
@@ -49,7 +49,7 @@ pub struct Calibration<'a> {
     /// Sum of the squares of the residuals, without outliers.
     pub chi_square: f64,
     /// Degrees of freedom of the residuals.
-    pub freedom: usize,
+    pub degrees_of_freedom: usize,
     /// Number of values that are taken as outliers.
     pub outliers: usize,
     /// Root mean square of measured minus predicted over root mean square of measured. It is computed for each
@@ -58,11 +58,11 @@ pub struct Calibration<'a> {
     /// Probability of this chi-square or a larger one; `None` if the noise is estimated.
     pub p: Option<f64>,
     /// The test of runs of equal signs in the residuals, in the order of the speeds.
-    pub runs: Option<Runs>,
+    pub runs: Option<RunsTest>,
     /// How well the measurements determine the keys together.
     pub identifiability: Option<Identifiability>,
     /// Why there is no interval; `None` if there is one.
-    pub refusal: Option<String>,
+    pub reason_without_intervals: Option<String>,
     /// The fit of every requested law, the best first.
     pub laws: Vec<LawFit<'a>>,
 }
@@ -104,7 +104,7 @@ impl Verdict {
 impl Calibration<'_> {
     /// The input of the first impact of the data with the values that were found.
     pub fn input(&self) -> Input {
-        self.fit.problem.input_of(0, &self.fit.best().shares)
+        self.fit.problem.row_input(0, &self.fit.best().shares)
     }
 
     /// True if the law fits: by the outliers, then by chi-square if the noise is known, or by the signs of the residuals if it
@@ -112,31 +112,31 @@ impl Calibration<'_> {
     pub fn verdict(&self) -> Verdict {
         let values = self.residuals.len();
         let law = self.fit.problem.input.named_law.name();
-        if self.outliers as f64 > MOST_OUTLIERS * values as f64 {
+        if self.outliers as f64 > MAX_OUTLIER_SHARE * values as f64 {
             return Verdict::Contradicted(format!(
-                "the law {law} does not fit: {} of {values} values are more than {OUTLIER} standard deviations from it; outliers are fewer",
+                "the law {law} does not fit: {} of {values} values are more than {OUTLIER_LIMIT} standard deviations from it; outliers are fewer",
                 self.outliers
             ));
         }
         match self.fit.noise {
-            Noise::TooFew => self.unreached(&law).map_or(Verdict::NotJudged, Verdict::Contradicted),
+            Noise::TooFew => self.unmatched_reason(&law).map_or(Verdict::NotJudged, Verdict::Contradicted),
             Noise::NoScatter => Verdict::NotJudged,
             Noise::Given => {
                 // with as many values as keys the law can meet all of them, if their noise allows it
-                let freedom = self.freedom.max(1);
-                let p = p_of_chi_square(self.chi_square, freedom).unwrap_or(1.0);
-                if p < REJECTED {
+                let freedom = self.degrees_of_freedom.max(1);
+                let p = chi_square_p_value(self.chi_square, freedom).unwrap_or(1.0);
+                if p < REJECTION_P {
                     let chi_square = format_four_digits(self.chi_square);
-                    return rejected(&law, &format!("chi-square is {chi_square} on {freedom} degrees of freedom"), p);
+                    return rejection(&law, &format!("chi-square is {chi_square} on {freedom} degrees of freedom"), p);
                 }
-                if self.freedom > 0 { Verdict::Fits } else { Verdict::NotJudged }
+                if self.degrees_of_freedom > 0 { Verdict::Fits } else { Verdict::NotJudged }
             }
-            Noise::Estimated { .. } => self.by_signs(&law),
+            Noise::Estimated { .. } => self.runs_test_verdict(&law),
         }
     }
 
     /// Why as many keys as values do not meet the values; `None` if they do.
-    fn unreached(&self, law: &str) -> Option<String> {
+    fn unmatched_reason(&self, law: &str) -> Option<String> {
         let unreached = self.residuals.iter().map(|residual| residual.abs()).fold(0.0, f64::max);
         let off = if unreached < 10.0 {
             format_percent(unreached)
@@ -152,19 +152,19 @@ impl Calibration<'_> {
     }
 
     /// The verdict of the test of runs, where the law is off by more than the usual error of laws.
-    fn by_signs(&self, law: &str) -> Verdict {
+    fn runs_test_verdict(&self, law: &str) -> Verdict {
         let off = format_percent(self.misfit);
-        match self.runs.filter(|_| self.misfit > LAW) {
-            Some(runs) if runs.p < REJECTED => {
+        match self.runs.filter(|_| self.misfit > MODEL_ERROR) {
+            Some(runs) if runs.p < REJECTION_P => {
                 let reason = format!("it is off by {off}, and the residuals keep their signs for too long");
-                rejected(law, &reason, runs.p)
+                rejection(law, &reason, runs.p)
             }
-            Some(runs) if runs.least >= REJECTED => Verdict::Undecided(format!(
+            Some(runs) if runs.min_p >= REJECTION_P => Verdict::Undecided(format!(
                 "whether the law fits cannot be judged: it is off by {off}, but with {} values any noise explains that (the test of runs cannot fall below p = {}); give calibrate.noise, or measure more",
                 self.residuals.len(),
-                format_four_digits(runs.least)
+                format_four_digits(runs.min_p)
             )),
-            _ if self.freedom > 0 => Verdict::Fits,
+            _ if self.degrees_of_freedom > 0 => Verdict::Fits,
             _ => Verdict::NotJudged,
         }
     }
@@ -176,12 +176,12 @@ impl Calibration<'_> {
     }
 
     /// The smallest AIC of all laws; NaN without one.
-    pub fn least_aic(&self) -> f64 {
+    pub fn min_aic(&self) -> f64 {
         self.laws.first().and_then(|(_, fit)| fit.as_ref().ok()).map_or(f64::NAN, |fit| fit.aic)
     }
 }
 
-fn rejected(law: &str, reason: &str, p: f64) -> Verdict {
+fn rejection(law: &str, reason: &str, p: f64) -> Verdict {
     Verdict::Contradicted(format!(
         "the law {law} does not fit these data within their noise: {reason}, p = {}; look at the residuals, and at other laws with --all-laws",
         format_four_digits(p)

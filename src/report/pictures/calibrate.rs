@@ -2,7 +2,7 @@
 //! laws.
 
 use super::{axis_of, caption, captioned, law_title, posterior, title_of};
-use crate::calibrate::data::{Data, Row, Value};
+use crate::calibrate::data::{MeasuredValue, MeasurementData, MeasurementRow};
 use crate::calibrate::statistics::{LEVELS, half_width};
 use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
 use crate::report::chart::{Axis, Chart, GREY, MARK, Scale, Series, Style, extremes};
@@ -31,14 +31,14 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     let mut pictures = Vec::new();
     let data = calibration.fit.problem.data;
     let has_lines = calibration.residuals.len() > calibration.keys.len();
-    for quantity in data.measured().into_iter().filter(|_| has_lines) {
+    for quantity in data.measured_quantities().into_iter().filter(|_| has_lines) {
         pictures.push((format!("fit_{}", quantity.name()), FittedQuantity::new(calibration, quantity).fitted()));
     }
     if has_lines {
         pictures.push(("residuals".to_owned(), residuals(calibration)));
     }
     if let [first, second] = &calibration.keys[..] {
-        let map = posterior::map(calibration, [first, second]).filter(|_| !calibration.fit.has_no_noise());
+        let map = posterior::map(calibration, [first, second]).filter(|_| !calibration.fit.is_noise_unknown());
         pictures.extend(map.map(|chart| ("posterior".to_owned(), chart)));
     }
     if !calibration.laws.is_empty() && has_lines {
@@ -62,11 +62,11 @@ enum Abscissa {
 }
 
 impl Abscissa {
-    fn new(data: &Data) -> Self {
+    fn new(data: &MeasurementData) -> Self {
         match data.keys[..] {
             _ if data.is_curve() => Self::Indentation,
             // speeds that follow from intervals are not in the data
-            [key] if data.rows.iter().all(|row| row.interval_before.is_none()) => Self::Key(key),
+            [key] if data.rows.iter().all(|row| row.preceding_interval.is_none()) => Self::Key(key),
             _ => Self::Prediction,
         }
     }
@@ -127,7 +127,7 @@ impl<'a> FittedQuantity<'a> {
 
     fn fitted(self) -> Chart {
         let Self { calibration, quantity, shown, points, .. } = &self;
-        let has_bars = shown.len() <= MOST_BARS && !calibration.fit.has_no_noise();
+        let has_bars = shown.len() <= MOST_BARS && !calibration.fit.is_noise_unknown();
         let bars = || {
             let deviation = |value: usize| calibration.fit.problem.deviations[value];
             shown.iter().zip(points).filter(|_| has_bars).map(move |(value, (x, y))| (*x, *y, deviation(*value)))
@@ -179,7 +179,7 @@ impl<'a> FittedQuantity<'a> {
     fn laws(self) -> Chart {
         let fits = self.calibration.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
         let named =
-            |name: &str, fit: &Fit| format!("{}  +{:.1}", law_title(name), fit.aic - self.calibration.least_aic());
+            |name: &str, fit: &Fit| format!("{}  +{:.1}", law_title(name), fit.aic - self.calibration.min_aic());
         let mut series: Vec<Series> = fits.map(|(name, fit)| Series::line(named(name, fit), self.line(fit))).collect();
         series.push(Series::points("measured", self.points).styled(Style::BLACK));
         Chart::new("Laws with their best keys, and how far their AIC is above the least", self.axes, series)
@@ -194,7 +194,7 @@ impl<'a> FittedQuantity<'a> {
             Abscissa::Prediction => None,
         };
         if let Some((data, at)) = along {
-            let predicted = fit.problem.predicting(&data).predict(shares).unwrap_or_default();
+            let predicted = fit.problem.for_prediction(&data).predict(shares).unwrap_or_default();
             return at.into_iter().zip(predicted).collect();
         }
         let predicted = fit.problem.predict(shares).unwrap_or_default();
@@ -206,10 +206,10 @@ impl<'a> FittedQuantity<'a> {
         let Abscissa::Key(key) = self.abscissa else { return None };
         let (data, at) = self.along(key);
         let fit = &self.calibration.fit;
-        let (line, shares) = (fit.problem.predicting(&data), &fit.best().shares);
+        let (line, shares) = (fit.problem.for_prediction(&data), &fit.best().shares);
         let (covariance, matrix) = (fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
         let predicted = line.predict(shares).ok()?;
-        let reach = half_width(LEVELS[1], fit.freedom());
+        let reach = half_width(LEVELS[1], fit.degrees_of_freedom());
         let half = |i: usize| reach * (matrix.row(i) * covariance).dot(&matrix.row(i)).max(0.0).sqrt();
         let edge = |side: f64| at.iter().zip(&predicted).enumerate().map(move |(i, (x, y))| (*x, y + side * half(i)));
         let upper: Points = edge(1.0).collect();
@@ -217,7 +217,7 @@ impl<'a> FittedQuantity<'a> {
     }
 
     /// The points of an indentation curve with more points between them, and their indentations.
-    fn between_points(&self) -> (Data, Vec<f64>) {
+    fn between_points(&self) -> (MeasurementData, Vec<f64>) {
         let points: Vec<f64> =
             self.calibration.fit.problem.data.rows.iter().filter_map(|row| row.indentation).collect();
         let steps = PLACES.div_ceil(u32::try_from(points.len()).unwrap_or(PLACES)).max(1);
@@ -226,23 +226,23 @@ impl<'a> FittedQuantity<'a> {
             (1..=steps).map(move |i| from + (to - from) * f64::from(i) / f64::from(steps))
         };
         let at: Vec<f64> = points.first().copied().into_iter().chain(points.windows(2).flat_map(between)).collect();
-        let rows = at.iter().map(|at| Row { indentation: Some(*at), ..Row::default() }).collect();
-        (Data { name: String::new(), keys: Vec::new(), rows, values: self.ones(at.len()) }, at)
+        let rows = at.iter().map(|at| MeasurementRow { indentation: Some(*at), ..MeasurementRow::default() }).collect();
+        (MeasurementData { name: String::new(), keys: Vec::new(), rows, values: self.ones(at.len()) }, at)
     }
 
     /// Values to predict, one in every row.
-    fn ones(&self, rows: usize) -> Vec<Value> {
-        (0..rows).map(|row| Value { row, quantity: self.quantity, value: 1.0, deviation: None }).collect()
+    fn ones(&self, rows: usize) -> Vec<MeasuredValue> {
+        (0..rows).map(|row| MeasuredValue { row, quantity: self.quantity, value: 1.0, deviation: None }).collect()
     }
 
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
-    fn along(&self, key: &'static NumericKey) -> (Data, Vec<f64>) {
+    fn along(&self, key: &'static NumericKey) -> (MeasurementData, Vec<f64>) {
         let data = self.calibration.fit.problem.data;
         let (from, to) = extremes(self.shown.iter().map(|value| data.rows[data.values[*value].row].keys[0]));
         let range = FreeKey { key, from, to, is_logarithmic: is_wide(&self.points), hardness: None };
         let at: Vec<f64> = (0..=PLACES).map(|i| range.value_at_share(f64::from(i) / f64::from(PLACES))).collect();
-        let rows = at.iter().map(|value| Row { keys: vec![*value], ..Row::default() }).collect();
-        let data = Data { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) };
+        let rows = at.iter().map(|value| MeasurementRow { keys: vec![*value], ..MeasurementRow::default() }).collect();
+        let data = MeasurementData { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) };
         (data, at.into_iter().map(key.quantity.picture_unit().1).collect())
     }
 }
@@ -264,7 +264,7 @@ fn with_one_prefix([x, y]: [Axis; 2], points: &[(f64, f64)]) -> [Axis; 2] {
 
 fn residuals(calibration: &Calibration) -> Chart {
     let data = calibration.fit.problem.data;
-    let measured = data.measured();
+    let measured = data.measured_quantities();
     // predictions of several quantities have no common axis
     let abscissa =
         Some(Abscissa::new(data)).filter(|abscissa| !matches!(abscissa, Abscissa::Prediction) || measured.len() == 1);

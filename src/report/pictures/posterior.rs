@@ -33,7 +33,7 @@ pub fn map(calibration: &Calibration, [first, second]: [&KeyEstimate; 2]) -> Opt
     let best = Style::marker(Mark::Cross, PALETTE[6]);
     series.push(Series::points("best", vec![(x_unit(first.estimate), y_unit(second.estimate))]).styled(best));
     let chart = Chart::new("What the measurements say of both keys", [x, y], series);
-    if calibration.refusal.is_some() {
+    if calibration.reason_without_intervals.is_some() {
         return Some(chart.with_entries([Series::text("no interval: the data do not tell the keys apart")]));
     }
     Some(chart.with_notes(calibration.correlation().map(|correlation| format!("correlation {correlation:.2}"))))

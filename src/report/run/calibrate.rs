@@ -5,8 +5,8 @@ use std::path::absolute;
 use toml_edit::{DocumentMut, Value};
 
 use super::outcome::{Outcome, RunOptions, file, provenance, put_notes, with_summary};
-use crate::calibrate::fit::NO_SCATTER;
-use crate::calibrate::{Calibration, KeyEstimate, Measurements};
+use crate::calibrate::fit::MIN_SCATTER;
+use crate::calibrate::{Calibration, CalibrationTask, KeyEstimate};
 use crate::contact::strength::kind::StrengthKind;
 use crate::error::{Error, ErrorKind};
 use crate::files::{OutputFile, PROGRAM, Progress};
@@ -23,7 +23,7 @@ use crate::scenario::keys::strength_notes;
 use crate::units::{Dimension, format_exact, format_four_digits};
 
 pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
-    let measured = Measurements::new(scenario)?;
+    let measured = CalibrationTask::new(scenario)?;
     let unwatched = Progress::default();
     let found = measured.calibrate(options.map_or(&unwatched, |options| options.progress))?;
     let contradiction = found.verdict().contradiction();
@@ -54,11 +54,11 @@ fn calibration_notes(found: &Calibration) -> Vec<String> {
 /// The files with these results.
 fn files(
     scenario: &Scenario,
-    measured: &Measurements,
+    measured: &CalibrationTask,
     found: &Calibration,
     options: &RunOptions,
 ) -> Result<Vec<OutputFile>, Error> {
-    let provenance = provenance(scenario, &measured.wanted.input.law(), true, options.command);
+    let provenance = provenance(scenario, &measured.request.input.law(), true, options.command);
     let mut files = vec![file("residuals.csv", report::residuals(found)?)];
     if !found.keys.is_empty() {
         files.push(file("calibrated.toml", calibrated(scenario, measured, found)?));
@@ -76,17 +76,17 @@ fn warnings(found: &Calibration) -> Vec<String> {
         })
     };
     // what is left of measurements that the law itself made is rounding, with any signs
-    let runs = found.runs.filter(|_| found.misfit > NO_SCATTER);
+    let runs = found.runs.filter(|_| found.misfit > MIN_SCATTER);
     let runs = runs.filter(|runs| runs.p < 0.01 && found.verdict().contradiction().is_none()).map(|runs| {
         let p = format_four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
     let unlikely = found.keys.iter().filter_map(|key| unlikely(key, &found.fit.problem.input));
-    let cautions = found.cautions().into_iter().map(|(warning, line)| {
+    let cautions = found.range_warnings().into_iter().map(|(warning, line)| {
         let place = line.map_or_else(String::new, |line| format!("at line {line} of the data: "));
         format!("{place}{warning}")
     });
-    let refusal = found.refusal.iter().map(|reason| format!("no interval: {reason}"));
+    let refusal = found.reason_without_intervals.iter().map(|reason| format!("no interval: {reason}"));
     refusal
         .chain(found.verdict().undecided())
         .chain(runs)
@@ -121,7 +121,7 @@ fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
 
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
 /// line says which keys are new.
-fn calibrated(scenario: &Scenario, measured: &Measurements, found: &Calibration) -> Result<String, Error> {
+fn calibrated(scenario: &Scenario, measured: &CalibrationTask, found: &Calibration) -> Result<String, Error> {
     let document = scenario.document.edited().parse::<DocumentMut>();
     let mut document = document.map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
     document.remove("calibrate");

@@ -7,8 +7,8 @@ use serde_json::{Map, Value, json};
 use super::files::written;
 use super::inputs::{Inputs, constraint};
 use crate::calibrate::minimise::ParameterPoint;
-use crate::calibrate::profile::Ends;
-use crate::calibrate::{Calibration, KeyEstimate, LawFit, Measurements, Noise};
+use crate::calibrate::profile::IntervalEnds;
+use crate::calibrate::{Calibration, CalibrationTask, KeyEstimate, LawFit, Noise};
 use crate::error::Error;
 use crate::results::{ResultSpec, result_specs, to_fields};
 use crate::scenario::input::{Body, MeasuredQuantity};
@@ -20,7 +20,7 @@ use crate::units::{format_four_digits, format_percent};
 const UNBOUNDED: &str = "not bounded by these data";
 
 /// An interval in SI. An end that the data do not bound is `null`.
-fn interval(ends: Ends) -> Value {
+fn interval(ends: IntervalEnds) -> Value {
     let note = ends.iter().any(Option::is_none).then_some(UNBOUNDED);
     json!({ "low": ends[0], "high": ends[1], "note": note })
 }
@@ -45,7 +45,7 @@ fn noise(calibration: &Calibration) -> (&'static str, Option<f64>) {
 
 /// A calibration and its request.
 pub struct Calibrated<'a> {
-    measured: &'a Measurements,
+    measured: &'a CalibrationTask,
     calibration: &'a Calibration<'a>,
 }
 
@@ -55,9 +55,9 @@ pub fn results<'a>() -> Vec<ResultSpec<Calibrated<'a>>> {
         /// The result for each key, see below.
         "keys": (0..one.calibration.keys.len()).map(|i| json!(to_fields(&key(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
         /// Why there is no interval; `null` if there is one.
-        "refusal": one.calibration.refusal.clone();
+        "refusal": one.calibration.reason_without_intervals.clone();
         /// Correlation of the two keys.
-        "correlation": one.calibration.correlation().filter(|_| one.calibration.refusal.is_none());
+        "correlation": one.calibration.correlation().filter(|_| one.calibration.reason_without_intervals.is_none());
         /// `true` if the law fits, `null` if these measurements cannot tell.
         "fits": one.calibration.verdict().fits();
         /// Why the law does not fit.
@@ -67,7 +67,7 @@ pub fn results<'a>() -> Vec<ResultSpec<Calibrated<'a>>> {
         /// Measured values.
         "values": one.calibration.residuals.len();
         /// Values without outliers, less the keys.
-        "degrees_of_freedom": one.calibration.freedom;
+        "degrees_of_freedom": one.calibration.degrees_of_freedom;
         /// Sum of the squares of the residuals over their standard deviations, without outliers.
         "chi_square": one.calibration.chi_square;
         /// That sum over the degrees of freedom: about 1 for a law that fits.
@@ -83,8 +83,8 @@ pub fn results<'a>() -> Vec<ResultSpec<Calibrated<'a>>> {
         /// The estimated standard deviation as a share of every value.
         "estimated_noise": noise(one.calibration).1;
         /// Error of the law that was assumed, as a share of every value.
-        "model_error": one.measured.wanted.model_error;
-        /// `normal`, or `student-t with 4 degrees of freedom`.
+        "model_error": one.measured.request.model_error;
+        /// `normal`, or `student-t with 4 degrees of degrees_of_freedom`.
         "likelihood": if one.calibration.fit.problem.is_robust { "student-t with 4 degrees of freedom" } else { "normal" };
         /// Values that count as outliers.
         "outliers": one.calibration.outliers;
@@ -127,7 +127,7 @@ impl KeyResult<'_> {
         let shifts = calibration
             .shifts
             .as_ref()
-            .filter(|_| calibration.refusal.is_none() && calibration.freedom > 0)?
+            .filter(|_| calibration.reason_without_intervals.is_none() && calibration.degrees_of_freedom > 0)?
             .column(self.number);
         let value = &calibration.fit.problem.data.values[shifts.icamax()];
         let slope = self.found().free.slope_at_share(calibration.fit.best().shares[self.number]);
@@ -163,7 +163,7 @@ pub fn key<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
 }
 
 fn per_degree(calibration: &Calibration) -> Option<f64> {
-    (calibration.freedom > 0).then_some(calibration.chi_square / calibration.freedom as f64)
+    (calibration.degrees_of_freedom > 0).then_some(calibration.chi_square / calibration.degrees_of_freedom as f64)
 }
 
 fn basin(calibration: &Calibration, place: &ParameterPoint) -> Value {
@@ -173,19 +173,19 @@ fn basin(calibration: &Calibration, place: &ParameterPoint) -> Value {
 fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
     match fit {
         Ok(fit) => {
-            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - calibration.least_aic(), "values": fit.values() })
+            json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - calibration.min_aic(), "values": fit.values() })
         }
         Err(reason) => json!({ "law": name, "no_answer": reason.to_string() }),
     }
 }
 
 /// The results by their names.
-pub fn found(measured: &Measurements, calibration: &Calibration) -> Map<String, Value> {
+pub fn found(measured: &CalibrationTask, calibration: &Calibration) -> Map<String, Value> {
     to_fields(&results(), &Calibrated { measured, calibration })
 }
 
 /// The inputs that neither the data give nor the calibration finds.
-pub fn inputs(measured: &Measurements, calibration: &Calibration) -> Inputs {
+pub fn inputs(measured: &CalibrationTask, calibration: &Calibration) -> Inputs {
     let varies = |key: &str| {
         calibration.keys.iter().any(|found| found.free.key.path == key)
             || measured.data.keys.iter().any(|column| column.path == key)
@@ -250,7 +250,7 @@ fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
                 if is_known { found.free.format_value(value, 4) } else { "not determined".to_owned() }
             };
             let values = fit.values().into_iter().zip(&calibration.keys).map(text);
-            let numbers = [fit.aic, fit.aic - calibration.least_aic()].map(|number| format!("{number:.2}"));
+            let numbers = [fit.aic, fit.aic - calibration.min_aic()].map(|number| format!("{number:.2}"));
             [law.clone()].into_iter().chain(numbers).chain(values).collect()
         }
         Err(reason) => vec![law.clone(), reason.to_string()],
@@ -281,13 +281,16 @@ pub fn table(calibration: &Calibration) -> String {
             );
         }
     }
-    if let Some(identifiability) =
-        calibration.identifiability.as_ref().filter(|_| calibration.refusal.is_some() && calibration.keys.len() > 1)
+    if let Some(identifiability) = calibration
+        .identifiability
+        .as_ref()
+        .filter(|_| calibration.reason_without_intervals.is_some() && calibration.keys.len() > 1)
     {
         let known = combination(calibration, &identifiability.exponents);
         row("best known", format!("{known}, to {}", format_percent(identifiability.deviation)));
     }
-    let measured = calibration.fit.problem.data.measured().into_iter().map(MeasuredQuantity::name).collect::<Vec<_>>();
+    let measured =
+        calibration.fit.problem.data.measured_quantities().into_iter().map(MeasuredQuantity::name).collect::<Vec<_>>();
     row(
         "data",
         format!(
@@ -312,7 +315,7 @@ pub fn table(calibration: &Calibration) -> String {
             "chi-square",
             format!(
                 "{chi_square} on {} degrees of freedom{outliers}, p = {}",
-                calibration.freedom,
+                calibration.degrees_of_freedom,
                 format_four_digits(p)
             ),
         );
@@ -320,7 +323,7 @@ pub fn table(calibration: &Calibration) -> String {
     if let Some(runs) = calibration.runs {
         row("runs of signs", format!("p = {}", format_four_digits(runs.p)));
     }
-    if calibration.fit.minima.len() > 1 && calibration.refusal.is_none() {
+    if calibration.fit.minima.len() > 1 && calibration.reason_without_intervals.is_none() {
         let second = &calibration.fit.minima[1];
         let values = calibration.fit.problem.values(&second.shares);
         let values = calibration.keys.iter().zip(values).map(|(found, value)| found.free.format_value(value, 4));

@@ -3,7 +3,7 @@
 use super::inputs::Inputs;
 use super::terminal::{described, notes};
 use super::{calibrate, check};
-use crate::calibrate::{Calibration, Measurements};
+use crate::calibrate::{Calibration, CalibrationTask};
 use crate::contact::law::LawChoice;
 use crate::contact::pair::Pair;
 use crate::impact::Contact;
@@ -48,10 +48,10 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
-pub fn of_calibration(measured: &Measurements, calibration: &Calibration) -> String {
+pub fn of_calibration(measured: &CalibrationTask, calibration: &Calibration) -> String {
     let mut rows = self::rows(&calibrate::inputs(measured, calibration));
     rows.push([String::new(), String::new()]);
-    let Measurements { data, .. } = measured;
+    let CalibrationTask { data, .. } = measured;
     let mut range = |name: &str, dimension: Dimension, values: Vec<f64>| {
         let [low, high] = [f64::min, f64::max].map(|end| values.iter().copied().fold(f64::NAN, end));
         let count = values.iter().filter(|value| !value.is_nan()).count();
@@ -65,7 +65,7 @@ pub fn of_calibration(measured: &Measurements, calibration: &Calibration) -> Str
     for (column, key) in data.keys.iter().enumerate() {
         range(key.path, key.quantity.dimension, data.rows.iter().map(|row| row.keys[column]).collect());
     }
-    for quantity in data.measured() {
+    for quantity in data.measured_quantities() {
         let of_it = data.values.iter().filter(|value| value.quantity == quantity);
         range(quantity.name(), quantity.quantity().dimension, of_it.map(|value| value.value).collect());
     }

@@ -1,7 +1,7 @@
 //! Synthetic data of known strength: how often the interval contains the true value.
 
 use crate::common::prelude::*;
-use plm_impact::calibrate::data::{Data, Row, Value};
+use plm_impact::calibrate::data::{MeasuredValue, MeasurementData, MeasurementRow};
 use plm_impact::calibrate::fit::NoiseModel;
 use plm_impact::calibrate::problem::Problem;
 use plm_impact::numerics::functions::normal_quantile;
@@ -68,22 +68,27 @@ fn covered(made: Made) -> Vec<[f64; 2]> {
         let impact = contact.closed_form(*speed).unwrap();
         let value = |name: &&str| {
             let quantity = MeasuredQuantity::find(name).unwrap();
-            Value { row, quantity, value: quantity.predict(&impact, &scene).unwrap(), deviation: None }
+            MeasuredValue { row, quantity, value: quantity.predict(&impact, &scene).unwrap(), deviation: None }
         };
         quantities.iter().map(value).collect::<Vec<_>>()
     };
-    let exact: Vec<Value> = speeds.iter().enumerate().flat_map(exact).collect();
+    let exact: Vec<MeasuredValue> = speeds.iter().enumerate().flat_map(exact).collect();
     let hits = (0..sets).into_par_iter().map(|set| {
         let noisy = exact.iter().zip(normals(set, exact.len()));
-        let data = Data {
+        let data = MeasurementData {
             name: "made".to_owned(),
             keys: vec![NumericKey::find("impact.speed").unwrap()],
-            rows: speeds.iter().map(|speed| Row { keys: vec![*speed], ..Row::default() }).collect(),
-            values: noisy.map(|(value, noise)| Value { value: value.value * (1.0 + sd * noise), ..*value }).collect(),
+            rows: speeds
+                .iter()
+                .map(|speed| MeasurementRow { keys: vec![*speed], ..MeasurementRow::default() })
+                .collect(),
+            values: noisy
+                .map(|(value, noise)| MeasuredValue { value: value.value * (1.0 + sd * noise), ..*value })
+                .collect(),
         };
         let share = if is_estimated { 1.0 } else { sd };
         let noise_model = NoiseModel { instrument: vec![0.0; exact.len()], share, is_estimated };
-        let deviations = noise_model.deviations(&data.sizes());
+        let deviations = noise_model.deviations(&data.error_scales());
         let fit = Fit::new(Problem::new(&scene, &free, &data, deviations, is_robust), &noise_model).unwrap();
         let of_key = |key: usize| {
             fit.intervals(key).map(|[low, high]| {

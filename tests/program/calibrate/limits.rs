@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::common::prelude::*;
-use plm_impact::calibrate::Measurements;
+use plm_impact::calibrate::CalibrationTask;
 
 use super::fits::{STRENGTH, calibrated, near, of_nine_pieces, scenario};
 
@@ -113,11 +113,11 @@ fn fitted(data: &str, from: f64, to: f64, robust: &str) -> (f64, f64, f64) {
     );
     let text = scenario(&request).replace("208 GPa", "210 GPa");
     let scenario = read(&text, NONE).with_data(format!("speed_m_per_s,restitution\n{lines}"));
-    let measured = Measurements::new(&scenario).unwrap();
+    let measured = CalibrationTask::new(&scenario).unwrap();
     let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
-    let grid = |i: i32| fit.problem.sum(&[fit.best().shares[0] + f64::from(i) * 1e-5]);
+    let grid = |i: i32| fit.problem.objective(&[fit.best().shares[0] + f64::from(i) * 1e-5]);
     let least = (-2000..=2000).map(grid).fold(f64::INFINITY, f64::min);
     (found.keys[0].estimate, found.keys[0].sd.unwrap(), fit.best().sum - least)
 }
@@ -140,7 +140,7 @@ fn estimate_is_minimum_behind_kink() {
 #[test]
 fn region_of_two_keys_matches_plane_of_sums() {
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = {{ restitution = 0.01 }}", super::fits::BOTH));
-    let measured = Measurements::new(&read(&text, NONE).with_data(super::fits::MADE.to_owned())).unwrap();
+    let measured = CalibrationTask::new(&read(&text, NONE).with_data(super::fits::MADE.to_owned())).unwrap();
     let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
     let fit: &Fit = &found.fit;
@@ -155,7 +155,7 @@ fn region_of_two_keys_matches_plane_of_sums() {
         for j in 0..=200 {
             let at = |low: f64, high: f64, i: i32| low + (high - low) * (1.2 * f64::from(i) / 200.0 - 0.1);
             let place = [at(low_x, high_x, i), at(low_y, high_y, j)];
-            inside += f64::from(u8::from(fit.problem.sum(&place) - fit.best().sum <= 5.991_464_547));
+            inside += f64::from(u8::from(fit.problem.objective(&place) - fit.best().sum <= 5.991_464_547));
         }
     }
     let of_plane = inside * (1.2 * (high_x - low_x) / 200.0) * (1.2 * (high_y - low_y) / 200.0);
@@ -170,10 +170,10 @@ fn region_of_two_keys_matches_plane_of_sums() {
 fn region_of_two_keys_reflects_few_values() {
     let data = "speed_m_per_s,restitution,peak_force_N\n1,0.60,330\n3,0.49,1130\n".to_owned();
     let text = scenario(&format!("data = \"d.csv\"\n{}noise = \"estimate\"", super::fits::BOTH));
-    let measured = Measurements::new(&read(&text, NONE).with_data(data)).unwrap();
+    let measured = CalibrationTask::new(&read(&text, NONE).with_data(data)).unwrap();
     let progress = Progress::default();
     let found = measured.calibrate(&progress).unwrap();
-    let rise = |place: &[f64; 2]| found.fit.problem.sum(place) - found.fit.best().sum;
+    let rise = |place: &[f64; 2]| found.fit.problem.objective(place) - found.fit.best().sum;
     let outline = found.fit.region(0.95).remove(0);
     let is_at_an_end = |place: &[f64; 2]| place.iter().any(|share| !(1e-9..1.0 - 1e-9).contains(share));
     let free: Vec<f64> = outline.iter().filter(|place| !is_at_an_end(place)).map(rise).collect();
