@@ -9,7 +9,7 @@ use crate::files::OutputFile;
 use crate::impact::Method;
 use crate::numerics::power::nan_max;
 use crate::report::chart::{Axis, Chart, Series};
-use crate::report::text::files::written;
+use crate::report::text::files::into_bytes;
 use crate::strings::markdown_table;
 
 pub type Measured = (Problem, Vec<Measurement>);
@@ -62,7 +62,7 @@ fn csv<'a>(
     for row in rows {
         writer.write_record(row)?;
     }
-    Ok(OutputFile { name: name.into(), bytes: written(writer)? })
+    Ok(OutputFile { name: name.into(), bytes: into_bytes(writer)? })
 }
 
 /// The page, as Markdown, with the times of the problems as its table. `rates` are rows a second of a table with `columns` columns,
@@ -98,7 +98,7 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, Error> 
             .collect();
         Series::marked_line(method.name(), points)
     });
-    let x = Axis::log("Larger relative error of restitution and contact time", "").between(ROUNDING, 1.0);
+    let x = Axis::log("Larger relative error of restitution and contact time", "").with_range(ROUNDING, 1.0);
     let y = Axis::log("Time per impact, one core", "µs");
     let lines = Chart::new(problem.name, [x, y], series.collect()).with_caption(problem.about);
     let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));

@@ -67,18 +67,18 @@ fn chart(bodies: &YieldingPair, cycle: &Cycle) -> Chart {
     };
     let mut series: Vec<Series> = laws.iter().map(|(name, law)| Series::line(name.clone(), curve(law))).collect();
     // the law of the paper is the widest line
-    series.iter_mut().take(1).for_each(|plm| plm.style = Some(Style::new(0).wide(7.0)));
+    series.iter_mut().take(1).for_each(|plm| plm.style = Some(Style::new(0).with_width(7.0)));
     let ends = [(peak.indentation, peak.force), (cycle.residual(), 0.0)];
     let points = ends.iter().chain(&cycle.points).map(|(x, f)| (x * length, f * force)).collect();
-    series.push(Series::points("finite elements", points).styled(Style::BLACK));
+    series.push(Series::points("finite elements", points).with_style(Style::BLACK));
     // the axis begins a little before the shallowest dent; Hertz leaves none, and is cut off
     let dents = series.iter().flat_map(|series| &series.points).map(|point| point.0).filter(|at| *at > 0.0);
     let first = dents.fold(f64::INFINITY, f64::min);
     let last = peak.indentation * length;
     let room = last - first;
     let axes = [
-        Axis::linear("Indentation", "m").between((first - 0.1 * room).max(0.0), last + 0.05 * room),
-        Axis::linear("Force", "N").between(0.0, 1.05 * peak.force * force),
+        Axis::linear("Indentation", "m").with_range((first - 0.1 * room).max(0.0), last + 0.05 * room),
+        Axis::linear("Force", "N").with_range(0.0, 1.05 * peak.force * force),
     ];
     let title = format!("Unloading from {} × the yield indentation", format_four_digits(peak.indentation));
     let caption = format!(

@@ -18,7 +18,7 @@ use crate::impact::oblique::normal_motion::NormalMotion;
 use crate::impact::{ImpactError, TraceRow};
 use crate::numerics::functions::{exp, ln, sin_cos};
 use crate::reference::{HARDENING, LEEB_DEVICES, LEEB_STEELS, REBOUNDS, ReferenceRow};
-use crate::report::chart::{Axis, Chart, Panel, Pictures, Series, Style};
+use crate::report::chart::{Axis, Chart, Panel, PictureFormat, Series, Style};
 use crate::units::{Dimension, format_result};
 
 /// A picture before it is drawn, with the name of its file without the ending.
@@ -32,10 +32,10 @@ fn log_sampled(high: f64, point: impl Fn(f64) -> (f64, f64)) -> Vec<(f64, f64)> 
 /// All pictures. `progress` counts them.
 pub fn pictures(
     coefficients: &PlmCoefficients,
-    format: Pictures,
+    format: PictureFormat,
     progress: &Progress,
 ) -> Result<Vec<OutputFile>, Error> {
-    if format == Pictures::None {
+    if format == PictureFormat::None {
         return Ok(Vec::new());
     }
     let cases = cases()?;
@@ -50,7 +50,7 @@ pub fn pictures(
     pictures.push(leeb(coefficients)?);
     pictures.push(oblique()?);
     progress.add_total(pictures.len() as u64);
-    let file = |(name, chart): &Picture| format.file(name, chart).inspect(|_| progress.advance());
+    let file = |(name, chart): &Picture| format.to_file(name, chart).inspect(|_| progress.advance());
     let drawn: Result<Vec<Option<OutputFile>>, Error> = pictures.par_iter().map(file).collect();
     Ok(drawn?.into_iter().flatten().collect())
 }
@@ -73,10 +73,10 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
                 .iter()
                 .filter_map(|cycle| Some(off(cycle.peak.indentation, cycle.row.optional_number("restitution")?)));
             let name = if which == 0 { case.name() } else { String::new() };
-            Series::points(name, points.collect()).styled(i)
+            Series::points(name, points.collect()).with_style(i)
         };
         let series = cases.iter().enumerate().map(of_case).collect();
-        let y = Axis::linear(&format!("e off, {name}"), "%").between(-6.5, 2.5);
+        let y = Axis::linear(&format!("e off, {name}"), "%").with_range(-6.5, 2.5);
         let mut panel = Panel::new(y, series);
         panel.guides.push(Series::horizontal(0.0, ""));
         panel
@@ -96,9 +96,9 @@ fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
     for (i, (exponent, name)) in EXPONENTS.into_iter().enumerate() {
         let law = case.law(coefficients, exponent);
         let curve = log_sampled(1.1 * deepest, |x| (x, restitution(&law, x)));
-        series.push(Series::line(format!("law, {name}"), curve).styled(i + 1));
+        series.push(Series::line(format!("law, {name}"), curve).with_style(i + 1));
     }
-    let y = Axis::linear("Restitution e", "").between(0.15, 1.02);
+    let y = Axis::linear("Restitution e", "").with_range(0.15, 1.02);
     let chart = Chart::new(format!("Restitution against depth, {}", case.name()), [depths(), y], series);
     let chart = chart.with_caption(CASES);
     (format!("restitution-{}", case.name().replace(' ', "-")), chart)
@@ -122,10 +122,10 @@ fn impact(case: &dynamic::Case) -> Picture {
     for (i, (name, column, of_row)) in INDENTATIONS.into_iter().enumerate() {
         let samples = case.samples.iter().step_by(SHOWN);
         let points = samples.map(|sample| (sample.number(column), sample.number("force_N")));
-        let mut drawn = vec![Series::points(name, points.collect()).styled(i)];
+        let mut drawn = vec![Series::points(name, points.collect()).with_style(i)];
         for (which, impact) in case.impacts.iter().enumerate() {
             let curve = impact.trace.iter().map(|row| (of_row(row), row.force)).collect();
-            drawn.push(Series::line("", curve).styled(Style::new(i).branch(which)));
+            drawn.push(Series::line("", curve).with_style(Style::new(i).branch(which)));
         }
         if i == 1 { of_sphere = drawn } else { series.extend(drawn) }
     }
@@ -138,7 +138,7 @@ fn impact(case: &dynamic::Case) -> Picture {
     let axes = [Axis::linear("Indentation", "m"), Axis::linear("Force", "N")];
     let (name, slug) = (case.reference.text("case"), case.reference.text("case").to_lowercase());
     let title = format!("Impact {name} at {}", format_result(case.impacts[0].speed, Dimension::Speed));
-    let chart = Chart::new(title, axes, series).with_side(Axis::linear("of the sphere", "m"), of_sphere);
+    let chart = Chart::new(title, axes, series).with_side_panel(Axis::linear("of the sphere", "m"), of_sphere);
     let chart = chart.with_branches(&EXPONENTS.map(|(_, name)| name)).with_notes(notes);
     (format!("impact-{slug}-force-indentation"), chart)
 }
@@ -158,16 +158,16 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
         let point = |row: &&ReferenceRow| (row.number("x"), row.number("restitution"));
         let points: Vec<(f64, f64)> = of_material.iter().map(point).collect();
         let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
-        series.push(Series::points(called, points).styled(i));
+        series.push(Series::points(called, points).with_style(i));
         for (which, hardens) in [true, false].into_iter().enumerate() {
             let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
             let curve = log_sampled(1.2 * deepest, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
-            series.push(Series::line("", curve).styled(Style::new(i).branch(which)));
+            series.push(Series::line("", curve).with_style(Style::new(i).branch(which)));
         }
     }
     let axes = [
         Axis::log("Peak indentation over that at first yield", ""),
-        Axis::linear("Restitution e, pressure-shape", "").between(0.1, 1.02),
+        Axis::linear("Restitution e, pressure-shape", "").with_range(0.1, 1.02),
     ];
     let chart = Chart::new("Restitution on metals that harden", axes, series);
     let chart =
@@ -183,9 +183,9 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
     let (all, mut series) = (compared(coefficients, UnloadingExponent::PressureShape)?, Vec::new());
     let mut add = |called: &str, law: &Law, ratio: f64, points: Vec<(f64, f64)>, deepest: f64| {
         let style = series.len() / 2;
-        series.push(Series::points(called, points).styled(style));
+        series.push(Series::points(called, points).with_style(style));
         let at = |x| (law.contact_radius(&law.loaded_state(x)) * ratio, restitution(law, x));
-        series.push(Series::line("", log_sampled(1.1 * deepest, at)).styled(style));
+        series.push(Series::line("", log_sampled(1.1 * deepest, at)).with_style(style));
     };
     for case in cases.iter().filter(|case| case.loading.case == "case3") {
         let law = case.law(coefficients, UnloadingExponent::PressureShape);
@@ -205,7 +205,7 @@ fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, E
     }
     let axes = [
         Axis::log("Contact radius over radius of the sphere a/R", ""),
-        Axis::linear("Restitution e, pressure-shape", "").between(0.25, 1.02),
+        Axis::linear("Restitution e, pressure-shape", "").with_range(0.25, 1.02),
     ];
     let chart = Chart::new("Restitution where sphere, half-space or both yield", axes, series);
     let chart = chart.with_notes(["points: finite elements", "lines: law"]).with_caption("yield strength 345 MPa");
@@ -223,7 +223,7 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
     let ranges = steels.iter().flat_map(|steel| [end(steel, "low"), end(steel, "high"), (f64::NAN, f64::NAN)]);
     let ranges = ranges.collect();
     let mut series =
-        vec![Series::line("measured, ten steels", ranges).and("each from end to end of its range").styled(0)];
+        vec![Series::line("measured, ten steels", ranges).with_note("each from end to end of its range").with_style(0)];
     let lines = [(1.0, "law, tensile strength", "as yield strength"), (0.65, "law, 0.2 % strength", "0.65 × tensile")];
     for (device, (i, (share, name, assumption))) in
         LEEB_DEVICES.rows()?.iter().take(1).cycle().zip(lines.into_iter().enumerate())
@@ -233,10 +233,12 @@ fn leeb(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
             let tensile = 350.0 + 2350.0 * f64::from(step) / 60.0;
             points.push((tensile, 1000.0 * of_device(device, 1e6 * share * tensile, coefficients)?));
         }
-        series.push(Series::line(name, points).and(assumption).styled(1 + i));
+        series.push(Series::line(name, points).with_note(assumption).with_style(1 + i));
     }
-    let axes =
-        [Axis::linear("Tensile strength", "MPa"), Axis::linear("HLD = 1000 × restitution", "").between(150.0, 900.0)];
+    let axes = [
+        Axis::linear("Tensile strength", "MPa"),
+        Axis::linear("HLD = 1000 × restitution", "").with_range(150.0, 900.0),
+    ];
     let chart = Chart::new("Rebound hardness of steels (Leeb, device D)", axes, series);
     Ok(("measured-leeb-tensile-strength".to_owned(), chart))
 }
@@ -267,12 +269,12 @@ fn oblique() -> Result<Picture, Error> {
         }
     }
     let names = ["this program", "one spring, as in LAMMPS", "rigid body"];
-    let mut series = vec![measured.styled(Style::BLACK)];
+    let mut series = vec![measured.with_style(Style::BLACK)];
     let curves = names.into_iter().zip(curves).enumerate();
-    series.extend(curves.map(|(i, (name, curve))| Series::line(name, curve).styled(i)));
+    series.extend(curves.map(|(i, (name, curve))| Series::line(name, curve).with_style(i)));
     let axes = [
         Axis::linear("Angle of impact from the normal", "°"),
-        Axis::linear("Tangential restitution vₜ′/vₜ", "").between(0.5, 1.0),
+        Axis::linear("Tangential restitution vₜ′/vₜ", "").with_range(0.5, 1.0),
     ];
     let chart =
         Chart::new("Oblique rebound of alumina from glass", axes, series).with_caption("3.9 m/s, friction 0.092");

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use plm_impact::files::progress::Progress;
-use plm_impact::report::chart::Pictures;
-use plm_impact::report::run::{Outcome, RunOptions, at_once};
+use plm_impact::report::chart::PictureFormat;
+use plm_impact::report::run::{Outcome, RunOptions, run};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 use serde_json::Value;
@@ -98,11 +98,11 @@ pub fn skip(what: &str, why: &str) {
 pub fn outcome(scenario: &Scenario) -> Outcome {
     let order = RunOptions {
         command: "plm-impact run",
-        detail: Detail::Whole,
-        pictures: Pictures::None,
+        detail: Detail::Full,
+        pictures: PictureFormat::None,
         progress: &Progress::default(),
     };
-    at_once(scenario, Some(&order)).unwrap().unwrap()
+    run(scenario, Some(&order)).unwrap().unwrap()
 }
 
 /// The text of one of its files.

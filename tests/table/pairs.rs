@@ -81,7 +81,7 @@ fn compare(set: &[String], keys: [&'static NumericKey; 2], values: [[f64; 2]; 2]
         let columns = [0, 1].map(|at| cases.iter().map(|case| values[order[at]][case[at]]).collect::<Vec<_>>());
         let list = [0, 1].map(|at| (keys[order[at]], columns[at].as_slice()));
         Evaluator::with_contact(&plan, None).append_rows_with_values(&list, 0..4, &mut listed);
-        let shared = Inputs::of_plan(&plan);
+        let shared = Inputs::from_plan(&plan);
         for (case, of) in cases.iter().enumerate() {
             let mut places = [0; 2];
             (places[order[0]], places[order[1]]) = (of[0], of[1]);

@@ -24,7 +24,7 @@ use std::slice;
 use self::calls::{VERSION_TEXT, fingerprint_of, force, from_doubles, guarded, write_text};
 use crate::error::Error;
 use crate::impact::{Contact, ContactEnergy, FrictionStep, Memory};
-use crate::report::run::contact_of_one_strength;
+use crate::report::run::contact_at_scenario_speed;
 use crate::scenario::Scenario;
 
 /// A sphere, a half-space and the law between them.
@@ -384,7 +384,7 @@ unsafe fn new(
     let made = guarded(Err("the program has an error: it panicked".to_owned()), || {
         let text = text.ok_or("no scenario: the pointer is NULL")?;
         let text = text.to_str().map_err(|_| "the scenario is not UTF-8")?;
-        let contact = read(text).and_then(|scenario| contact_of_one_strength(&scenario));
+        let contact = read(text).and_then(|scenario| contact_at_scenario_speed(&scenario));
         contact
             .map(|contact| plm_contact { fingerprint: fingerprint_of(&contact), contact })
             .map_err(|error| error.to_string())

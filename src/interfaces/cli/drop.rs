@@ -7,7 +7,7 @@ use clap::{ArgGroup, Args};
 use plm_impact::error::Error;
 use plm_impact::files::Progress;
 use plm_impact::materials::{Property, find};
-use plm_impact::report::chart::Pictures;
+use plm_impact::report::chart::PictureFormat;
 use plm_impact::report::run::{RunOptions, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
@@ -81,7 +81,7 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
     let options = RunOptions {
         command: &super::output::command_line(),
         detail: Detail::Brief,
-        pictures: Pictures::None,
+        pictures: PictureFormat::None,
         progress: &Progress::default(),
     };
     let outcome = super::output::outcome(&scenario, &options).map_err(at_options)?;

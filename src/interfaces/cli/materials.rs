@@ -3,7 +3,7 @@
 use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::materials::{MaterialEntry, all, find};
-use plm_impact::report::text::materials::{data, has, list, one};
+use plm_impact::report::text::materials::{matches, material_page, materials_json, materials_text};
 use plm_impact::scenario::keys::words::unknown_material;
 
 /// List the materials that scenarios may name, or print values, ranges and sources of one
@@ -23,13 +23,13 @@ pub fn materials(Arguments { name, json }: &Arguments) -> Result<(), Error> {
     let name = name.as_deref().unwrap_or_default();
     let exact = find(name);
     let found: Vec<&MaterialEntry> =
-        exact.map_or_else(|| all().iter().filter(|entry| has(entry, name)).collect(), |one| vec![one]);
+        exact.map_or_else(|| all().iter().filter(|entry| matches(entry, name)).collect(), |one| vec![one]);
     if found.is_empty() {
         let text = format!("unknown material \"{name}\"{}", unknown_material(name));
         return Err(Error::input(text));
     }
     if *json {
-        return super::terminal::print_json(&format!("{:#}\n", data(&found)));
+        return super::terminal::print_json(&format!("{:#}\n", materials_json(&found)));
     }
-    super::terminal::print(&exact.map_or_else(|| list(name), one))
+    super::terminal::print(&exact.map_or_else(|| materials_text(name), material_page))
 }

@@ -23,7 +23,7 @@ use std::path::Path;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use plm_impact::error::Error;
-use plm_impact::report::text::laws::{data, list};
+use plm_impact::report::text::laws::{laws_json, laws_text};
 use plm_impact::scenario::keys::ALL_KEYS;
 use plm_impact::scenario::schema::schema;
 use terminal::ErrorFormat;
@@ -95,8 +95,8 @@ pub fn run() -> Result<(), Error> {
         Command::Check(arguments) => run::check(&arguments),
         Command::Calibrate(arguments) => calibrate::calibrate(&arguments),
         Command::Export(arguments) => export::export(&arguments),
-        Command::Laws { json: true } => terminal::print_json(&format!("{:#}\n", data())),
-        Command::Laws { json: false } => terminal::print(&list()),
+        Command::Laws { json: true } => terminal::print_json(&format!("{:#}\n", laws_json())),
+        Command::Laws { json: false } => terminal::print(&laws_text()),
         Command::Keys(arguments) => keys::keys(&arguments),
         Command::Units(arguments) => units::units(&arguments),
         Command::Materials(arguments) => materials::materials(&arguments),

@@ -8,8 +8,8 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin, SUMMARY_FILE, hex};
-use plm_impact::report::chart::Pictures;
-use plm_impact::report::run::{Outcome, RunOptions, at_once, refuse_warnings};
+use plm_impact::report::chart::PictureFormat;
+use plm_impact::report::run::{Outcome, RunOptions, refuse_warnings, run};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 use plm_impact::table::parts::clear_parts;
@@ -64,7 +64,7 @@ impl Output {
         let directory = self.prepare(file, &mut scenario)?;
         clear_parts(&directory)?;
         let pictures = self.pictures.format;
-        let detail = if self.verbose { Detail::Whole } else { Detail::Usual };
+        let detail = if self.verbose { Detail::Full } else { Detail::Normal };
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(signals, move |progress| {
             let outcome = outcome(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
             Ok((scenario, outcome))
@@ -157,7 +157,7 @@ fn in_file_name(setting: &str) -> String {
 
 /// The outcome of a scenario that is not a table.
 pub fn outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
-    at_once(scenario, Some(options))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
+    run(scenario, Some(options))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
 }
 
 /// Notes which older results are gone, once the new ones are there.
@@ -203,6 +203,6 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PictureArguments {
     /// Format of the pictures: svg stays sharp in any size, and its text can be searched; narrow-svg fits a column of a paper
-    #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = one_of(Pictures::ALL, Pictures::name))]
-    pub format: Pictures,
+    #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = one_of(PictureFormat::ALL, PictureFormat::name))]
+    pub format: PictureFormat,
 }

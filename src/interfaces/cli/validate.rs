@@ -6,7 +6,7 @@ use clap::Args;
 use plm_impact::contact::law::PlmCoefficients;
 use plm_impact::error::{Error, ErrorKind};
 use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin};
-use plm_impact::report::chart::Pictures;
+use plm_impact::report::chart::PictureFormat;
 use plm_impact::scenario::{MAX_SCENARIO_MIB, read_text};
 use plm_impact::validate;
 use plm_impact::validate::report;
@@ -66,11 +66,11 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
 }
 
 /// The page with the pictures of this format, or without pictures.
-fn shown(page: &str, format: Pictures) -> String {
+fn shown(page: &str, format: PictureFormat) -> String {
     match format {
-        Pictures::Png => page.to_owned(),
-        Pictures::Svg | Pictures::NarrowSvg => page.replace(".png", ".svg"),
-        Pictures::None => {
+        PictureFormat::Png => page.to_owned(),
+        PictureFormat::Svg | PictureFormat::NarrowSvg => page.replace(".png", ".svg"),
+        PictureFormat::None => {
             page.lines().filter(|line| !line.starts_with("![")).map(|line| line.to_owned() + "\n").collect()
         }
     }

@@ -15,9 +15,9 @@ use super::table::table_of_csv;
 use crate::error::Error;
 use crate::impact;
 use crate::report::pictures;
-use crate::report::run::{at_speed_of, no_result, texts};
+use crate::report::run::{at_scenario_speed, no_result_error, warning_texts};
 use crate::report::text::overview::overview;
-use crate::report::text::{Detail, table, trace};
+use crate::report::text::{Detail, table, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::{TABLES, to_fields};
 use crate::scenario::input::RunKind;
@@ -48,8 +48,8 @@ impl Contact {
             })
         };
         let input = input.map_err(exception)?;
-        let contact = input.contact().map_err(|reason| exception(no_result(&scenario, &reason)))?;
-        let warnings = texts(&scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
+        let contact = input.contact().map_err(|reason| exception(no_result_error(&scenario, &reason)))?;
+        let warnings = warning_texts(&scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact));
         Ok((Self { scenario, input, inner: contact, plans: Mutex::default() }, warnings))
     }
 
@@ -68,7 +68,7 @@ impl Contact {
 
     /// The contact, with the strength of its own speed if it depends on one.
     fn of_one_strength(&self) -> PyResult<Cow<'_, impact::Contact>> {
-        let own = at_speed_of(&self.scenario, &self.input, &self.inner).map_err(exception)?;
+        let own = at_scenario_speed(&self.scenario, &self.input, &self.inner).map_err(exception)?;
         Ok(own.map_or(Cow::Borrowed(&self.inner), Cow::Owned))
     }
 
@@ -76,7 +76,7 @@ impl Contact {
     fn own(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
         let [normal, _] = self.input.approach_at(speed).components();
         let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
-        own.map_err(|reason| no_result(&self.scenario, &reason))
+        own.map_err(|reason| no_result_error(&self.scenario, &reason))
     }
 
     fn computed(
@@ -85,7 +85,7 @@ impl Contact {
         speed: f64,
         samples: Option<usize>,
     ) -> Result<impact::Impact, Error> {
-        let refuse = |reason| no_result(&self.scenario, &reason);
+        let refuse = |reason| no_result_error(&self.scenario, &reason);
         let approach = self.input.approach_at(speed);
         own.unwrap_or(&self.inner).impact(approach, &self.input.solver(), samples).map_err(refuse)
     }
@@ -130,7 +130,7 @@ impl Contact {
         if falls {
             impact.result.warnings.extend(slf.get().input.flight_warnings());
         }
-        let warnings = [texts(&impact.result.warnings), impact.notes.clone()].concat();
+        let warnings = [warning_texts(&impact.result.warnings), impact.notes.clone()].concat();
         warn(slf.py(), 1, &warnings)?;
         Ok(impact)
     }
@@ -362,7 +362,7 @@ impl Impact {
         if let Some(array) = self.trace.get() {
             return Ok(array.bind(py).clone());
         }
-        let csv = py.detach(|| trace(self.traced()?).map_err(exception))?;
+        let csv = py.detach(|| trace_csv(self.traced()?).map_err(exception))?;
         let array = table_of_csv(py, &csv)?.call_method0("to_numpy")?;
         // every access gives the same array
         array.call_method1("setflags", (false,))?;
@@ -371,7 +371,7 @@ impl Impact {
     }
 
     fn __repr__(&self) -> String {
-        format!("<plm_impact.Impact>\n{}", table(&self.single(), Detail::Usual).trim_end())
+        format!("<plm_impact.Impact>\n{}", table(&self.single(), Detail::Normal).trim_end())
     }
 
     /// The picture of the force against the indentation, as PNG.

@@ -29,7 +29,7 @@ mod _core {
     use crate::contact::law::LawChoice;
     use crate::files::VERSION;
     use crate::materials::all;
-    use crate::report::text::materials::data;
+    use crate::report::text::materials::materials_json;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -47,7 +47,7 @@ mod _core {
     /// note, and properties. A property has its value and the ends of its range in SI units, the basis and the sources.
     #[pyfunction]
     fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-        from_json(py, &data(&all().iter().collect::<Vec<_>>()))
+        from_json(py, &materials_json(&all().iter().collect::<Vec<_>>()))
     }
 
     /// The JSON Schema of a scenario, as a dict.

@@ -12,8 +12,8 @@ use super::rows::{failures, of_plan, values};
 use super::table::{of_values, table as table_of};
 use super::workers::{append, interruptible, reserved};
 use crate::files::{OutputFile, Progress};
-use crate::report::chart::Pictures;
-use crate::report::run::{Outcome, RunOptions, at_once, table};
+use crate::report::chart::PictureFormat;
+use crate::report::run::{Outcome, RunOptions, run, table};
 use crate::report::text::Detail;
 use crate::scenario::Scenario;
 
@@ -89,7 +89,7 @@ fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
 
 fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> PyResult<Bound<'py, PyAny>> {
     let command = format!("{}.run({})", env!("CARGO_CRATE_NAME"), scenario.document.name());
-    let made = interruptible(py, |progress| at_once(scenario, Some(&options(&command, pictures, progress))))?
+    let made = interruptible(py, |progress| run(scenario, Some(&options(&command, pictures, progress))))?
         .map_err(exception)?;
     if let Some(mut made) = made {
         made.warnings.extend(made.contradiction.take());
@@ -102,8 +102,8 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
     let mut columns = reserved(rows, &vec![1; named.len()])?;
     let made = interruptible(py, |progress| {
         let take = |piece| append(&mut columns, piece);
-        let tally = table::rows(&plan, progress, |rows| values(&named, rows), take)?;
-        table::outcome(scenario, &plan, &tally, &options(&command, pictures, progress), None)
+        let tally = table::compute_rows(&plan, progress, |rows| values(&named, rows), take)?;
+        table::summarise(scenario, &plan, &tally, &options(&command, pictures, progress), None)
     });
     let made = made?.map_err(exception)?;
     let failed = failures(columns.last().map_or(&[], Vec::as_slice));
@@ -112,8 +112,8 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
 }
 
 fn options<'a>(command: &'a str, pictures: bool, progress: &'a Progress) -> RunOptions<'a> {
-    let pictures = if pictures { Pictures::Png } else { Pictures::None };
-    RunOptions { command, detail: Detail::Usual, pictures, progress }
+    let pictures = if pictures { PictureFormat::Png } else { PictureFormat::None };
+    RunOptions { command, detail: Detail::Normal, pictures, progress }
 }
 
 /// A `plm_impact.Outcome`.

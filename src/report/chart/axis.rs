@@ -5,10 +5,10 @@ use crate::units::prefix::{Prefix, power_of_ten, power_of_ten_text};
 
 /// Values larger than this are not drawn; on a logarithmic axis, nor are values smaller than its inverse. So the ends
 /// and the length of an axis do not overflow.
-const LARGEST: f64 = 1e200;
+const MAX_DRAWN: f64 = 1e200;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
+pub enum AxisScale {
     /// Equal steps have equal lengths.
     Linear,
     /// Equal ratios have equal lengths; values ≤ 0 are not drawn.
@@ -17,14 +17,14 @@ pub enum Scale {
     Count,
 }
 
-impl Scale {
+impl AxisScale {
     /// A value on the scale on which equal steps have equal lengths.
-    pub(in crate::report) fn scaled(self, value: f64) -> f64 {
+    pub(in crate::report) fn transform(self, value: f64) -> f64 {
         if self == Self::Log { ln(value) } else { value }
     }
 
     /// The inverse of [`Self::scaled`].
-    pub(in crate::report) fn back(self, scaled: f64) -> f64 {
+    pub(in crate::report) fn inverse(self, scaled: f64) -> f64 {
         if self == Self::Log { exp(scaled) } else { scaled }
     }
 }
@@ -35,7 +35,7 @@ pub struct Axis {
     pub title: String,
     /// The unit, such as "m/s"; empty for a plain number.
     pub unit: String,
-    pub scale: Scale,
+    pub scale: AxisScale,
     /// Lower and upper end, in the unit of the values; `None` to fit them to the data.
     pub range: Option<(f64, f64)>,
     /// The value whose prefix the unit has; `None` for the prefix that fits the range.
@@ -45,7 +45,7 @@ pub struct Axis {
 impl Axis {
     /// A linear axis of values in a unit. Labels in an SI unit have a fitting prefix, such as µm for small lengths.
     pub fn linear(title: &str, unit: &str) -> Self {
-        Self { title: title.into(), unit: unit.into(), scale: Scale::Linear, range: None, prefix_of: None }
+        Self { title: title.into(), unit: unit.into(), scale: AxisScale::Linear, range: None, prefix_of: None }
     }
 
     /// True if the unit takes a prefix: it is not one of these, and has no prefix yet.
@@ -55,8 +55,8 @@ impl Axis {
 
     /// An axis of the places 1 to `count`.
     #[allow(clippy::cast_precision_loss)] // a handful
-    pub fn places(title: &str, count: usize) -> Self {
-        Self { scale: Scale::Count, ..Self::linear(title, "").between(0.0, count as f64 + 1.0) }
+    pub fn numbered(title: &str, count: usize) -> Self {
+        Self { scale: AxisScale::Count, ..Self::linear(title, "").with_range(0.0, count as f64 + 1.0) }
     }
 
     pub fn log(title: &str, unit: &str) -> Self {
@@ -65,11 +65,11 @@ impl Axis {
 
     /// Returns the axis with a logarithmic scale.
     pub fn logarithmic(self) -> Self {
-        Self { scale: Scale::Log, ..self }
+        Self { scale: AxisScale::Log, ..self }
     }
 
     /// Returns the axis from `low` to `high`.
-    pub fn between(mut self, low: f64, high: f64) -> Self {
+    pub fn with_range(mut self, low: f64, high: f64) -> Self {
         self.range = Some((low, high));
         self
     }
@@ -80,21 +80,21 @@ impl Axis {
     }
 
     /// The axis with range and prefix fitted to these values.
-    pub(in crate::report) fn fitted(&self, values: impl IntoIterator<Item = f64>) -> FittedAxis {
-        let is_log = self.scale == Scale::Log;
-        let drawable = |v: &f64| v.abs() < LARGEST && (!is_log || *v > 1.0 / LARGEST);
-        let is_range = |(low, high): &(f64, f64)| drawable(low) && drawable(high) && !is_one_value(*low, *high);
+    pub(in crate::report) fn fit(&self, values: impl IntoIterator<Item = f64>) -> FittedAxis {
+        let is_log = self.scale == AxisScale::Log;
+        let drawable = |v: &f64| v.abs() < MAX_DRAWN && (!is_log || *v > 1.0 / MAX_DRAWN);
+        let is_range = |(low, high): &(f64, f64)| drawable(low) && drawable(high) && !is_degenerate(*low, *high);
         let (low, high) = self.range.filter(is_range).unwrap_or_else(|| {
-            let (low, high) = extremes(values.into_iter().filter(drawable));
-            padded(low, high, is_log)
+            let (low, high) = min_max(values.into_iter().filter(drawable));
+            padded_range(low, high, is_log)
         });
         let prefix = match self.scale {
             _ if !self.takes_prefix() => Prefix::for_value(1.0),
             _ if self.prefix_of.is_some() => Prefix::for_value(self.prefix_of.unwrap_or(1.0)),
-            Scale::Linear | Scale::Count => Prefix::for_value(low.abs().max(high.abs())),
+            AxisScale::Linear | AxisScale::Count => Prefix::for_value(low.abs().max(high.abs())),
             // a range around 1 needs no prefix: speeds from 0.01 to 10 m/s stay in m/s
-            Scale::Log if low <= 1.0 && high >= 1.0 => Prefix::for_value(1.0),
-            Scale::Log => Prefix::for_value(low.sqrt() * high.sqrt()),
+            AxisScale::Log if low <= 1.0 && high >= 1.0 => Prefix::for_value(1.0),
+            AxisScale::Log => Prefix::for_value(low.sqrt() * high.sqrt()),
         };
         let unit = format!("{}{}", prefix.symbol, self.unit);
         let title = match unit.trim() {
@@ -112,27 +112,27 @@ impl Axis {
 }
 
 /// The smallest and the largest of these values; infinite if there are none.
-pub fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+pub fn min_max(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
     values.into_iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }
 
 /// True if a range is empty or too short to differ from one value.
-fn is_one_value(low: f64, high: f64) -> bool {
+fn is_degenerate(low: f64, high: f64) -> bool {
     high - low <= 1e-9 * high.abs().max(low.abs())
 }
 
 /// The range of an axis: a little more than the range of the data, and with zero if the data are near to it.
-fn padded(low: f64, high: f64, is_log: bool) -> (f64, f64) {
+fn padded_range(low: f64, high: f64, is_log: bool) -> (f64, f64) {
     if low > high {
         return if is_log { (0.1, 10.0) } else { (0.0, 1.0) };
     }
     if is_log {
-        let room = if is_one_value(low, high) { 3.0 } else { exp(0.04 * (ln(high) - ln(low))) };
+        let room = if is_degenerate(low, high) { 3.0 } else { exp(0.04 * (ln(high) - ln(low))) };
         return (low / room, high * room);
     }
     let room = match high - low {
         _ if low == 0.0 && high == 0.0 => 1.0,
-        _ if is_one_value(low, high) => 0.1 * high.abs(),
+        _ if is_degenerate(low, high) => 0.1 * high.abs(),
         length => 0.06 * length,
     };
     if low >= 0.0 && low < 0.5 * high { (0.0, high + room) } else { (low - room, high + room) }
@@ -149,7 +149,7 @@ pub(in crate::report) struct Tick {
 #[derive(Clone)]
 pub(in crate::report) struct FittedAxis {
     pub title: String,
-    scale: Scale,
+    scale: AxisScale,
     low: f64,
     high: f64,
     factor: f64,
@@ -157,8 +157,8 @@ pub(in crate::report) struct FittedAxis {
 
 impl FittedAxis {
     /// The place of a value along the axis; 0 … 1 within its range.
-    pub(in crate::report) fn at(&self, value: f64) -> f64 {
-        self.share(value / self.factor)
+    pub(in crate::report) fn position(&self, value: f64) -> f64 {
+        self.fraction(value / self.factor)
     }
 
     /// A value in the unit of the axis, with three significant digits.
@@ -169,19 +169,19 @@ impl FittedAxis {
         format!("{shown:.decimals$}").replace('-', "−")
     }
 
-    /// The value at a place along the axis: the inverse of [`FittedAxis::at`].
+    /// The value at a place along the axis: the inverse of [`FittedAxis::position`].
     pub(in crate::report) fn value_at(&self, share: f64) -> f64 {
-        let (low, high) = (self.scale.scaled(self.low), self.scale.scaled(self.high));
-        self.factor * self.scale.back(low + share * (high - low))
+        let (low, high) = (self.scale.transform(self.low), self.scale.transform(self.high));
+        self.factor * self.scale.inverse(low + share * (high - low))
     }
 
     pub(in crate::report) fn is_logarithmic(&self) -> bool {
-        self.scale == Scale::Log
+        self.scale == AxisScale::Log
     }
 
-    fn share(&self, value: f64) -> f64 {
-        let (low, high) = (self.scale.scaled(self.low), self.scale.scaled(self.high));
-        (self.scale.scaled(value) - low) / (high - low)
+    fn fraction(&self, value: f64) -> f64 {
+        let (low, high) = (self.scale.transform(self.low), self.scale.transform(self.high));
+        (self.scale.transform(value) - low) / (high - low)
     }
 
     /// Ticks from low to high on an axis of this length \[px\], with labels about `distance` apart, at least four if
@@ -190,13 +190,13 @@ impl FittedAxis {
     /// The labels of a logarithmic axis are whole digits times powers of ten, and powers of ten come first. Only an axis
     /// whose ends differ by less than [`SHORT`] has the even steps of a linear axis.
     pub(in crate::report) fn ticks(&self, length: f64, distance: f64, extent: impl Fn(&str) -> f64) -> Vec<Tick> {
-        if self.scale == Scale::Count {
-            return self.inside(counted(self.low, self.high));
+        if self.scale == AxisScale::Count {
+            return self.visible_ticks(integer_ticks(self.low, self.high));
         }
-        let wanted = (length / distance).max(FEWEST);
+        let wanted = (length / distance).max(MIN_LABELS);
         let (mut best, mut most) = (Vec::new(), 0.0);
         for values in self.candidates(wanted) {
-            let ticks = self.inside(values);
+            let ticks = self.visible_ticks(values);
             let labels: Vec<(f64, f64)> =
                 ticks.iter().filter_map(|tick| Some((length * tick.at, extent(tick.label.as_deref()?)))).collect();
             let overlap = labels.windows(2).any(|pair| pair[1].0 - pair[0].0 < 0.5 * (pair[0].1 + pair[1].1));
@@ -204,7 +204,7 @@ impl FittedAxis {
             if count > most && (!overlap || count < 2.0) {
                 (best, most) = (ticks, count);
             }
-            if most >= FEWEST {
+            if most >= MIN_LABELS {
                 break;
             }
         }
@@ -214,11 +214,11 @@ impl FittedAxis {
     /// Sets of ticks, the preferred one first.
     fn candidates(&self, wanted: f64) -> impl Iterator<Item = Vec<(f64, Option<String>)>> {
         let (low, high) = (self.low, self.high);
-        let is_short = self.scale != Scale::Log || high / low < SHORT;
+        let is_short = self.scale != AxisScale::Log || high / low < SHORT;
         let every = if is_short { 0 } else { decades_between_labels(low, high, wanted) };
         // labels closer together, up to one in every decade, and then more labels in each decade
         let of_decades = (1..=every).rev().map(move |every| log_ticks(low, high, every, &[1]));
-        let digits = DIGITS.into_iter().filter(move |_| !is_short);
+        let digits = LOG_LABEL_DIGITS.into_iter().filter(move |_| !is_short);
         let of_digits = digits.map(move |digits| log_ticks(low, high, 1, digits));
         let shares = LINEAR_COUNTS.into_iter().filter(move |_| is_short);
         let of_linear = shares.map(move |share| linear_ticks(low, high, share * wanted));
@@ -226,9 +226,9 @@ impl FittedAxis {
     }
 
     /// The ticks that lie on the axis.
-    fn inside(&self, values: Vec<(f64, Option<String>)>) -> Vec<Tick> {
+    fn visible_ticks(&self, values: Vec<(f64, Option<String>)>) -> Vec<Tick> {
         let tick = |(value, label): (f64, Option<String>)| {
-            let at = self.share(value);
+            let at = self.fraction(value);
             // a tick at the end of the axis must not be lost by rounding
             (-1e-9..=1.0 + 1e-9).contains(&at).then(|| Tick { at: at.clamp(0.0, 1.0), label })
         };
@@ -237,10 +237,10 @@ impl FittedAxis {
 }
 
 /// Smallest number of labels of an axis.
-const FEWEST: f64 = 4.0;
+const MIN_LABELS: f64 = 4.0;
 /// Digits that have a label on a logarithmic axis of few decades, from long axes to short ones. The last two are for long labels
 /// on less than a decade.
-const DIGITS: [&[i32]; 7] =
+const LOG_LABEL_DIGITS: [&[i32]; 7] =
     [&[1, 3], &[1, 2, 5], &[1, 2, 3, 5], &[1, 2, 4, 6, 8], &[1, 2, 3, 4, 5, 6, 7, 8, 9], &[1, 3, 6], &[1, 4, 7]];
 /// A logarithmic axis looks like a linear one if its upper end is less than this multiple of its lower end.
 const SHORT: f64 = 3.0;
@@ -256,7 +256,7 @@ fn decades_between_labels(low: f64, high: f64, wanted: f64) -> i32 {
 
 /// A tick for every whole number between these, and for both ends if there are fewer than three: two labels are no scale.
 #[allow(clippy::cast_possible_truncation)] // a handful
-fn counted(low: f64, high: f64) -> Vec<(f64, Option<String>)> {
+fn integer_ticks(low: f64, high: f64) -> Vec<(f64, Option<String>)> {
     let inside = low.floor() as i32 + 1..high.ceil() as i32;
     let places = if inside.len() < 3 { inside.start - 1..inside.end + 1 } else { inside };
     places.map(|place| (f64::from(place), Some(place.to_string()))).collect()
@@ -312,7 +312,7 @@ mod tests {
     use crate::numerics::functions::pow;
 
     fn labels(axis: &Axis, values: [f64; 2]) -> Vec<String> {
-        axis.fitted(values).ticks(900.0, 150.0, |_| 100.0).into_iter().filter_map(|tick| tick.label).collect()
+        axis.fit(values).ticks(900.0, 150.0, |_| 100.0).into_iter().filter_map(|tick| tick.label).collect()
     }
 
     #[test]
@@ -343,7 +343,7 @@ mod tests {
             {
                 let low = pow(10.0, 0.1 * f64::from(begin));
                 let high = low * pow(10.0, 0.1 * f64::from(tenths));
-                let axis = Axis::log("x", "").between(low, high).fitted([]);
+                let axis = Axis::log("x", "").with_range(low, high).fit([]);
                 let ticks = axis.ticks(length, distance, extent);
                 let labels: Vec<(f64, &str)> =
                     ticks.iter().filter_map(|tick| Some((tick.at, tick.label.as_deref()?))).collect();
@@ -377,7 +377,7 @@ mod tests {
 
     #[test]
     fn prefix_precedes_unit_without_prefix() {
-        let title = |unit, value| Axis::linear("x", unit).fitted([0.0, value]).title;
+        let title = |unit, value| Axis::linear("x", unit).fit([0.0, value]).title;
         assert_eq!(title("m", 1e-6), "x [µm]");
         // 0.4 is not 400 "m", and 7850 kg/m^3 are not 7.85 kkg/m^3
         assert_eq!(title("", 0.4), "x");
@@ -393,8 +393,8 @@ mod tests {
     #[test]
     fn value_at_inverts_at() {
         for axis in [Axis::linear("x", "m"), Axis::log("x", "m")] {
-            let axis = axis.fitted([1.0, 50.0]);
-            approx::assert_relative_eq!(axis.at(axis.value_at(0.3)), 0.3, max_relative = 1e-14);
+            let axis = axis.fit([1.0, 50.0]);
+            approx::assert_relative_eq!(axis.position(axis.value_at(0.3)), 0.3, max_relative = 1e-14);
         }
     }
 }

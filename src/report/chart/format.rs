@@ -7,7 +7,7 @@ use crate::strings::named_enum;
 
 named_enum! {
     /// The file format of pictures.
-    pub enum Pictures {
+    pub enum PictureFormat {
         Png = "png",
         /// SVG: shapes and text, which stay sharp at any size.
         Svg = "svg",
@@ -18,9 +18,9 @@ named_enum! {
     }
 }
 
-impl Pictures {
+impl PictureFormat {
     /// The file of a picture; `None` if no pictures are wanted.
-    pub fn file(self, name: &str, chart: &Chart) -> Result<Option<OutputFile>, Error> {
+    pub fn to_file(self, name: &str, chart: &Chart) -> Result<Option<OutputFile>, Error> {
         let (ending, bytes) = match self {
             Self::Png => ("png", chart.to_png()?),
             Self::Svg => ("svg", chart.to_svg()?),
@@ -31,13 +31,13 @@ impl Pictures {
     }
 
     /// The files of pictures. If no pictures are wanted, `drawn` is not called.
-    pub fn files<N: AsRef<str>>(
+    pub fn to_files<N: AsRef<str>>(
         self,
         drawn: impl FnOnce() -> Result<Vec<(N, Chart)>, Error>,
     ) -> Result<Vec<OutputFile>, Error> {
         if self == Self::None {
             return Ok(Vec::new());
         }
-        drawn()?.iter().filter_map(|(name, chart)| self.file(name.as_ref(), chart).transpose()).collect()
+        drawn()?.iter().filter_map(|(name, chart)| self.to_file(name.as_ref(), chart).transpose()).collect()
     }
 }

@@ -6,8 +6,8 @@ use plotters::prelude::DrawingBackend;
 use super::axis::FittedAxis;
 use super::pen::{Anchor, Pen, Point};
 use super::style::{AXIS_SIZE, LABEL_SIZE, TITLE_SIZE};
-use super::text::{fitting, text_width, with_minus};
-use super::{GREY, GRID, INK, Mark, PAPER, Style};
+use super::text::{fitting_size, text_width, with_minus};
+use super::{BACKGROUND, FOREGROUND, GREY, GRID, Marker, Style};
 use crate::numerics::functions::{exp, ln};
 
 /// Margins around the boxes for labels and titles \[px\].
@@ -46,16 +46,16 @@ pub struct Bounds {
     pub bottom: f64,
 }
 
-pub struct Frame {
+pub struct PanelFrame {
     pub bounds: Bounds,
     pub x: FittedAxis,
     pub y: FittedAxis,
 }
 
-impl Frame {
-    pub fn place(&self, (x, y): (f64, f64)) -> Point {
+impl PanelFrame {
+    pub fn to_pixels(&self, (x, y): (f64, f64)) -> Point {
         let Bounds { left, top, right, bottom } = self.bounds;
-        (left + self.x.at(x) * (right - left), bottom - self.y.at(y) * (bottom - top))
+        (left + self.x.position(x) * (right - left), bottom - self.y.position(y) * (bottom - top))
     }
 
     /// Draws the horizontal axis. It has no labels if a box below has the same axis.
@@ -65,12 +65,12 @@ impl Frame {
         for tick in self.x.ticks(right - left, LABEL_DISTANCE.0, extent) {
             let x = left + tick.at * (right - left);
             if tick.label.is_some() {
-                pen.polyline(&[(x, top), (x, bottom)], Style::line(GRID, 1.5))?;
+                pen.draw_polyline(&[(x, top), (x, bottom)], Style::line(GRID, 1.5))?;
             }
             let end = bottom + tick_length(tick.label.is_some());
-            pen.polyline(&[(x, bottom), (x, end)], Style::line(INK, 2.0))?;
+            pen.draw_polyline(&[(x, bottom), (x, end)], Style::line(FOREGROUND, 2.0))?;
             if let Some(label) = tick.label.filter(|_| has_labels) {
-                pen.text(&label, (x, bottom + LABELS.1), LABEL_SIZE, INK, Anchor::Middle)?;
+                pen.draw_text(&label, (x, bottom + LABELS.1), LABEL_SIZE, FOREGROUND, Anchor::Middle)?;
             }
         }
         if !has_labels {
@@ -79,13 +79,13 @@ impl Frame {
         // a title that is longer than its box, as beside another box, has two lines in smaller letters
         let (middle, room) = (0.5 * (left + right), right - left + TITLE_OVERHANG);
         if text_width(&self.x.title, AXIS_SIZE) <= room {
-            return pen.text(&self.x.title, (middle, bottom + X_TITLE), AXIS_SIZE, INK, Anchor::Middle);
+            return pen.draw_text(&self.x.title, (middle, bottom + X_TITLE), AXIS_SIZE, FOREGROUND, Anchor::Middle);
         }
         let (first, second) = halves(&self.x.title);
         let longest = if text_width(first, AXIS_SIZE) > text_width(second, AXIS_SIZE) { first } else { second };
-        let size = fitting(longest, SMALL_TITLE, room);
+        let size = fitting_size(longest, SMALL_TITLE, room);
         for (line, at) in [(first, X_TITLE - 0.5 * SMALL_TITLE), (second, X_TITLE + 0.65 * SMALL_TITLE)] {
-            pen.text(line, (middle, bottom + at), size, INK, Anchor::Middle)?;
+            pen.draw_text(line, (middle, bottom + at), size, FOREGROUND, Anchor::Middle)?;
         }
         Ok(())
     }
@@ -97,32 +97,40 @@ impl Frame {
         for tick in self.y.ticks(bottom - top, LABEL_DISTANCE.1, |_| LABEL_SIZE) {
             let y = bottom - tick.at * (bottom - top);
             if tick.label.is_some() {
-                pen.polyline(&[(left, y), (right, y)], Style::line(GRID, 1.5))?;
+                pen.draw_polyline(&[(left, y), (right, y)], Style::line(GRID, 1.5))?;
             }
-            pen.polyline(&[(left - tick_length(tick.label.is_some()), y), (left, y)], Style::line(INK, 2.0))?;
+            pen.draw_polyline(
+                &[(left - tick_length(tick.label.is_some()), y), (left, y)],
+                Style::line(FOREGROUND, 2.0),
+            )?;
             if let Some(label) = tick.label.filter(|_| has_labels) {
                 widest = widest.max(text_width(&label, LABEL_SIZE));
-                pen.text(&label, (left - LABELS.0, y), LABEL_SIZE, INK, Anchor::End)?;
+                pen.draw_text(&label, (left - LABELS.0, y), LABEL_SIZE, FOREGROUND, Anchor::End)?;
             }
         }
         if !has_labels {
             return Ok(());
         }
         let title_at = (left - LABELS.0 - widest - Y_TITLE.0).max(Y_TITLE.1);
-        let size = fitting(&self.y.title, AXIS_SIZE, bottom - top + TITLE_OVERHANG);
-        pen.text(&self.y.title, (title_at, 0.5 * (top + bottom)), size, INK, Anchor::Upward)
+        let size = fitting_size(&self.y.title, AXIS_SIZE, bottom - top + TITLE_OVERHANG);
+        pen.draw_text(&self.y.title, (title_at, 0.5 * (top + bottom)), size, FOREGROUND, Anchor::Upward)
     }
 
     /// Draws the outline, over the ends of the curves.
     pub fn draw_outline<B: DrawingBackend>(&self, pen: &mut Pen<B>) -> Result<(), Error> {
         let Bounds { left, top, right, bottom } = self.bounds;
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-        pen.polyline(&corners, Style::line(INK, 2.0))
+        pen.draw_polyline(&corners, Style::line(FOREGROUND, 2.0))
     }
 
     /// Draws a curve through values. Parts outside the box are cut off, and values that are not finite interrupt it. On a
     /// logarithmic vertical axis, a curve that falls to zero or below goes to the edge of the box.
-    pub fn curve<B: DrawingBackend>(&self, pen: &mut Pen<B>, values: &[(f64, f64)], style: Style) -> Result<(), Error> {
+    pub fn draw_curve<B: DrawingBackend>(
+        &self,
+        pen: &mut Pen<B>,
+        values: &[(f64, f64)],
+        style: Style,
+    ) -> Result<(), Error> {
         let mut piece: Vec<Point> = Vec::new();
         let to_edge: Vec<(f64, f64)>;
         let values = if self.y.is_logarithmic() {
@@ -133,28 +141,33 @@ impl Frame {
             values
         };
         for pair in values.windows(2) {
-            let clipped = self.bounds.clipped(self.place(pair[0]), self.place(pair[1]));
+            let clipped = self.bounds.clip_segment(self.to_pixels(pair[0]), self.to_pixels(pair[1]));
             if piece.last().copied() != clipped.map(|(from, _)| from) {
-                pen.polyline(&std::mem::take(&mut piece), style)?;
+                pen.draw_polyline(&std::mem::take(&mut piece), style)?;
                 piece.extend(clipped.map(|(from, _)| from));
             }
             piece.extend(clipped.map(|(_, to)| to));
         }
-        pen.polyline(&piece, style)
+        pen.draw_polyline(&piece, style)
     }
 
     /// Draws a marker with a white rim, if it is inside the box.
-    pub fn mark<B: DrawingBackend>(&self, pen: &mut Pen<B>, value: (f64, f64), style: Style) -> Result<(), Error> {
-        let at = self.place(value);
+    pub fn draw_marker<B: DrawingBackend>(
+        &self,
+        pen: &mut Pen<B>,
+        value: (f64, f64),
+        style: Style,
+    ) -> Result<(), Error> {
+        let at = self.to_pixels(value);
         let Bounds { left, top, right, bottom } = self.bounds;
         // half a pixel is allowed for rounding
         if !(left - 0.5..=right + 0.5).contains(&at.0) || !(top - 0.5..=bottom + 0.5).contains(&at.1) {
             return Ok(());
         }
-        if !matches!(style.mark, Mark::Cross | Mark::Plus) {
-            pen.mark(at, Style { radius: style.radius + 2.0, color: PAPER, ..style })?;
+        if !matches!(style.mark, Marker::Cross | Marker::Plus) {
+            pen.draw_marker(at, Style { radius: style.radius + 2.0, color: BACKGROUND, ..style })?;
         }
-        pen.mark(at, style)
+        pen.draw_marker(at, style)
     }
 }
 
@@ -199,20 +212,20 @@ pub fn draw_titles<B: DrawingBackend>(pen: &mut Pen<B>, all: Bounds, titles: [&s
     let [title, caption] = &titles.map(with_minus);
     if caption.is_empty() {
         let between = 0.5 * (TITLE + CAPTION);
-        return pen.text(title, (middle, all.top - between), TITLE_SIZE, INK, Anchor::Middle);
+        return pen.draw_text(title, (middle, all.top - between), TITLE_SIZE, FOREGROUND, Anchor::Middle);
     }
-    pen.text(title, (middle, all.top - TITLE), TITLE_SIZE, INK, Anchor::Middle)?;
-    pen.text(caption, (middle, all.top - CAPTION), LABEL_SIZE, GREY, Anchor::Middle)
+    pen.draw_text(title, (middle, all.top - TITLE), TITLE_SIZE, FOREGROUND, Anchor::Middle)?;
+    pen.draw_text(caption, (middle, all.top - CAPTION), LABEL_SIZE, GREY, Anchor::Middle)
 }
 
 impl Bounds {
     /// The place inside that is nearest to this one.
-    pub fn nearest(&self, (x, y): Point) -> Point {
+    pub fn clamp(&self, (x, y): Point) -> Point {
         (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
     }
 
     /// The part of a straight line inside (Liang and Barsky 1984); none if an end is not finite.
-    pub fn clipped(&self, from: Point, to: Point) -> Option<(Point, Point)> {
+    pub fn clip_segment(&self, from: Point, to: Point) -> Option<(Point, Point)> {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         if !dx.is_finite() || !dy.is_finite() {
             return None;

@@ -18,8 +18,8 @@ pub fn histogram(
     // black, vermillion, reddish purple and green over sky blue, each with its own dash
     let guides = lines.into_iter().enumerate().map(|(i, (at, label))| {
         let color = [PALETTE[6], PALETTE[1], PALETTE[3], PALETTE[2]][i % 4];
-        Series::vertical(at, label).styled(Style { color, ..Style::new(i).wide(3.5) })
+        Series::vertical(at, label).with_style(Style { color, ..Style::new(i).with_width(3.5) })
     });
-    let axes = [x.between(low, high), Axis::linear("Count", "").between(0.0, 1.06 * highest)];
-    Chart::new(title, axes, vec![Series::band("", outline).styled(5)]).with_guides(guides.collect::<Vec<_>>())
+    let axes = [x.with_range(low, high), Axis::linear("Count", "").with_range(0.0, 1.06 * highest)];
+    Chart::new(title, axes, vec![Series::band("", outline).with_style(5)]).with_guides(guides.collect::<Vec<_>>())
 }

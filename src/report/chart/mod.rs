@@ -12,20 +12,20 @@ pub(in crate::report) mod series;
 pub(in crate::report) mod style;
 pub(in crate::report) mod text;
 
-pub use axis::{Axis, Scale, extremes};
-pub use format::Pictures;
+pub use axis::{Axis, AxisScale, min_max};
+pub use format::PictureFormat;
 pub use heatmap::heatmap;
 pub use histogram::histogram;
-pub use series::{Look, Series};
-pub(crate) use style::{DASHED, DOTTED, GREY, GRID, INK, MARK, PALETTE, PAPER, SOLID};
-pub use style::{Mark, Style};
+pub use series::{Series, SeriesKind};
+pub(crate) use style::{BACKGROUND, DASHED, DOTTED, FOREGROUND, GREY, GRID, MARKER_RADIUS, PALETTE, SOLID};
+pub use style::{Marker, Style};
 
 use crate::error::Error;
 use plotters::prelude::DrawingBackend;
 use plotters::style::RGBColor;
 
-use frame::{BOTTOM, Bounds, Frame, LEFT, TOP, draw_titles};
-use legend::{Key, MARGIN};
+use frame::{BOTTOM, Bounds, LEFT, PanelFrame, TOP, draw_titles};
+use legend::{Legend, MARGIN};
 use pen::{Anchor, Pen, Point};
 use style::LABEL_SIZE;
 use text::text_width;
@@ -35,22 +35,22 @@ pub const SIZE: (u32, u32) = (1600, 1000);
 /// Distance between the boxes \[px\].
 const GAP: f64 = 28.0;
 /// Width of the colour bar, its distance from the edge, and the width kept free for it and its labels \[px\].
-const BAR: f64 = 44.0;
-const BAR_MARGIN: f64 = 30.0;
-const BAR_ROOM: f64 = 250.0;
+const COLOR_BAR_WIDTH: f64 = 44.0;
+const COLOR_BAR_MARGIN: f64 = 30.0;
+const COLOR_BAR_SPACE: f64 = 250.0;
 /// Width of a narrow picture and its height without the key \[px\].
-const NARROW: (f64, f64) = (800.0, 830.0);
+const NARROW_SIZE: (f64, f64) = (800.0, 830.0);
 /// Room at the right of axes without a key there \[px\].
-const RIGHT: f64 = 40.0;
+const RIGHT_MARGIN: f64 = 40.0;
 /// Largest share of the width that a key at the right of the axes takes.
-const KEY_SHARE: f64 = 0.2;
+const MAX_LEGEND_SHARE: f64 = 0.2;
 /// Share of the width that a box at the side takes, and its distance from the first box \[px\].
-const SIDE: f64 = 0.3;
-const SIDE_GAP: f64 = 44.0;
+const SIDE_PANEL_SHARE: f64 = 0.3;
+const SIDE_PANEL_GAP: f64 = 44.0;
 /// The widest text over a column, in widths of the column: the gap beside it is half as wide.
-const COLUMN_ROOM: f64 = 1.3;
+const MAX_COLUMN_TEXT_WIDTH: f64 = 1.3;
 /// Number of steps of the colour bar.
-const STEPS: u32 = 256;
+const COLOR_BAR_STEPS: u32 = 256;
 
 /// A picture as data. [`Self::to_png`] and [`Self::to_svg`] draw it.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,26 +63,26 @@ pub struct Chart {
     /// The boxes, from the top down.
     pub panels: Vec<Panel>,
     /// A box at the right of the first one, with the vertical axis of that box.
-    pub side: Option<Side>,
+    pub side: Option<SidePanel>,
     /// Entries at the end of the key.
-    pub(super) entries: Vec<Series>,
+    pub(super) legend_entries: Vec<Series>,
     /// The axis of the colours of a map, with their scale.
-    pub(super) colors: Option<(Axis, Shade)>,
+    pub(super) color_axis: Option<(Axis, ColorMap)>,
 }
 
 /// The colour at a share of the axis of colours.
-pub type Shade = fn(f64) -> RGBColor;
+pub type ColorMap = fn(f64) -> RGBColor;
 
 /// Where everything of a picture lies.
-struct Layout {
+struct ChartLayout {
     /// Width and height of the picture \[px\].
-    sheet: (u32, u32),
+    canvas: (u32, u32),
     /// The room of all boxes, with that at their right.
-    all: Bounds,
-    frames: Vec<Frame>,
-    key: Key,
+    bounds: Bounds,
+    frames: Vec<PanelFrame>,
+    legend: Legend,
     /// Its upper left corner.
-    key_at: Point,
+    legend_position: Point,
 }
 
 /// One box.
@@ -98,7 +98,7 @@ pub struct Panel {
 
 /// A box at the side, for series that would be too narrow on the horizontal axis of the others.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Side {
+pub struct SidePanel {
     pub x: Axis,
     pub series: Vec<Series>,
 }
@@ -130,7 +130,7 @@ impl Chart {
     /// A picture of several boxes one above the other.
     pub fn stacked(title: impl Into<String>, x: Axis, panels: Vec<Panel>) -> Self {
         let (title, caption) = (title.into(), String::new());
-        Self { title, caption, x, panels, side: None, entries: Vec::new(), colors: None }
+        Self { title, caption, x, panels, side: None, legend_entries: Vec::new(), color_axis: None }
     }
 
     /// Returns the picture with a line below the title that names bodies and law.
@@ -139,8 +139,8 @@ impl Chart {
     }
 
     /// Returns the picture with these series in a box at the right of the first one.
-    pub fn with_side(self, x: Axis, series: Vec<Series>) -> Self {
-        Self { side: Some(Side { x, series }), ..self }
+    pub fn with_side_panel(self, x: Axis, series: Vec<Series>) -> Self {
+        Self { side: Some(SidePanel { x, series }), ..self }
     }
 
     /// Returns the picture with these guides in every box.
@@ -154,11 +154,11 @@ impl Chart {
 
     /// Returns the picture with these texts at the end of the key.
     pub fn with_notes<T: Into<String>>(self, notes: impl IntoIterator<Item = T>) -> Self {
-        self.with_entries(notes.into_iter().map(Series::text))
+        self.with_legend_entries(notes.into_iter().map(Series::text))
     }
 
-    pub(super) fn with_entries(mut self, entries: impl IntoIterator<Item = Series>) -> Self {
-        self.entries.extend(entries);
+    pub(super) fn with_legend_entries(mut self, entries: impl IntoIterator<Item = Series>) -> Self {
+        self.legend_entries.extend(entries);
         self
     }
 
@@ -166,9 +166,9 @@ impl Chart {
     /// of solid lines, the second of dashed ones ([`Style::branch`]).
     pub fn with_branches(self, names: &[&str]) -> Self {
         let entry = |(which, name): (usize, &&str)| {
-            Series::line(*name, Vec::new()).styled(Style::line(GREY, 3.0).branch(which))
+            Series::line(*name, Vec::new()).with_style(Style::line(GREY, 3.0).branch(which))
         };
-        self.with_entries(names.iter().enumerate().map(entry))
+        self.with_legend_entries(names.iter().enumerate().map(entry))
     }
 
     /// The picture as PNG: pixels, with the same bytes on every machine.
@@ -177,7 +177,7 @@ impl Chart {
     /// [`Error`] in a browser, where plotters draws no letters into pixels.
     pub fn to_png(&self) -> Result<Vec<u8>, Error> {
         #[cfg(not(target_arch = "wasm32"))]
-        return pen::png::png(|pen| self.paint(&self.layout(false), pen));
+        return pen::png::render_png(|pen| self.draw(&self.layout(false), pen));
         #[cfg(target_arch = "wasm32")]
         Err(Error::failed("the built-in font cannot be used"))
     }
@@ -193,97 +193,97 @@ impl Chart {
         self.svg(&self.layout(true))
     }
 
-    fn svg(&self, layout: &Layout) -> Result<Vec<u8>, Error> {
-        pen::svg(layout.sheet, |pen| self.paint(layout, pen))
+    fn svg(&self, layout: &ChartLayout) -> Result<Vec<u8>, Error> {
+        pen::render_svg(layout.canvas, |pen| self.draw(layout, pen))
     }
 
-    fn layout(&self, is_narrow: bool) -> Layout {
-        let (width, height) = if is_narrow { NARROW } else { (f64::from(SIZE.0), f64::from(SIZE.1)) };
-        let all = Bounds { left: LEFT, top: TOP, right: width - RIGHT, bottom: height - BOTTOM };
+    fn layout(&self, is_narrow: bool) -> ChartLayout {
+        let (width, height) = if is_narrow { NARROW_SIZE } else { (f64::from(SIZE.0), f64::from(SIZE.1)) };
+        let all = Bounds { left: LEFT, top: TOP, right: width - RIGHT_MARGIN, bottom: height - BOTTOM };
         // the axis of the colours is at the right of the box, in a narrow picture too
-        let right = if self.colors.is_some() { width - BAR_ROOM } else { all.right };
-        let mut frames = self.frames(Bounds { right, ..all });
-        let entries = self.key(&frames);
+        let right = if self.color_axis.is_some() { width - COLOR_BAR_SPACE } else { all.right };
+        let mut frames = self.panel_frames(Bounds { right, ..all });
+        let entries = self.styled_legend_entries(&frames);
         let inside = match &self.panels[..] {
-            [one] if !is_narrow && self.colors.is_none() => {
+            [one] if !is_narrow && self.color_axis.is_none() => {
                 let shown: Vec<&Series> = one.series.iter().chain(&one.guides).collect();
-                Key::inside(&entries, &frames[0], &shown)
+                Legend::fit_inside(&entries, &frames[0], &shown)
             }
             _ => None,
         };
         let (key, key_at) = match inside {
             Some(found) => found,
             None if is_narrow => {
-                let key = Key::new(&entries, (width - 2.0 * MARGIN, f64::from(SIZE.1)));
+                let key = Legend::new(&entries, (width - 2.0 * MARGIN, f64::from(SIZE.1)));
                 (key, (MARGIN, height))
             }
-            None if self.colors.is_some() => {
-                (Key::new(&entries, (BAR_ROOM, all.bottom - all.top)), (right + MARGIN, TOP))
+            None if self.color_axis.is_some() => {
+                (Legend::new(&entries, (COLOR_BAR_SPACE, all.bottom - all.top)), (right + MARGIN, TOP))
             }
             None => {
-                let key = Key::new(&entries, (KEY_SHARE * width - 2.0 * MARGIN, height - TOP - MARGIN));
+                let key = Legend::new(&entries, (MAX_LEGEND_SHARE * width - 2.0 * MARGIN, height - TOP - MARGIN));
                 let right = if entries.is_empty() { all.right } else { width - key.width() - 2.0 * MARGIN };
-                frames = self.frames(Bounds { right, ..all });
+                frames = self.panel_frames(Bounds { right, ..all });
                 (key, (right + MARGIN, TOP))
             }
         };
         let more = if is_narrow { key.height() } else { 0.0 };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // some thousand pixels
         let sheet = (width as u32, (height + more).ceil() as u32);
-        Layout { sheet, all, frames, key, key_at }
+        ChartLayout { canvas: sheet, bounds: all, frames, legend: key, legend_position: key_at }
     }
 
     /// The boxes in this room; a box at the side is the last.
-    fn frames(&self, all: Bounds) -> Vec<Frame> {
-        let x = self.x.fitted(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
+    fn panel_frames(&self, all: Bounds) -> Vec<PanelFrame> {
+        let x = self.x.fit(self.panels.iter().flat_map(Panel::points).map(|(x, _)| x));
         let count = self.panels.len() as f64;
         let height = (all.bottom - all.top - GAP * (count - 1.0)) / count;
         let mut bottom = all.top - GAP;
-        let mut frames: Vec<Frame> = Vec::new();
+        let mut frames: Vec<PanelFrame> = Vec::new();
         for panel in &self.panels {
             let top = bottom + GAP;
             bottom = top + height;
-            let y = panel.y.fitted(panel.points().map(|(_, y)| y));
-            frames.push(Frame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
+            let y = panel.y.fit(panel.points().map(|(_, y)| y));
+            frames.push(PanelFrame { bounds: Bounds { top, bottom, ..all }, x: x.clone(), y });
         }
         if let Some(side) = &self.side {
             let first = &mut frames[0];
-            let left = all.right - SIDE * (all.right - all.left);
-            first.bounds.right = left - SIDE_GAP;
-            let x = side.x.fitted(side.series.iter().flat_map(|one| &one.points).map(|(x, _)| *x));
+            let left = all.right - SIDE_PANEL_SHARE * (all.right - all.left);
+            first.bounds.right = left - SIDE_PANEL_GAP;
+            let x = side.x.fit(side.series.iter().flat_map(|one| &one.points).map(|(x, _)| *x));
             let (bounds, y) = (Bounds { left, right: all.right, ..first.bounds }, first.y.clone());
-            frames.push(Frame { bounds, x, y });
+            frames.push(PanelFrame { bounds, x, y });
         }
         frames
     }
 
-    fn paint<B: DrawingBackend>(&self, layout: &Layout, pen: &mut Pen<B>) -> Result<(), Error> {
+    fn draw<B: DrawingBackend>(&self, layout: &ChartLayout, pen: &mut Pen<B>) -> Result<(), Error> {
         let mut number = 0;
         for (i, (panel, frame)) in self.panels.iter().zip(&layout.frames).enumerate() {
             frame.draw_x(pen, i + 1 == self.panels.len())?;
             frame.draw_y(pen, true)?;
             for cell in &panel.cells {
-                let inside = |value| frame.bounds.nearest(frame.place(value));
-                pen.rectangle(inside(cell.from), inside(cell.to), cell.color)?;
+                let inside = |value| frame.bounds.clamp(frame.to_pixels(value));
+                pen.draw_rectangle(inside(cell.from), inside(cell.to), cell.color)?;
             }
-            fill(&panel.series, &panel.guides, frame, number, pen)?;
+            draw_panel(&panel.series, &panel.guides, frame, number, pen)?;
             number += panel.series.len();
         }
         if let (Some(side), Some(frame)) = (&self.side, layout.frames.last()) {
             frame.draw_x(pen, true)?;
             frame.draw_y(pen, false)?;
-            fill(&side.series, &[], frame, number, pen)?;
+            draw_panel(&side.series, &[], frame, number, pen)?;
         }
-        let right = layout.frames.last().map_or(layout.all.right, |frame| frame.bounds.right);
+        let right = layout.frames.last().map_or(layout.bounds.right, |frame| frame.bounds.right);
         // in a narrow picture the letters of a caption would be too small to read
-        let caption = if layout.sheet.0 < SIZE.0 { "" } else { &self.caption };
-        draw_titles(pen, Bounds { right, ..layout.all }, [&self.title, caption])?;
-        layout.key.draw(pen, layout.key_at)?;
-        self.draw_colors(pen, layout.all)
+        let caption = if layout.canvas.0 < SIZE.0 { "" } else { &self.caption };
+        draw_titles(pen, Bounds { right, ..layout.bounds }, [&self.title, caption])?;
+        layout.legend.draw(pen, layout.legend_position)?;
+        self.draw_color_bar(pen, layout.bounds)
     }
 
     /// The entries of the key. Guides with the same texts have one entry, in grey if their colours differ.
-    fn key(&self, frames: &[Frame]) -> Vec<(&Series, Style)> {
+    fn styled_legend_entries(&self, frames: &[PanelFrame]) -> Vec<(&Series, Style)> {
         fn styled((number, one): (usize, &Series)) -> (&Series, Style) {
             (one, one.style(number))
         }
@@ -295,76 +295,76 @@ impl Chart {
         let first = named.len();
         for guide in seen {
             let style = guide.style(0);
-            match named[first..].iter_mut().find(|(other, _)| other.texts == guide.texts) {
+            match named[first..].iter_mut().find(|(other, _)| other.legend_texts == guide.legend_texts) {
                 Some((_, other)) if other.color != style.color => other.color = GREY,
                 Some(_) => {}
                 None => named.push((guide, style)),
             }
         }
-        named.extend(self.entries.iter().enumerate().map(styled));
-        named.retain(|(series, _)| !series.texts.is_empty());
+        named.extend(self.legend_entries.iter().enumerate().map(styled));
+        named.retain(|(series, _)| !series.legend_texts.is_empty());
         named
     }
 
     /// The colour bar of a map.
-    fn draw_colors<B: DrawingBackend>(&self, pen: &mut Pen<B>, all: Bounds) -> Result<(), Error> {
-        let Some((axis, shade)) = &self.colors else { return Ok(()) };
-        let right = all.right + RIGHT - BAR_MARGIN;
-        let bounds = Bounds { left: right - BAR, right, ..all };
-        let bar = Frame { bounds, x: Axis::linear("", "").fitted([]), y: axis.fitted([]) };
+    fn draw_color_bar<B: DrawingBackend>(&self, pen: &mut Pen<B>, all: Bounds) -> Result<(), Error> {
+        let Some((axis, shade)) = &self.color_axis else { return Ok(()) };
+        let right = all.right + RIGHT_MARGIN - COLOR_BAR_MARGIN;
+        let bounds = Bounds { left: right - COLOR_BAR_WIDTH, right, ..all };
+        let bar = PanelFrame { bounds, x: Axis::linear("", "").fit([]), y: axis.fit([]) };
         bar.draw_y(pen, true)?;
-        let height = (bounds.bottom - bounds.top) / f64::from(STEPS);
-        for step in 0..STEPS {
+        let height = (bounds.bottom - bounds.top) / f64::from(COLOR_BAR_STEPS);
+        for step in 0..COLOR_BAR_STEPS {
             let below = bounds.bottom - f64::from(step) * height;
-            let color = shade((f64::from(step) + 0.5) / f64::from(STEPS));
-            pen.rectangle((bounds.left, below - height), (bounds.right, below), color)?;
+            let color = shade((f64::from(step) + 0.5) / f64::from(COLOR_BAR_STEPS));
+            pen.draw_rectangle((bounds.left, below - height), (bounds.right, below), color)?;
         }
         bar.draw_outline(pen)
     }
 }
 
 /// Draws series and guides of a box, and its outline. `first` is the number of its first series.
-fn fill<B: DrawingBackend>(
+fn draw_panel<B: DrawingBackend>(
     series: &[Series],
     guides: &[Series],
-    frame: &Frame,
+    frame: &PanelFrame,
     first: usize,
     pen: &mut Pen<B>,
 ) -> Result<(), Error> {
     let series = || series.iter().enumerate().map(|(i, one)| (one, one.style(first + i)));
     for (band, style) in series().filter(|(one, _)| one.is_area()) {
-        let corners: Vec<_> = band.points.iter().map(|point| frame.place(*point)).collect();
-        pen.polygon(&corners, style.pale())?;
+        let corners: Vec<_> = band.points.iter().map(|point| frame.to_pixels(*point)).collect();
+        pen.draw_polygon(&corners, style.light_color())?;
     }
     for guide in guides {
-        frame.curve(pen, &guide.drawn(frame), guide.style(0))?;
+        frame.draw_curve(pen, &guide.line_points(frame), guide.style(0))?;
     }
     frame.draw_outline(pen)?;
     for (number, (one, style)) in series().enumerate().filter(|(_, (one, _))| !one.is_area()) {
-        if one.look != Look::Points {
-            frame.curve(pen, &one.drawn(frame), style)?;
+        if one.kind != SeriesKind::Points {
+            frame.draw_curve(pen, &one.line_points(frame), style)?;
         }
-        let (marked, radius) = one.marks(frame, style, number);
+        let (marked, radius) = one.visible_markers(frame, style, number);
         for point in marked.iter() {
-            frame.mark(pen, *point, Style { radius, ..style })?;
+            frame.draw_marker(pen, *point, Style { radius, ..style })?;
         }
     }
-    for (column, _) in series().filter(|(one, _)| one.look == Look::Column) {
-        write_value(column, frame, pen)?;
+    for (column, _) in series().filter(|(one, _)| one.kind == SeriesKind::Column) {
+        draw_column_value(column, frame, pen)?;
     }
     Ok(())
 }
 
 /// Writes the value of a column over it, in the unit of the axis, unless it is wider than the column and the gap beside it.
-fn write_value<B: DrawingBackend>(column: &Series, frame: &Frame, pen: &mut Pen<B>) -> Result<(), Error> {
+fn draw_column_value<B: DrawingBackend>(column: &Series, frame: &PanelFrame, pen: &mut Pen<B>) -> Result<(), Error> {
     let [_, left, right, _] = column.points[..] else { return Ok(()) };
-    let ((from, top), (to, _)) = (frame.place(left), frame.place(right));
+    let ((from, top), (to, _)) = (frame.to_pixels(left), frame.to_pixels(right));
     let text = frame.y.three_digits(left.1);
-    if text_width(&text, LABEL_SIZE) > COLUMN_ROOM * (to - from) {
+    if text_width(&text, LABEL_SIZE) > MAX_COLUMN_TEXT_WIDTH * (to - from) {
         return Ok(());
     }
     // a column as high as the box has its value inside
     let above = top - 0.7 * LABEL_SIZE;
     let at = if above > frame.bounds.top + 0.5 * LABEL_SIZE { above } else { top + 0.7 * LABEL_SIZE };
-    pen.text(&text, (0.5 * (from + to), at), LABEL_SIZE, INK, Anchor::Middle)
+    pen.draw_text(&text, (0.5 * (from + to), at), LABEL_SIZE, FOREGROUND, Anchor::Middle)
 }

@@ -2,10 +2,10 @@
 
 use plotters::style::RGBColor;
 
-pub const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub const FOREGROUND: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub const GREY: RGBColor = RGBColor(0x77, 0x77, 0x77);
 pub const GRID: RGBColor = RGBColor(0xe2, 0xe2, 0xe2);
-pub const PAPER: RGBColor = RGBColor(0xff, 0xff, 0xff);
+pub const BACKGROUND: RGBColor = RGBColor(0xff, 0xff, 0xff);
 /// Blue, vermillion, bluish green, reddish purple, orange, sky blue, black: Okabe and Ito (2008), without the yellow,
 /// which is too pale for a line on white. Then wine, olive, brown, indigo, dark green and rose, of which the first, the second
 /// and the last three are of the muted colours of Tol (2021): a picture of all laws has twelve lines.
@@ -30,7 +30,7 @@ pub const TITLE_SIZE: f64 = 38.0;
 pub const AXIS_SIZE: f64 = 32.0;
 pub const LABEL_SIZE: f64 = 28.0;
 /// Radius of markers \[px\].
-pub const MARK: f64 = 9.0;
+pub const MARKER_RADIUS: f64 = 9.0;
 
 /// Lengths of dashes and gaps, alternating \[px\]; empty for a solid line.
 pub type Dash = &'static [f64];
@@ -41,7 +41,7 @@ const DASHES: [Dash; 5] = [SOLID, DASHED, &[16.0, 8.0, 3.0, 8.0], &[7.0, 6.0], &
 
 /// The shape that marks points of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
+pub enum Marker {
     /// ●
     Circle,
     /// ■
@@ -51,15 +51,22 @@ pub enum Mark {
     /// ◆
     Diamond,
     /// ▼
-    Inverted,
+    TriangleDown,
     /// ✕
     Cross,
     /// +
     Plus,
 }
 
-const MARKS: [Mark; 7] =
-    [Mark::Circle, Mark::Square, Mark::Triangle, Mark::Diamond, Mark::Inverted, Mark::Cross, Mark::Plus];
+const MARKERS: [Marker; 7] = [
+    Marker::Circle,
+    Marker::Square,
+    Marker::Triangle,
+    Marker::Diamond,
+    Marker::TriangleDown,
+    Marker::Cross,
+    Marker::Plus,
+];
 
 /// How a line and its points are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,14 +75,15 @@ pub struct Style {
     /// Width of the line \[px\].
     pub(in crate::report) width: f64,
     pub(in crate::report) dash: Dash,
-    pub(in crate::report) mark: Mark,
+    pub(in crate::report) mark: Marker,
     /// Radius of the markers \[px\].
     pub(in crate::report) radius: f64,
 }
 
 impl Style {
     /// Finite elements and measurements beside curves of laws: black circles.
-    pub const BLACK: Self = Self { color: PALETTE[6], width: 3.0, dash: SOLID, mark: Mark::Circle, radius: MARK };
+    pub const BLACK: Self =
+        Self { color: PALETTE[6], width: 3.0, dash: SOLID, mark: Marker::Circle, radius: MARKER_RADIUS };
     /// A fitted law: a solid line in vermillion.
     pub const LAW: Self = Self { color: PALETTE[1], ..Self::BLACK };
 
@@ -85,7 +93,7 @@ impl Style {
         Self {
             color: PALETTE[number % PALETTE.len()],
             dash: DASHES[number % DASHES.len()],
-            mark: MARKS[(number + number / PALETTE.len()) % MARKS.len()],
+            mark: MARKERS[(number + number / PALETTE.len()) % MARKERS.len()],
             ..Self::BLACK
         }
     }
@@ -108,19 +116,19 @@ impl Style {
         Self { color, width, ..Self::BLACK }
     }
 
-    pub(in crate::report) fn marker(mark: Mark, color: RGBColor) -> Self {
+    pub(in crate::report) fn marker(mark: Marker, color: RGBColor) -> Self {
         Self { color, mark, ..Self::BLACK }
     }
-    pub fn wide(self, width: f64) -> Self {
+    pub fn with_width(self, width: f64) -> Self {
         Self { width, ..self }
     }
 
     /// The pale colour of a band: its colour mixed with that of the paper.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between two colours
-    pub(in crate::report) fn pale(self) -> RGBColor {
+    pub(in crate::report) fn light_color(self) -> RGBColor {
         let mixed = |paper: u8, ink: u8| (f64::from(paper) + 0.35 * (f64::from(ink) - f64::from(paper))).round() as u8;
         let RGBColor(red, green, blue) = self.color;
-        RGBColor(mixed(PAPER.0, red), mixed(PAPER.1, green), mixed(PAPER.2, blue))
+        RGBColor(mixed(BACKGROUND.0, red), mixed(BACKGROUND.1, green), mixed(BACKGROUND.2, blue))
     }
 }
 

@@ -1,10 +1,10 @@
 //! Widths of texts, with the same bits for every format and on every machine, and what follows from them: sizes and lines.
 
 /// Widths are whole numbers of these pieces of a pixel, as plotters measures the letters of a PNG.
-const PIECES: f64 = 2.0;
+const PIECES_PER_PIXEL: f64 = 2.0;
 
 /// Units of the font from the lowest to the highest letter: this is the size of a text.
-const HEIGHT: f64 = 2384.0;
+const FONT_HEIGHT: f64 = 2384.0;
 
 /// Widths in units of the font of the pictures, DejaVu Sans: a first character, and those that follow it.
 const WIDTHS: &[(char, &[u16])] = &[
@@ -51,24 +51,24 @@ const WIDTHS: &[(char, &[u16])] = &[
 ];
 
 /// The width of any other character.
-const OTHER: u16 = 1400;
+const DEFAULT_WIDTH: u16 = 1400;
 
 fn width_of(letter: char) -> u16 {
     let of_run = |(first, widths): &(char, &[u16])| {
         let place = u32::from(letter).checked_sub(u32::from(*first))?;
         widths.get(place as usize).copied()
     };
-    WIDTHS.iter().find_map(of_run).unwrap_or(OTHER)
+    WIDTHS.iter().find_map(of_run).unwrap_or(DEFAULT_WIDTH)
 }
 
 /// Width of a text in the font of the pictures \[px\]: the sum of the widths of its letters, without kerning.
 pub fn text_width(text: &str, size: f64) -> f64 {
     let units: u32 = text.chars().map(|letter| u32::from(width_of(letter))).sum();
-    (PIECES * size * f64::from(units) / HEIGHT).floor() / PIECES
+    (PIECES_PER_PIXEL * size * f64::from(units) / FONT_HEIGHT).floor() / PIECES_PER_PIXEL
 }
 
 /// The given size, or a smaller one at which the text is not longer than `room`.
-pub fn fitting(text: &str, size: f64, room: f64) -> f64 {
+pub fn fitting_size(text: &str, size: f64, room: f64) -> f64 {
     let mut fitting = size;
     // widths are rounded to whole pixels, so the ratio alone may not be small enough
     while fitting > 1.0 && text_width(text, fitting) > room {
@@ -78,7 +78,7 @@ pub fn fitting(text: &str, size: f64, room: f64) -> f64 {
 }
 
 /// The text in lines that are not longer than `room`. A word that is too long for a line is divided.
-pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
+pub fn wrap(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
     for piece in text.split_inclusive(' ') {
         let line = lines.last().map_or("", String::as_str);
@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn the_widths_are_those_of_the_font() {
         let font = FontRef::try_from_slice(dejavu::sans::regular()).unwrap();
-        assert_eq!(f64::from(font.height_unscaled()), HEIGHT);
+        assert_eq!(f64::from(font.height_unscaled()), FONT_HEIGHT);
         for (first, widths) in WIDTHS {
             for (letter, width) in (*first..).zip(*widths) {
                 let of_font = font.h_advance_unscaled(font.glyph_id(letter));

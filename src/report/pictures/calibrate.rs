@@ -1,28 +1,28 @@
 //! Pictures of a calibration: measurements with the fitted law, residuals, posterior of two keys, and a comparison of
 //! laws.
 
-use super::{axis_of, caption, captioned, law_title, posterior, title_of};
+use super::{caption, key_axis, law_title, path_title, posterior, with_captions};
 use crate::calibrate::data::{MeasuredValue, MeasurementData, MeasurementRow};
 use crate::calibrate::statistics::{LEVELS, half_width};
 use crate::calibrate::{Calibration, Fit, KeyEstimate, Noise};
-use crate::report::chart::{Axis, Chart, GREY, MARK, Scale, Series, Style, extremes};
+use crate::report::chart::{Axis, AxisScale, Chart, GREY, MARKER_RADIUS, Series, Style, min_max};
 use crate::scenario::input::{MeasuredQuantity, NumericKey};
 use crate::scenario::plan::FreeKey;
 use crate::units::format_four_digits;
 
 /// Largest number of points in a picture: the eye cannot separate more.
-const MOST_POINTS: usize = 2000;
+const MAX_POINTS: usize = 2000;
 /// Largest number of points with error bars.
-const MOST_BARS: usize = 200;
+const MAX_ERROR_BARS: usize = 200;
 /// Number of pieces of a fitted line.
-const PLACES: u32 = 120;
+const LINE_PIECES: u32 = 120;
 /// Height of the box of a wide picture, and the least height of a band that is seen beside its line \[px\].
 const BOX_HEIGHT: f64 = 750.0;
 const BAND_HEIGHT: f64 = 8.0;
 /// Length of error bars beyond their marker that are seen, both ends together \[px\].
 const BAR_ENDS: f64 = 14.0;
 /// If the largest value is more than this multiple of the smallest, the axis is logarithmic.
-const WIDE: f64 = 5.0;
+const LOG_AXIS_RATIO: f64 = 5.0;
 
 type Points = Vec<(f64, f64)>;
 
@@ -32,26 +32,27 @@ pub fn pictures(calibration: &Calibration) -> Vec<(String, Chart)> {
     let data = calibration.fit.problem.data;
     let has_lines = calibration.residuals.len() > calibration.keys.len();
     for quantity in data.measured_quantities().into_iter().filter(|_| has_lines) {
-        pictures.push((format!("fit_{}", quantity.name()), FittedQuantity::new(calibration, quantity).fitted()));
+        pictures.push((format!("fit_{}", quantity.name()), FittedQuantity::new(calibration, quantity).fit_chart()));
     }
     if has_lines {
-        pictures.push(("residuals".to_owned(), residuals(calibration)));
+        pictures.push(("residuals".to_owned(), residual_chart(calibration)));
     }
     if let [first, second] = &calibration.keys[..] {
-        let map = posterior::map(calibration, [first, second]).filter(|_| !calibration.fit.is_noise_unknown());
+        let map =
+            posterior::posterior_chart(calibration, [first, second]).filter(|_| !calibration.fit.is_noise_unknown());
         pictures.extend(map.map(|chart| ("posterior".to_owned(), chart)));
     }
     if !calibration.laws.is_empty() && has_lines {
-        pictures.push(("laws".to_owned(), FittedQuantity::new(calibration, data.values[0].quantity).laws()));
+        pictures.push(("laws".to_owned(), FittedQuantity::new(calibration, data.values[0].quantity).law_chart()));
     }
     let sought = calibration.keys.iter().map(|key| key.free.key.path);
     let varied: Vec<&str> = sought.chain(data.keys.iter().map(|key| key.path)).collect();
-    captioned(pictures, &caption(&calibration.fit.problem.input, &varied))
+    with_captions(pictures, &caption(&calibration.fit.problem.input, &varied))
 }
 
-fn is_wide(points: &[(f64, f64)]) -> bool {
-    let (low, high) = extremes(points.iter().map(|point| point.0));
-    low > 0.0 && high > WIDE * low
+fn needs_log_axis(points: &[(f64, f64)]) -> bool {
+    let (low, high) = min_max(points.iter().map(|point| point.0));
+    low > 0.0 && high > LOG_AXIS_RATIO * low
 }
 
 /// The quantity on the horizontal axis: the only key that changes, the indentation of a curve, or the prediction.
@@ -82,22 +83,22 @@ impl Abscissa {
 
     fn axis(&self, quantity: MeasuredQuantity, points: &[(f64, f64)]) -> Axis {
         match self {
-            Self::Key(key) => axis_of(key, is_wide(points)),
+            Self::Key(key) => key_axis(key, needs_log_axis(points)),
             Self::Indentation => Axis::linear("Indentation", "m"),
-            Self::Prediction => of_quantity(quantity, " predicted"),
+            Self::Prediction => quantity_axis(quantity, " predicted"),
         }
     }
 }
 
-fn of_quantity(quantity: MeasuredQuantity, how: &str) -> Axis {
-    Axis::linear(&(title_of(quantity.name()) + how), quantity.quantity().dimension.si_unit())
+fn quantity_axis(quantity: MeasuredQuantity, how: &str) -> Axis {
+    Axis::linear(&(path_title(quantity.name()) + how), quantity.quantity().dimension.si_unit())
 }
 
-/// The places of the values of a quantity, at most [`MOST_POINTS`] of them.
-fn shown(calibration: &Calibration, quantity: MeasuredQuantity) -> Vec<usize> {
+/// The places of the values of a quantity, at most [`MAX_POINTS`] of them.
+fn sampled_indices(calibration: &Calibration, quantity: MeasuredQuantity) -> Vec<usize> {
     let values = &calibration.fit.problem.data.values;
     let all: Vec<usize> = (0..values.len()).filter(|at| values[*at].quantity == quantity).collect();
-    let step = all.len().div_ceil(MOST_POINTS).max(1);
+    let step = all.len().div_ceil(MAX_POINTS).max(1);
     all.into_iter().step_by(step).collect()
 }
 
@@ -106,7 +107,7 @@ struct FittedQuantity<'a> {
     calibration: &'a Calibration<'a>,
     quantity: MeasuredQuantity,
     abscissa: Abscissa,
-    shown: Vec<usize>,
+    sampled: Vec<usize>,
     points: Points,
     axes: [Axis; 2],
 }
@@ -114,83 +115,84 @@ struct FittedQuantity<'a> {
 impl<'a> FittedQuantity<'a> {
     fn new(calibration: &'a Calibration, quantity: MeasuredQuantity) -> Self {
         let data = calibration.fit.problem.data;
-        let (abscissa, shown) = (Abscissa::new(data), shown(calibration, quantity));
+        let (abscissa, sampled) = (Abscissa::new(data), sampled_indices(calibration, quantity));
         let points: Points =
-            shown.iter().map(|value| (abscissa.at(calibration, *value), data.values[*value].value)).collect();
-        let [x, y] = [abscissa.axis(quantity, &points), of_quantity(quantity, "")];
+            sampled.iter().map(|value| (abscissa.at(calibration, *value), data.values[*value].value)).collect();
+        let [x, y] = [abscissa.axis(quantity, &points), quantity_axis(quantity, "")];
         // small values stay visible where both quantities go over decades
         let is_logarithmic =
-            x.scale == Scale::Log && is_wide(&points.iter().map(|(x, y)| (*y, *x)).collect::<Points>());
+            x.scale == AxisScale::Log && needs_log_axis(&points.iter().map(|(x, y)| (*y, *x)).collect::<Points>());
         let axes = with_one_prefix([x, if is_logarithmic { y.logarithmic() } else { y }], &points);
-        Self { calibration, quantity, abscissa, shown, points, axes }
+        Self { calibration, quantity, abscissa, sampled, points, axes }
     }
 
-    fn fitted(self) -> Chart {
-        let Self { calibration, quantity, shown, points, .. } = &self;
-        let has_bars = shown.len() <= MOST_BARS && !calibration.fit.is_noise_unknown();
+    fn fit_chart(self) -> Chart {
+        let Self { calibration, quantity, sampled: shown, points, .. } = &self;
+        let has_bars = shown.len() <= MAX_ERROR_BARS && !calibration.fit.is_noise_unknown();
         let bars = || {
             let deviation = |value: usize| calibration.fit.problem.deviations[value];
             shown.iter().zip(points).filter(|_| has_bars).map(move |(value, (x, y))| (*x, *y, deviation(*value)))
         };
         let line = if let Abscissa::Prediction = self.abscissa {
-            let (low, high) = extremes(points.iter().map(|point| point.0));
+            let (low, high) = min_max(points.iter().map(|point| point.0));
             vec![(low, low), (high, high)]
         } else {
-            self.line(&calibration.fit)
+            self.fit_line(&calibration.fit)
         };
-        let band = self.band().filter(|band| {
+        let band = self.confidence_band().filter(|band| {
             // its outline goes along one side and comes back along the other
             let sides = band.iter().zip(band.iter().rev()).map(|(one, other)| [one.1, other.1]);
             self.height(sides) > BAND_HEIGHT
         });
         let mut series: Vec<Series> =
-            band.map(|band| Series::band("95 % band of the line", band).styled(5)).into_iter().collect();
+            band.map(|band| Series::band("95 % band of the line", band).with_style(5)).into_iter().collect();
         let law = law_title(&calibration.fit.problem.input.named_law.name());
-        series.push(Series::line(law, line).styled(Style::LAW));
-        series.push(Series::bars(bars()).styled(0));
-        let are_bars_seen = self.height(bars().map(|(_, y, sd)| [y - sd, y + sd])) > 2.0 * MARK + BAR_ENDS;
+        series.push(Series::line(law, line).with_style(Style::LAW));
+        series.push(Series::error_bars(bars()).with_style(0));
+        let are_bars_seen = self.height(bars().map(|(_, y, sd)| [y - sd, y + sd])) > 2.0 * MARKER_RADIUS + BAR_ENDS;
         let measured = match calibration.fit.noise {
             _ if !are_bars_seen => "measured",
             Noise::Given => "measured, with its standard deviation",
             Noise::Estimated { .. } => "measured, with the estimated standard deviation",
             Noise::TooFew | Noise::NoScatter => "measured",
         };
-        let mut measured = Series::points(measured, points.clone()).styled(0);
+        let mut measured = Series::points(measured, points.clone()).with_style(0);
         if has_bars && !are_bars_seen {
-            measured.texts.push("standard deviation below the size of the marker".to_owned());
+            measured.legend_texts.push("standard deviation below the size of the marker".to_owned());
         }
         series.push(measured);
         let notes = calibration.keys.iter().flat_map(|KeyEstimate { free, estimate, sd, .. }| {
             let sd = sd.map_or_else(String::new, |sd| format!(", standard deviation {}", free.format_value(sd, 2)));
-            [title_of(free.key.path), free.format_value(*estimate, 4) + &sd]
+            [path_title(free.key.path), free.format_value(*estimate, 4) + &sd]
         });
-        let title = format!("{} and the fitted law", title_of(quantity.name()));
+        let title = format!("{} and the fitted law", path_title(quantity.name()));
         Chart::new(title, self.axes.clone(), series).with_notes(notes)
     }
 
     /// The largest distance of these pairs of values on the vertical axis \[px\].
     fn height(&self, pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
-        let axis = self.axes[1].fitted(self.points.iter().map(|point| point.1));
-        let distance = |[one, other]: [f64; 2]| BOX_HEIGHT * (axis.at(one) - axis.at(other)).abs();
+        let axis = self.axes[1].fit(self.points.iter().map(|point| point.1));
+        let distance = |[one, other]: [f64; 2]| BOX_HEIGHT * (axis.position(one) - axis.position(other)).abs();
         pairs.map(distance).filter(|distance| !distance.is_nan()).fold(0.0, f64::max)
     }
 
     /// The predictions of every law with its best keys, with the measurements.
-    fn laws(self) -> Chart {
+    fn law_chart(self) -> Chart {
         let fits = self.calibration.laws.iter().filter_map(|(name, fit)| Some((name, fit.as_ref().ok()?)));
         let named =
             |name: &str, fit: &Fit| format!("{}  +{:.1}", law_title(name), fit.aic - self.calibration.min_aic());
-        let mut series: Vec<Series> = fits.map(|(name, fit)| Series::line(named(name, fit), self.line(fit))).collect();
-        series.push(Series::points("measured", self.points).styled(Style::BLACK));
+        let mut series: Vec<Series> =
+            fits.map(|(name, fit)| Series::line(named(name, fit), self.fit_line(fit))).collect();
+        series.push(Series::points("measured", self.points).with_style(Style::BLACK));
         Chart::new("Laws with their best keys, and how far their AIC is above the least", self.axes, series)
     }
 
     /// The predictions of a law with its best keys.
-    fn line(&self, fit: &Fit) -> Points {
+    fn fit_line(&self, fit: &Fit) -> Points {
         let shares = &fit.best().shares;
         let along = match self.abscissa {
-            Abscissa::Key(key) => Some(self.along(key)),
-            Abscissa::Indentation => Some(self.between_points()),
+            Abscissa::Key(key) => Some(self.impacts_along(key)),
+            Abscissa::Indentation => Some(self.refined_curve()),
             Abscissa::Prediction => None,
         };
         if let Some((data, at)) = along {
@@ -198,13 +200,17 @@ impl<'a> FittedQuantity<'a> {
             return at.into_iter().zip(predicted).collect();
         }
         let predicted = fit.problem.predict(shares).unwrap_or_default();
-        self.shown.iter().zip(&self.points).filter_map(|(value, (x, _))| Some((*x, *predicted.get(*value)?))).collect()
+        self.sampled
+            .iter()
+            .zip(&self.points)
+            .filter_map(|(value, (x, _))| Some((*x, *predicted.get(*value)?)))
+            .collect()
     }
 
     /// The outline of the 95 % band around the fitted line over a key, which is linear in the keys.
-    fn band(&self) -> Option<Points> {
+    fn confidence_band(&self) -> Option<Points> {
         let Abscissa::Key(key) = self.abscissa else { return None };
-        let (data, at) = self.along(key);
+        let (data, at) = self.impacts_along(key);
         let fit = &self.calibration.fit;
         let (line, shares) = (fit.problem.for_prediction(&data), &fit.best().shares);
         let (covariance, matrix) = (fit.covariance.as_ref()?, line.jacobian(shares).ok()?);
@@ -217,32 +223,33 @@ impl<'a> FittedQuantity<'a> {
     }
 
     /// The points of an indentation curve with more points between them, and their indentations.
-    fn between_points(&self) -> (MeasurementData, Vec<f64>) {
+    fn refined_curve(&self) -> (MeasurementData, Vec<f64>) {
         let points: Vec<f64> =
             self.calibration.fit.problem.data.rows.iter().filter_map(|row| row.indentation).collect();
-        let steps = PLACES.div_ceil(u32::try_from(points.len()).unwrap_or(PLACES)).max(1);
+        let steps = LINE_PIECES.div_ceil(u32::try_from(points.len()).unwrap_or(LINE_PIECES)).max(1);
         let between = |pair: &[f64]| {
             let (from, to) = (pair[0], pair[1]);
             (1..=steps).map(move |i| from + (to - from) * f64::from(i) / f64::from(steps))
         };
         let at: Vec<f64> = points.first().copied().into_iter().chain(points.windows(2).flat_map(between)).collect();
         let rows = at.iter().map(|at| MeasurementRow { indentation: Some(*at), ..MeasurementRow::default() }).collect();
-        (MeasurementData { name: String::new(), keys: Vec::new(), rows, values: self.ones(at.len()) }, at)
+        (MeasurementData { name: String::new(), keys: Vec::new(), rows, values: self.unit_values(at.len()) }, at)
     }
 
     /// Values to predict, one in every row.
-    fn ones(&self, rows: usize) -> Vec<MeasuredValue> {
+    fn unit_values(&self, rows: usize) -> Vec<MeasuredValue> {
         (0..rows).map(|row| MeasuredValue { row, quantity: self.quantity, value: 1.0, deviation: None }).collect()
     }
 
     /// Impacts along a key, from its smallest to its largest measured value, and the values of that key.
-    fn along(&self, key: &'static NumericKey) -> (MeasurementData, Vec<f64>) {
+    fn impacts_along(&self, key: &'static NumericKey) -> (MeasurementData, Vec<f64>) {
         let data = self.calibration.fit.problem.data;
-        let (from, to) = extremes(self.shown.iter().map(|value| data.rows[data.values[*value].row].keys[0]));
-        let range = FreeKey { key, from, to, is_logarithmic: is_wide(&self.points), hardness: None };
-        let at: Vec<f64> = (0..=PLACES).map(|i| range.value_at_share(f64::from(i) / f64::from(PLACES))).collect();
+        let (from, to) = min_max(self.sampled.iter().map(|value| data.rows[data.values[*value].row].keys[0]));
+        let range = FreeKey { key, from, to, is_logarithmic: needs_log_axis(&self.points), hardness: None };
+        let at: Vec<f64> =
+            (0..=LINE_PIECES).map(|i| range.value_at_share(f64::from(i) / f64::from(LINE_PIECES))).collect();
         let rows = at.iter().map(|value| MeasurementRow { keys: vec![*value], ..MeasurementRow::default() }).collect();
-        let data = MeasurementData { name: String::new(), keys: vec![key], rows, values: self.ones(at.len()) };
+        let data = MeasurementData { name: String::new(), keys: vec![key], rows, values: self.unit_values(at.len()) };
         (data, at.into_iter().map(key.quantity.picture_unit().1).collect())
     }
 }
@@ -253,16 +260,16 @@ fn with_one_prefix([x, y]: [Axis; 2], points: &[(f64, f64)]) -> [Axis; 2] {
     if x.unit != y.unit {
         return [x, y];
     }
-    let (low, high) = extremes(points.iter().flat_map(|(x, y)| [x.abs(), y.abs()]).filter(|size| *size > 0.0));
+    let (low, high) = min_max(points.iter().flat_map(|(x, y)| [x.abs(), y.abs()]).filter(|size| *size > 0.0));
     let size = match x.scale {
-        Scale::Log if low <= 1.0 && high >= 1.0 => 1.0,
-        Scale::Log if low < high => low.sqrt() * high.sqrt(),
+        AxisScale::Log if low <= 1.0 && high >= 1.0 => 1.0,
+        AxisScale::Log if low < high => low.sqrt() * high.sqrt(),
         _ => high,
     };
     [x, y].map(|axis| axis.with_prefix_of(size))
 }
 
-fn residuals(calibration: &Calibration) -> Chart {
+fn residual_chart(calibration: &Calibration) -> Chart {
     let data = calibration.fit.problem.data;
     let measured = data.measured_quantities();
     // predictions of several quantities have no common axis
@@ -270,23 +277,26 @@ fn residuals(calibration: &Calibration) -> Chart {
         Some(Abscissa::new(data)).filter(|abscissa| !matches!(abscissa, Abscissa::Prediction) || measured.len() == 1);
     let at = |value: usize| abscissa.as_ref().map_or(value as f64 + 1.0, |abscissa| abscissa.at(calibration, value));
     let points = |quantity: MeasuredQuantity| {
-        shown(calibration, quantity).into_iter().map(|value| (at(value), calibration.residuals[value])).collect()
+        sampled_indices(calibration, quantity)
+            .into_iter()
+            .map(|value| (at(value), calibration.residuals[value]))
+            .collect()
     };
     let series: Vec<Series> =
-        measured.iter().map(|quantity| Series::points(title_of(quantity.name()), points(*quantity))).collect();
+        measured.iter().map(|quantity| Series::points(path_title(quantity.name()), points(*quantity))).collect();
     let all: Points = series.iter().flat_map(|one| one.points.clone()).collect();
     let x = abscissa.map_or_else(|| Axis::linear("Value, in the order of the file", ""), |x| x.axis(measured[0], &all));
     let level = half_width(LEVELS[1], None);
     let guides = [(0.0, "law"), (level, "± 1.96"), (-level, "± 1.96")];
     let largest = calibration.residuals.iter().map(|residual| residual.abs()).fold(3.0, f64::max);
-    let y =
-        Axis::linear("Measured less predicted, over the standard deviation", "").between(-1.1 * largest, 1.1 * largest);
+    let y = Axis::linear("Measured less predicted, over the standard deviation", "")
+        .with_range(-1.1 * largest, 1.1 * largest);
     let notes = [("chi-square", calibration.p), ("runs of signs", calibration.runs.map(|runs| runs.p))];
     let notes = notes.into_iter().filter_map(|(test, p)| Some(format!("{test}: p = {}", format_four_digits(p?))));
     let chart = Chart::new("Residuals", [x, y], series);
     let guide = |(at, label): (f64, &str)| {
         let guide = Series::horizontal(at, label);
-        if at == 0.0 { guide.styled(Style::line(GREY, 2.0)) } else { guide }
+        if at == 0.0 { guide.with_style(Style::line(GREY, 2.0)) } else { guide }
     };
     chart.with_guides(guides.map(guide)).with_notes(notes)
 }

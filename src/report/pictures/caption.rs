@@ -18,7 +18,7 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
         let named = input.materials().iter().find(|choice| choice.body == body);
         match named {
             Some(choice) => unless_varied(body.material(), choice.material.name.clone()),
-            None => unless_varied(modulus, elastic(material)),
+            None => unless_varied(modulus, elastic_text(material)),
         }
     };
     let own_law = input.law();
@@ -58,34 +58,34 @@ pub fn caption(input: &Input, varied: &[&str]) -> String {
             format!("Hunt–Crossley {}", format_result(chi, Dimension::InverseSpeed)),
         ),
     });
-    line(&[
+    join_parts(&[
         ("sphere", &of_sphere),
         ("half-space", &of_half_space),
-        ("law", &[unless_varied("law", law(&own_law))]),
+        ("law", &[unless_varied("law", law_text(&own_law))]),
         ("damping", &[damping]),
     ])
 }
 
 /// These pictures with this line below their titles.
-pub fn captioned<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
+pub fn with_captions<N>(pictures: Vec<(N, Chart)>, line: &str) -> Vec<(N, Chart)> {
     pictures.into_iter().map(|(name, chart)| (name, chart.with_caption(line))).collect()
 }
 
 /// The sphere and the law of an indentation; its half-spaces have names in the key.
-pub fn of_indentation(scene: &IndentationRequest) -> String {
+pub fn indentation_caption(scene: &IndentationRequest) -> String {
     let sphere = [
         Some(format!("R {}", format_result(scene.sphere.radius, Dimension::Length))),
-        Some(elastic(&scene.sphere.material)),
+        Some(elastic_text(&scene.sphere.material)),
     ];
-    line(&[("sphere", &sphere), ("law", &[Some(law(&scene.law))])])
+    join_parts(&[("sphere", &sphere), ("law", &[Some(law_text(&scene.law))])])
 }
 
-fn elastic(material: &Material) -> String {
+fn elastic_text(material: &Material) -> String {
     let modulus = material.youngs_modulus;
     if modulus.is_finite() { format!("E {}", format_result(modulus, Dimension::Pressure)) } else { "rigid".to_owned() }
 }
 
-fn law(law: &LawChoice) -> String {
+fn law_text(law: &LawChoice) -> String {
     match law {
         LawChoice::Plm(law) => match law.exponent {
             UnloadingExponent::Paper => "PLM, n = 3/2".to_owned(),
@@ -97,7 +97,7 @@ fn law(law: &LawChoice) -> String {
 }
 
 /// The parts that have something to say.
-fn line(parts: &[(&str, &[Option<String>])]) -> String {
+fn join_parts(parts: &[(&str, &[Option<String>])]) -> String {
     let words = parts.iter().filter_map(|(name, values)| {
         let values: Vec<&str> = values.iter().flatten().map(String::as_str).collect();
         (!values.is_empty()).then(|| format!("{name} {}", values.join(", ")))
@@ -106,7 +106,7 @@ fn line(parts: &[(&str, &[Option<String>])]) -> String {
 }
 
 /// The path of a key, or the name of a result, in words, such as "half-space Young's modulus".
-pub(crate) fn words_of(path: &str) -> String {
+pub(crate) fn path_words(path: &str) -> String {
     let path = match path {
         "impact.speed" | "impact.angle" => path,
         "half_space.thickness" => "plate.thickness",
@@ -134,12 +134,12 @@ pub(crate) fn law_title(name: &str) -> String {
 }
 
 /// The path of a key, or the name of a result, as a title, such as "Half-space Young's modulus".
-pub fn title_of(path: &str) -> String {
-    capital(&words_of(path))
+pub fn path_title(path: &str) -> String {
+    capital(&path_words(path))
 }
 
 /// The axis of a key. Its values are those of [`crate::scenario::key_specs::Quantity::picture_unit`].
-pub(crate) fn axis_of(key: &NumericKey, is_logarithmic: bool) -> Axis {
-    let axis = Axis::linear(&title_of(key.path), key.quantity.picture_unit().0);
+pub(crate) fn key_axis(key: &NumericKey, is_logarithmic: bool) -> Axis {
+    let axis = Axis::linear(&path_title(key.path), key.quantity.picture_unit().0);
     if is_logarithmic { axis.logarithmic() } else { axis }
 }

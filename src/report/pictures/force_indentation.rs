@@ -5,44 +5,44 @@ use super::loops;
 use crate::error::Error;
 use crate::impact::{Event, Impact};
 use crate::numerics::functions::atan2;
-use crate::report::chart::{Axis, Chart, DOTTED, GREY, INK, Mark, Series, Style};
+use crate::report::chart::{Axis, Chart, DOTTED, FOREGROUND, GREY, Marker, Series, Style};
 use crate::units::{Dimension, format_four_digits, format_result};
 
 /// The picture of force against indentation of an impact. A trace of some hundred samples gives smooth curves.
 pub fn force_indentation(impact: &Impact) -> Result<Chart, Error> {
     let trace = &impact.trace;
     let peak = (impact.peak_indentation, impact.force_at_peak_indentation);
-    let ink = |mark| Style::marker(mark, INK);
+    let ink = |mark| Style::marker(mark, FOREGROUND);
     let to_peak = Style::line(GREY, 1.5);
-    let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).styled(to_peak)];
-    let branches = loops::of_impact(impact)
+    let mut series = vec![Series::line("", vec![(0.0, peak.1), peak, (peak.0, 0.0)]).with_style(to_peak)];
+    let branches = loops::impact_loop(impact)
         .ok_or_else(|| Error::failed("force against indentation needs a trace: run the impact with samples"))?;
-    let (drawn, of_sphere) = loops::arranged(&branches);
+    let (drawn, of_sphere) = loops::split_by_width(&branches);
     series.extend(drawn);
     if is_damped(impact) {
         let of_law = trace.iter().filter_map(|row| Some((row.indentation, row.elastic_force?)));
         // the other curves include the damping
-        let name = Series::line("force of the law", of_law.collect()).and("without damping, against δ");
-        series.push(name.styled(Style::line(INK, 2.5).dashed(DOTTED)));
+        let name = Series::line("force of the law", of_law.collect()).with_note("without damping, against δ");
+        series.push(name.with_style(Style::line(FOREGROUND, 2.5).dashed(DOTTED)));
     }
     let at = |event| trace.iter().filter(move |row| row.event == Some(event)).map(|row| (row.indentation, row.force));
     let points: Vec<_> = at(Event::Yield).collect();
-    series.extend((!points.is_empty()).then(|| Series::points("First yield", points).styled(ink(Mark::Diamond))));
+    series.extend((!points.is_empty()).then(|| Series::points("First yield", points).with_style(ink(Marker::Diamond))));
     let length = |name: &str, value| format!("{name} = {}", format_result(value, Dimension::Length));
-    let turning = Series::points(peak_name(impact), vec![peak]).styled(ink(Mark::Square));
-    series.push(turning.and(force_at_peak(impact)).and(length("δₘ", impact.peak_indentation)));
+    let turning = Series::points(peak_name(impact), vec![peak]).with_style(ink(Marker::Square));
+    series.push(turning.with_note(force_at_peak(impact)).with_note(length("δₘ", impact.peak_indentation)));
     if impact.has_dent() {
         let residual = impact.residual_indentation;
-        let dent = Series::points("Residual indentation", vec![(residual, 0.0)]).styled(ink(Mark::Inverted));
-        series.push(dent.and(length("δᵣ", residual)));
+        let dent = Series::points("Residual indentation", vec![(residual, 0.0)]).with_style(ink(Marker::TriangleDown));
+        series.push(dent.with_note(length("δᵣ", residual)));
     }
-    let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * impact.peak_indentation);
-    let y = Axis::linear("Force", "N").between(0.0, 1.08 * impact.peak_force);
+    let x = Axis::linear("Indentation", "m").with_range(0.0, 1.06 * impact.peak_indentation);
+    let y = Axis::linear("Force", "N").with_range(0.0, 1.08 * impact.peak_force);
     // without dent and damping, unloading lies on loading
     let has_two = impact.has_dent() || is_damped(impact);
     let branches: &[&str] = if has_two { &["loading", "unloading"] } else { &["loading and unloading"] };
     let chart = Chart::new(title(impact), [x, y], series).with_branches(branches);
-    Ok(loops::with_sphere(chart, of_sphere))
+    Ok(loops::with_sphere_panel(chart, of_sphere))
 }
 
 pub(in crate::report) fn is_damped(impact: &Impact) -> bool {

@@ -3,7 +3,7 @@
 use super::force_indentation::title;
 use crate::impact::Impact;
 use crate::impact::oblique::FrictionState;
-use crate::report::chart::{Axis, Chart, GREY, INK, Panel, Series, Style, extremes};
+use crate::report::chart::{Axis, Chart, FOREGROUND, GREY, Panel, Series, Style, min_max};
 use crate::units::{Dimension, format_result};
 
 /// The picture of friction; `None` for an impact without an angle, a spin, or a trace.
@@ -13,12 +13,12 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
     let (_, last) = rows.last()?;
     let panel = |name: &str, unit: &str, number: usize, value: fn(&FrictionState) -> f64, note: Option<String>| {
         let points: Vec<(f64, f64)> = rows.iter().map(|(time, row)| (*time, value(row))).collect();
-        let (low, high) = extremes(points.iter().map(|at| at.1).chain([0.0]));
+        let (low, high) = min_max(points.iter().map(|at| at.1).chain([0.0]));
         let margin = 0.08 * (high - low);
-        let mut series = Series::line(name, points).styled(Style::new(number).solid());
-        series.texts.extend(note);
-        let mut panel = Panel::new(Axis::linear(name, unit).between(low - margin, high + margin), vec![series]);
-        panel.guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
+        let mut series = Series::line(name, points).with_style(Style::new(number).solid());
+        series.legend_texts.extend(note);
+        let mut panel = Panel::new(Axis::linear(name, unit).with_range(low - margin, high + margin), vec![series]);
+        panel.guides.push(Series::horizontal(0.0, "").with_style(Style::line(FOREGROUND, 1.5)));
         panel
     };
     let after = |value, dimension| Some(format!("{} at the end", format_result(value, dimension)));
@@ -27,7 +27,7 @@ pub fn friction(impact: &Impact) -> Option<Chart> {
         panel("Slip speed", "m/s", 1, |row| row.slip_speed, after(last.slip_speed, Dimension::Speed)),
         panel("Spin", "rad/s", 2, |row| row.spin, after(last.spin, Dimension::AngularSpeed)),
     ];
-    let x = Axis::linear("Time", "s").between(0.0, 1.03 * impact.duration());
-    let peak = Series::vertical(impact.loading_time, "deepest point").styled(Style::line(GREY, 2.0));
+    let x = Axis::linear("Time", "s").with_range(0.0, 1.03 * impact.duration());
+    let peak = Series::vertical(impact.loading_time, "deepest point").with_style(Style::line(GREY, 2.0));
     Some(Chart::stacked(title(impact), x, panels).with_guides([peak]))
 }

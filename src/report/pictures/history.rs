@@ -4,7 +4,7 @@ use super::force_indentation::{force_at_peak, is_damped, peak_name, title};
 use super::loops;
 use crate::error::Error;
 use crate::impact::{Impact, TraceRow};
-use crate::report::chart::{Axis, Chart, DASHED, GREY, INK, Panel, Series, Style, extremes};
+use crate::report::chart::{Axis, Chart, DASHED, FOREGROUND, GREY, Panel, Series, Style, min_max};
 use crate::units::{Dimension, format_result};
 
 /// The history of an impact. A trace of some hundred samples gives smooth curves.
@@ -13,53 +13,57 @@ pub fn history(impact: &Impact) -> Result<Chart, Error> {
         return Err(Error::failed("a history needs a trace: run the impact with samples"));
     }
     let points = |quantity: fn(&TraceRow) -> f64| impact.trace.iter().map(|row| (row.time, quantity(row))).collect();
-    let thin = |number| loops::style(number, 3.5);
-    let mut force = Series::line("Force F", points(|row| row.force)).styled(thin(3));
+    let thin = |number| loops::loop_style(number, 3.5);
+    let mut force = Series::line("Force F", points(|row| row.force)).with_style(thin(3));
     if !is_damped(impact) {
-        force = force.and(force_at_peak(impact));
+        force = force.with_note(force_at_peak(impact));
     }
     let mut drawn: Vec<Series> = loops::INDENTATIONS
         .iter()
         .enumerate()
         .map(|(i, (name, width))| {
             let points = impact.trace.iter().map(|row| (row.time, loops::indentations(row)[i]));
-            Series::line(*name, points.collect()).styled(loops::style(i, *width))
+            Series::line(*name, points.collect()).with_style(loops::loop_style(i, *width))
         })
         .collect();
-    drawn[0].texts.push(format!("δₘ = {}", format_result(impact.peak_indentation, Dimension::Length)));
-    let speed = Series::line("Speed δ′", points(|row| row.speed)).styled(thin(4));
-    let speed = speed.and(format!("impact at {}", format_result(impact.speed, Dimension::Speed)));
-    let (slowest, fastest) = extremes(impact.trace.iter().map(|row| row.speed));
-    let y = |title, unit, low: f64, high: f64| Axis::linear(title, unit).between(1.1 * low, 1.1 * high);
+    drawn[0].legend_texts.push(format!("δₘ = {}", format_result(impact.peak_indentation, Dimension::Length)));
+    let speed = Series::line("Speed δ′", points(|row| row.speed)).with_style(thin(4));
+    let speed = speed.with_note(format!("impact at {}", format_result(impact.speed, Dimension::Speed)));
+    let (slowest, fastest) = min_max(impact.trace.iter().map(|row| row.speed));
+    let y = |title, unit, low: f64, high: f64| Axis::linear(title, unit).with_range(1.1 * low, 1.1 * high);
     let mut panels = vec![
         Panel::new(y("Force", "N", 0.0, impact.peak_force), vec![force]),
         Panel::new(y("Indentation", "m", 0.0, impact.peak_indentation), drawn),
         Panel::new(y("Speed", "m/s", slowest.min(0.0), fastest.max(0.0)), vec![speed]),
     ];
-    panels[2].guides.push(Series::horizontal(0.0, "").styled(Style::line(INK, 1.5)));
-    let x = Axis::linear("Time", "s").between(0.0, 1.03 * impact.duration());
-    Ok(Chart::stacked(title(impact), x, panels).with_guides(times(impact)))
+    panels[2].guides.push(Series::horizontal(0.0, "").with_style(Style::line(FOREGROUND, 1.5)));
+    let x = Axis::linear("Time", "s").with_range(0.0, 1.03 * impact.duration());
+    Ok(Chart::stacked(title(impact), x, panels).with_guides(event_guides(impact)))
 }
 
 /// Vertical lines at the peak and at the end.
-fn times(impact: &Impact) -> Vec<Series> {
+fn event_guides(impact: &Impact) -> Vec<Series> {
     let line = Style::line(GREY, 2.5);
     let peak = Series::vertical(impact.loading_time, peak_name(impact))
-        .and(format_result(impact.loading_time, Dimension::Time));
-    let peak = if is_damped(impact) { peak.and(force_at_peak(impact)) } else { peak };
+        .with_note(format_result(impact.loading_time, Dimension::Time));
+    let peak = if is_damped(impact) { peak.with_note(force_at_peak(impact)) } else { peak };
     let end = |name: &str| {
-        Series::vertical(impact.duration(), name).and(format_result(impact.duration(), Dimension::Time)).styled(line)
+        Series::vertical(impact.duration(), name)
+            .with_note(format_result(impact.duration(), Dimension::Time))
+            .with_style(line)
     };
     let mut end = match impact.captured_result() {
-        None => end("Separation").and(format!("rebound at {}", format_result(impact.rebound_speed, Dimension::Speed))),
+        None => {
+            end("Separation").with_note(format!("rebound at {}", format_result(impact.rebound_speed, Dimension::Speed)))
+        }
         Some(under) => {
             let rest =
                 under.static_indentation.map_or_else(String::new, |depth| format_result(depth, Dimension::Length));
-            end("Captured").and(format!("rest at δ = {rest}"))
+            end("Captured").with_note(format!("rest at δ = {rest}"))
         }
     };
     if impact.has_dent() {
-        end = end.and(format!(
+        end = end.with_note(format!(
             "{} δᵣ = {}",
             impact.imprint_name(),
             format_result(impact.residual_indentation, Dimension::Length)
@@ -67,5 +71,5 @@ fn times(impact: &Impact) -> Vec<Series> {
     }
     // a sphere that comes to rest at its deepest point has one line there
     let is_apart = impact.duration() - impact.loading_time > 1e-3 * impact.duration();
-    [peak.styled(line.dashed(DASHED))].into_iter().filter(|_| is_apart).chain([end]).collect()
+    [peak.with_style(line.dashed(DASHED))].into_iter().filter(|_| is_apart).chain([end]).collect()
 }

@@ -1,7 +1,7 @@
 //! Force against indentation of slow contacts. For one half-space: the approach, and the indentations of sphere and
 //! half-space. For several half-spaces: their approaches, in the form of Xie et al. (2024), Fig. 13.
 
-use super::loops::{self, Branches};
+use super::loops::{self, LoopBranches};
 use crate::contact::law::Branch;
 use crate::impact::indentation::{IndentationRow, SpecimenResult};
 use crate::report::chart::{Axis, Chart, Series};
@@ -10,11 +10,11 @@ use crate::units::{Dimension, format_result};
 pub fn indentation(tested: &[SpecimenResult]) -> Chart {
     let branches = |one: &SpecimenResult| branches(&one.indentation.trace);
     let (series, of_sphere) = match tested {
-        [one] => loops::arranged(&branches(one)),
+        [one] => loops::split_by_width(&branches(one)),
         several => {
             let one_loop = |(i, one): (usize, &SpecimenResult)| {
                 let name = one.specimen.name.as_deref().unwrap_or_default();
-                loops::series(name, loops::style(i, 4.0), &branches(one), 0)
+                loops::loop_series(name, loops::loop_style(i, 4.0), &branches(one), 0)
             };
             (several.iter().enumerate().flat_map(one_loop).collect(), Vec::new())
         }
@@ -31,20 +31,20 @@ pub fn indentation(tested: &[SpecimenResult]) -> Chart {
         let memory = &step.memory;
         entries.push(
             Series::text("Largest load")
-                .and(format!("Fₘ = {}", format_result(memory.force, Dimension::Force)))
-                .and(format!("δₘ = {}", format_result(memory.indentation, Dimension::Length)))
-                .and(format!("δᵣ = {}", format_result(memory.residual_indentation, Dimension::Length))),
+                .with_note(format!("Fₘ = {}", format_result(memory.force, Dimension::Force)))
+                .with_note(format!("δₘ = {}", format_result(memory.indentation, Dimension::Length)))
+                .with_note(format!("δᵣ = {}", format_result(memory.residual_indentation, Dimension::Length))),
         );
     }
-    let x = Axis::linear("Indentation", "m").between(0.0, 1.06 * deepest);
-    let y = Axis::linear("Force", "N").between(0.0, 1.08 * strongest);
+    let x = Axis::linear("Indentation", "m").with_range(0.0, 1.06 * deepest);
+    let y = Axis::linear("Force", "N").with_range(0.0, 1.08 * strongest);
     let chart = Chart::new(title(tested), [x, y], series);
-    let chart = chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_entries(entries);
-    loops::with_sphere(chart, of_sphere)
+    let chart = chart.with_branches(&branches[..if unloads { 2 } else { 1 }]).with_legend_entries(entries);
+    loops::with_sphere_panel(chart, of_sphere)
 }
 
 /// The loop of the trace of one half-space.
-fn branches(rows: &[IndentationRow]) -> Branches {
+fn branches(rows: &[IndentationRow]) -> LoopBranches {
     let branches = rows.chunk_by(|a, b| is_loading(a) == is_loading(b)).map(|branch| {
         let indentations = |row: &IndentationRow| [row.indentation, row.sphere_indentation, row.half_space_indentation];
         let mut rows: Vec<_> = branch.iter().map(|row| (indentations(row), row.force)).collect();

@@ -10,13 +10,13 @@ type Points = Vec<(f64, f64)>;
 pub const INDENTATIONS: [(&str, f64); 3] = [("Approach δ", 7.0), ("Sphere δₛ", 5.0), ("Half-space δₕ", 3.0)];
 
 /// A row of a loop: the three indentations, and the force.
-pub type Row = ([f64; 3], f64);
+pub type LoopRow = ([f64; 3], f64);
 
 /// The parts of a loop in the order of time, each with whether the contact loads.
-pub type Branches = Vec<(bool, Vec<Row>)>;
+pub type LoopBranches = Vec<(bool, Vec<LoopRow>)>;
 
 /// The points without those between two others without force.
-fn without_idle(points: Points) -> Points {
+fn without_zero_force(points: Points) -> Points {
     let is_idle = |i: usize| points.get(i).is_none_or(|at| at.1 == 0.0);
     let moving = (0..points.len()).filter(|i| !(is_idle(*i) && is_idle(i + 1) && (*i == 0 || is_idle(i - 1))));
     let moving: Points = moving.map(|i| points[i]).collect();
@@ -24,14 +24,15 @@ fn without_idle(points: Points) -> Points {
 }
 
 /// The series of a loop against one of the indentations.
-pub fn series(name: impl Into<String>, style: Style, branches: &Branches, which: usize) -> Vec<Series> {
-    let mut first = Some(Series::line(name, Vec::new()).styled(style));
+pub fn loop_series(name: impl Into<String>, style: Style, branches: &LoopBranches, which: usize) -> Vec<Series> {
+    let mut first = Some(Series::line(name, Vec::new()).with_style(style));
     let series = branches.iter().map(|(loads, rows)| {
         // a sphere that has left the surface moves without force
-        let points = without_idle(rows.iter().map(|(indentations, force)| (indentations[which], *force)).collect());
+        let points =
+            without_zero_force(rows.iter().map(|(indentations, force)| (indentations[which], *force)).collect());
         match first.take() {
             Some(first) => Series { points, ..first },
-            None => Series::line("", points).styled(style.branch(usize::from(!loads))),
+            None => Series::line("", points).with_style(style.branch(usize::from(!loads))),
         }
     });
     series.collect()
@@ -42,7 +43,7 @@ pub fn indentations(row: &TraceRow) -> [f64; 3] {
 }
 
 /// The loop of an impact; `None` without a trace.
-pub fn of_impact(impact: &Impact) -> Option<Branches> {
+pub fn impact_loop(impact: &Impact) -> Option<LoopBranches> {
     let trace = &impact.trace;
     // a sphere that creeps to rest has no turning point; its last row is the deepest
     let turn = trace.iter().position(|row| row.event == Some(Event::Peak));
@@ -52,20 +53,20 @@ pub fn of_impact(impact: &Impact) -> Option<Branches> {
 }
 
 /// A sphere with less than this share of the largest indentation has a box of its own: its loop would be too narrow.
-const NARROW: f64 = 0.35;
+const NARROW_SHARE: f64 = 0.35;
 
 /// The loops of [`INDENTATIONS`] that share the box of the approach, and those of a box for the sphere alone.
-pub fn arranged(branches: &Branches) -> (Vec<Series>, Vec<Series>) {
+pub fn split_by_width(branches: &LoopBranches) -> (Vec<Series>, Vec<Series>) {
     let drawn = |i: usize| {
         let (name, width) = INDENTATIONS[i];
-        series(name, style(i, width), branches, i)
+        loop_series(name, loop_style(i, width), branches, i)
     };
     let [approach, sphere, half_space] = [0, 1, 2].map(drawn);
-    let share = largest(&sphere) / largest(&approach);
+    let share = max_indentation(&sphere) / max_indentation(&approach);
     if share == 0.0 {
         // the half-space of a rigid sphere has the whole approach
         (approach, Vec::new())
-    } else if share < NARROW {
+    } else if share < NARROW_SHARE {
         ([approach, half_space].concat(), sphere)
     } else {
         ([approach, sphere, half_space].concat(), Vec::new())
@@ -73,20 +74,20 @@ pub fn arranged(branches: &Branches) -> (Vec<Series>, Vec<Series>) {
 }
 
 /// The picture with these loops of the sphere in a box of their own, if there are any.
-pub fn with_sphere(chart: Chart, sphere: Vec<Series>) -> Chart {
+pub fn with_sphere_panel(chart: Chart, sphere: Vec<Series>) -> Chart {
     if sphere.is_empty() {
         return chart;
     }
-    let x = Axis::linear("Indentation of the sphere", "m").between(0.0, 1.15 * largest(&sphere));
-    chart.with_side(x, sphere)
+    let x = Axis::linear("Indentation of the sphere", "m").with_range(0.0, 1.15 * max_indentation(&sphere));
+    chart.with_side_panel(x, sphere)
 }
 
 /// The largest indentation of a loop.
-fn largest(series: &[Series]) -> f64 {
+fn max_indentation(series: &[Series]) -> f64 {
     series.iter().flat_map(|one| &one.points).map(|at| at.0).fold(0.0, f64::max)
 }
 
 /// The style of the loop with this number. Loops may lie on each other, so each is narrower than the one before.
-pub fn style(number: usize, width: f64) -> Style {
-    Style::new(number).solid().wide(width)
+pub fn loop_style(number: usize, width: f64) -> Style {
+    Style::new(number).solid().with_width(width)
 }

@@ -18,8 +18,8 @@ mod posterior;
 pub mod series;
 pub mod sweep;
 
-pub(crate) use caption::{axis_of, law_title, words_of};
-pub use caption::{caption, captioned, title_of};
+pub use caption::{caption, path_title, with_captions};
+pub(crate) use caption::{key_axis, law_title, path_words};
 
 pub use force_indentation::force_indentation;
 pub use friction::friction;

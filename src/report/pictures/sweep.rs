@@ -3,12 +3,12 @@
 
 use crate::report::chart;
 
-use super::{axis_of, caption, captioned, law_title, title_of, words_of};
+use super::{caption, key_axis, law_title, path_title, path_words, with_captions};
 use crate::contact::law::YieldingPair;
 use crate::impact::{ImpactRow, Rebound};
 use crate::reference::quasi_static;
-use crate::report::chart::{Chart, Look, Panel, Series, heatmap, histogram};
-use crate::report::chart::{Style, extremes};
+use crate::report::chart::{Chart, Panel, Series, SeriesKind, heatmap, histogram};
+use crate::report::chart::{Style, min_max};
 use crate::results::{ResultColumn, dimension_of, result_columns};
 use crate::scenario::plan::{Axis, AxisSetting, AxisWord, Cases, Plan, RESTITUTION};
 use crate::strings::capital;
@@ -17,11 +17,11 @@ use crate::table::{Evaluator, RowFailure, Rows, Tally};
 use crate::units::{format_four_digits, format_result, quantities};
 
 /// Largest number of points of a curve: more than the pixels of a picture.
-const MOST_POINTS: u64 = 2000;
+const MAX_POINTS: u64 = 2000;
 /// A curve with up to this number of points has a marker on each.
-const FEW_POINTS: usize = 12;
+const MAX_MARKED_POINTS: usize = 12;
 /// Largest number of curves in one picture that a reader can distinguish.
-const MOST_CURVES: u64 = 8;
+const MAX_CURVES: u64 = 8;
 /// A step from curve to curve is chosen so that the last value has a curve, if at least this number of curves remains.
 const FEWEST_CURVES: u64 = 5;
 /// Pictures with more curves than this have markers on each.
@@ -29,51 +29,53 @@ const PLAIN_CURVES: usize = 6;
 /// Results over a logarithmic axis are on a logarithmic axis if the largest is more than this multiple of the smallest.
 const WIDE: f64 = 30.0;
 /// Largest number of curves if the second axis has words: as many names as the key has room for.
-const MOST_WORDS: u64 = 13;
+const MAX_WORD_CURVES: u64 = 13;
 /// Largest number of cells on a side of a map.
-const MOST_CELLS: u64 = 200;
+const MAX_CELLS: u64 = 200;
 /// A map is drawn if both axes have at least this number of values.
-const LONG: u64 = 8;
-const BARS: usize = 60;
+const MIN_MAP_AXIS: u64 = 8;
+const HISTOGRAM_BARS: usize = 60;
 
 /// The pictures of a plan with their names.
 pub fn pictures(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
-    captioned(charts(plan, tally), &caption(&plan.input, &plan.varied_paths()))
+    with_captions(charts(plan, tally), &caption(&plan.input, &plan.varied_paths()))
 }
 
 fn charts(plan: &Plan, tally: &Tally) -> Vec<(String, Chart)> {
     let Cases::Grid(axes) = &plan.cases else {
         let is_drawn = |name| plan.pictures.as_ref().is_none_or(|names| names.contains(&name));
         let drawn = tally.statistics.iter().filter(|(column, _)| is_drawn(column.name));
-        let drawn = drawn.filter_map(|(column, all)| Some((format!("{}_histogram", column.name), bars(column, all)?)));
+        let drawn = drawn.filter_map(|(column, all)| {
+            Some((format!("{}_histogram", column.name), restitution_histogram(column, all)?))
+        });
         return drawn.collect();
     };
     let is_drawable = |axis: &Axis| matches!(axis.setting, AxisSetting::Number { .. }) && axis.len() > 1;
     if axes[0].path() == "impact.angle" && is_drawable(&axes[0]) && plan.pictures.is_none() {
-        return vec![("rebound".to_owned(), rebounds(plan, axes))];
+        return vec![("rebound".to_owned(), rebound_chart(plan, axes))];
     }
     // the axis along which curves run: the first, unless only the second has numbers
     let along = (0..axes.len().min(2)).find(|at| is_drawable(&axes[*at]));
-    let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= LONG);
+    let has_map = axes.len() > 1 && axes[..2].iter().all(|axis| is_drawable(axis) && axis.len() >= MIN_MAP_AXIS);
     let evaluator = &Evaluator::new(plan);
     let is_drawn = |name| plan.pictures.as_deref().unwrap_or(&[RESTITUTION]).contains(&name);
     let drawn = result_columns().into_iter().filter(|column| is_drawn(column.name)).flat_map(|result| {
-        let picture = ResultPicture { plan, evaluator, axes, along, result };
-        let lines = if along.is_some() { picture.curves() } else { picture.columns() };
-        let map = has_map.then(|| (format!("{}_map", result.name), picture.map()));
+        let picture = ResultChart { plan, evaluator, axes, along, result };
+        let lines = if along.is_some() { picture.curve_chart() } else { picture.column_chart() };
+        let map = has_map.then(|| (format!("{}_map", result.name), picture.heat_map()));
         [(result.name.to_owned(), lines)].into_iter().chain(map)
     });
     drawn.collect()
 }
 
 /// At most `most` of the places of an axis, at even steps, including both ends.
-fn some_places(axis: &Axis, most: u64) -> Vec<u64> {
+fn spaced_indices(axis: &Axis, most: u64) -> Vec<u64> {
     let (last, count) = (axis.len() - 1, axis.len().min(most));
     #[allow(clippy::cast_possible_truncation)] // at most `last`
     (0..count).map(|i| (u128::from(i) * u128::from(last) / u128::from(count.max(2) - 1)) as u64).collect()
 }
 
-fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<ImpactRow, RowFailure>> {
+fn compute_row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<ImpactRow, RowFailure>> {
     let case = axes
         .iter()
         .zip(places.iter().copied().chain(std::iter::repeat(0)))
@@ -84,39 +86,40 @@ fn row(evaluator: &Evaluator, axes: &[Axis], places: &[u64]) -> Option<Result<Im
 }
 
 /// Rebound angle and spin against the angle of impact, curves by the second axis.
-fn rebounds(plan: &Plan, axes: &[Axis]) -> Chart {
+fn rebound_chart(plan: &Plan, axes: &[Axis]) -> Chart {
     let evaluator = Evaluator::new(plan);
-    let at = some_places(&axes[0], MOST_POINTS);
-    let curves = axes.get(1).map_or_else(|| vec![0], |second| curve_places(second, MOST_CURVES));
+    let at = spaced_indices(&axes[0], MAX_POINTS);
+    let curves = axes.get(1).map_or_else(|| vec![0], |second| curve_places(second, MAX_CURVES));
     let names = axes.get(1).map_or_else(|| vec![String::new()], |second| labels(second, &curves));
     let (mut angles, mut spins) = (Vec::new(), Vec::new());
     for (number, curve) in curves.iter().enumerate() {
-        let rows =
-            at.iter().filter_map(|place| Some((*place, row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
-        let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (shown(&axes[0], place), after)).collect();
+        let rows = at
+            .iter()
+            .filter_map(|place| Some((*place, compute_row(&evaluator, axes, &[*place, *curve])?.ok()?.rebound?)));
+        let after: Vec<(f64, Rebound)> = rows.map(|(place, after)| (axis_position(&axes[0], place), after)).collect();
         let points = |value: fn(&Rebound) -> f64| after.iter().map(|(angle, after)| (*angle, value(after))).collect();
-        angles.push(curve_of(names[number].clone(), points(|after| after.angle.to_degrees())).styled(number));
-        spins.push(curve_of("", points(|after| after.spin)).styled(number));
+        angles.push(marked_curve(names[number].clone(), points(|after| after.angle.to_degrees())).with_style(number));
+        spins.push(marked_curve("", points(|after| after.spin)).with_style(number));
     }
     let panels = [
         Panel::new(chart::Axis::linear("Rebound angle", "°"), angles),
         Panel::new(chart::Axis::linear("Spin afterwards", "rad/s"), spins),
     ];
-    let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", words(second)));
+    let by = axes.get(1).map_or_else(String::new, |second| format!(" by {}", axis_words(second)));
     Chart::stacked(format!("Oblique rebound{by}"), plot_axis(&axes[0]), panels.into())
         .with_notes(axes.get(1).and_then(|second| note_of_others(second, curves.len())))
-        .with_notes(notes(axes))
+        .with_notes(fixed_axis_notes(axes))
 }
 
 /// The name of an axis in words, such as "half-space yield strength".
-fn words(axis: &Axis) -> String {
-    words_of(axis.path())
+fn axis_words(axis: &Axis) -> String {
+    path_words(axis.path())
 }
 
 fn plot_axis(axis: &Axis) -> chart::Axis {
     match &axis.setting {
-        AxisSetting::Number { key, .. } => axis_of(key, axis.is_logarithmic),
-        AxisSetting::Words { path, .. } => chart::Axis::linear(&title_of(path), ""),
+        AxisSetting::Number { key, .. } => key_axis(key, axis.is_logarithmic),
+        AxisSetting::Words { path, .. } => chart::Axis::linear(&path_title(path), ""),
     }
 }
 
@@ -127,9 +130,9 @@ fn labels(axis: &Axis, places: &[u64]) -> Vec<String> {
         AxisSetting::Number { key, .. } => {
             let dimension = key.quantity.dimension;
             match key.quantity.picture_unit().0 {
-                "°" => texts(&|place| format!("{}°", format_four_digits(shown(axis, place)))),
+                "°" => texts(&|place| format!("{}°", format_four_digits(axis_position(axis, place)))),
                 unit if unit != dimension.si_unit() => {
-                    texts(&|place| format!("{} {unit}", format_four_digits(shown(axis, place))))
+                    texts(&|place| format!("{} {unit}", format_four_digits(axis_position(axis, place))))
                 }
                 _ => quantities(&places.iter().map(|place| axis.value_at(*place)).collect::<Vec<_>>(), dimension),
             }
@@ -142,12 +145,12 @@ fn labels(axis: &Axis, places: &[u64]) -> Vec<String> {
 }
 
 /// The value at a place of an axis, with at most four digits.
-fn label(axis: &Axis, place: u64) -> String {
+fn value_label(axis: &Axis, place: u64) -> String {
     labels(axis, &[place]).concat()
 }
 
 /// The value at a place of an axis, in the unit of the picture.
-fn shown(axis: &Axis, place: u64) -> f64 {
+fn axis_position(axis: &Axis, place: u64) -> f64 {
     match &axis.setting {
         AxisSetting::Number { key, .. } => key.quantity.picture_unit().1(axis.value_at(place)),
         AxisSetting::Words { .. } => axis.value_at(place),
@@ -159,7 +162,7 @@ fn shown(axis: &Axis, place: u64) -> f64 {
 fn curve_places(axis: &Axis, most: u64) -> Vec<u64> {
     let last = axis.len() - 1;
     if last < most || !axis.words().is_empty() {
-        return some_places(axis, most);
+        return spaced_indices(axis, most);
     }
     let least = last.div_ceil(most - 1);
     let fitting = (least..=last / (FEWEST_CURVES - 1)).find(|step| last.is_multiple_of(*step));
@@ -174,13 +177,13 @@ fn note_of_others(axis: &Axis, shown: usize) -> Option<String> {
 }
 
 /// A curve, with a marker on each of few points.
-fn curve_of(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
-    let look = if points.len() <= FEW_POINTS { Look::MarkedLine } else { Look::Line };
-    Series { look, ..Series::line(name, points) }
+fn marked_curve(name: impl Into<String>, points: Vec<(f64, f64)>) -> Series {
+    let look = if points.len() <= MAX_MARKED_POINTS { SeriesKind::MarkedLine } else { SeriesKind::Line };
+    Series { kind: look, ..Series::line(name, points) }
 }
 
 /// A picture of one result over one or two axes of a grid.
-struct ResultPicture<'a> {
+struct ResultChart<'a> {
     plan: &'a Plan,
     evaluator: &'a Evaluator<'a>,
     axes: &'a [Axis],
@@ -189,10 +192,10 @@ struct ResultPicture<'a> {
     result: ResultColumn,
 }
 
-impl ResultPicture<'_> {
+impl ResultChart<'_> {
     /// The result of the case at these places of the first axes; not a number if the case has none.
     fn value(&self, places: &[u64]) -> f64 {
-        let row = row(self.evaluator, self.axes, places).and_then(Result::ok);
+        let row = compute_row(self.evaluator, self.axes, places).and_then(Result::ok);
         row.as_ref().and_then(self.result.value).unwrap_or(f64::NAN)
     }
 
@@ -205,12 +208,12 @@ impl ResultPicture<'_> {
     }
 
     /// Curves along one axis, one for each value of the other.
-    fn curves(&self) -> Chart {
+    fn curve_chart(&self) -> Chart {
         let (axes, along) = (self.axes, self.along.unwrap_or(0));
         let first = &axes[along];
         let other = if along == 0 { axes.get(1) } else { axes.first() };
-        let at = some_places(first, MOST_POINTS);
-        let most = |axis: &Axis| if axis.words().is_empty() { MOST_CURVES } else { MOST_WORDS };
+        let at = spaced_indices(first, MAX_POINTS);
+        let most = |axis: &Axis| if axis.words().is_empty() { MAX_CURVES } else { MAX_WORD_CURVES };
         let curves = other.map_or_else(|| vec![0], |other| curve_places(other, most(other)));
         let names = other.map_or_else(|| vec![String::new()], |other| labels(other, &curves));
         // all laws yield at about the same speed, so one guide is enough
@@ -219,49 +222,49 @@ impl ResultPicture<'_> {
         let (mut series, mut yielding) = (Vec::new(), Vec::new());
         for (number, curve) in curves.iter().enumerate() {
             let places = |place: u64| if along == 0 { [place, *curve] } else { [*curve, place] };
-            let points = at.iter().map(|place| (shown(first, *place), self.value(&places(*place)))).collect();
+            let points = at.iter().map(|place| (axis_position(first, *place), self.value(&places(*place)))).collect();
             if is_by_speed && !(is_by_law && number > 0) {
                 yielding.extend(yield_speed(self.plan, other, *curve).map(|at| (number, at)));
             }
-            let mut drawn = curve_of(names[number].clone(), points);
-            if curves.len() > PLAIN_CURVES && drawn.look == Look::Line {
-                drawn.look = Look::LabelledLine;
+            let mut drawn = marked_curve(names[number].clone(), points);
+            if curves.len() > PLAIN_CURVES && drawn.kind == SeriesKind::Line {
+                drawn.kind = SeriesKind::LabelledLine;
             }
             // the law of this program is the widest line among laws
             let is_first = is_by_law && number == 0;
-            series.push(if is_first { drawn.styled(Style::new(number).wide(7.0)) } else { drawn });
+            series.push(if is_first { drawn.with_style(Style::new(number).with_width(7.0)) } else { drawn });
         }
         // one guide in grey where all curves yield at the same speed
         let is_same = yielding.iter().all(|(_, at)| (at / yielding[0].1 - 1.0).abs() < 1e-9);
         let guide = |(number, at): &(usize, f64)| {
             let guide = Series::vertical(*at, "yield speed");
-            if is_same { guide } else { guide.colored(*number) }
+            if is_same { guide } else { guide.with_color(*number) }
         };
         let guides: Vec<Series> = yielding.iter().take(if is_same { 1 } else { usize::MAX }).map(guide).collect();
         if is_by_speed && is_by_law && self.is_restitution() {
-            series.extend(finite_elements(self.plan, &series));
+            series.extend(finite_element_points(self.plan, &series));
         }
         let (name, y) = self.axis();
         let y = if first.is_logarithmic && !self.is_restitution() && is_wide(&series) {
             y.logarithmic()
         } else {
-            self.ranged(y, &series)
+            self.with_data_range(y, &series)
         };
         let title = match other {
-            Some(other) => format!("{name} by {}", words(other)),
-            None => format!("{name} against {}", words(first)),
+            Some(other) => format!("{name} by {}", axis_words(other)),
+            None => format!("{name} against {}", axis_words(first)),
         };
         Chart::new(title, [plot_axis(first), y], series)
             .with_guides(guides)
             .with_notes(other.and_then(|other| note_of_others(other, curves.len())))
-            .with_notes(notes(axes))
+            .with_notes(fixed_axis_notes(axes))
     }
 
     /// A column for each word of the first axis, such as a law or a material, with its value over it and in the key. A word without
     /// a value has an empty place.
-    fn columns(&self) -> Chart {
+    fn column_chart(&self) -> Chart {
         let (name, y) = self.axis();
-        let places = curve_places(&self.axes[0], MOST_WORDS);
+        let places = curve_places(&self.axes[0], MAX_WORD_CURVES);
         let names = labels(&self.axes[0], &places);
         let column = |(number, place): (usize, &u64)| {
             let value = self.value(&[*place]);
@@ -272,62 +275,64 @@ impl ResultPicture<'_> {
             } else {
                 "none".to_owned()
             };
-            Series::column(name, sides, value).and(text).styled(number)
+            Series::column(name, sides, value).with_note(text).with_style(number)
         };
         let series: Vec<Series> = places.iter().enumerate().map(column).collect();
-        let x = chart::Axis::places(&capital(&words(&self.axes[0])), series.len());
-        let y = self.ranged(y.clone(), &series);
-        Chart::new(format!("{name} by {}", words(&self.axes[0])), [x, y], series)
+        let x = chart::Axis::numbered(&capital(&axis_words(&self.axes[0])), series.len());
+        let y = self.with_data_range(y.clone(), &series);
+        Chart::new(format!("{name} by {}", axis_words(&self.axes[0])), [x, y], series)
             .with_notes(note_of_others(&self.axes[0], places.len()))
-            .with_notes(notes(self.axes))
+            .with_notes(fixed_axis_notes(self.axes))
     }
 
     /// Colours over the first two axes.
-    fn map(&self) -> Chart {
+    fn heat_map(&self) -> Chart {
         let axes = self.axes;
-        let (columns, rows) = (some_places(&axes[0], MOST_CELLS), some_places(&axes[1], MOST_CELLS));
+        let (columns, rows) = (spaced_indices(&axes[0], MAX_CELLS), spaced_indices(&axes[1], MAX_CELLS));
         let (name, color) = self.axis();
-        let title = std::iter::once(name).chain(notes(axes)).collect::<Vec<_>>().join(", ");
-        let on = |axis: &Axis, places: &[u64]| -> Vec<f64> { places.iter().map(|place| shown(axis, *place)).collect() };
+        let title = std::iter::once(name).chain(fixed_axis_notes(axes)).collect::<Vec<_>>().join(", ");
+        let on = |axis: &Axis, places: &[u64]| -> Vec<f64> {
+            places.iter().map(|place| axis_position(axis, *place)).collect()
+        };
         let places = [on(&axes[0], &columns), on(&axes[1], &rows)];
         let value = |column: usize, row: usize| self.value(&[columns[column], rows[row]]);
         heatmap(&title, [plot_axis(&axes[0]), plot_axis(&axes[1])], [&places[0], &places[1]], value, color)
     }
 
     /// The axis with the range of the data, so that guides do not extend it.
-    fn ranged(&self, axis: chart::Axis, series: &[Series]) -> chart::Axis {
+    fn with_data_range(&self, axis: chart::Axis, series: &[Series]) -> chart::Axis {
         let values = series.iter().flat_map(|series| &series.points).map(|(_, value)| *value);
-        let (low, high) = extremes(values.filter(|value| value.is_finite()));
+        let (low, high) = min_max(values.filter(|value| value.is_finite()));
         let high = if self.is_restitution() { high.max(1.0) } else { high };
-        if low < high && low >= 0.0 { axis.between(0.0, 1.05 * high) } else { axis }
+        if low < high && low >= 0.0 { axis.with_range(0.0, 1.05 * high) } else { axis }
     }
 }
 
 /// True if all values of curves are positive, and the largest is far above the smallest.
 fn is_wide(curves: &[Series]) -> bool {
     let values = curves.iter().flat_map(|curve| &curve.points).map(|(_, value)| *value);
-    let (low, high) = extremes(values.filter(|value| value.is_finite()));
+    let (low, high) = min_max(values.filter(|value| value.is_finite()));
     low > 0.0 && high > WIDE * low
 }
 
 /// e of the finite-element unloadings for the materials of this scene, within the speeds of the curves. The speed of a
 /// point is the impact speed with the same energy as the loading.
-fn finite_elements(plan: &Plan, curves: &[Series]) -> Option<Series> {
+fn finite_element_points(plan: &Plan, curves: &[Series]) -> Option<Series> {
     let contact = plan.input.contact().ok()?;
     let bodies = YieldingPair::new(contact.pair())?;
     let energy = bodies.yield_point.force * bodies.yield_point.indentation;
-    let (low, high) = extremes(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
+    let (low, high) = min_max(curves.iter().flat_map(|curve| &curve.points).map(|(speed, _)| *speed));
     let points: Vec<_> = quasi_static::unloadings(contact.sphere().material.youngs_modulus, &bodies)
         .into_iter()
         .map(|row| ((2.0 * row.number("spent") * energy / contact.reduced_mass()).sqrt(), row.number("restitution")))
         .filter(|(speed, _)| (low..=high).contains(speed))
         .collect();
-    (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).styled(Style::BLACK))
+    (!points.is_empty()).then(|| Series::points("finite elements, quasi-static", points).with_style(Style::BLACK))
 }
 
 /// Notes on the axes after the second one, which stay at their first value.
-fn notes(axes: &[Axis]) -> Vec<String> {
-    axes.iter().skip(2).map(|axis| format!("{} = {}", words(axis), label(axis, 0))).collect()
+fn fixed_axis_notes(axes: &[Axis]) -> Vec<String> {
+    axes.iter().skip(2).map(|axis| format!("{} = {}", axis_words(axis), value_label(axis, 0))).collect()
 }
 
 /// The yield speed v_Y at a place of an axis; `None` where the strength depends on the speed.
@@ -345,14 +350,14 @@ fn result_axis(name: &str) -> (String, chart::Axis) {
         return ("Restitution".to_owned(), chart::Axis::linear("Restitution e", ""));
     }
     let dimension = dimension_of(name);
-    let title = title_of(name.trim_end_matches(dimension.suffix()));
+    let title = path_title(name.trim_end_matches(dimension.suffix()));
     let axis = chart::Axis::linear(&title, dimension.si_unit());
     (title, axis)
 }
 
 /// The histogram of a column of random cases; `None` where all values are equal.
-fn bars(column: &ResultColumn, statistics: &RunningStatistics) -> Option<Chart> {
-    let (low, high, counts) = statistics.histogram(BARS)?;
+fn restitution_histogram(column: &ResultColumn, statistics: &RunningStatistics) -> Option<Chart> {
+    let (low, high, counts) = statistics.histogram(HISTOGRAM_BARS)?;
     let all = statistics.distribution()?;
     let dimension = dimension_of(column.name);
     let text = |value: f64| {

@@ -4,7 +4,7 @@ use std::path::absolute;
 
 use toml_edit::{DocumentMut, Value};
 
-use super::outcome::{Outcome, RunOptions, file, provenance, put_notes, with_summary};
+use super::outcome::{Outcome, RunOptions, output_file, provenance, put_notes, with_summary};
 use crate::calibrate::fit::MIN_SCATTER;
 use crate::calibrate::{Calibration, CalibrationTask, KeyEstimate};
 use crate::contact::strength::kind::StrengthKind;
@@ -14,7 +14,7 @@ use crate::materials::Property;
 use crate::report::pictures::calibrate::pictures;
 use crate::report::text::calibrate as report;
 use crate::report::text::notes;
-use crate::report::text::overview::of_calibration;
+use crate::report::text::overview::calibration_overview;
 use crate::scenario::Scenario;
 use crate::scenario::document::edit::set;
 use crate::scenario::input::{Body, Input};
@@ -22,21 +22,21 @@ use crate::scenario::keys::interval::WHICH_STRENGTH;
 use crate::scenario::keys::strength_notes;
 use crate::units::{Dimension, format_exact, format_four_digits};
 
-pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
+pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let measured = CalibrationTask::new(scenario)?;
     let unwatched = Progress::default();
     let found = measured.calibrate(options.map_or(&unwatched, |options| options.progress))?;
     let contradiction = found.verdict().contradiction();
     let Some(options) = options else {
-        let mut checked = report::found(&measured, &found);
-        checked.insert("inputs".to_owned(), report::inputs(&measured, &found).json().into());
-        let text = of_calibration(&measured, &found);
-        return Ok(Outcome { contradiction, ..Outcome::checked(warnings(&found), text, checked) });
+        let mut checked = report::summary_fields(&measured, &found);
+        checked.insert("inputs".to_owned(), report::inputs(&measured, &found).to_json().into());
+        let text = calibration_overview(&measured, &found);
+        return Ok(Outcome { contradiction, ..Outcome::from_check(warnings(&found), text, checked) });
     };
-    let files = files(scenario, &measured, &found, options)?;
+    let files = result_files(scenario, &measured, &found, options)?;
     let known = calibration_notes(&found);
-    let text = report::table(&found) + &notes(&known);
-    Ok(Outcome { contradiction, notes: known, ..Outcome::done(warnings(&found), text, files) })
+    let text = report::terminal_table(&found) + &notes(&known);
+    Ok(Outcome { contradiction, notes: known, ..Outcome::from_run(warnings(&found), text, files) })
 }
 
 /// Notes for the user on the law behind the values that were found, and on a strength that was not found.
@@ -52,19 +52,19 @@ fn calibration_notes(found: &Calibration) -> Vec<String> {
 }
 
 /// The files with these results.
-fn files(
+fn result_files(
     scenario: &Scenario,
     measured: &CalibrationTask,
     found: &Calibration,
     options: &RunOptions,
 ) -> Result<Vec<OutputFile>, Error> {
     let provenance = provenance(scenario, &measured.request.input.law(), true, options.command);
-    let mut files = vec![file("residuals.csv", report::residuals(found)?)];
+    let mut files = vec![output_file("residuals.csv", report::residuals_csv(found)?)];
     if !found.keys.is_empty() {
-        files.push(file("calibrated.toml", calibrated(scenario, measured, found)?));
+        files.push(output_file("calibrated.toml", calibrated_scenario(scenario, measured, found)?));
     }
-    files.extend(options.pictures.files(|| Ok(pictures(found)))?);
-    let mut results = report::found(measured, found);
+    files.extend(options.pictures.to_files(|| Ok(pictures(found)))?);
+    let mut results = report::summary_fields(measured, found);
     put_notes(&mut results, &calibration_notes(found));
     with_summary(files, provenance, results, &report::inputs(measured, found))
 }
@@ -81,7 +81,7 @@ fn warnings(found: &Calibration) -> Vec<String> {
         let p = format_four_digits(runs.p);
         format!("the residuals keep their signs (p = {p}): the law is off in a regular way, and intervals that take the noise for random are too narrow")
     });
-    let unlikely = found.keys.iter().filter_map(|key| unlikely(key, &found.fit.problem.input));
+    let unlikely = found.keys.iter().filter_map(|key| material_doubt(key, &found.fit.problem.input));
     let cautions = found.range_warnings().into_iter().map(|(warning, line)| {
         let place = line.map_or_else(String::new, |line| format!("at line {line} of the data: "));
         format!("{place}{warning}")
@@ -97,7 +97,7 @@ fn warnings(found: &Calibration) -> Vec<String> {
 }
 
 /// Doubts a strength or a hardness that is far from that of the material that the body names.
-fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
+fn material_doubt(key: &KeyEstimate, input: &Input) -> Option<String> {
     let choice = input.materials().iter().find(|choice| key.free.key.path.starts_with(choice.body.table()))?;
     let hardness = choice.material.get(Property::Hardness)?.value.value;
     let usual = match key.free.key.path {
@@ -121,7 +121,7 @@ fn unlikely(key: &KeyEstimate, input: &Input) -> Option<String> {
 
 /// The scenario with the values that were found, and without `[calibrate]`: it runs as it is. Its comments stay; the first
 /// line says which keys are new.
-fn calibrated(scenario: &Scenario, measured: &CalibrationTask, found: &Calibration) -> Result<String, Error> {
+fn calibrated_scenario(scenario: &Scenario, measured: &CalibrationTask, found: &Calibration) -> Result<String, Error> {
     let document = scenario.document.edited().parse::<DocumentMut>();
     let mut document = document.map_err(|error| Error::caused_by(ErrorKind::Input, &error))?;
     document.remove("calibrate");

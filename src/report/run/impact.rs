@@ -1,15 +1,15 @@
 //! One impact.
 
-use super::outcome::{self, Outcome, RunOptions, file, no_result, texts, with_summary};
+use super::outcome::{self, Outcome, RunOptions, no_result_error, output_file, warning_texts, with_summary};
 use crate::error::Error;
 use crate::files::{MethodProvenance, Provenance};
 use crate::impact::{Contact, Impact, ImpactError, Method};
 use crate::report::pictures;
-use crate::report::pictures::{caption, captioned};
-use crate::report::text::check::of_contact;
+use crate::report::pictures::{caption, with_captions};
+use crate::report::text::check::contact_fields;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::overview::overview;
-use crate::report::text::{table, trace};
+use crate::report::text::{table, trace_csv};
 use crate::results::impact::{SingleImpact, impact_results};
 use crate::results::to_fields;
 use crate::scenario::Scenario;
@@ -20,8 +20,8 @@ use crate::scenario::keys::{restitution_interval, strength_notes};
 /// to be one.
 pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Contact, Impact), Error> {
     let (input, contact) = prepare(scenario)?;
-    can_be_traced(scenario, &input)?;
-    let refuse = |reason| no_result(scenario, &reason);
+    check_trace_method(scenario, &input)?;
+    let refuse = |reason| no_result_error(scenario, &reason);
     // the strength is that of this speed from here on
     let [speed, _] = input.approach().components();
     let contact = contact.at_speed(speed).map_err(refuse)?;
@@ -34,14 +34,14 @@ pub fn compute(scenario: &Scenario, samples: Option<usize>) -> Result<(Input, Co
 pub fn prepare(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     scenario.refuse_columns()?;
     let input = scenario.resolve()?;
-    let contact = input.contact().map_err(|error| no_result(scenario, &error))?;
+    let contact = input.contact().map_err(|error| no_result_error(scenario, &error))?;
     Ok((input, contact))
 }
 
 /// Refuses a method without a trace, which a run writes.
-pub(super) fn can_be_traced(scenario: &Scenario, input: &Input) -> Result<(), Error> {
+pub(super) fn check_trace_method(scenario: &Scenario, input: &Input) -> Result<(), Error> {
     let method = input.solver().method.resolve(&input.forces(), true);
-    method.map(drop).ok_or_else(|| no_result(scenario, &ImpactError::NoClosedForm))
+    method.map(drop).ok_or_else(|| no_result_error(scenario, &ImpactError::NoClosedForm))
 }
 
 /// The provenance of results that were computed by this method.
@@ -50,22 +50,22 @@ pub(super) fn provenance(scenario: &Scenario, input: &Input, method: Method, com
     Provenance { method, ..outcome::provenance(scenario, &input.law(), input.can_yield(), command) }
 }
 
-pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
+pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (input, contact, impact) = compute(scenario, options.map(|_| scenario.input().samples()))?;
     let notes = if impact.has_dent() { strength_notes(&input, &contact, &input.law(), &[]) } else { Vec::new() };
     let Some(options) = options else {
-        let (text, checked) = (overview(&input, &contact, &notes), of_contact(&input, &contact));
-        return Ok(Outcome { notes, ..Outcome::checked(texts(&impact.warnings), text, checked) });
+        let (text, checked) = (overview(&input, &contact, &notes), contact_fields(&input, &contact));
+        return Ok(Outcome { notes, ..Outcome::from_check(warning_texts(&impact.warnings), text, checked) });
     };
     let provenance = provenance(scenario, &input, impact.method, options.command);
-    let mut files = vec![file("trace.csv", trace(&impact)?)];
-    files.extend(options.pictures.files(|| {
+    let mut files = vec![output_file("trace.csv", trace_csv(&impact)?)];
+    files.extend(options.pictures.to_files(|| {
         let mut drawn = vec![
             ("force_indentation", pictures::force_indentation(&impact)?),
             ("history", pictures::history(&impact)?),
         ];
         drawn.extend(pictures::friction(&impact).map(|friction| ("friction", friction)));
-        Ok(captioned(drawn, &caption(&input, &[])))
+        Ok(with_captions(drawn, &caption(&input, &[])))
     })?);
     let interval = restitution_interval(&input, &contact, impact.speed, &impact.essentials);
     let drop_height = input.drop_height();
@@ -73,5 +73,5 @@ pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Resu
         SingleImpact { contact: &contact, impact: &impact, interval: interval.as_ref(), notes: &notes, drop_height };
     let files = with_summary(files, provenance, to_fields(&impact_results(), &single), &Inputs::new(&input))?;
     let text = table(&single, options.detail);
-    Ok(Outcome { notes, ..Outcome::done(texts(&impact.warnings), text, files) })
+    Ok(Outcome { notes, ..Outcome::from_run(warning_texts(&impact.warnings), text, files) })
 }

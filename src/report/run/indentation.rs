@@ -2,13 +2,13 @@
 
 use std::fmt::Display;
 
-use super::outcome::{self, Outcome, RunOptions, file, put_notes, texts, with_summary};
+use super::outcome::{self, Outcome, RunOptions, output_file, put_notes, warning_texts, with_summary};
 use crate::contact::pair::Sphere;
 use crate::error::{Error, ErrorKind};
 use crate::impact::indentation::{IndentationError, SpecimenResult, StaticContact};
 use crate::impact::{elastic_material_warning, half_space_warnings, sphere_warnings};
 use crate::report::pictures;
-use crate::report::pictures::caption::of_indentation;
+use crate::report::pictures::caption::indentation_caption;
 use crate::report::text::indentation as report;
 use crate::report::text::notes as report_notes;
 use crate::scenario::Scenario;
@@ -22,15 +22,16 @@ pub fn compute(
     samples: Option<usize>,
 ) -> Result<(IndentationRequest, Vec<SpecimenResult>, Vec<String>), Error> {
     let scene = scenario.indentation()?;
-    let mut warnings = texts(&scene.warnings);
+    let mut warnings = warning_texts(&scene.warnings);
     let Sphere { radius, material, yield_strength, .. } = scene.sphere;
     warnings.extend(sphere_warnings(radius, &material, yield_strength, None).map(|warning| warning.to_string()));
     let mut tested = Vec::new();
     for specimen in &scene.specimens {
         let name = specimen.name.as_deref();
         let contact = StaticContact::try_new(&scene.sphere, &specimen.half_space, scene.law.get());
-        let contact = contact.map_err(|reason| refused(scenario, None, reason))?;
-        let indentation = contact.indent(&scene.targets, samples).map_err(|reason| refused(scenario, name, reason))?;
+        let contact = contact.map_err(|reason| indentation_error(scenario, None, reason))?;
+        let indentation =
+            contact.indent(&scene.targets, samples).map_err(|reason| indentation_error(scenario, name, reason))?;
         let named = |warning: &dyn Display| {
             specimen.name.as_ref().map_or_else(|| warning.to_string(), |name| format!("{name}, {warning}"))
         };
@@ -45,30 +46,30 @@ pub fn compute(
     Ok((scene, tested, warnings))
 }
 
-pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
+pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
     let (scene, tested, warnings) = compute(scenario, options.map(|_| scenario.input().samples()))?;
     let inputs = report::inputs(scenario, &scene);
     let notes = report::notes(scenario, &tested);
     let Some(options) = options else {
         let text = report::overview(scenario, &scene, &tested, &notes);
-        return Ok(Outcome { notes, ..Outcome::checked(warnings, text, report::checked(&tested, &inputs)) });
+        return Ok(Outcome { notes, ..Outcome::from_check(warnings, text, report::check_fields(&tested, &inputs)) });
     };
     let can_yield = scene.specimens.iter().any(|specimen| specimen.half_space.yield_strength.is_some());
     let provenance = outcome::provenance(scenario, &scene.law, can_yield, options.command);
-    let mut files = vec![file("trace.csv", report::trace(&tested)?)];
-    files.extend(options.pictures.files(|| {
-        let drawn = pictures::indentation(&tested).with_caption(of_indentation(&scene));
+    let mut files = vec![output_file("trace.csv", report::trace_csv(&tested)?)];
+    files.extend(options.pictures.to_files(|| {
+        let drawn = pictures::indentation(&tested).with_caption(indentation_caption(&scene));
         Ok(vec![("force_indentation", drawn)])
     })?);
-    let mut results = report::found(&tested, &warnings);
+    let mut results = report::summary_fields(&tested, &warnings);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &inputs)?;
-    let text = report::table(&tested) + &report_notes(&notes);
-    Ok(Outcome { notes, ..Outcome::done(warnings, text, files) })
+    let text = report::terminal_table(&tested) + &report_notes(&notes);
+    Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
 }
 
 /// The error of a scenario without a result. If a step is the reason, the error points at the steps.
-fn refused(scenario: &Scenario, half_space: Option<&str>, reason: IndentationError) -> Error {
+fn indentation_error(scenario: &Scenario, half_space: Option<&str>, reason: IndentationError) -> Error {
     let on = half_space.map_or_else(String::new, |name| format!("\"{name}\", "));
     match reason {
         reason @ (IndentationError::Range(_) | IndentationError::Pair(_) | IndentationError::Law(_)) => {

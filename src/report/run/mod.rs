@@ -12,34 +12,34 @@ use crate::impact::{Contact, Forces};
 use crate::scenario::input::Input;
 use crate::scenario::keys::key;
 use crate::scenario::{Kind, Scenario};
-pub use outcome::{Outcome, RunOptions, no_result, texts};
+pub use outcome::{Outcome, RunOptions, no_result_error, warning_texts};
 
 /// The outcome of a scenario: with options it has all files, and without options it has the text of a check. `None` for a table, which
 /// is made row after row by [`crate::table::TableJob`].
-pub fn at_once(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
+pub fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Option<Outcome>, Error> {
     let outcome = match scenario.kind()? {
         Kind::Sweep | Kind::MonteCarlo => return Ok(None),
-        Kind::Impact => impact::outcome,
-        Kind::Repeat => series::outcome,
-        Kind::Calibrate => calibrate::outcome,
-        Kind::Indentation => indentation::outcome,
+        Kind::Impact => impact::run,
+        Kind::Repeat => series::run,
+        Kind::Calibrate => calibrate::run,
+        Kind::Indentation => indentation::run,
     };
     outcome(scenario, options).map(Some)
 }
 
 /// Checks a scenario; nothing is written.
 pub fn check(scenario: &Scenario) -> Result<Outcome, Error> {
-    at_once(scenario, None)?.map_or_else(|| table::check(scenario), Ok)
+    run(scenario, None)?.map_or_else(|| table::check(scenario), Ok)
 }
 
 /// The remedy for a key that describes the motion of the sphere and not its contact.
-const OF_THE_SPHERE: &str = "leave this key out; the simulation has path and spin of every sphere";
+const SPHERE_MOTION_ADVICE: &str = "leave this key out; the simulation has path and spin of every sphere";
 
 /// The bodies of a scenario and the contact between them, for codes that add all other forces themselves.
 ///
 /// # Errors
 /// [`Error`]: a bad scenario, one with gravity, damping or a plate, and one of another kind than an impact.
-pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
+pub fn bare_contact(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     let kind = scenario.kind()?;
     if kind != Kind::Impact {
         let message = "is not a part of a contact of two bodies: leave this table out";
@@ -58,8 +58,8 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
             input.number(key!("half_space.mass")).is_some(),
             "leave this key out; the simulation has the mass of every body",
         ),
-        ("impact.angle", scenario.document.contains("impact.angle"), OF_THE_SPHERE),
-        ("sphere.spin", scenario.document.contains("sphere.spin"), OF_THE_SPHERE),
+        ("impact.angle", scenario.document.contains("impact.angle"), SPHERE_MOTION_ADVICE),
+        ("sphere.spin", scenario.document.contains("sphere.spin"), SPHERE_MOTION_ADVICE),
     ];
     if let Some((key, _, way_out)) = keys.into_iter().find(|(_, is_there, _)| *is_there) {
         let message = format!("is not a part of the contact law: {way_out}");
@@ -70,18 +70,18 @@ pub fn contact_alone(scenario: &Scenario) -> Result<(Input, Contact), Error> {
     Ok((input, contact))
 }
 
-/// The contact of [`contact_alone`], with the strength at the speed of the scenario, for codes that ask for forces one after the
+/// The contact of [`bare_contact`], with the strength at the speed of the scenario, for codes that ask for forces one after the
 /// other.
 ///
 /// # Errors
-/// [`Error`] as of [`contact_alone`], and where a strength depends on a speed that the scenario does not give.
-pub fn contact_of_one_strength(scenario: &Scenario) -> Result<Contact, Error> {
-    let (input, contact) = contact_alone(scenario)?;
-    at_speed_of(scenario, &input, &contact).map(|own| own.unwrap_or(contact))
+/// [`Error`] as of [`bare_contact`], and where a strength depends on a speed that the scenario does not give.
+pub fn contact_at_scenario_speed(scenario: &Scenario) -> Result<Contact, Error> {
+    let (input, contact) = bare_contact(scenario)?;
+    at_scenario_speed(scenario, &input, &contact).map(|own| own.unwrap_or(contact))
 }
 
 /// The contact with the strength of the speed of the scenario; `None` where it does not depend on a speed.
-pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Result<Option<Contact>, Error> {
+pub fn at_scenario_speed(scenario: &Scenario, input: &Input, contact: &Contact) -> Result<Option<Contact>, Error> {
     if !contact.has_rate() {
         return Ok(None);
     }
@@ -91,7 +91,7 @@ pub fn at_speed_of(scenario: &Scenario, input: &Input, contact: &Contact) -> Res
         let message = "the strength depends on the speed: give impact.speed, and the law is that of this speed";
         return Err(scenario.document.refusal(table, message));
     }
-    contact.at_speed(speed).map(Some).map_err(|reason| no_result(scenario, &reason))
+    contact.at_speed(speed).map(Some).map_err(|reason| no_result_error(scenario, &reason))
 }
 
 /// Refuses a scenario with warnings, if `is_strict`.

@@ -7,9 +7,9 @@ use crate::error::{Error, ErrorKind};
 use crate::files::{LawProvenance, OutputFile, Progress, Provenance, SUMMARY_FILE};
 use crate::impact::{ImpactError, Warning};
 use crate::numerics::ode::IntegrationError;
-use crate::report::chart::Pictures;
+use crate::report::chart::PictureFormat;
 use crate::report::text::Detail;
-use crate::report::text::files::summary;
+use crate::report::text::files::summary_json;
 use crate::report::text::inputs::Inputs;
 use crate::scenario::Scenario;
 use crate::scenario::input::{Body, NUMERIC_KEYS, NumericKey};
@@ -22,7 +22,7 @@ pub struct RunOptions<'a> {
     pub command: &'a str,
     /// How much the text says of an impact.
     pub detail: Detail,
-    pub pictures: Pictures,
+    pub pictures: PictureFormat,
     /// Counts how far the run is.
     pub progress: &'a Progress,
 }
@@ -44,17 +44,17 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    pub(super) fn checked(warnings: Vec<String>, text: String, checked: Map<String, Value>) -> Self {
-        Self { checked, ..Self::done(warnings, text, Vec::new()) }
+    pub(super) fn from_check(warnings: Vec<String>, text: String, checked: Map<String, Value>) -> Self {
+        Self { checked, ..Self::from_run(warnings, text, Vec::new()) }
     }
 
-    pub(super) fn done(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
+    pub(super) fn from_run(warnings: Vec<String>, text: String, files: Vec<OutputFile>) -> Self {
         Self { warnings, notes: Vec::new(), text, files, contradiction: None, checked: Map::new() }
     }
 }
 
 /// Warnings as they are shown.
-pub fn texts(warnings: &[Warning]) -> Vec<String> {
+pub fn warning_texts(warnings: &[Warning]) -> Vec<String> {
     warnings.iter().map(ToString::to_string).collect()
 }
 
@@ -65,7 +65,7 @@ pub(super) fn put_notes(results: &mut Map<String, Value>, notes: &[String]) {
     }
 }
 
-pub(super) fn file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
+pub(super) fn output_file(name: &str, bytes: impl Into<Vec<u8>>) -> OutputFile {
     OutputFile { name: name.to_owned(), bytes: bytes.into() }
 }
 
@@ -77,7 +77,7 @@ pub(super) fn with_summary(
     inputs: &Inputs,
 ) -> Result<Vec<OutputFile>, Error> {
     provenance.files.extend(files.iter().map(|file| file.name.clone()));
-    let mut all = vec![file(SUMMARY_FILE, summary(results, inputs, &provenance)?)];
+    let mut all = vec![output_file(SUMMARY_FILE, summary_json(results, inputs, &provenance)?)];
     all.extend(files);
     Ok(all)
 }
@@ -98,7 +98,7 @@ pub(super) fn provenance(scenario: &Scenario, law: &LawChoice, can_yield: bool, 
 }
 
 /// The error of a scenario without a result. If one key is the reason, the error points at it.
-pub fn no_result(scenario: &Scenario, reason: &ImpactError) -> Error {
+pub fn no_result_error(scenario: &Scenario, reason: &ImpactError) -> Error {
     let speeds = ["impact.speed", "impact.drop_height", "repeat.speeds"];
     let curves = Body::ALL.map(Body::flow_stress);
     let key = match reason {

@@ -1,14 +1,14 @@
 //! Impacts one after the other.
 
-use super::impact::{can_be_traced, prepare, provenance};
-use super::outcome::{Outcome, RunOptions, file, no_result, put_notes, texts, with_summary};
+use super::impact::{check_trace_method, prepare, provenance};
+use super::outcome::{Outcome, RunOptions, no_result_error, output_file, put_notes, warning_texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::Progress;
 use crate::impact::series::ImpactSeries;
 use crate::impact::{Contact, Method};
 use crate::report::pictures;
-use crate::report::pictures::{caption, captioned};
-use crate::report::text::check::of_contact;
+use crate::report::pictures::{caption, with_captions};
+use crate::report::text::check::contact_fields;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::notes as report_notes;
 use crate::report::text::overview::overview;
@@ -19,7 +19,7 @@ use crate::scenario::input::{Input, RunKind};
 use crate::scenario::keys::strength_notes;
 
 /// The input of the first impact of a scenario, its contact, and the series to run.
-pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, ImpactSeries), Error> {
+pub fn prepare_series(scenario: &Scenario) -> Result<(Input, Contact, ImpactSeries), Error> {
     let (mut input, contact) = prepare(scenario)?;
     let repeat = scenario.series(&input)?;
     // a series needs no steps where there is a closed form
@@ -27,42 +27,42 @@ pub fn prepare_repeat(scenario: &Scenario) -> Result<(Input, Contact, ImpactSeri
     Ok((input, contact, repeat))
 }
 
-pub(super) fn outcome(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
-    let (input, contact, repeat) = prepare_repeat(scenario)?;
-    can_be_traced(scenario, &input)?;
+pub(super) fn run(scenario: &Scenario, options: Option<&RunOptions>) -> Result<Outcome, Error> {
+    let (input, contact, repeat) = prepare_series(scenario)?;
+    check_trace_method(scenario, &input)?;
     let unwatched = Progress::default();
     let progress = options.map_or(&unwatched, |options| options.progress);
     let sequence = repeat.run(&contact, &input.solver(), input.samples(), Some(progress));
-    let sequence = sequence.map_err(|reason| no_result(scenario, &reason))?;
+    let sequence = sequence.map_err(|reason| no_result_error(scenario, &reason))?;
     if progress.is_stopped() {
         return Err(Error::new(ErrorKind::Stopped(130), "the series was stopped"));
     }
     let mut idle = scenario.unused_key_warnings(std::slice::from_ref(&input), RunKind::Impact);
     idle.extend(input.flight_warnings());
     let of_impacts = sequence.warnings.iter().map(|(number, warning)| format!("impact {number}: {warning}"));
-    let warnings = of_impacts.chain(texts(&idle)).collect();
+    let warnings = of_impacts.chain(warning_texts(&idle)).collect();
     let has_dent = sequence.impacts.iter().any(|hit| hit.has_dent());
     let notes = if has_dent { strength_notes(&input, &contact, &input.law(), &[]) } else { Vec::new() };
     let Some(options) = options else {
-        let text = report::repeat_lines(&repeat) + &overview(&input, &contact, &notes);
-        return Ok(Outcome { notes, ..Outcome::checked(warnings, text, of_contact(&input, &contact)) });
+        let text = report::series_lines(&repeat) + &overview(&input, &contact, &notes);
+        return Ok(Outcome { notes, ..Outcome::from_check(warnings, text, contact_fields(&input, &contact)) });
     };
     let provenance = provenance(scenario, &input, sequence.method, options.command);
     let series = SeriesReport { contact: &contact, repeat: &repeat, sequence: &sequence, warnings: &warnings };
     let mut files = vec![
-        file("impacts.csv", report::impacts(&sequence)?),
-        file("trace.csv", report::trace(&sequence, input.samples())?),
+        output_file("impacts.csv", report::impacts_csv(&sequence)?),
+        output_file("trace.csv", report::trace_csv(&sequence, input.samples())?),
     ];
-    files.extend(options.pictures.files(|| {
-        let loops = ("force_indentation", pictures::series::loops(&repeat, &sequence)?);
-        let mut drawn = vec![loops, ("impacts", pictures::series::impacts(&repeat, &sequence))];
-        drawn.extend(pictures::series::height(&repeat, &sequence).map(|height| ("height", height)));
-        drawn.extend(pictures::series::path(&repeat, &sequence).map(|path| ("path", path)));
-        Ok(captioned(drawn, &caption(&input, &["impact.speed"])))
+    files.extend(options.pictures.to_files(|| {
+        let loops = ("force_indentation", pictures::series::loops_chart(&repeat, &sequence)?);
+        let mut drawn = vec![loops, ("impacts", pictures::series::impacts_chart(&repeat, &sequence))];
+        drawn.extend(pictures::series::height_chart(&repeat, &sequence).map(|height| ("height", height)));
+        drawn.extend(pictures::series::path_chart(&repeat, &sequence).map(|path| ("path", path)));
+        Ok(with_captions(drawn, &caption(&input, &["impact.speed"])))
     })?);
-    let mut results = report::found(&series);
+    let mut results = report::summary_fields(&series);
     put_notes(&mut results, &notes);
     let files = with_summary(files, provenance, results, &Inputs::new(&input))?;
-    let text = report::table(&series, options.detail) + &report_notes(&notes);
-    Ok(Outcome { notes, ..Outcome::done(warnings, text, files) })
+    let text = report::terminal_table(&series, options.detail) + &report_notes(&notes);
+    Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
 }

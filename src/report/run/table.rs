@@ -1,17 +1,17 @@
 //! Summary, pictures and warnings of a table.
 
-use super::outcome::{Outcome, RunOptions, no_result, put_notes, texts, with_summary};
+use super::outcome::{Outcome, RunOptions, no_result_error, put_notes, warning_texts, with_summary};
 use crate::error::{Error, ErrorKind};
 use crate::files::{OutputFile, Progress, Provenance};
 use crate::impact::Contact;
-use crate::report::chart::Pictures;
+use crate::report::chart::PictureFormat;
 use crate::report::pictures::sweep::pictures;
-use crate::report::text::check::of_plan;
+use crate::report::text::check::plan_fields;
 use crate::report::text::inputs::Inputs;
 use crate::report::text::notes as report_notes;
 use crate::report::text::overview::overview;
 use crate::report::text::plan::plan_lines;
-use crate::report::text::sweep::{found, lines};
+use crate::report::text::sweep::{summary_fields, summary_lines};
 use crate::scenario::Scenario;
 use crate::scenario::keys::strength_notes;
 use crate::scenario::plan::Plan;
@@ -21,23 +21,23 @@ use crate::table::{Evaluator, Rows, Tally, classify};
 
 pub(super) fn check(scenario: &Scenario) -> Result<Outcome, Error> {
     let plan = scenario.plan()?;
-    let contact = plan.input.contact().map_err(|error| no_result(scenario, &error))?;
+    let contact = plan.input.contact().map_err(|error| no_result_error(scenario, &error))?;
     let Cautions { warnings, notes } = cautions(&plan, Some(&contact));
     let text = plan_lines(&plan) + &overview(&plan.input, &contact, &notes);
-    Ok(Outcome { notes, ..Outcome::checked(warnings, text, of_plan(&plan, &contact)) })
+    Ok(Outcome { notes, ..Outcome::from_check(warnings, text, plan_fields(&plan, &contact)) })
 }
 
 /// All rows of a table, in memory. On any thread `encode` makes a piece of some rows, and `take` gets the pieces in order.
 ///
 /// # Errors
 /// [`Error`] of the kind `Stopped` if the progress is asked to stop.
-pub fn rows<P: Send>(
+pub fn compute_rows<P: Send>(
     plan: &Plan,
     progress: &Progress,
     encode: impl Fn(&Rows) -> P + Sync + Send,
     mut take: impl FnMut(P) + Send,
 ) -> Result<Tally, Error> {
-    let step = if plan.row_time_us() > SLOW { 16 } else { 1024 };
+    let step = if plan.row_time_us() > SLOW_ROW_US { 16 } else { 1024 };
     let evaluator = Evaluator::new(plan);
     let mut tally = Tally::new(plan);
     let with_statistics = plan.statistics_columns();
@@ -61,10 +61,10 @@ pub fn rows<P: Send>(
 }
 
 /// Rows that take longer than this \[µs\] are made a few at a time, so that a stop is heard soon.
-const SLOW: f64 = 100.0;
+const SLOW_ROW_US: f64 = 100.0;
 
 /// The outcome of a whole table with this tally, and with the file of the table where it is one of the results.
-pub fn outcome(
+pub fn summarise(
     scenario: &Scenario,
     plan: &Plan,
     tally: &Tally,
@@ -78,12 +78,12 @@ pub fn outcome(
     files.extend(table);
     let text = text(plan, tally, &cautions);
     let Cautions { warnings, notes } = cautions;
-    Ok(Outcome { notes, ..Outcome::done(warnings, text, files) })
+    Ok(Outcome { notes, ..Outcome::from_run(warnings, text, files) })
 }
 
 /// The text of a finished table, with the notes.
 pub fn text(plan: &Plan, tally: &Tally, cautions: &Cautions) -> String {
-    lines(plan, tally) + &report_notes(&cautions.notes)
+    summary_lines(plan, tally) + &report_notes(&cautions.notes)
 }
 
 /// Warnings and notes on a table, before its rows are computed.
@@ -100,7 +100,7 @@ pub fn cautions(plan: &Plan, known: Option<&Contact>) -> Cautions {
     let own = if known.is_none() { plan.input.contact().ok() } else { None };
     let contact = known.or(own.as_ref()).filter(|_| corners.has_dent);
     let notes = contact.map(|contact| strength_notes(&plan.input, contact, &plan.input.law(), &plan.varied_paths()));
-    Cautions { warnings: [corners.warnings, texts(&plan.warnings)].concat(), notes: notes.unwrap_or_default() }
+    Cautions { warnings: [corners.warnings, warning_texts(&plan.warnings)].concat(), notes: notes.unwrap_or_default() }
 }
 
 /// `summary.json`, which repeats warnings and notes, and the pictures of a whole table. Its own file is in the provenance.
@@ -109,10 +109,10 @@ pub fn files(
     tally: &Tally,
     cautions: &Cautions,
     provenance: Provenance,
-    format: Pictures,
+    format: PictureFormat,
 ) -> Result<Vec<OutputFile>, Error> {
-    let pictures = format.files(|| Ok(pictures(plan, tally)))?;
-    let mut results = found(plan, tally, &cautions.warnings);
+    let pictures = format.to_files(|| Ok(pictures(plan, tally)))?;
+    let mut results = summary_fields(plan, tally, &cautions.warnings);
     put_notes(&mut results, &cautions.notes);
-    with_summary(pictures, provenance, results, &Inputs::of_plan(plan))
+    with_summary(pictures, provenance, results, &Inputs::from_plan(plan))
 }

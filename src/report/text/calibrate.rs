@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use super::files::written;
-use super::inputs::{Inputs, constraint};
+use super::files::into_bytes;
+use super::inputs::{Inputs, constraint_factor_name};
 use crate::calibrate::minimise::ParameterPoint;
 use crate::calibrate::profile::IntervalEnds;
 use crate::calibrate::{Calibration, CalibrationTask, KeyEstimate, LawFit, Noise};
@@ -26,7 +26,7 @@ fn interval(ends: IntervalEnds) -> Value {
 }
 
 /// `yield_strength x youngs_modulus^-0.8`.
-fn combination(calibration: &Calibration, exponents: &[f64]) -> String {
+fn combination_text(calibration: &Calibration, exponents: &[f64]) -> String {
     let factors = calibration.keys.iter().zip(exponents).map(|(key, exponent)| match *exponent {
         1.0 => key.free.key.path.to_owned(),
         exponent => format!("{}^{exponent:.2}", key.free.key.path),
@@ -44,16 +44,16 @@ fn noise(calibration: &Calibration) -> (&'static str, Option<f64>) {
 }
 
 /// A calibration and its request.
-pub struct Calibrated<'a> {
+pub struct CalibrationReport<'a> {
     measured: &'a CalibrationTask,
     calibration: &'a Calibration<'a>,
 }
 
 /// The results of a calibration, in the order of `summary.json`.
-pub fn results<'a>() -> Vec<ResultSpec<Calibrated<'a>>> {
-    result_specs! { |one: Calibrated<'a>|
+pub fn calibration_results<'a>() -> Vec<ResultSpec<CalibrationReport<'a>>> {
+    result_specs! { |one: CalibrationReport<'a>|
         /// The result for each key, see below.
-        "keys": (0..one.calibration.keys.len()).map(|i| json!(to_fields(&key(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
+        "keys": (0..one.calibration.keys.len()).map(|i| json!(to_fields(&key_results(), &KeyResult { number: i, calibration: one.calibration }))).collect::<Vec<_>>();
         /// Why there is no interval; `null` if there is one.
         "refusal": one.calibration.reason_without_intervals.clone();
         /// Correlation of the two keys.
@@ -71,7 +71,7 @@ pub fn results<'a>() -> Vec<ResultSpec<Calibrated<'a>>> {
         /// Sum of the squares of the residuals over their standard deviations, without outliers.
         "chi_square": one.calibration.chi_square;
         /// That sum over the degrees of freedom: about 1 for a law that fits.
-        "chi_square_per_degree_of_freedom": per_degree(one.calibration);
+        "chi_square_per_degree_of_freedom": chi_square_per_degree(one.calibration);
         /// Root mean square of measured less predicted over that of the measured values, of the worst quantity.
         "misfit": one.calibration.misfit;
         /// Probability of such a chi-square or a larger one, for a noise that is given.
@@ -91,18 +91,18 @@ pub fn results<'a>() -> Vec<ResultSpec<Calibrated<'a>>> {
         /// Akaike's information criterion; less is better.
         "aic": one.calibration.fit.aic;
         /// Every basin: the values of the keys, and the excess of its sum of squares over the least.
-        "minima": one.calibration.fit.minima.iter().map(|place| basin(one.calibration, place)).collect::<Vec<_>>();
+        "minima": one.calibration.fit.minima.iter().map(|place| basin_fields(one.calibration, place)).collect::<Vec<_>>();
         /// Singular values of the relative changes of the predictions by those of the keys.
         "identifiability.singular_values": one.calibration.identifiability.as_ref().map(|found| found.singular_values.clone());
         /// Relative change of the predictions where one key is doubled and the others go along so that it is least.
         "identifiability.change_along_the_weakest_direction": one.calibration.identifiability.as_ref().map(|found| found.change);
         /// The product of powers of the keys that is known best.
         "identifiability.best_known_combination":
-            one.calibration.identifiability.as_ref().map(|identifiability| combination(one.calibration, &identifiability.exponents));
+            one.calibration.identifiability.as_ref().map(|identifiability| combination_text(one.calibration, &identifiability.exponents));
         /// Its relative standard deviation.
         "identifiability.relative_sd_of_that": one.calibration.identifiability.as_ref().map(|found| found.deviation);
         /// Every law that was asked for, the best first: its AIC, how far that is above the least, its values of the keys.
-        "laws": one.calibration.laws.iter().map(|law| of_law(one.calibration, law)).collect::<Vec<_>>();
+        "laws": one.calibration.laws.iter().map(|law| law_fields(one.calibration, law)).collect::<Vec<_>>();
         /// The file of measurements, and
         "data_file": one.measured.sha256.is_some().then(|| file_name(&one.measured.data.name));
         /// its hash; `null` if the measurements are in the scenario.
@@ -117,7 +117,7 @@ pub struct KeyResult<'a> {
 }
 
 impl KeyResult<'_> {
-    fn found(&self) -> &KeyEstimate {
+    fn estimate(&self) -> &KeyEstimate {
         &self.calibration.keys[self.number]
     }
 
@@ -130,47 +130,47 @@ impl KeyResult<'_> {
             .filter(|_| calibration.reason_without_intervals.is_none() && calibration.degrees_of_freedom > 0)?
             .column(self.number);
         let value = &calibration.fit.problem.data.values[shifts.icamax()];
-        let slope = self.found().free.slope_at_share(calibration.fit.best().shares[self.number]);
+        let slope = self.estimate().free.slope_at_share(calibration.fit.best().shares[self.number]);
         let line = calibration.fit.problem.data.rows[value.row].line;
         Some(json!({ "line": line, "quantity": value.quantity.name(), "without_it": slope * shifts[shifts.icamax()] }))
     }
 }
 
 /// The results for one of the keys.
-pub fn key<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
+pub fn key_results<'a>() -> Vec<ResultSpec<KeyResult<'a>>> {
     result_specs! { |one: KeyResult<'a>|
         /// Path of the key.
-        "key": one.found().free.key.path;
+        "key": one.estimate().free.key.path;
         /// Its name as a column, with the unit of the values.
-        "column": one.found().free.key.column_name();
+        "column": one.estimate().free.key.column_name();
         /// Range that was searched.
-        "range": vec![one.found().free.from, one.found().free.to];
+        "range": vec![one.estimate().free.from, one.estimate().free.to];
         /// `true` if the search used the logarithm of the value.
-        "is_logarithmic": one.found().free.is_logarithmic;
+        "is_logarithmic": one.estimate().free.is_logarithmic;
         /// Best value.
-        "estimate": one.found().estimate;
+        "estimate": one.estimate().estimate;
         /// A hardness on the scale on which the scenario gives it, such as `254.3 HV`; `null` for others.
-        "estimate_on_its_scale": one.found().free.hardness.and_then(|_| one.found().free.to_scenario_text(one.found().estimate));
+        "estimate_on_its_scale": one.estimate().free.hardness.and_then(|_| one.estimate().free.to_scenario_text(one.estimate().estimate));
         /// Standard deviation; `null` if there is no interval.
-        "sd": one.found().sd;
+        "sd": one.estimate().sd;
         /// Ends of the interval with a confidence of 68 %; an end that the data do not bound is `null`, as `note` says.
-        "interval_68": one.found().intervals.map(|[narrow, _]| interval(narrow));
+        "interval_68": one.estimate().intervals.map(|[narrow, _]| interval(narrow));
         /// Ends of the interval with a confidence of 95 %.
-        "interval_95": one.found().intervals.map(|[_, wide]| interval(wide));
+        "interval_95": one.estimate().intervals.map(|[_, wide]| interval(wide));
         /// The value that shifts the key most: its line, its quantity, and the shift if it were left out.
         "largest_shift": one.largest_shift();
     }
 }
 
-fn per_degree(calibration: &Calibration) -> Option<f64> {
+fn chi_square_per_degree(calibration: &Calibration) -> Option<f64> {
     (calibration.degrees_of_freedom > 0).then_some(calibration.chi_square / calibration.degrees_of_freedom as f64)
 }
 
-fn basin(calibration: &Calibration, place: &ParameterPoint) -> Value {
+fn basin_fields(calibration: &Calibration, place: &ParameterPoint) -> Value {
     json!({ "values": calibration.fit.problem.values(&place.shares), "excess": place.sum - calibration.fit.best().sum })
 }
 
-fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
+fn law_fields(calibration: &Calibration, (name, fit): &LawFit) -> Value {
     match fit {
         Ok(fit) => {
             json!({ "law": name, "aic": fit.aic, "delta_aic": fit.aic - calibration.min_aic(), "values": fit.values() })
@@ -180,8 +180,8 @@ fn of_law(calibration: &Calibration, (name, fit): &LawFit) -> Value {
 }
 
 /// The results by their names.
-pub fn found(measured: &CalibrationTask, calibration: &Calibration) -> Map<String, Value> {
-    to_fields(&results(), &Calibrated { measured, calibration })
+pub fn summary_fields(measured: &CalibrationTask, calibration: &Calibration) -> Map<String, Value> {
+    to_fields(&calibration_results(), &CalibrationReport { measured, calibration })
 }
 
 /// The inputs that neither the data give nor the calibration finds.
@@ -199,7 +199,7 @@ pub fn inputs(measured: &CalibrationTask, calibration: &Calibration) -> Inputs {
         .into_iter()
         .filter(|body| input.number(body_key!(body, "hardness")).is_some())
         .filter(|body| body.strength_numbers().into_iter().any(|number| varies(number.path())))
-        .flat_map(|body| [body.yield_strength().to_owned(), constraint(body)])
+        .flat_map(|body| [body.yield_strength().to_owned(), constraint_factor_name(body)])
         .collect();
     inputs.0.retain(|entry| !varies(&entry.path) && !changing.contains(&entry.path));
     inputs
@@ -211,7 +211,7 @@ fn file_name(path: &str) -> String {
 }
 
 /// `residuals.csv`: a line for every measured value.
-pub fn residuals(calibration: &Calibration) -> Result<Vec<u8>, Error> {
+pub fn residuals_csv(calibration: &Calibration) -> Result<Vec<u8>, Error> {
     let data = calibration.fit.problem.data;
     let mut writer = csv::Writer::from_writer(Vec::new());
     let keys = data.keys.iter().map(|key| key.column_name());
@@ -237,11 +237,11 @@ pub fn residuals(calibration: &Calibration) -> Result<Vec<u8>, Error> {
         let fields = fields.chain([value.quantity.name().to_owned()]).chain(numbers.map(|number| number.to_string()));
         writer.write_record(fields.chain((0..calibration.keys.len()).map(shift)))?;
     }
-    written(writer)
+    into_bytes(writer)
 }
 
 /// A line for every law, the best first: its AIC, how far that is above the smallest AIC, and the values of the keys.
-fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
+fn law_rows(calibration: &Calibration) -> Vec<Vec<String>> {
     let row = |(law, fit): &LawFit| match fit {
         Ok(fit) => {
             // where the law does not know the keys, rounding alone is left of their information
@@ -260,7 +260,7 @@ fn ranked(calibration: &Calibration) -> Vec<Vec<String>> {
     [header].into_iter().chain(calibration.laws.iter().map(row)).collect()
 }
 
-pub fn table(calibration: &Calibration) -> String {
+pub fn terminal_table(calibration: &Calibration) -> String {
     let mut rows: Vec<[String; 2]> = Vec::new();
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for found in &calibration.keys {
@@ -286,7 +286,7 @@ pub fn table(calibration: &Calibration) -> String {
         .as_ref()
         .filter(|_| calibration.reason_without_intervals.is_some() && calibration.keys.len() > 1)
     {
-        let known = combination(calibration, &identifiability.exponents);
+        let known = combination_text(calibration, &identifiability.exponents);
         row("best known", format!("{known}, to {}", format_percent(identifiability.deviation)));
     }
     let measured =
@@ -332,7 +332,7 @@ pub fn table(calibration: &Calibration) -> String {
     }
     let mut text = align_columns(&rows, |_| true);
     if !calibration.laws.is_empty() {
-        let _ = write!(text, "\n{}", align_columns(&ranked(calibration), |column| column == 0));
+        let _ = write!(text, "\n{}", align_columns(&law_rows(calibration), |column| column == 0));
         text.push_str("a law up to 2 above the best fits as well, and one 10 or more above it does not\n");
     }
     text

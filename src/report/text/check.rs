@@ -9,7 +9,7 @@ use crate::scenario::input::Input;
 use crate::scenario::plan::Plan;
 
 /// The numbers of a contact at which no sphere has arrived.
-pub fn contact() -> Vec<ResultSpec<Contact>> {
+pub fn contact_results() -> Vec<ResultSpec<Contact>> {
     result_specs! { |contact: Contact|
         /// Mass of the sphere.
         "sphere_mass_kg" in Mass as "sphere mass": contact.mass();
@@ -38,21 +38,21 @@ pub fn contact() -> Vec<ResultSpec<Contact>> {
 }
 
 /// The contact with the strengths at the strain rate of the speed, where they depend on it.
-pub(super) fn at_its_speed(input: &Input, contact: &Contact) -> Contact {
+pub(super) fn at_own_speed(input: &Input, contact: &Contact) -> Contact {
     let [speed, _] = input.approach().components();
     contact.at_speed(speed).unwrap_or_else(|_| contact.clone())
 }
 
 /// A scenario of impacts; of a table, it is its first case.
-pub fn of_contact(input: &Input, contact: &Contact) -> Map<String, Value> {
-    let inputs = Inputs::new(input).json().into();
-    let numbers = to_fields(&self::contact(), &at_its_speed(input, contact)).into();
+pub fn contact_fields(input: &Input, contact: &Contact) -> Map<String, Value> {
+    let inputs = Inputs::new(input).to_json().into();
+    let numbers = to_fields(&self::contact_results(), &at_own_speed(input, contact)).into();
     Map::from_iter([("inputs".to_owned(), inputs), ("contact".to_owned(), numbers)])
 }
 
 /// A table: also its size and its columns.
-pub fn of_plan(plan: &Plan, contact: &Contact) -> Map<String, Value> {
-    let mut all = of_contact(&plan.input, contact);
+pub fn plan_fields(plan: &Plan, contact: &Contact) -> Map<String, Value> {
+    let mut all = contact_fields(&plan.input, contact);
     all.insert("cases".to_owned(), plan.n_cases().into());
     all.insert("columns".to_owned(), plan.column_names().into());
     all

@@ -1,4 +1,4 @@
-//! The form in which results are written: `summary.json`, and tables as CSV, such as the trace of an impact and the impacts of a
+//! The form in which results are written: `summary_json.to_json`, and tables as CSV, such as the trace of an impact and the impacts of a
 //! series. A number has the fewest digits that read back to the same number.
 
 use serde_json::{Map, Value};
@@ -9,16 +9,20 @@ use crate::files::Provenance;
 use crate::impact::Impact;
 use crate::results::{ResultSpec, trace};
 
-/// `summary.json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
-pub fn summary(mut results: Map<String, Value>, inputs: &Inputs, provenance: &Provenance) -> Result<String, Error> {
-    results.insert("inputs".to_owned(), inputs.json().into());
+/// `summary_json.to_json`: these results, inputs and provenance, in SI, with the unit in every name, and a newline at its end.
+pub fn summary_json(
+    mut results: Map<String, Value>,
+    inputs: &Inputs,
+    provenance: &Provenance,
+) -> Result<String, Error> {
+    results.insert("inputs".to_owned(), inputs.to_json().into());
     results.insert("provenance".to_owned(), serde_json::to_value(provenance)?);
     Ok(serde_json::to_string_pretty(&results)? + "\n")
 }
 
 /// The rows as CSV with a header line. A column with a condition is written if any row has a
 /// value for it.
-pub fn csv<T>(columns: &[ResultSpec<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, Error> {
+pub fn csv_bytes<T>(columns: &[ResultSpec<T>], rows: impl Iterator<Item = T> + Clone) -> Result<Vec<u8>, Error> {
     let is_there =
         |column: &&ResultSpec<T>| column.condition.is_empty() || rows.clone().any(|row| (column.value)(&row).is_some());
     let columns: Vec<_> = columns.iter().filter(is_there).collect();
@@ -30,15 +34,15 @@ pub fn csv<T>(columns: &[ResultSpec<T>], rows: impl Iterator<Item = T> + Clone) 
         fields.extend(columns.iter().map(|column| (column.value)(&row)));
         writer.serialize(&fields)?;
     }
-    written(writer)
+    into_bytes(writer)
 }
 
 /// The bytes that were written.
-pub fn written(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, Error> {
+pub fn into_bytes(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(|error| csv::Error::from(error.into_error()).into())
 }
 
 /// `trace.csv` of one impact; only the header for an impact that recorded none.
-pub fn trace(impact: &Impact) -> Result<Vec<u8>, Error> {
-    csv(&trace::trace_results(), impact.trace.iter().copied())
+pub fn trace_csv(impact: &Impact) -> Result<Vec<u8>, Error> {
+    csv_bytes(&trace::trace_results(), impact.trace.iter().copied())
 }

@@ -1,8 +1,8 @@
-//! The results of an indentation, and the texts about it: `summary.json`, `trace.csv` and what the terminal shows.
+//! The results of an indentation, and the texts about it: `summary.to_json`, `trace.csv` and what the terminal shows.
 
 use serde_json::{Map, Value};
 
-use super::files::csv;
+use super::files::csv_bytes;
 use super::inputs::Inputs;
 use super::{overview, terminal};
 use crate::contact::pair::imprint_name;
@@ -17,8 +17,8 @@ use crate::scenario::kinds::indentation::IndentationRequest;
 use crate::strings::align_columns;
 use crate::units::{Dimension, format_si_and_short};
 
-/// The results of one half-space, in the order of `summary.json`.
-pub fn half_space() -> Vec<ResultSpec<SpecimenResult>> {
+/// The results of one half-space, in the order of `summary.to_json`.
+pub fn half_space_results() -> Vec<ResultSpec<SpecimenResult>> {
     result_specs! { |tested: SpecimenResult|
         /// Name of the half-space.
         "name" as "half-space" if NAMED: tested.specimen.name.clone();
@@ -48,20 +48,20 @@ pub fn half_space() -> Vec<ResultSpec<SpecimenResult>> {
 }
 
 /// The steps of one half-space.
-fn stepped(tested: &SpecimenResult) -> Vec<Stepped<'_>> {
-    (1..).zip(&tested.indentation.steps).map(|(number, step)| Stepped { number, step, tested }).collect()
+fn numbered_steps(tested: &SpecimenResult) -> Vec<StepReport<'_>> {
+    (1..).zip(&tested.indentation.steps).map(|(number, step)| StepReport { number, step, tested }).collect()
 }
 
 /// One step of an indentation.
 #[derive(Debug, Clone, Copy)]
-pub struct Stepped<'a> {
+pub struct StepReport<'a> {
     number: usize,
     step: &'a StepResult,
     tested: &'a SpecimenResult,
 }
 
-pub fn step<'a>() -> Vec<ResultSpec<Stepped<'a>>> {
-    result_specs! { |row: Stepped<'a>|
+pub fn step_results<'a>() -> Vec<ResultSpec<StepReport<'a>>> {
+    result_specs! { |row: StepReport<'a>|
         /// Number of the step, from 1.
         "step" as "step": row.number;
         /// Load at which the step ends.
@@ -107,11 +107,11 @@ pub fn step<'a>() -> Vec<ResultSpec<Stepped<'a>>> {
 }
 
 /// A row of the trace, with the name of the half-space.
-pub type Traced<'a> = (Option<&'a str>, &'a IndentationRow);
+pub type TraceReport<'a> = (Option<&'a str>, &'a IndentationRow);
 
 /// The columns of `trace.csv`.
-pub fn columns<'a>() -> Vec<ResultSpec<Traced<'a>>> {
-    result_specs! { |row: Traced<'a>|
+pub fn trace_columns<'a>() -> Vec<ResultSpec<TraceReport<'a>>> {
+    result_specs! { |row: TraceReport<'a>|
         /// Name of the half-space.
         "half_space" if NAMED: row.0.map(str::to_owned);
         /// Number of the step, from 1.
@@ -130,10 +130,10 @@ pub fn columns<'a>() -> Vec<ResultSpec<Traced<'a>>> {
 }
 
 /// The results by their names.
-pub fn found(tested: &[SpecimenResult], warnings: &[String]) -> Map<String, Value> {
+pub fn summary_fields(tested: &[SpecimenResult], warnings: &[String]) -> Map<String, Value> {
     let of_half_space = |one| {
-        let mut half_space = to_fields(&half_space(), one);
-        half_space.insert("steps".to_owned(), to_field_list(&step(), &stepped(one)));
+        let mut half_space = to_fields(&half_space_results(), one);
+        half_space.insert("steps".to_owned(), to_field_list(&step_results(), &numbered_steps(one)));
         half_space
     };
     let half_spaces = tested.iter().map(of_half_space).collect();
@@ -141,16 +141,16 @@ pub fn found(tested: &[SpecimenResult], warnings: &[String]) -> Map<String, Valu
 }
 
 /// `trace.csv`.
-pub fn trace(tested: &[SpecimenResult]) -> Result<Vec<u8>, Error> {
+pub fn trace_csv(tested: &[SpecimenResult]) -> Result<Vec<u8>, Error> {
     let rows = tested.iter().flat_map(|one| {
         let name = one.specimen.name.as_deref();
         one.indentation.trace.iter().map(move |row| (name, row))
     });
-    csv(&columns(), rows)
+    csv_bytes(&trace_columns(), rows)
 }
 
 /// The table for the terminal: for every half-space, a line for each step.
-pub fn table(tested: &[SpecimenResult]) -> String {
+pub fn terminal_table(tested: &[SpecimenResult]) -> String {
     let mut text = String::new();
     for one in tested {
         if let Some(name) = &one.specimen.name {
@@ -158,10 +158,10 @@ pub fn table(tested: &[SpecimenResult]) -> String {
             text.push_str(name);
             text.push('\n');
         }
-        let mut rows = terminal::columns(&step(), &stepped(one));
+        let mut rows = terminal::result_columns(&step_results(), &numbered_steps(one));
         if let Some(point) = one.pair.yield_point {
             let left = terminal::imprint(one.is_spring, imprint_name(point.yield_partition.flat_share));
-            terminal::rename_dent(rows.iter_mut().flatten(), left);
+            terminal::replace_imprint_word(rows.iter_mut().flatten(), left);
         }
         text.push_str(&align_columns(&rows, |_| true));
     }
@@ -184,9 +184,9 @@ pub fn inputs(scenario: &Scenario, scene: &IndentationRequest) -> Inputs {
 }
 
 /// A check as data: the inputs, and every half-space.
-pub fn checked(tested: &[SpecimenResult], inputs: &Inputs) -> Map<String, Value> {
-    let half_spaces = to_field_list(&half_space(), tested);
-    Map::from_iter([("inputs".to_owned(), inputs.json().into()), ("half_spaces".to_owned(), half_spaces)])
+pub fn check_fields(tested: &[SpecimenResult], inputs: &Inputs) -> Map<String, Value> {
+    let half_spaces = to_field_list(&half_space_results(), tested);
+    Map::from_iter([("inputs".to_owned(), inputs.to_json().into()), ("half_spaces".to_owned(), half_spaces)])
 }
 
 /// The text of `check`: the inputs, the steps, the contact of every half-space, and the notes.
@@ -196,7 +196,7 @@ pub fn overview(
     tested: &[SpecimenResult],
     notes: &[String],
 ) -> String {
-    let mut rows = overview::rows(&inputs(scenario, scene));
+    let mut rows = overview::input_rows(&inputs(scenario, scene));
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);
     for (i, target) in (1..).zip(&scene.targets) {
         let (kind, value) = match *target {
@@ -207,8 +207,8 @@ pub fn overview(
     }
     for one in tested {
         rows.push([String::new(), String::new()]);
-        rows.extend(terminal::described(&half_space(), one));
-        rows.push(overview::who(&one.pair, one.pair.reachable_yield_point().is_some()));
+        rows.extend(terminal::label_value_rows(&half_space_results(), one));
+        rows.push(overview::yielding_row(&one.pair, one.pair.reachable_yield_point().is_some()));
     }
     align_columns(&rows, |_| true) + &terminal::notes(notes)
 }

@@ -16,7 +16,7 @@ pub struct Inputs(pub Vec<KeyValue>);
 
 impl Inputs {
     /// As they stand in a summary.
-    pub fn json(&self) -> Map<String, Value> {
+    pub fn to_json(&self) -> Map<String, Value> {
         self.0.iter().map(|entry| (entry.column(), entry.value.clone())).collect()
     }
 
@@ -33,9 +33,9 @@ impl Inputs {
         for body in Body::ALL {
             let Some(mean_pressure) = input.number(body_key!(body, "hardness")) else { continue };
             let rule = if input.flow_curve(body).is_some() { "hardness and flow_stress" } else { "hardness" };
-            entries.push(KeyValue::from_word(&strength_from(body), Part::Flow, rule));
+            entries.push(KeyValue::from_word(&strength_source_name(body), Part::Flow, rule));
             let ratio = mean_pressure / flow_stress_of_hardness(mean_pressure, &input.material(body));
-            let (path, quantity) = (constraint(body), Some(&FACTOR));
+            let (path, quantity) = (constraint_factor_name(body), Some(&FACTOR));
             entries.push(KeyValue { path, part: Part::Flow, quantity, value: ratio.into() });
         }
         for choice in input.materials() {
@@ -47,7 +47,7 @@ impl Inputs {
     }
 
     /// The inputs that all rows of a table share, and the parameters of every law on its axes.
-    pub fn of_plan(plan: &Plan) -> Self {
+    pub fn from_plan(plan: &Plan) -> Self {
         let Self(mut entries) = Self::new(&plan.input);
         for input in plan.inputs_of_word_axes() {
             let Self(mut new) = Self::new(&input);
@@ -69,8 +69,9 @@ impl Inputs {
         let follows = |path: &str| {
             Body::ALL.into_iter().any(|body| {
                 let material = body.material();
-                varies(material) && (path.starts_with(material) || path == strength_from(body))
-                    || plan.derives_strength(body) && (path == body.yield_strength() || path == constraint(body))
+                varies(material) && (path.starts_with(material) || path == strength_source_name(body))
+                    || plan.derives_strength(body)
+                        && (path == body.yield_strength() || path == constraint_factor_name(body))
             })
         };
         entries.retain(|entry @ KeyValue { path, part, .. }| {
@@ -83,11 +84,11 @@ impl Inputs {
 }
 
 /// The mean pressure of the hardness of a body over its flow stress at a plastic strain of 0.08.
-pub(super) fn constraint(body: Body) -> String {
+pub(super) fn constraint_factor_name(body: Body) -> String {
     format!("{}_over_flow_stress", body.hardness())
 }
 
 /// The name under which a summary says where the yield strength of a body comes from.
-fn strength_from(body: Body) -> String {
+fn strength_source_name(body: Body) -> String {
     format!("{}_from", body.yield_strength())
 }

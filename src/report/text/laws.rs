@@ -7,14 +7,14 @@ use serde_json::{Value, json};
 use crate::contact::law::catalogue::unimplemented_laws;
 use crate::contact::law::{LawChoice, LawInfo};
 
-pub fn data() -> Value {
+pub fn laws_json() -> Value {
     let laws: Vec<&LawInfo> = LawChoice::all().iter().map(LawChoice::about).collect();
     let missing = unimplemented_laws().map(|(title, reason)| json!({ "title": title, "reason": reason }));
     json!({ "laws": laws, "not_here": missing.collect::<Vec<_>>() })
 }
 
 /// A paragraph for every law, then the laws that are missing, each with the reason.
-pub fn list() -> String {
+pub fn laws_text() -> String {
     let mut text =
         "Laws for [law.<name>], for the axis \"law\" of a sweep, and for the halves of [law.combined]:\n\n".to_owned();
     for law in LawChoice::all() {

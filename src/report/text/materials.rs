@@ -9,16 +9,16 @@ use crate::strings::align_columns;
 use crate::units::{Dimension, format_four_digits, format_result};
 
 /// True if the name or the description of a material has this text, in capitals or not: "304", "100Cr6", "1.4301".
-pub fn has(entry: &MaterialEntry, text: &str) -> bool {
+pub fn matches(entry: &MaterialEntry, text: &str) -> bool {
     let text = text.to_lowercase();
     [&entry.name, &entry.title].into_iter().any(|words| words.to_lowercase().contains(&text))
 }
 
 /// A head, and a row for every material whose name or description has this text.
-pub fn rows(text: &str) -> Vec<[String; 7]> {
+pub fn material_rows(text: &str) -> Vec<[String; 7]> {
     let heads = ["name", "density", "E", "nu", "hardness", "n", "what it is"];
     let mut rows = vec![heads.map(ToOwned::to_owned)];
-    rows.extend(all().iter().filter(|entry| has(entry, text)).map(|entry| {
+    rows.extend(all().iter().filter(|entry| matches(entry, text)).map(|entry| {
         let text = |property| entry.get(property).map_or_else(|| "-".to_owned(), |known| known.value.text.clone());
         let [density, modulus, ratio, hardness, exponent, _] = Property::ALL.map(text);
         [entry.name.clone(), density, modulus, ratio, hardness, exponent, entry.title.clone()]
@@ -27,8 +27,8 @@ pub fn rows(text: &str) -> Vec<[String; 7]> {
 }
 
 /// The materials whose name or description has this text, one per line.
-pub fn list(text: &str) -> String {
-    let table = align_columns(&rows(text), |column| column == 0 || column == 6);
+pub fn materials_text(text: &str) -> String {
+    let table = align_columns(&material_rows(text), |column| column == 0 || column == 6);
     format!(
         "Materials for `material = \"NAME\"` in [sphere] and [half_space]. A key that is given too replaces its value.\n\
          `plm-impact materials NAME` prints ranges and sources. Those without hardness stay elastic.\n\n{table}"
@@ -36,7 +36,7 @@ pub fn list(text: &str) -> String {
 }
 
 /// These materials as JSON, with all values in SI.
-pub fn data(entries: &[&MaterialEntry]) -> Value {
+pub fn materials_json(entries: &[&MaterialEntry]) -> Value {
     let property = |known: &PropertyValue| {
         let PropertyValue { property, value: used, range: [low, high], basis, sources } = known;
         let sources = sources.iter().map(|[source, says]| json!({ "source": source, "says": says }));
@@ -56,7 +56,7 @@ pub fn data(entries: &[&MaterialEntry]) -> Value {
 }
 
 /// The page about one material: values, ranges, the kind of each number, and its sources.
-pub fn one(entry: &MaterialEntry) -> String {
+pub fn material_page(entry: &MaterialEntry) -> String {
     let mut text = format!("{}\n  {} ({})\n", entry.name, entry.title, entry.class.name());
     if let Some(note) = &entry.note {
         let _ = writeln!(text, "  {note}");
@@ -65,7 +65,7 @@ pub fn one(entry: &MaterialEntry) -> String {
         let _ = writeln!(text, "\n{} = \"{}\"", property.name(), used.text);
         let _ = writeln!(text, "  from {} to {}; {basis}", low.text, high.text);
         if *property == Property::Hardness {
-            let _ = writeln!(text, "  {}", strength(entry, used.value));
+            let _ = writeln!(text, "  {}", strength_text(entry, used.value));
         }
         for [source, says] in sources {
             let _ = writeln!(text, "  {source}: {says}");
@@ -81,7 +81,7 @@ pub fn one(entry: &MaterialEntry) -> String {
 }
 
 /// The flow stress and the yield strength that follow from a hardness.
-fn strength(entry: &MaterialEntry, mean_pressure: f64) -> String {
+fn strength_text(entry: &MaterialEntry, mean_pressure: f64) -> String {
     let stress = entry.flow_stress(mean_pressure);
     let flow = format!(
         "flow stress {}, the mean pressure of the hardness over {}",

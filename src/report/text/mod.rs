@@ -14,5 +14,5 @@ pub mod sweep;
 mod terminal;
 pub mod units;
 
-pub use files::trace;
-pub use terminal::{Detail, impact as table, notes};
+pub use files::trace_csv;
+pub use terminal::{Detail, impact_text as table, notes};

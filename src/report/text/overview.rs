@@ -1,7 +1,7 @@
 //! The text of `check`: every value with its unit, and the numbers that follow from them before anything is run.
 
 use super::inputs::Inputs;
-use super::terminal::{described, notes};
+use super::terminal::{label_value_rows, notes};
 use super::{calibrate, check};
 use crate::calibrate::{Calibration, CalibrationTask};
 use crate::contact::law::LawChoice;
@@ -20,9 +20,9 @@ type Row = [String; 2];
 pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
     let mut rows = Vec::new();
     let [speed, _] = input.approach().components();
-    let contact = &check::at_its_speed(input, contact);
+    let contact = &check::at_own_speed(input, contact);
     let law = input.law();
-    for [key, text] in self::rows(&Inputs::new(input)) {
+    for [key, text] in self::input_rows(&Inputs::new(input)) {
         match key.as_str() {
             // the keys of the PLM name the law
             "law" if matches!(law, LawChoice::Plm(_)) => {}
@@ -36,20 +36,20 @@ pub fn overview(input: &Input, contact: &Contact, notes: &[String]) -> String {
         }
     }
     rows.push([String::new(), String::new()]);
-    rows.extend(described(&check::contact(), contact));
-    rows.push(who(contact.pair(), contact.reaches_first_yield()));
+    rows.extend(label_value_rows(&check::contact_results(), contact));
+    rows.push(yielding_row(contact.pair(), contact.reaches_first_yield()));
     if let Some(rated) = contact.strain_rate_result() {
         rows.push(["strain rate".to_owned(), format_si_and_short(rated.strain_rate, Dimension::StrainRate)]);
         rows.push(["strength raised by".to_owned(), format_four_digits(rated.factor)]);
         rows.push(["strength raised at the turn by".to_owned(), format_four_digits(rated.factor_at_turn)]);
     }
     let softer = contact.pair().reachable_yield_point().map(|point| point.yield_partition.for_softer(Body::ALL));
-    align_columns(&rows, |_| true) + &self::notes(notes) + &with_rate(input, contact, softer, speed).unwrap_or_default()
+    align_columns(&rows, |_| true) + &self::notes(notes) + &rate_hint(input, contact, softer, speed).unwrap_or_default()
 }
 
 /// Bodies and measurements of a calibration as they were understood, and what it finds.
-pub fn of_calibration(measured: &CalibrationTask, calibration: &Calibration) -> String {
-    let mut rows = self::rows(&calibrate::inputs(measured, calibration));
+pub fn calibration_overview(measured: &CalibrationTask, calibration: &Calibration) -> String {
+    let mut rows = self::input_rows(&calibrate::inputs(measured, calibration));
     rows.push([String::new(), String::new()]);
     let CalibrationTask { data, .. } = measured;
     let mut range = |name: &str, dimension: Dimension, values: Vec<f64>| {
@@ -70,11 +70,11 @@ pub fn of_calibration(measured: &CalibrationTask, calibration: &Calibration) -> 
         range(quantity.name(), quantity.quantity().dimension, of_it.map(|value| value.value).collect());
     }
     rows.push([String::new(), String::new()]);
-    align_columns(&rows, |_| true) + &calibrate::table(calibration)
+    align_columns(&rows, |_| true) + &calibrate::terminal_table(calibration)
 }
 
 /// How much higher e is with the rate of strain of the metal that yields, where that is known and not asked for.
-fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
+fn rate_hint(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64) -> Option<String> {
     let body = softer?;
     let choice = input.materials().iter().find(|choice| choice.body == body)?;
     let c = choice.material.get(Property::RateSensitivity)?.value.value;
@@ -96,13 +96,13 @@ fn with_rate(input: &Input, contact: &Contact, softer: Option<Body>, speed: f64)
 }
 
 /// Keys and values.
-pub(super) fn rows(inputs: &Inputs) -> Vec<Row> {
+pub(super) fn input_rows(inputs: &Inputs) -> Vec<Row> {
     inputs.0.iter().map(|entry| [entry.path.clone(), entry.text()]).collect()
 }
 
 /// Which body flows, with the ratio of the strengths, if the contact is narrower than the sphere at first yield.
-pub(super) fn who(pair: &Pair, is_reached: bool) -> Row {
-    let Some(point) = pair.yield_point else { return ["yield point", ELASTIC].map(str::to_owned) };
+pub(super) fn yielding_row(pair: &Pair, is_reached: bool) -> Row {
+    let Some(point) = pair.yield_point else { return ["yield point", ELASTIC_TEXT].map(str::to_owned) };
     if !is_reached {
         return ["yield point", TOO_WIDE].map(str::to_owned);
     }
@@ -125,4 +125,4 @@ pub(super) fn who(pair: &Pair, is_reached: bool) -> Row {
 }
 
 const TOO_WIDE: &str = "none within the law: at first yield the contact would be wider than the sphere";
-const ELASTIC: &str = "none: no body has a yield_strength, and the contact stays elastic";
+const ELASTIC_TEXT: &str = "none: no body has a yield_strength, and the contact stays elastic";

@@ -5,7 +5,7 @@ use crate::strings::align_columns;
 use crate::units::format_percent;
 
 /// An axis with at most this number of values is listed value by value.
-const MOST_LISTED: u64 = 8;
+const MAX_LISTED: u64 = 8;
 
 /// The lines about the cases. The scene of the first case is printed after them.
 pub fn plan_lines(plan: &Plan) -> String {
@@ -13,10 +13,10 @@ pub fn plan_lines(plan: &Plan) -> String {
     let row = |path: &str, values: String| [format!("  {path}"), values];
     let (from, rows): (_, Vec<_>) = match &plan.cases {
         Cases::Grid(axes) => {
-            ("every combination of".to_owned(), axes.iter().map(|axis| row(axis.path(), values(axis))).collect())
+            ("every combination of".to_owned(), axes.iter().map(|axis| row(axis.path(), values_text(axis))).collect())
         }
         Cases::MonteCarlo { seed, variables, .. } => {
-            let rows = variables.iter().map(|variable| row(variable.key.path, distribution(variable)));
+            let rows = variables.iter().map(|variable| row(variable.key.path, distribution_text(variable)));
             (format!("drawn with seed {seed} from"), rows.collect())
         }
     };
@@ -25,9 +25,9 @@ pub fn plan_lines(plan: &Plan) -> String {
     format!("{count} cases, {from}\n{rows}columns {columns}\n\n{scene}:\n")
 }
 
-fn values(axis: &Axis) -> String {
+fn values_text(axis: &Axis) -> String {
     let count = axis.len();
-    if count <= MOST_LISTED {
+    if count <= MAX_LISTED {
         return (0..count).map(|place| axis.label(place)).collect::<Vec<_>>().join(", ");
     }
     let (first, last) = (axis.label(0), axis.label(count - 1));
@@ -45,7 +45,7 @@ fn values(axis: &Axis) -> String {
     format!("{count} values between {} and {}, in the order of the list", axis.label(low), axis.label(high))
 }
 
-fn distribution(variable: &Variable) -> String {
+fn distribution_text(variable: &Variable) -> String {
     let (name, parameters) = variable.distribution.name_and_parameters();
     let [first, second] = parameters.map(|value| variable.key.quantity.display(value));
     if let Distribution::Uniform { .. } = variable.distribution {

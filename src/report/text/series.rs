@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use super::files::csv;
+use super::files::csv_bytes;
 use super::terminal::{self, Detail};
 use crate::error::Error;
 use crate::impact::flight::trajectory::Flight;
@@ -15,13 +15,13 @@ use crate::strings::align_columns;
 use crate::units::{Dimension, format_result};
 
 /// A summary lists the speeds of at most this number of shots; a longer list is in `impacts.csv` only.
-const LISTED: usize = 1000;
+const MAX_LISTED_SPEEDS: usize = 1000;
 
 /// The results by their names.
-pub fn found(series: &SeriesReport) -> Map<String, Value> {
+pub fn summary_fields(series: &SeriesReport) -> Map<String, Value> {
     let mut results = to_fields(&results::series_results(), series);
     if let SeriesMode::Shots(speeds) = &series.repeat.mode
-        && speeds.len() <= LISTED
+        && speeds.len() <= MAX_LISTED_SPEEDS
     {
         results.insert("shot_speeds_m_per_s".to_owned(), speeds.clone().into());
     }
@@ -29,16 +29,16 @@ pub fn found(series: &SeriesReport) -> Map<String, Value> {
 }
 
 /// `impacts.csv`: one row per impact.
-pub fn impacts(sequence: &SeriesResult) -> Result<Vec<u8>, Error> {
-    csv(&results::impact_columns(), (1..).zip(sequence.impacts.iter().copied()))
+pub fn impacts_csv(sequence: &SeriesResult) -> Result<Vec<u8>, Error> {
+    csv_bytes(&results::impact_columns(), (1..).zip(sequence.impacts.iter().copied()))
 }
 
 /// `trace.csv`: the impacts that were traced, and the flights between them.
-pub fn trace(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Error> {
+pub fn trace_csv(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Error> {
     let mut rows = Vec::new();
     let hops = sequence.impacts.iter().any(|hit| hit.tangential_speed().is_some());
     if let Some(fall) = &sequence.fall {
-        fly(0, fall, hops, samples, &mut rows);
+        push_flight_rows(0, fall, hops, samples, &mut rows);
     }
     for (i, (hit, impact)) in sequence.impacts.iter().zip(&sequence.traced_impacts).enumerate() {
         let mut at: Option<(f64, f64, f64)> = None;
@@ -60,15 +60,15 @@ pub fn trace(sequence: &SeriesResult, samples: usize) -> Result<Vec<u8>, Error> 
             event: event_name(row.event),
         }));
         if let Some(flight) = &hit.flight {
-            fly(i + 1, flight, hops, samples, &mut rows);
+            push_flight_rows(i + 1, flight, hops, samples, &mut rows);
         }
     }
-    csv(&results::trace_columns(), rows.into_iter())
+    csv_bytes(&results::trace_columns(), rows.into_iter())
 }
 
 /// The rows of a flight without its ends, which are rows of the contacts before and after it. Only the release of the
 /// sphere, where the first fall begins, is a row of the flight.
-fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<SeriesTraceRow>) {
+fn push_flight_rows(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Vec<SeriesTraceRow>) {
     rows.extend((usize::from(impact > 0)..=samples).map(|i| {
         let time = flight.duration * i as f64 / (samples + 1) as f64;
         SeriesTraceRow {
@@ -85,28 +85,32 @@ fn fly(impact: usize, flight: &Flight, hops: bool, samples: usize, rows: &mut Ve
 }
 
 /// How many impacts at the beginning and at the end of a long series the terminal shows.
-const SHOWN: (usize, usize) = (12, 5);
+const SHOWN_IMPACTS: (usize, usize) = (12, 5);
 
 /// The table for the terminal: lines about the series, and a line for each impact.
-pub fn table(series: &SeriesReport, detail: Detail) -> String {
+pub fn terminal_table(series: &SeriesReport, detail: Detail) -> String {
     let hits = &series.sequence.impacts;
-    let is_shown = |(number, _): &(usize, &SeriesImpact)| *number <= SHOWN.0 || number + SHOWN.1 > hits.len();
+    let is_shown =
+        |(number, _): &(usize, &SeriesImpact)| *number <= SHOWN_IMPACTS.0 || number + SHOWN_IMPACTS.1 > hits.len();
     let shown: Vec<(usize, SeriesImpact)> =
         (1..).zip(hits).filter(is_shown).map(|(number, hit)| (number, *hit)).collect();
-    let mut rows = terminal::columns(&results::impact_columns(), &shown);
+    let mut rows = terminal::result_columns(&results::impact_columns(), &shown);
     if shown.len() < hits.len() {
-        rows.insert(SHOWN.0 + 1, vec!["...".to_owned()]);
+        rows.insert(SHOWN_IMPACTS.0 + 1, vec!["...".to_owned()]);
     }
     let mut about = results::series_results();
-    about.retain(|result| detail == Detail::Whole || result.name != "energy.drift");
-    let mut lines = terminal::lines(&about, series);
+    about.retain(|result| detail == Detail::Full || result.name != "energy.drift");
+    let mut lines = terminal::result_lines(&about, series);
     let texts = lines.iter_mut().flatten().chain(rows.iter_mut().flatten());
-    terminal::rename_dent(texts, terminal::imprint(series.contact.is_spring(), series.sequence.imprint_name()));
+    terminal::replace_imprint_word(
+        texts,
+        terminal::imprint(series.contact.is_spring(), series.sequence.imprint_name()),
+    );
     align_columns(&lines, |_| true) + "\n" + &align_columns(&rows, |_| false)
 }
 
 /// The text of `check` about a series: its keys. The scene of the first impact is printed after it.
-pub fn repeat_lines(repeat: &ImpactSeries) -> String {
+pub fn series_lines(repeat: &ImpactSeries) -> String {
     let speed = |speed: &f64| format_result(*speed, Dimension::Speed);
     let mut rows = vec![["repeat.spot", repeat.spot_mode.name()].map(str::to_owned)];
     let mut row = |name: &str, value: String| rows.push([name.to_owned(), value]);

@@ -16,7 +16,7 @@ use crate::units::{format_result, quantities};
 type Totals<'a> = (&'a Tally, Option<RestitutionStatistics>, Option<Value>);
 
 /// The results of the rows, in the order of `summary.json`.
-pub fn totals<'a>() -> Vec<ResultSpec<Totals<'a>>> {
+pub fn total_results<'a>() -> Vec<ResultSpec<Totals<'a>>> {
     result_specs! { |totals: Totals<'a>|
         /// Rows of the table.
         "rows": totals.0.rows;
@@ -66,7 +66,7 @@ pub fn distributions() -> Vec<ResultSpec<(ResultColumn, RestitutionStatistics)>>
 }
 
 /// The description of every random key.
-pub fn drawn() -> Vec<ResultSpec<Variable>> {
+pub fn random_key_results() -> Vec<ResultSpec<Variable>> {
     result_specs! { |variable: Variable|
         /// Path of the key.
         "key": variable.key.path;
@@ -82,13 +82,13 @@ pub fn drawn() -> Vec<ResultSpec<Variable>> {
 }
 
 /// The results by their names. The warnings are about the scene; of those about rows the worst of each kind.
-pub fn found(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Value> {
+pub fn summary_fields(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Value> {
     let all = tally.distributions();
     let (e, others): (Vec<_>, Vec<_>) = all.into_iter().partition(|(column, _)| column.name == RESTITUTION);
     let columns = (!others.is_empty()).then(|| to_field_list(&distributions(), &others));
-    let mut results = to_fields(&totals(), &(tally, e.first().map(|(_, e)| *e), columns));
+    let mut results = to_fields(&total_results(), &(tally, e.first().map(|(_, e)| *e), columns));
     if let Cases::MonteCarlo { seed, variables, .. } = &plan.cases {
-        results.insert("random".to_owned(), to_field_list(&drawn(), variables));
+        results.insert("random".to_owned(), to_field_list(&random_key_results(), variables));
         results.insert("seed".to_owned(), (*seed).into());
     }
     results.insert("warnings".to_owned(), warnings.into());
@@ -96,7 +96,7 @@ pub fn found(plan: &Plan, tally: &Tally, warnings: &[String]) -> Map<String, Val
 }
 
 /// The lines about a finished table, for the terminal.
-pub fn lines(plan: &Plan, tally: &Tally) -> String {
+pub fn summary_lines(plan: &Plan, tally: &Tally) -> String {
     let mut text = format!("{} rows, {} without a result\n", tally.rows, tally.failures);
     if tally.outside_law > 0 {
         let _ = writeln!(text, "{} rows where the law has no answer (status outside_law)", tally.outside_law);

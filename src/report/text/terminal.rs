@@ -15,12 +15,12 @@ pub enum Detail {
     /// The few results that most people ask for.
     Brief,
     /// All results but how exact the integration was.
-    Usual,
-    Whole,
+    Normal,
+    Full,
 }
 
 /// The results of a brief answer.
-const BRIEF: [&str; 10] = [
+const BRIEF_RESULTS: [&str; 10] = [
     "restitution",
     "restitution_interval_text",
     "restitution_with_waves",
@@ -33,7 +33,7 @@ const BRIEF: [&str; 10] = [
     "dent_diameter_m",
 ];
 
-pub fn impact(single: &SingleImpact, detail: Detail) -> String {
+pub fn impact_text(single: &SingleImpact, detail: Detail) -> String {
     let impact = single.impact;
     let is_of_the_integrator =
         |name: &str| ["accuracy.", "work.", "energy.drift"].iter().any(|begin| name.starts_with(begin));
@@ -46,13 +46,13 @@ pub fn impact(single: &SingleImpact, detail: Detail) -> String {
         // springs know no bodies: they have no rim, and do not yield
         "dent_diameter_m" | "yield_speed_m_per_s" if single.contact.is_spring() => true,
         "dent_diameter_m" => impact.has_flat() && !is_shared,
-        name => detail != Detail::Whole && is_of_the_integrator(name),
+        name => detail != Detail::Full && is_of_the_integrator(name),
     };
-    results.retain(|result| !is_idle(result.name) && (!is_brief || BRIEF.contains(&result.name)));
+    results.retain(|result| !is_idle(result.name) && (!is_brief || BRIEF_RESULTS.contains(&result.name)));
     let speed = ["impact speed".to_owned(), format_result(impact.speed, Dimension::Speed), String::new()];
     let mut lines = if is_brief { Vec::new() } else { vec![speed] };
-    lines.extend(self::lines(&results, single));
-    rename_dent(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.imprint_name()));
+    lines.extend(self::result_lines(&results, single));
+    replace_imprint_word(lines.iter_mut().flatten(), imprint(single.contact.is_spring(), impact.imprint_name()));
     put_measured_first(&mut lines);
     mark_doubtful(&mut lines, impact);
     align_columns(&lines, |_| true) + &notes(single.notes)
@@ -114,7 +114,7 @@ const SPRING: &str = "spring";
 
 /// Puts what an impact left behind in the place of the dent, in names and remarks: where the sphere flows too, the residual
 /// indentation is the sum of a dent and a flat on the sphere.
-pub(super) fn rename_dent<'t>(texts: impl Iterator<Item = &'t mut String>, left_behind: &str) {
+pub(super) fn replace_imprint_word<'t>(texts: impl Iterator<Item = &'t mut String>, left_behind: &str) {
     for text in texts {
         match text.as_str() {
             "dent depth" | "dent" if left_behind == SPRING => "residual indentation".clone_into(text),
@@ -130,20 +130,24 @@ pub(super) fn rename_dent<'t>(texts: impl Iterator<Item = &'t mut String>, left_
 pub(super) type Line = [String; 3];
 
 /// A line for every result; a label with braces adds its value to the remarks of the line above.
-pub(super) fn lines<T>(results: &[ResultSpec<T>], subject: &T) -> Vec<Line> {
+pub(super) fn result_lines<T>(results: &[ResultSpec<T>], subject: &T) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     let mut whole = f64::NAN;
-    for ResultSpec { format: shown, label, value, .. } in labelled(results) {
+    for ResultSpec { format: shown, label, value, .. } in with_label(results) {
         let Some(value) = value(subject) else { continue };
         let Some((before, after)) = label.split_once('{') else {
             whole = value.as_f64().unwrap_or(f64::NAN);
-            lines.push([(*label).to_owned(), text(*shown, &value).unwrap_or_else(|| "none".to_owned()), String::new()]);
+            lines.push([
+                (*label).to_owned(),
+                format_value(*shown, &value).unwrap_or_else(|| "none".to_owned()),
+                String::new(),
+            ]);
             continue;
         };
         let share =
             value.as_f64().map(|part| part / whole).filter(|share| after.starts_with('%') && share.abs() <= 1.0);
         let (Some(remark), Some([_, _, remarks])) =
-            (share.map(format_percent).or_else(|| text(*shown, &value)), lines.last_mut())
+            (share.map(format_percent).or_else(|| format_value(*shown, &value)), lines.last_mut())
         else {
             continue;
         };
@@ -155,14 +159,14 @@ pub(super) fn lines<T>(results: &[ResultSpec<T>], subject: &T) -> Vec<Line> {
 
 /// A line of labels, and a line for every row. Results with the same label share a column; a column without values is left
 /// out.
-pub(super) fn columns<T>(results: &[ResultSpec<T>], rows: &[T]) -> Vec<Vec<String>> {
+pub(super) fn result_columns<T>(results: &[ResultSpec<T>], rows: &[T]) -> Vec<Vec<String>> {
     let cell = |label: &str, row: &T| {
-        labelled(results).filter(|result| result.label == label).find_map(|result| {
+        with_label(results).filter(|result| result.label == label).find_map(|result| {
             let value = (result.value)(row)?;
-            text(result.format, &value)
+            format_value(result.format, &value)
         })
     };
-    let mut labels: Vec<&str> = labelled(results).map(|result| result.label).collect();
+    let mut labels: Vec<&str> = with_label(results).map(|result| result.label).collect();
     labels.dedup();
     let columns = labels.into_iter().filter_map(|label| {
         let cells: Vec<Option<String>> = rows.iter().map(|row| cell(label, row)).collect();
@@ -179,23 +183,23 @@ pub(super) fn columns<T>(results: &[ResultSpec<T>], rows: &[T]) -> Vec<Vec<Strin
 }
 
 /// A label and a value for every result, with the SI unit and all digits where they are few: as `check` shows numbers.
-pub(super) fn described<T>(results: &[ResultSpec<T>], subject: &T) -> impl Iterator<Item = [String; 2]> {
-    labelled(results).filter_map(|ResultSpec { format: shown, label, value, .. }| {
+pub(super) fn label_value_rows<T>(results: &[ResultSpec<T>], subject: &T) -> impl Iterator<Item = [String; 2]> {
+    with_label(results).filter_map(|ResultSpec { format: shown, label, value, .. }| {
         let value = value(subject)?;
         let text = match (shown, value.as_f64()) {
             (NumberFormat::Unit(dimension), Some(number)) => format_si_and_short(number, *dimension),
-            _ => text(*shown, &value)?,
+            _ => format_value(*shown, &value)?,
         };
         Some([(*label).to_owned(), text])
     })
 }
 
-fn labelled<T>(results: &[ResultSpec<T>]) -> impl Iterator<Item = &ResultSpec<T>> {
+fn with_label<T>(results: &[ResultSpec<T>]) -> impl Iterator<Item = &ResultSpec<T>> {
     results.iter().filter(|result| !result.label.is_empty())
 }
 
 /// A value as text; `None` where there is no value.
-fn text(shown: NumberFormat, value: &Value) -> Option<String> {
+fn format_value(shown: NumberFormat, value: &Value) -> Option<String> {
     let value = match value {
         Value::String(word) => return Some(word.clone()),
         Value::Number(count) if !count.is_f64() => return Some(count.to_string()),

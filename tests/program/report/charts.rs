@@ -64,14 +64,14 @@ fn an_impact_without_trace_makes_no_picture() {
 
 fn lines(axes: [Axis; 2], curves: Vec<Vec<(f64, f64)>>) -> Chart {
     let series = curves.into_iter().zip(["first", "second", "third"]);
-    let series = series.map(|(points, name)| Series::line(name, points).styled(chart::Style::LAW));
+    let series = series.map(|(points, name)| Series::line(name, points).with_style(chart::Style::LAW));
     Chart::new("a < b & \"c\"", axes, series.collect()).with_notes(["a note\u{7}"])
 }
 
 /// Linear axes from 0 to 2 and logarithmic axes from 1 to 10^4, with both ends.
 fn axes() -> [([Axis; 2], f64, f64); 2] {
-    let linear = |title: &str| Axis::linear(title, "m").between(0.0, 2.0);
-    let log = |title: &str| Axis::log(title, "m").between(1.0, 1e4);
+    let linear = |title: &str| Axis::linear(title, "m").with_range(0.0, 2.0);
+    let log = |title: &str| Axis::log(title, "m").with_range(1.0, 1e4);
     [([linear("Length"), linear("Height")], 0.0, 2.0), ([log("Length"), log("Height")], 1.0, 1e4)]
 }
 
@@ -101,7 +101,7 @@ fn a_curve_lies_where_its_values_are() {
 
 #[test]
 fn curves_and_guides_are_cut_at_the_axes() {
-    let unit = |title: &str| Axis::linear(title, "").between(0.0, 1.0);
+    let unit = |title: &str| Axis::linear(title, "").with_range(0.0, 1.0);
     let curves = vec![vec![(-1.0, 0.25), (2.0, 0.25)], vec![(0.5, -5.0), (0.5, 5.0)], vec![(-3.0, 9.0), (9.0, 9.0)]];
     let guides = vec![Series::vertical(7.0, "outside"), Series::horizontal(0.75, "level")];
     let drawn = Drawn::of(&lines([unit("x"), unit("y")], curves).with_guides(guides));
@@ -197,7 +197,7 @@ fn heat_map_colours_each_cell() {
     let map = |values: &[f64]| {
         let axes = [Axis::log("Speed", "m/s"), Axis::linear("Strength", "Pa")];
         let value = |column: usize, row: usize| values[2 * row + column];
-        heatmap("e", axes, [&[1.0, 10.0], &[1e8, 2e8]], value, Axis::linear("e", "").between(0.0, 1.0))
+        heatmap("e", axes, [&[1.0, 10.0], &[1e8, 2e8]], value, Axis::linear("e", "").with_range(0.0, 1.0))
     };
     let chart = map(&[0.0, 1.0, f64::NAN, 0.5]);
     let [left, top, right, bottom] = Drawn::of(&chart).boxes()[0].map(|at| at / UNITS);

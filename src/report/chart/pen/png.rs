@@ -6,13 +6,13 @@ use plotters::prelude::BitMapBackend;
 use plotters::style::{FontStyle, register_font};
 use png::{BitDepth, ColorType, Encoder};
 
-use super::{Format, Pen, failed};
+use super::{BackendFormat, Pen, drawing_error};
 use crate::error::Error;
-use crate::report::chart::{PAPER, SIZE};
+use crate::report::chart::{BACKGROUND, SIZE};
 
 /// The pixels of a PNG are means of 2 × 2 drawn pixels.
 const OVERSAMPLING: u32 = 2;
-const PNG: Format = Format {
+const PNG_FORMAT: BackendFormat = BackendFormat {
     units: OVERSAMPLING as f64,
     letters: 1.0,
     rise: 0.216,
@@ -22,21 +22,21 @@ const PNG: Format = Format {
 };
 
 /// The picture as PNG: pixels, in the built-in font, with the same bytes on every machine.
-pub fn png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), Error>) -> Result<Vec<u8>, Error> {
+pub fn render_png(paint: impl FnOnce(&mut Pen<BitMapBackend>) -> Result<(), Error>) -> Result<Vec<u8>, Error> {
     static IS_REGISTERED: LazyLock<bool> =
-        LazyLock::new(|| register_font(PNG.fonts, FontStyle::Normal, dejavu::sans::regular()).is_ok());
+        LazyLock::new(|| register_font(PNG_FORMAT.fonts, FontStyle::Normal, dejavu::sans::regular()).is_ok());
     if !*IS_REGISTERED {
         return Err(Error::failed("the built-in font cannot be used"));
     }
     let size = (SIZE.0 * OVERSAMPLING, SIZE.1 * OVERSAMPLING);
-    let mut buffer = vec![PAPER.0; 3 * size.0 as usize * size.1 as usize];
+    let mut buffer = vec![BACKGROUND.0; 3 * size.0 as usize * size.1 as usize];
     let sheet = (f64::from(SIZE.0), f64::from(SIZE.1));
-    paint(&mut Pen { backend: &mut BitMapBackend::with_buffer(&mut buffer, size), format: PNG, sheet })?;
-    encoded(&buffer)
+    paint(&mut Pen { backend: &mut BitMapBackend::with_buffer(&mut buffer, size), format: PNG_FORMAT, sheet })?;
+    encode_png(&buffer)
 }
 
 /// The PNG of a buffer that has [`OVERSAMPLING`] times as many pixels in each direction.
-fn encoded(buffer: &[u8]) -> Result<Vec<u8>, Error> {
+fn encode_png(buffer: &[u8]) -> Result<Vec<u8>, Error> {
     let n = OVERSAMPLING as usize;
     let width = SIZE.0 as usize;
     let count = OVERSAMPLING * OVERSAMPLING;
@@ -62,5 +62,5 @@ fn encoded(buffer: &[u8]) -> Result<Vec<u8>, Error> {
         writer.write_image_data(&pixels)?;
         writer.finish()
     });
-    written.map(|()| file).map_err(failed)
+    written.map(|()| file).map_err(drawing_error)
 }

@@ -37,7 +37,7 @@ fn units_table() -> String {
 }
 
 fn of_materials() -> String {
-    markdown_table(&materials::rows("")) + "\n"
+    markdown_table(&materials::material_rows("")) + "\n"
 }
 
 /// The results of a file, or of a part of one, and their names with how each is shown.
@@ -61,15 +61,15 @@ fn files() -> [FileOfResults; 14] {
         file("Repeated impacts: `summary.json`", &series::series_results()),
         file("Repeated impacts: `impacts.csv`", &series::impact_columns()),
         file("Repeated impacts: `trace.csv`", &series::trace_columns()),
-        file("Indentation: every half-space in `summary.json`", &indentation::half_space()),
-        file("Indentation: every step of a half-space", &indentation::step()),
-        file("Indentation: `trace.csv`", &indentation::columns()),
-        file("Tables: `summary.json`", &sweep::totals()),
+        file("Indentation: every half-space in `summary.json`", &indentation::half_space_results()),
+        file("Indentation: every step of a half-space", &indentation::step_results()),
+        file("Indentation: `trace.csv`", &indentation::trace_columns()),
+        file("Tables: `summary.json`", &sweep::total_results()),
         file("Tables: every other named column in `summary.json`", &sweep::distributions()),
-        file("Tables: every random key in `summary.json`", &sweep::drawn()),
-        file("Calibrations: `summary.json`", &calibrate::results()),
-        file("Calibrations: every key in `summary.json`", &calibrate::key()),
-        file("Checks: `contact` in `check --json`", &check::contact()),
+        file("Tables: every random key in `summary.json`", &sweep::random_key_results()),
+        file("Calibrations: `summary.json`", &calibrate::calibration_results()),
+        file("Calibrations: every key in `summary.json`", &calibrate::key_results()),
+        file("Checks: `contact` in `check --json`", &check::contact_results()),
     ]
 }
 
