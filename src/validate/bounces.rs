@@ -29,7 +29,7 @@ fn restitution(drop: &[ReferenceRow], flying: &FreeFlight) -> f64 {
 
 /// The higher drops against the lowest, on which air has the least effect. The contact law has no part in it, so its coefficients
 /// change nothing.
-pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+pub(super) fn bounce_heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let clicks = BOUNCE_INTERVALS.rows()?;
     let drops: Vec<&[ReferenceRow]> =
         clicks.chunk_by(|_, next| next.optional_number("drop_height_cm").is_none()).collect();
@@ -42,7 +42,7 @@ pub(super) fn heights(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
         let reference = restitution(lowest, &flying);
         for drop in higher {
             let height = drop.first().map_or(f64::NAN, |click| click.number("drop_height_cm"));
-            compared.push(group.compared(format!("{height} cm"), [reference, restitution(drop, &flying)]));
+            compared.push(group.compare(format!("{height} cm"), [reference, restitution(drop, &flying)]));
         }
     }
     Ok(compared)

@@ -10,7 +10,7 @@ use crate::reference::{CURVES_OF_UNLOADINGS, ReferenceRow, UNLOADINGS};
 
 /// One of the five pairs of materials.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub struct MaterialCase {
     pub loading: ReferenceLoadingCurve,
     /// The unloadings, in the order of rising depth.
     pub cycles: Vec<Cycle>,
@@ -39,7 +39,7 @@ impl Cycle {
     }
 }
 
-impl Case {
+impl MaterialCase {
     /// The name, such as "case 3".
     pub fn name(&self) -> String {
         self.loading.case.replace("case", "case ")
@@ -56,7 +56,7 @@ impl Case {
     }
 }
 
-pub fn cases() -> Result<Vec<Case>, Error> {
+pub fn cases() -> Result<Vec<MaterialCase>, Error> {
     let (rows, points) = (UNLOADINGS.rows()?, CURVES_OF_UNLOADINGS.rows()?);
     let cycle = |row: &ReferenceRow, kappa: f64| {
         let is_same =
@@ -74,7 +74,7 @@ pub fn cases() -> Result<Vec<Case>, Error> {
         let of_case = rows.iter().filter(|row| row.text("case") == loading.case);
         let mut cycles: Vec<Cycle> = of_case.map(|row| cycle(row, loading.pair.sphere_compliance)).collect();
         cycles.sort_by(|a, b| a.peak.indentation.total_cmp(&b.peak.indentation));
-        Case { loading, cycles }
+        MaterialCase { loading, cycles }
     };
     Ok(loading::curves()?.into_iter().map(case).collect())
 }

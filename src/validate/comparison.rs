@@ -25,13 +25,13 @@ impl Group {
     }
 
     /// A group whose deviations are differences.
-    pub const fn of_differences(quantity: &'static str, source: &'static str, unit: &'static str) -> Self {
+    pub const fn new_difference(quantity: &'static str, source: &'static str, unit: &'static str) -> Self {
         Self { is_difference: true, ..Self::new(quantity, source, unit) }
     }
 
-    pub fn compared(self, case: String, [reference, law]: [f64; 2]) -> Comparison {
+    pub fn compare(self, case: String, [reference, law]: [f64; 2]) -> Comparison {
         let deviation = if self.is_difference { law - reference } else { deviation(reference, law) };
-        Comparison { group: self, case, reference, law, deviation, of_built_in: None }
+        Comparison { group: self, case, reference, law, deviation, built_in_law: None }
     }
 }
 
@@ -39,9 +39,9 @@ impl Group {
 pub type Quantity<T> = (Group, fn(&T) -> Option<[f64; 2]>);
 
 /// Compares these quantities of these cases, one quantity after the other.
-pub fn compared<T>(quantities: &[Quantity<T>], cases: &[T], name: impl Fn(&T) -> String) -> Vec<Comparison> {
+pub fn compare_all<T>(quantities: &[Quantity<T>], cases: &[T], name: impl Fn(&T) -> String) -> Vec<Comparison> {
     let of_quantity = |(group, numbers): &Quantity<T>| -> Vec<Comparison> {
-        cases.iter().filter_map(|case| Some(group.compared(name(case), numbers(case)?))).collect()
+        cases.iter().filter_map(|case| Some(group.compare(name(case), numbers(case)?))).collect()
     };
     quantities.iter().flat_map(of_quantity).collect()
 }
@@ -57,7 +57,7 @@ pub struct Comparison {
     /// Relative deviation, law/reference − 1. If it is relative to another number, the name of the quantity says so.
     pub deviation: f64,
     /// The deviation of the law with the built-in coefficients, if the law has others.
-    pub of_built_in: Option<f64>,
+    pub built_in_law: Option<f64>,
 }
 
 /// The relative deviation law/reference − 1; 0 if both numbers are equal.
@@ -66,7 +66,7 @@ pub fn deviation(reference: f64, law: f64) -> f64 {
 }
 
 /// The deviation farthest from zero; NaN if any is NaN.
-pub fn largest(deviations: impl IntoIterator<Item = f64>) -> f64 {
+pub fn max_magnitude(deviations: impl IntoIterator<Item = f64>) -> f64 {
     deviations.into_iter().fold(0.0, |a: f64, b: f64| if a.is_nan() || a.abs() >= b.abs() { a } else { b })
 }
 

@@ -1,6 +1,6 @@
 //! Whole impacts against explicit finite elements: restitution, contact time, peak force, dent depth.
 
-use super::comparison::{Comparison, EXPONENTS, Group, Quantity, compared};
+use super::comparison::{Comparison, EXPONENTS, Group, Quantity, compare_all};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::error::Error;
 use crate::impact::Impact;
@@ -9,7 +9,7 @@ use crate::reference::{CURVES_OF_IMPACTS, DYNAMIC_SOURCE, IMPACTS, ReferenceRow}
 use crate::scenario::Scenario;
 use crate::scenario::input::Input;
 
-const QUANTITIES: [Quantity<Case>; 8] = [
+const QUANTITIES: [Quantity<DynamicCase>; 8] = [
     (Group::new("impact: restitution, exponent 3/2", DYNAMIC_SOURCE, ""), |case| {
         Some([case.reference.number("restitution"), case.impacts[0].restitution])
     }),
@@ -47,7 +47,7 @@ const SCENARIOS: [(&str, &str); 3] = [
 
 /// One impact, by finite elements and by the law.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub struct DynamicCase {
     /// The results of the finite elements, with the name, such as "D1".
     pub reference: ReferenceRow,
     /// Samples of the finite elements, in the order of time.
@@ -57,7 +57,7 @@ pub struct Case {
 }
 
 /// The inputs of the three impacts, and what the finite elements gave: results, and samples in the order of time.
-pub(super) fn scenes() -> Result<Vec<(Input, ReferenceRow, Vec<ReferenceRow>)>, Error> {
+pub(super) fn dynamic_scenarios() -> Result<Vec<(Input, ReferenceRow, Vec<ReferenceRow>)>, Error> {
     let (references, samples) = (IMPACTS.rows()?, CURVES_OF_IMPACTS.rows()?);
     let scene = |&(name, text): &(&'static str, &str)| {
         let reference = references.iter().find(|row| row.text("case") == name).cloned();
@@ -70,7 +70,7 @@ pub(super) fn scenes() -> Result<Vec<(Input, ReferenceRow, Vec<ReferenceRow>)>, 
 }
 
 /// The three impacts.
-pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> {
+pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<DynamicCase>, Error> {
     let case = |(input, reference, samples): (Input, ReferenceRow, Vec<ReferenceRow>)| {
         let impact = |exponent| -> Result<Impact, Error> {
             let law = LawChoice::Plm(Plm::new(coefficients, exponent));
@@ -79,11 +79,11 @@ pub(super) fn cases(coefficients: &PlmCoefficients) -> Result<Vec<Case>, Error> 
             Ok(contact.impact(input.speed(), &input.solver(), Some(SAMPLES))?)
         };
         let [paper, shape] = EXPONENTS.map(|(exponent, _)| impact(exponent));
-        Ok(Case { reference, samples, impacts: [paper?, shape?] })
+        Ok(DynamicCase { reference, samples, impacts: [paper?, shape?] })
     };
-    scenes()?.into_iter().map(case).collect()
+    dynamic_scenarios()?.into_iter().map(case).collect()
 }
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    Ok(compared(&QUANTITIES, &cases(coefficients)?, |case| case.reference.text("case").to_owned()))
+    Ok(compare_all(&QUANTITIES, &cases(coefficients)?, |case| case.reference.text("case").to_owned()))
 }

@@ -1,7 +1,7 @@
 //! Figure 10 of Xie et al. (2024): unloading laws from one peak, beside the finite elements with that peak. It is case 3 of
 //! their Table 1, with R = 35 mm, at three depths.
 
-use super::cases::{Case, Cycle};
+use super::cases::{Cycle, MaterialCase};
 use crate::contact::law::published::LoadedState;
 use crate::contact::law::{LawChoice, Unloading, YieldingPair};
 use crate::contact::pair::{HalfSpace, Material, Pair, Sphere};
@@ -19,7 +19,7 @@ const UNLOADINGS: [(&str, &str, &str); 3] =
     [("case3_mini", "2", "13"), ("case3_fs", "1", "105"), ("case3_large_finesteps", "2", "843")];
 
 /// A law whose parameter is a restitution, so that there is nothing to compare.
-const LEFT_OUT: &str = "walton_braun";
+const OMITTED_LAW: &str = "walton_braun";
 
 /// Number of pieces of a curve.
 const POINTS: u32 = 200;
@@ -32,7 +32,7 @@ fn bodies() -> Result<YieldingPair, Error> {
 }
 
 /// The peak of an unloading, and how each law unloads from it. A law without an answer there is left out.
-fn unloaded(bodies: &YieldingPair, cycle: &Cycle) -> (LoadedState, Vec<(String, Unloading)>) {
+fn unloading_branches(bodies: &YieldingPair, cycle: &Cycle) -> (LoadedState, Vec<(String, Unloading)>) {
     let peak = LoadedState {
         indentation: cycle.peak.indentation,
         force: cycle.peak.force,
@@ -40,25 +40,25 @@ fn unloaded(bodies: &YieldingPair, cycle: &Cycle) -> (LoadedState, Vec<(String, 
         elastic_approach: Some(cycle.peak.elastic_approach),
         loading_work: cycle.row.number("spent"),
     };
-    let laws = LawChoice::all().into_iter().filter(|law| law.has_own_unloading() && law.about().name != LEFT_OUT);
+    let laws = LawChoice::all().into_iter().filter(|law| law.has_own_unloading() && law.about().name != OMITTED_LAW);
     let of_law = |law: LawChoice| Some((law.name(), peak.unload(&law.get().build_parts(bodies).recovery).ok()?));
     (peak, laws.filter_map(of_law).collect())
 }
 
 /// The three pictures with their names; `case` has the finite elements.
-pub(super) fn figure_10(case: &Case) -> Result<Vec<(String, Chart)>, Error> {
+pub(super) fn figure_10(case: &MaterialCase) -> Result<Vec<(String, Chart)>, Error> {
     let bodies = bodies()?;
     let of_case =
         |(run, number, depth)| Some((format!("figure-10-at-{depth}"), chart(&bodies, find(case, run, number)?)));
     Ok(UNLOADINGS.into_iter().filter_map(of_case).collect())
 }
 
-fn find<'a>(case: &'a Case, run: &str, number: &str) -> Option<&'a Cycle> {
+fn find<'a>(case: &'a MaterialCase, run: &str, number: &str) -> Option<&'a Cycle> {
     case.cycles.iter().find(|cycle| cycle.row.text("run") == run && cycle.row.text("cycle") == number)
 }
 
 fn chart(bodies: &YieldingPair, cycle: &Cycle) -> Chart {
-    let (peak, laws) = unloaded(bodies, cycle);
+    let (peak, laws) = unloading_branches(bodies, cycle);
     let (length, force) = (bodies.yield_point.indentation, bodies.yield_point.force);
     let curve = |unloading: &Unloading| {
         let (residual, approach) = (unloading.peak.residual(), unloading.peak.elastic_approach);
@@ -105,7 +105,7 @@ mod tests {
         let mut compared = 0;
         for (run, number, _) in UNLOADINGS {
             let cycle = find(case, run, number).unwrap();
-            let (peak, laws) = unloaded(&bodies, cycle);
+            let (peak, laws) = unloading_branches(&bodies, cycle);
             assert!(laws.len() >= 10, "{}", laws.len());
             let (_, plm) = laws.iter().find(|(name, _)| name == "plm").unwrap();
             let e = (plm.stored_energy(peak.indentation) / peak.loading_work).sqrt();

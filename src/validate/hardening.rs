@@ -1,6 +1,6 @@
 //! A half-space that hardens: the law, loaded with the same work as the finite elements.
 
-use super::comparison::{Comparison, Group, Quantity, compared};
+use super::comparison::{Comparison, Group, Quantity, compare_all};
 use crate::contact::law::{ContactState, Law, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::reference::{HARDENING, ReferenceRow};
@@ -8,9 +8,9 @@ use crate::reference::{HARDENING, ReferenceRow};
 const REFERENCE: &str = "finite elements, CalculiX 2.20, fe_hardening.csv";
 
 /// A load cycle by finite elements, and by the law.
-type Case = (ReferenceRow, AtEnergy);
+type HardeningCase = (ReferenceRow, LoadCycle);
 
-const QUANTITIES: [Quantity<Case>; 5] = [
+const QUANTITIES: [Quantity<HardeningCase>; 5] = [
     (group("hardening: restitution, pressure-shape"), |(row, state)| {
         Some([row.number("restitution"), state.restitution])
     }),
@@ -18,7 +18,7 @@ const QUANTITIES: [Quantity<Case>; 5] = [
     (group("hardening: peak indentation"), |(row, state)| Some([row.number("x"), state.peak.indentation])),
     // a shallow dent would have a large relative deviation
     (
-        Group::of_differences("hardening: residual indentation, deviation over peak indentation", REFERENCE, ""),
+        Group::new_difference("hardening: residual indentation, deviation over peak indentation", REFERENCE, ""),
         |(row, state)| Some([row.number("residual_share"), state.peak.residual() / state.peak.indentation]),
     ),
     (group("hardening: contact radius"), |(row, state)| {
@@ -31,7 +31,7 @@ const fn group(name: &'static str) -> Group {
 }
 
 /// A load cycle by the law.
-pub(super) struct AtEnergy {
+pub(super) struct LoadCycle {
     peak: ContactState,
     /// Restitution √(recovered/spent work).
     pub(super) restitution: f64,
@@ -40,15 +40,15 @@ pub(super) struct AtEnergy {
 }
 
 /// The load cycle in which loading takes this work, in units of first yield.
-pub(super) fn at_energy(law: &Law, yield_radius_ratio: f64, spent: f64) -> AtEnergy {
+pub(super) fn load_cycle_at_work(law: &Law, yield_radius_ratio: f64, spent: f64) -> LoadCycle {
     let piece = &law.loading.pieces()[law.loading.index_at_work(spent)];
     let peak = law.loaded_state(piece.indentation_at_work(spent));
     let restitution = (law.unloading(peak).recoverable_energy() / spent).sqrt();
-    AtEnergy { peak, restitution, contact_radius: law.contact_radius(&peak) * yield_radius_ratio }
+    LoadCycle { peak, restitution, contact_radius: law.contact_radius(&peak) * yield_radius_ratio }
 }
 
 /// The law of these materials, and a_Y/R. Without `hardens` the law has no flow curve.
-pub(super) fn law(
+pub(super) fn hardening_law(
     materials: &ReferenceRow,
     coefficients: &PlmCoefficients,
     hardens: bool,
@@ -61,10 +61,10 @@ pub(super) fn law(
 pub(super) fn unloadings(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let mut cases = Vec::new();
     for row in HARDENING.rows()? {
-        if let Some((law, yield_radius_ratio)) = law(&row, coefficients, true)? {
-            let state = at_energy(&law, yield_radius_ratio, row.number("spent"));
+        if let Some((law, yield_radius_ratio)) = hardening_law(&row, coefficients, true)? {
+            let state = load_cycle_at_work(&law, yield_radius_ratio, row.number("spent"));
             cases.push((row, state));
         }
     }
-    Ok(compared(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.text("material"), row.number("x"))))
+    Ok(compare_all(&QUANTITIES, &cases, |(row, _)| format!("{}, x = {}", row.text("material"), row.number("x"))))
 }

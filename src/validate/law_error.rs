@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::cases::cases;
 use super::comparison::{deviation, mean};
-use super::hardening::at_energy;
+use super::hardening::load_cycle_at_work;
 use super::quasi_static::restitution;
 use super::{dynamic, yielding};
 use crate::contact::law::{Plm, PlmCoefficients, UnloadingExponent};
@@ -37,12 +37,13 @@ pub fn cycle_errors(coefficients: &PlmCoefficients, exponent: UnloadingExponent)
     for row in HARDENING.rows()? {
         let Some(bodies) = row.bodies()? else { continue };
         let plm = Plm { flow: [None, row.curve()], ..Plm::new(coefficients, exponent) };
-        let cycle = at_energy(&plm.law_for_yielding_pair(&bodies), bodies.yield_radius_ratio(), row.number("spent"));
+        let cycle =
+            load_cycle_at_work(&plm.law_for_yielding_pair(&bodies), bodies.yield_radius_ratio(), row.number("spent"));
         let error = deviation(row.number("restitution"), cycle.restitution);
         errors.push((BodyClass::Hardening, row.number("contact_radius_over_R"), error));
     }
-    for cycle in yielding::compared(coefficients, exponent)? {
-        let error = deviation(cycle.row.number("e"), cycle.at_energy.restitution);
+    for cycle in yielding::yielding_cycles(coefficients, exponent)? {
+        let error = deviation(cycle.row.number("e"), cycle.at_work.restitution);
         errors.push((BodyClass::YieldingSphere, cycle.row.number("contact_radius_over_R"), error));
     }
     for case in dynamic::cases(coefficients)? {

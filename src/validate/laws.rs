@@ -4,7 +4,7 @@
 //! they have no contact time.
 
 use super::comparison::{EXPONENTS, deviation, rms};
-use super::dynamic::scenes;
+use super::dynamic::dynamic_scenarios;
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients};
 use crate::contact::pair::{HalfSpace, Sphere};
 use crate::error::Error;
@@ -22,7 +22,7 @@ pub struct LawDeviations {
 }
 
 /// An impact by finite elements.
-struct Reference {
+struct ReferenceImpact {
     sphere: Sphere,
     half_space: HalfSpace,
     speed: f64,
@@ -33,9 +33,9 @@ struct Reference {
     contact_time: Option<f64>,
 }
 
-impl Reference {
+impl ReferenceImpact {
     /// Deviations of a result of a law, in the order of [`LawDeviations::rms`].
-    fn off(&self, by_law: &ImpactRow) -> [Option<f64>; 4] {
+    fn deviations(&self, by_law: &ImpactRow) -> [Option<f64>; 4] {
         let restitution = by_law.measured_restitution();
         [
             Some(deviation(self.restitution, restitution)),
@@ -47,10 +47,10 @@ impl Reference {
 }
 
 /// All impacts on half-spaces that do not harden.
-fn references() -> Result<Vec<Reference>, Error> {
+fn reference_impacts() -> Result<Vec<ReferenceImpact>, Error> {
     let mut all = Vec::new();
-    for (input, row, samples) in scenes()? {
-        all.push(Reference {
+    for (input, row, samples) in dynamic_scenarios()? {
+        all.push(ReferenceImpact {
             sphere: input.sphere(),
             half_space: input.half_space(),
             speed: input.speed(),
@@ -65,7 +65,7 @@ fn references() -> Result<Vec<Reference>, Error> {
         let contact = Contact::try_new(sphere, half_space, &Plm::default())?;
         let Some(unit) = contact.pair().yield_point else { continue };
         let [x, f, spent] = ["x", "f", "spent"].map(|column| row.number(column));
-        all.push(Reference {
+        all.push(ReferenceImpact {
             sphere,
             half_space,
             speed: (2.0 * spent * unit.force * unit.indentation / contact.reduced_mass()).sqrt(),
@@ -80,16 +80,16 @@ fn references() -> Result<Vec<Reference>, Error> {
 }
 
 /// Every law of the program with its default parameters, and the PLM with these coefficients; the nearest restitution first.
-pub fn laws(coefficients: &PlmCoefficients) -> Result<Vec<LawDeviations>, Error> {
+pub fn law_deviations(coefficients: &PlmCoefficients) -> Result<Vec<LawDeviations>, Error> {
     let of_plm = |(exponent, name)| (format!("plm, {name}"), LawChoice::Plm(Plm::new(coefficients, exponent)));
     // the law of Brake only unloads
     let published = LawChoice::all().into_iter().chain(LawChoice::from_name("jackson_green + brake"));
     let published = published.filter(|law| law.has_loading() && !matches!(law, LawChoice::Plm(_)));
-    let references = references()?;
+    let references = reference_impacts()?;
     let of_law = |(name, law): (String, LawChoice)| {
-        let answer = |one: &Reference| {
+        let answer = |one: &ReferenceImpact| {
             let contact = Contact::try_new(one.sphere, one.half_space, law.get()).ok()?;
-            Some(one.off(&contact.row(one.speed, &Solver::AUTO).ok()?))
+            Some(one.deviations(&contact.row(one.speed, &Solver::AUTO).ok()?))
         };
         let off: Vec<[Option<f64>; 4]> = references.iter().filter_map(answer).collect();
         let rms_of = |column: usize| rms(&off.iter().filter_map(|off| off[column]).collect::<Vec<_>>());

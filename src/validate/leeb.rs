@@ -56,7 +56,7 @@ fn vickers(number: f64) -> f64 {
 }
 
 /// Nothing is fitted: the strength is that of the hardness, without a strain rate.
-pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
+pub(super) fn restitutions_by_hardness(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let devices = LEEB_DEVICES.rows()?;
     let Some(device) = devices.first() else { return Ok(Vec::new()) };
     let compared = |number: u16| {
@@ -65,7 +65,7 @@ pub(super) fn hardnesses(coefficients: &PlmCoefficients) -> Result<Vec<Compariso
             HardnessScale::Vickers.mean_pressure(hardness).map_err(|error| Error::failed(error.to_string()))?;
         let strength = strength_of_hardness(pressure, None, &STEEL);
         let numbers = [number / 1000.0, restitution(device, strength, coefficients)?];
-        Ok(BY_HARDNESS.compared(format!("{hardness:.0} HV"), numbers))
+        Ok(BY_HARDNESS.compare(format!("{hardness:.0} HV"), numbers))
     };
     (500..=860).step_by(20).map(compared).collect()
 }
@@ -79,7 +79,7 @@ pub(super) fn rebounds(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>
         for device in others {
             let case = format!("{block}, device {}, strength from D {:.0} MPa", device.text("device"), strength / 1e6);
             let numbers = [device.number(column) / 1000.0, restitution(device, strength, coefficients)?];
-            compared.push(GROUP.compared(case, numbers));
+            compared.push(GROUP.compare(case, numbers));
         }
     }
     Ok(compared)

@@ -26,10 +26,10 @@ pub use comparison::{Comparison, Group};
 pub use pictures::pictures;
 
 /// A function that compares the law with one kind of reference.
-type Source = fn(&PlmCoefficients) -> Result<Vec<Comparison>, Error>;
+type ComparisonFn = fn(&PlmCoefficients) -> Result<Vec<Comparison>, Error>;
 
 /// All these functions, in the order of the table in the report.
-const SOURCES: &[Source] = &[
+const SOURCES: &[ComparisonFn] = &[
     quasi_static::loading,
     quasi_static::cycles,
     dynamic::impacts,
@@ -37,9 +37,9 @@ const SOURCES: &[Source] = &[
     yielding::load_cycles,
     rate::impacts,
     leeb::rebounds,
-    leeb::hardnesses,
+    leeb::restitutions_by_hardness,
     yielding::equal_balls,
-    bounces::heights,
+    bounces::bounce_heights,
     oblique::rebounds,
 ];
 
@@ -51,7 +51,7 @@ pub fn comparisons(coefficients: &PlmCoefficients, progress: &Progress) -> Resul
         let mut compared = source(coefficients)?;
         if coefficients != built_in {
             for (own, other) in compared.iter_mut().zip(source(built_in)?) {
-                own.of_built_in = Some(other.deviation);
+                own.built_in_law = Some(other.deviation);
             }
         }
         all.extend(compared);

@@ -19,10 +19,10 @@ pub(super) const SPEED: f64 = 3.9;
 pub(super) const FRICTION: f64 = 0.092;
 const FRICTION_OF_ELEMENTS: f64 = 0.3;
 
-const TANGENTIAL: Group = Group::of_differences("oblique: tangential restitution", KHARAZ, "");
-const SPIN: Group = Group::of_differences("oblique: spin, radius times spin over speed", KHARAZ, "");
-const ANGLE: Group = Group::of_differences("oblique: rebound angle, deviation over 1 rad", KHARAZ, "rad");
-const SLIP: Group = Group::of_differences("oblique: slip speed after the impact over mu v_n", FINITE_ELEMENTS, "");
+const TANGENTIAL: Group = Group::new_difference("oblique: tangential restitution", KHARAZ, "");
+const SPIN: Group = Group::new_difference("oblique: spin, radius times spin over speed", KHARAZ, "");
+const ANGLE: Group = Group::new_difference("oblique: rebound angle, deviation over 1 rad", KHARAZ, "rad");
+const SLIP: Group = Group::new_difference("oblique: slip speed after the impact over mu v_n", FINITE_ELEMENTS, "");
 
 pub(super) fn alumina_on_glass() -> Result<Contact, Error> {
     let sphere = Sphere::elastic(RADIUS, Material { youngs_modulus: 380e9, poissons_ratio: 0.23 }, 4000.0);
@@ -49,7 +49,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
             "spin_rad_per_s" => (SPIN, [value, after.spin].map(|spin| spin * RADIUS / SPEED)),
             _ => (ANGLE, [value.to_radians(), after.angle]),
         };
-        compared.push(group.compared(format!("{angle} deg"), numbers));
+        compared.push(group.compare(format!("{angle} deg"), numbers));
     }
     // a rigid plane under an elastic sphere has the G*/E* of two equal bodies
     let body = Material { youngs_modulus: 70e9, poissons_ratio: 0.3 };
@@ -60,7 +60,7 @@ pub(super) fn rebounds(_: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
         let angle = atan(FRICTION_OF_ELEMENTS * before);
         let Some(after) = rebound(&equal, angle, FRICTION_OF_ELEMENTS)? else { continue };
         let numbers = [row.number("slip_after"), -after.contact_point_restitution * before];
-        compared.push(SLIP.compared(format!("s_0/(mu v_n) = {before}"), numbers));
+        compared.push(SLIP.compare(format!("s_0/(mu v_n) = {before}"), numbers));
     }
     Ok(compared)
 }

@@ -2,15 +2,15 @@
 
 use rayon::prelude::*;
 
-use super::cases::{Case, cases};
+use super::cases::{MaterialCase, cases};
 use super::comparison::{EXPONENTS, deviation};
 use super::dynamic;
 use super::figure_10::figure_10;
-use super::hardening::{at_energy, law};
+use super::hardening::{hardening_law, load_cycle_at_work};
 use super::leeb::restitution as of_device;
 use super::oblique::{FRICTION, alumina_on_glass, rebound};
 use super::quasi_static::restitution;
-use super::yielding::compared;
+use super::yielding::yielding_cycles;
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::files::{OutputFile, Progress};
@@ -39,9 +39,9 @@ pub fn pictures(
         return Ok(Vec::new());
     }
     let cases = cases()?;
-    let mut pictures = vec![off_by_depth(&cases, coefficients)];
+    let mut pictures = vec![restitution_error_against_depth(&cases, coefficients)];
     if let Some(case) = cases.iter().find(|case| case.loading.case == "case3") {
-        pictures.push(by_depth(case, coefficients));
+        pictures.push(restitution_against_depth(case, coefficients));
         pictures.extend(figure_10(case)?);
     }
     pictures.extend(dynamic::cases(coefficients)?.iter().map(impact));
@@ -55,7 +55,7 @@ pub fn pictures(
     Ok(drawn?.into_iter().flatten().collect())
 }
 
-fn depths() -> Axis {
+fn depth_axis() -> Axis {
     Axis::log("Peak indentation over that at yield", "")
 }
 
@@ -63,9 +63,9 @@ fn depths() -> Axis {
 const CASES: &str = "cases are pairs of bodies of Table 1 of Xie et al. (2024)";
 
 /// The deviation of the restitution of all load cycles: a box for each exponent, a marker for each pair of materials.
-fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
+fn restitution_error_against_depth(cases: &[MaterialCase], coefficients: &PlmCoefficients) -> Picture {
     let of_exponent = |(which, (exponent, name)): (usize, (_, &str))| {
-        let of_case = |(i, case): (usize, &Case)| {
+        let of_case = |(i, case): (usize, &MaterialCase)| {
             let law = case.law(coefficients, exponent);
             let off = |x, e| (x, 100.0 * deviation(e, restitution(&law, x)));
             let points = case
@@ -82,11 +82,11 @@ fn off_by_depth(cases: &[Case], coefficients: &PlmCoefficients) -> Picture {
         panel
     };
     let panels = EXPONENTS.into_iter().enumerate().map(of_exponent).collect();
-    let chart = Chart::stacked("Restitution of the law less that of finite elements", depths(), panels);
+    let chart = Chart::stacked("Restitution of the law less that of finite elements", depth_axis(), panels);
     ("error-restitution".to_owned(), chart.with_caption(CASES))
 }
 
-fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
+fn restitution_against_depth(case: &MaterialCase, coefficients: &PlmCoefficients) -> Picture {
     let deepest = case.cycles.last().map_or(10.0, |cycle| cycle.peak.indentation);
     let cycles = case
         .cycles
@@ -99,13 +99,13 @@ fn by_depth(case: &Case, coefficients: &PlmCoefficients) -> Picture {
         series.push(Series::line(format!("law, {name}"), curve).with_style(i + 1));
     }
     let y = Axis::linear("Restitution e", "").with_range(0.15, 1.02);
-    let chart = Chart::new(format!("Restitution against depth, {}", case.name()), [depths(), y], series);
+    let chart = Chart::new(format!("Restitution against depth, {}", case.name()), [depth_axis(), y], series);
     let chart = chart.with_caption(CASES);
     (format!("restitution-{}", case.name().replace(' ', "-")), chart)
 }
 
 /// The step from marker to marker, in samples of finite elements; the lines below the markers stay visible.
-const SHOWN: usize = 4;
+const MARKER_STRIDE: usize = 4;
 
 /// An indentation: its name, its column of the reference, and its value in the law.
 type IndentationPart = (&'static str, &'static str, fn(&TraceRow) -> f64);
@@ -117,10 +117,10 @@ const INDENTATIONS: [IndentationPart; 3] = [
 ];
 
 /// Force against indentations of a whole impact (Fig. 12 of Xie et al. 2024).
-fn impact(case: &dynamic::Case) -> Picture {
+fn impact(case: &dynamic::DynamicCase) -> Picture {
     let (mut series, mut of_sphere) = (Vec::new(), Vec::new());
     for (i, (name, column, of_row)) in INDENTATIONS.into_iter().enumerate() {
-        let samples = case.samples.iter().step_by(SHOWN);
+        let samples = case.samples.iter().step_by(MARKER_STRIDE);
         let points = samples.map(|sample| (sample.number(column), sample.number("force_N")));
         let mut drawn = vec![Series::points(name, points.collect()).with_style(i)];
         for (which, impact) in case.impacts.iter().enumerate() {
@@ -160,8 +160,9 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
         let deepest = points.iter().map(|point| point.0).fold(1.0, f64::max);
         series.push(Series::points(called, points).with_style(i));
         for (which, hardens) in [true, false].into_iter().enumerate() {
-            let Some((law, ratio)) = law(materials, coefficients, hardens)? else { continue };
-            let curve = log_sampled(1.2 * deepest, |x| (x, at_energy(&law, ratio, law.loading.work(x)).restitution));
+            let Some((law, ratio)) = hardening_law(materials, coefficients, hardens)? else { continue };
+            let curve =
+                log_sampled(1.2 * deepest, |x| (x, load_cycle_at_work(&law, ratio, law.loading.work(x)).restitution));
             series.push(Series::line("", curve).with_style(Style::new(i).branch(which)));
         }
     }
@@ -179,8 +180,8 @@ fn hardening(coefficients: &PlmCoefficients) -> Result<Picture, Error> {
 const YIELDING: [(&str, &str); 2] = [("S1", "sphere: flat"), ("S3", "both")];
 
 /// Restitution against contact radius, where the half-space yields, the sphere, or both.
-fn yielding(coefficients: &PlmCoefficients, cases: &[Case]) -> Result<Picture, Error> {
-    let (all, mut series) = (compared(coefficients, UnloadingExponent::PressureShape)?, Vec::new());
+fn yielding(coefficients: &PlmCoefficients, cases: &[MaterialCase]) -> Result<Picture, Error> {
+    let (all, mut series) = (yielding_cycles(coefficients, UnloadingExponent::PressureShape)?, Vec::new());
     let mut add = |called: &str, law: &Law, ratio: f64, points: Vec<(f64, f64)>, deepest: f64| {
         let style = series.len() / 2;
         series.push(Series::points(called, points).with_style(style));

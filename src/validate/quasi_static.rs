@@ -1,7 +1,7 @@
 //! Comparisons with the quasi-static finite elements of five pairs of materials: loading curves, dents that follow from the
 //! peak of the finite elements, and load cycles by the whole law.
 
-use super::cases::{Case, Cycle, cases};
+use super::cases::{Cycle, MaterialCase, cases};
 use super::comparison::{Comparison, Group};
 use crate::contact::law::{Law, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
@@ -13,7 +13,7 @@ const PAPER: UnloadingExponent = UnloadingExponent::Paper;
 const SHAPE: UnloadingExponent = UnloadingExponent::PressureShape;
 
 /// A quantity along the loading curve: its name, its column of the finite elements, and its value by the law at the same depth.
-type LoadingQuantity = (Group, &'static str, fn(&Case, &Law, f64) -> f64);
+type LoadingQuantity = (Group, &'static str, fn(&MaterialCase, &Law, f64) -> f64);
 
 const LOADING: [LoadingQuantity; 3] = [
     (Group::new("loading: force", QUASI_STATIC_SOURCE, "F_Y"), "F_over_FY", |_, law, x| law.loading.force(x)),
@@ -34,7 +34,7 @@ pub(super) fn loading(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>,
             for point in case.loading.points.iter().filter(|point| point.number("delta_over_deltaY") >= 1.0) {
                 let x = point.number("delta_over_deltaY");
                 let name = format!("{}, x = {}", case.name(), format_four_digits(x));
-                compared.push(group.compared(name, [point.number(column), of_law(case, &law, x)]));
+                compared.push(group.compare(name, [point.number(column), of_law(case, &law, x)]));
             }
         }
     }
@@ -61,7 +61,7 @@ const CYCLES: [CycleQuantity; 4] = [
         |_, cycle| Some([cycle.residual(), cycle.peak.residual()]),
     ),
     (
-        Group::of_differences(
+        Group::new_difference(
             "load cycle: residual indentation, deviation over peak indentation",
             QUASI_STATIC_SOURCE,
             "delta_m",
@@ -72,11 +72,11 @@ const CYCLES: [CycleQuantity; 4] = [
             Some([cycle.row.number("residual_share"), law.loaded_state(x).residual() / x])
         },
     ),
-    (Group::new("load cycle: restitution, exponent 3/2", QUASI_STATIC_SOURCE, ""), PAPER, of_restitution),
-    (Group::new("load cycle: restitution, pressure-shape", QUASI_STATIC_SOURCE, ""), SHAPE, of_restitution),
+    (Group::new("load cycle: restitution, exponent 3/2", QUASI_STATIC_SOURCE, ""), PAPER, restitution_pair),
+    (Group::new("load cycle: restitution, pressure-shape", QUASI_STATIC_SOURCE, ""), SHAPE, restitution_pair),
 ];
 
-fn of_restitution(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
+fn restitution_pair(law: &Law, cycle: &Cycle) -> Option<[f64; 2]> {
     Some([cycle.row.optional_number("restitution")?, restitution(law, cycle.peak.indentation)])
 }
 
@@ -88,7 +88,7 @@ pub(super) fn cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, 
         for case in &cases {
             let law = case.law(coefficients, exponent);
             let of_case = case.cycles.iter().filter_map(|cycle| Some((cycle.name(), numbers(&law, cycle)?)));
-            compared.extend(of_case.map(|(name, numbers)| group.compared(name, numbers)));
+            compared.extend(of_case.map(|(name, numbers)| group.compare(name, numbers)));
         }
     }
     Ok(compared)

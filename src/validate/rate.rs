@@ -1,7 +1,7 @@
 //! Whole impacts on a half-space whose strength rises with the strain rate, against explicit finite elements with the rate in
 //! every point.
 
-use super::comparison::{Comparison, Group, Quantity, compared};
+use super::comparison::{Comparison, Group, Quantity, compare_all};
 use crate::contact::law::{LawChoice, Plm, PlmCoefficients, UnloadingExponent};
 use crate::error::Error;
 use crate::impact::Impact;
@@ -11,9 +11,9 @@ use crate::scenario::Scenario;
 const SOURCE: &str = "explicit finite elements, src/reference/fe_rate.csv";
 
 /// An impact by finite elements, and by the law.
-type Case = (ReferenceRow, Impact);
+type RateCase = (ReferenceRow, Impact);
 
-const QUANTITIES: [Quantity<Case>; 5] = [
+const QUANTITIES: [Quantity<RateCase>; 5] = [
     (Group::new("impact with strain rate: restitution, pressure-shape with waves", SOURCE, ""), |(row, impact)| {
         Some([row.number("restitution"), impact.restitution_with_waves()?])
     }),
@@ -27,7 +27,7 @@ const QUANTITIES: [Quantity<Case>; 5] = [
         Some([row.number("peak_indentation_m"), impact.peak_indentation])
     }),
     (
-        Group::of_differences("impact with strain rate: residual indentation over peak indentation", SOURCE, ""),
+        Group::new_difference("impact with strain rate: residual indentation over peak indentation", SOURCE, ""),
         |(row, impact)| {
             Some(
                 [row.number("residual_indentation_m"), impact.residual_indentation]
@@ -47,6 +47,6 @@ fn impact(row: &ReferenceRow, coefficients: &PlmCoefficients) -> Result<Impact, 
 
 pub(super) fn impacts(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
     let case = |row: ReferenceRow| impact(&row, coefficients).map(|impact| (row, impact));
-    let cases: Vec<Case> = RATE_IMPACTS.rows()?.into_iter().map(case).collect::<Result<_, Error>>()?;
-    Ok(compared(&QUANTITIES, &cases, |(row, _)| row.text("case").to_owned()))
+    let cases: Vec<RateCase> = RATE_IMPACTS.rows()?.into_iter().map(case).collect::<Result<_, Error>>()?;
+    Ok(compare_all(&QUANTITIES, &cases, |(row, _)| row.text("case").to_owned()))
 }

@@ -1,7 +1,7 @@
 //! Bodies of which the sphere yields, or both: load cycles of finite elements, and two equal balls against a ball on a wall.
 
 use super::comparison::{self, Comparison, Group, Quantity};
-use super::hardening::{AtEnergy, at_energy};
+use super::hardening::{LoadCycle, load_cycle_at_work};
 use crate::contact::law::{Law, Plm, PlmCoefficients, UnloadingExponent, YieldingPair};
 use crate::contact::pair::{HalfSpace, Material, Pair, PairError, Sphere, Support};
 use crate::error::Error;
@@ -11,19 +11,19 @@ use crate::reference::{ReferenceRow, YIELDING};
 const SOURCE: &str = "finite elements, CalculiX 2.20, src/reference/fe_yielding.csv";
 
 /// Fewer elements in contact leave an error of 2 % in the work.
-const LEAST_ELEMENTS: f64 = 9.0;
+const MIN_ELEMENTS: f64 = 9.0;
 
 /// A load cycle by the finite elements and by the law.
-pub(super) struct Compared {
+pub(super) struct YieldingCycle {
     pub(super) row: ReferenceRow,
     pub(super) law: Law,
     pub(super) bodies: YieldingPair,
     /// x of the finite elements.
     pub(super) at_depth: f64,
-    pub(super) at_energy: AtEnergy,
+    pub(super) at_work: LoadCycle,
 }
 
-impl Compared {
+impl YieldingCycle {
     fn new(
         row: ReferenceRow,
         coefficients: &PlmCoefficients,
@@ -32,10 +32,13 @@ impl Compared {
         let Some(bodies) = YieldingPair::new(&pair(&row)?) else { return Ok(None) };
         let law = Plm::new(coefficients, exponent).law_for_yielding_pair(&bodies);
         let point = bodies.yield_point;
-        let at_energy =
-            at_energy(&law, bodies.yield_radius_ratio(), row.number("W_J") / (point.force * point.indentation));
+        let at_energy = load_cycle_at_work(
+            &law,
+            bodies.yield_radius_ratio(),
+            row.number("W_J") / (point.force * point.indentation),
+        );
         let at_depth = row.number("delta_m") / point.indentation;
-        Ok(Some(Self { row, law, bodies, at_depth, at_energy }))
+        Ok(Some(Self { row, law, bodies, at_depth, at_work: at_energy }))
     }
 }
 
@@ -52,14 +55,17 @@ fn pair(row: &ReferenceRow) -> Result<Pair, PairError> {
 }
 
 /// The cycles with enough elements in contact.
-pub(super) fn compared(coefficients: &PlmCoefficients, exponent: UnloadingExponent) -> Result<Vec<Compared>, Error> {
-    let rows = YIELDING.rows()?.into_iter().filter(|row| row.number("elements_in_contact") >= LEAST_ELEMENTS);
-    rows.filter_map(|row| Compared::new(row, coefficients, exponent).transpose()).collect()
+pub(super) fn yielding_cycles(
+    coefficients: &PlmCoefficients,
+    exponent: UnloadingExponent,
+) -> Result<Vec<YieldingCycle>, Error> {
+    let rows = YIELDING.rows()?.into_iter().filter(|row| row.number("elements_in_contact") >= MIN_ELEMENTS);
+    rows.filter_map(|row| YieldingCycle::new(row, coefficients, exponent).transpose()).collect()
 }
 
-const QUANTITIES: [Quantity<Compared>; 4] = [
+const QUANTITIES: [Quantity<YieldingCycle>; 4] = [
     (Group::new("sphere or both yield: restitution, pressure-shape", SOURCE, ""), |cycle| {
-        Some([cycle.row.number("e"), cycle.at_energy.restitution])
+        Some([cycle.row.number("e"), cycle.at_work.restitution])
     }),
     (Group::new("sphere or both yield: force at the same depth", SOURCE, "N"), |cycle| {
         Some([cycle.row.number("F_N"), cycle.law.loading.force(cycle.at_depth) * cycle.bodies.yield_point.force])
@@ -69,7 +75,7 @@ const QUANTITIES: [Quantity<Compared>; 4] = [
         Some([cycle.row.number("contact_radius_over_R"), radius * cycle.bodies.yield_radius_ratio()])
     }),
     (
-        Group::of_differences(
+        Group::new_difference(
             "sphere or both yield: residual indentation, deviation over peak indentation",
             SOURCE,
             "",
@@ -82,9 +88,10 @@ const QUANTITIES: [Quantity<Compared>; 4] = [
 ];
 
 pub(super) fn load_cycles(coefficients: &PlmCoefficients) -> Result<Vec<Comparison>, Error> {
-    let name =
-        |cycle: &Compared| format!("{}, a/R = {}", cycle.row.text("case"), cycle.row.number("contact_radius_over_R"));
-    Ok(comparison::compared(&QUANTITIES, &compared(coefficients, UnloadingExponent::PressureShape)?, name))
+    let name = |cycle: &YieldingCycle| {
+        format!("{}, a/R = {}", cycle.row.text("case"), cycle.row.number("contact_radius_over_R"))
+    };
+    Ok(comparison::compare_all(&QUANTITIES, &yielding_cycles(coefficients, UnloadingExponent::PressureShape)?, name))
 }
 
 const WEIR_TALLON: Group = Group::new(
@@ -113,7 +120,7 @@ pub(super) fn equal_balls(coefficients: &PlmCoefficients) -> Result<Vec<Comparis
         let on_wall = Contact::try_new(ball, wall(harder * strength), &law)?;
         for speed in SPEEDS {
             let of_law = on_ball.closed_form(speed)?.restitution / on_wall.closed_form(speed)?.restitution;
-            compared.push(WEIR_TALLON.compared(format!("{name}, {speed} m/s"), [0.81, of_law]));
+            compared.push(WEIR_TALLON.compare(format!("{name}, {speed} m/s"), [0.81, of_law]));
         }
     }
     Ok(compared)

@@ -31,7 +31,7 @@ pub use plm_impact::scenario::keys::ALL_KEYS;
 pub use plm_impact::scenario::plan::Cases;
 pub use plm_impact::scenario::{Kind, Scenario};
 pub use plm_impact::table::evaluator::{Evaluator, RowFailure, Rows};
-pub use plm_impact::validate::comparison::largest;
+pub use plm_impact::validate::comparison::max_magnitude;
 pub use roxmltree::Document;
 pub use serde_json::{Value, json};
 pub use std::fs;

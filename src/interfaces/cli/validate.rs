@@ -45,7 +45,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
     let format = arguments.pictures.format;
     let (compared, laws, pictures) = Watch::without_files(false).watch(signals, move |progress| {
         let compared = validate::comparisons(&coefficients, progress)?;
-        let laws = validate::laws::laws(&coefficients)?;
+        let laws = validate::laws::law_deviations(&coefficients)?;
         let draw = || validate::pictures(&coefficients, format, progress);
         let pictures = super::table::with_threads(None, draw)??;
         Ok((compared, laws, pictures))

@@ -84,7 +84,7 @@ fn the_law_is_as_near_as_documented() {
     let of = |quantity: &str| {
         let off: Vec<f64> =
             COMPARED.iter().filter(|one| one.group.quantity == quantity).map(|one| one.deviation).collect();
-        [mean(&off), rms(&off), largest(off.iter().copied()).abs()].map(|share| 100.0 * share)
+        [mean(&off), rms(&off), max_magnitude(off.iter().copied()).abs()].map(|share| 100.0 * share)
     };
     let dent = "load cycle: residual indentation, deviation over peak indentation";
     for (quantity, of_rms, of_largest) in [
@@ -148,9 +148,9 @@ fn the_page_shows_the_pictures_of_the_format() {
 fn nan_is_the_largest_deviation() {
     for place in 0..3 {
         let mut deviations = [0.1, -0.3, 0.2];
-        assert_eq!(largest(deviations.into_iter()), -0.3);
+        assert_eq!(max_magnitude(deviations.into_iter()), -0.3);
         deviations[place] = f64::NAN;
-        assert!(largest(deviations.into_iter()).is_nan(), "{place}");
+        assert!(max_magnitude(deviations.into_iter()).is_nan(), "{place}");
     }
 }
 
