@@ -15,12 +15,12 @@ use crate::numerics::power::nan_max;
 pub const METHODS: [Method; 5] = [Method::Rk8, Method::Dop853, Method::Dopri5, Method::Verlet, Method::ClosedForm];
 
 /// True if a method solves a problem: there is no closed form under viscous damping, or on a plate.
-pub fn serves(method: Method, problem: &Problem) -> bool {
+pub fn is_applicable(method: Method, problem: &Problem) -> bool {
     method != Method::ClosedForm || problem.forces.is_none()
 }
 
 /// The settings of a method, from coarse to fine.
-fn settings_of(method: Method, is_quick: bool) -> Vec<Setting> {
+fn settings_for(method: Method, is_quick: bool) -> Vec<Setting> {
     let thinned = |settings: Vec<Setting>| if is_quick { settings.into_iter().step_by(3).collect() } else { settings };
     match method {
         Method::ClosedForm => vec![Setting::Exact],
@@ -47,7 +47,7 @@ const PHASES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
 /// The measured error and time of a method with one setting.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Measurement {
+pub struct Timing {
     pub method: Method,
     pub setting: Setting,
     /// |e/e_exact − 1|.
@@ -56,14 +56,14 @@ pub struct Measurement {
     pub contact_time_error: f64,
     pub peak_force_error: f64,
     /// Cost of one impact.
-    pub work: SolverStats,
+    pub stats: SolverStats,
     /// Best time of one impact \[ns\].
     pub ns_per_impact: f64,
 }
 
-impl Measurement {
+impl Timing {
     /// True if e is within the threshold, contact time and peak force within 30 times it.
-    pub fn reaches(&self, threshold: f64) -> bool {
+    pub fn is_within(&self, threshold: f64) -> bool {
         self.restitution_error <= threshold
             && nan_max(self.contact_time_error, self.peak_force_error) <= 30.0 * threshold
     }
@@ -86,7 +86,7 @@ impl Setting {
     }
 
     /// Runs a setting for its time alone. An exact outcome is not moved, because the move would show in its time.
-    fn spend(self, method: Method, problem: &Problem) {
+    fn run_discarding(self, method: Method, problem: &Problem) {
         match self {
             Self::Exact => _ = black_box(&closed_form::solve(black_box(&problem.law), black_box(problem.speed))),
             _ => _ = black_box(&self.run(method, PHASES[0], problem)),
@@ -95,34 +95,35 @@ impl Setting {
 
     /// Its errors and its cost, but for the time; `None` if a run fails, as with a Verlet step so coarse that the sphere never
     /// leaves. With a fixed step the largest error of all phases counts.
-    fn measured(self, method: Method, problem: &Problem) -> Option<Measurement> {
+    fn evaluate(self, method: Method, problem: &Problem) -> Option<Timing> {
         let relative = |got: f64, want: f64| (got / want - 1.0).abs();
         let phases = if matches!(self, Self::Steps(_)) { &PHASES[..] } else { &PHASES[..1] };
         let exact = &problem.exact;
         let runs: Result<Vec<Solution>, _> = phases.iter().map(|phase| self.run(method, *phase, problem)).collect();
         let runs = runs.ok()?;
         let worst = |error: &dyn Fn(&Solution) -> f64| runs.iter().map(error).fold(0.0, nan_max);
-        Some(Measurement {
+        Some(Timing {
             method,
             setting: self,
             restitution_error: worst(&|run| relative(run.outcome.restitution, exact.restitution)),
             contact_time_error: worst(&|run| relative(run.outcome.contact_time, exact.contact_time)),
             peak_force_error: worst(&|run| relative(run.outcome.largest_force, exact.largest_force)),
-            work: runs.first()?.stats,
+            stats: runs.first()?.stats,
             ns_per_impact: f64::INFINITY,
         })
     }
 }
 
 /// Measures every method on a problem, with all settings that do not fail. Each round times every setting for about `burst`.
-pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Measurement> {
-    let methods = METHODS.into_iter().filter(|method| serves(*method, problem));
+pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) -> Vec<Timing> {
+    let methods = METHODS.into_iter().filter(|method| is_applicable(*method, problem));
     let settings =
-        methods.flat_map(|method| settings_of(method, is_quick).into_iter().map(move |setting| (method, setting)));
-    let mut all: Vec<Measurement> =
-        settings.filter_map(|(method, setting)| setting.measured(method, problem)).collect();
-    let time = |measurement: &Measurement, repetitions: u32| {
-        let ((), ns) = timed(|| (0..repetitions).for_each(|_| measurement.setting.spend(measurement.method, problem)));
+        methods.flat_map(|method| settings_for(method, is_quick).into_iter().map(move |setting| (method, setting)));
+    let mut all: Vec<Timing> = settings.filter_map(|(method, setting)| setting.evaluate(method, problem)).collect();
+    let time = |measurement: &Timing, repetitions: u32| {
+        let ((), ns) = time_call(|| {
+            (0..repetitions).for_each(|_| measurement.setting.run_discarding(measurement.method, problem))
+        });
         ns / f64::from(repetitions)
     };
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -137,7 +138,7 @@ pub fn measure(problem: &Problem, is_quick: bool, rounds: u32, burst: Duration) 
 }
 
 /// Returns what `work` returns, and its time \[ns\].
-pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+pub(super) fn time_call<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let started = Instant::now();
     let done = black_box(work());
     (done, 1e9 * started.elapsed().as_secs_f64())

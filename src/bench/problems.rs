@@ -25,7 +25,7 @@ use crate::numerics::power::quarter_period_factor;
 pub struct Problem {
     pub name: &'static str,
     /// A description for a reader of the report.
-    pub about: &'static str,
+    pub description: &'static str,
     /// The law, in units of the yield indentation and force.
     pub law: Law,
     /// q = v/V.
@@ -40,14 +40,21 @@ pub struct Problem {
 
 impl Problem {
     /// `contact_time` in units of L/V.
-    fn new(name: &'static str, about: &'static str, law: Law, speed: f64, restitution: f64, contact_time: f64) -> Self {
+    fn new(
+        name: &'static str,
+        description: &'static str,
+        law: Law,
+        speed: f64,
+        restitution: f64,
+        contact_time: f64,
+    ) -> Self {
         let unloading = solve_energy_balance(&law, speed).unloading;
         let unloading_time =
             quarter_period_factor(unloading.exponent) * unloading.peak.elastic_approach / (restitution * speed);
         let loading_time = contact_time - unloading_time;
         let by_formula = closed_form::solve(&law, speed);
         let exact = ScaledResult { unloading, restitution, loading_time, contact_time, ..by_formula };
-        Self { name, about, law, speed, forces: ScaledForces::NONE, exact }
+        Self { name, description, law, speed, forces: ScaledForces::NONE, exact }
     }
 }
 
@@ -94,18 +101,18 @@ fn steel_ball(exponent: Option<f64>, speed: f64) -> Result<(Law, f64), ImpactErr
 }
 
 /// The hardened impact, the damped one, and the one on a plate.
-fn of_users() -> Result<[Problem; 3], ImpactError> {
+fn user_problems() -> Result<[Problem; 3], ImpactError> {
     let (law, speed) = steel_ball(Some(0.2), 3.0)?;
     let exact = closed_form::solve(&law, speed);
     let about =
         "PLM, steel sphere of 5 mm radius at 3 m/s on a half-space that hardens with the power 0.2 of the strain";
-    let hardened = Problem { name: "hardened", about, law, speed, forces: ScaledForces::NONE, exact };
+    let hardened = Problem { name: "hardened", description: about, law, speed, forces: ScaledForces::NONE, exact };
     let (law, speed) = steel_ball(None, 3.0)?;
     let forces = ScaledForces { damping: Damping::Viscous(0.1).scaled_coefficients(1.0), ..ScaledForces::NONE };
     let solver = Solver { method: Method::Rk8, tolerance: 1e-14, ..Solver::default() };
     let exact = solve(&law, speed, &forces, None, &solver, None)?.outcome;
     let about = "PLM, steel sphere of 5 mm radius on steel at 3 m/s, with a tenth of critical viscous damping";
-    let damped = Problem { name: "damped", about, law, speed, forces, exact };
+    let damped = Problem { name: "damped", description: about, law, speed, forces, exact };
     let (law, speed) = steel_ball(None, 1.0)?;
     let forces = ScaledForces {
         damping: DampingCoefficients { plate: 0.090_413_272_576_400_49 / FORCE_FACTOR, ..DampingCoefficients::NONE },
@@ -120,7 +127,7 @@ fn of_users() -> Result<[Problem; 3], ImpactError> {
         ..by_rk8
     };
     let about = "PLM, steel sphere of 5 mm radius on steel at 1 m/s, on a plate with Zener's number 0.2";
-    Ok([hardened, damped, Problem { name: "plate", about, law, speed, forces, exact }])
+    Ok([hardened, damped, Problem { name: "plate", description: about, law, speed, forces, exact }])
 }
 
 pub fn problems() -> Result<Vec<Problem>, ImpactError> {
@@ -137,7 +144,7 @@ pub fn problems() -> Result<Vec<Problem>, ImpactError> {
         let (scales, law, q) = contact.scaling(speed)?;
         Ok::<_, ImpactError>(Problem::new(name, about, law.clone(), q, restitution, contact_time / scales.time()))
     };
-    let [hardened, damped, plate] = of_users()?;
+    let [hardened, damped, plate] = user_problems()?;
     Ok(vec![
         Problem::new("P1", "Hertz alone", Law::hertz(), 1.0, 1.0, 2.943_275_184_324_704_7),
         Problem::new(

@@ -1,8 +1,8 @@
 //! The report of `bench`: a CSV file of all settings, one of the laws, a picture of each problem, and a page
 //! in Markdown with one table.
 
-use super::laws::Rate;
-use super::measure::{METHODS, Measurement, Setting, serves};
+use super::laws::LawTiming;
+use super::measure::{METHODS, Setting, Timing, is_applicable};
 use super::problems::Problem;
 use crate::error::Error;
 use crate::files::OutputFile;
@@ -12,29 +12,32 @@ use crate::report::chart::{Axis, Chart, Series};
 use crate::report::text::files::into_bytes;
 use crate::strings::markdown_table;
 
-pub type Measured = (Problem, Vec<Measurement>);
+pub type ProblemTimings = (Problem, Vec<Timing>);
 
 /// A column of `speed_vs_error.csv`: its name and its text.
-type Column = (&'static str, fn(&Measurement) -> String);
+type Column = (&'static str, fn(&Timing) -> String);
 
 /// The columns behind that of the problem.
 const COLUMNS: [Column; 8] = [
     ("method", |m| m.method.name().to_owned()),
-    ("tolerance", |m| if let Setting::Tolerance(tolerance) = m.setting { error(tolerance) } else { String::new() }),
-    ("restitution_error", |m| error(m.restitution_error)),
-    ("contact_time_error", |m| error(m.contact_time_error)),
-    ("peak_force_error", |m| error(m.peak_force_error)),
-    ("force_evaluations", |m| m.work.force_evaluations.to_string()),
-    ("steps", |m| m.work.steps.to_string()),
+    (
+        "tolerance",
+        |m| if let Setting::Tolerance(tolerance) = m.setting { format_error(tolerance) } else { String::new() },
+    ),
+    ("restitution_error", |m| format_error(m.restitution_error)),
+    ("contact_time_error", |m| format_error(m.contact_time_error)),
+    ("peak_force_error", |m| format_error(m.peak_force_error)),
+    ("force_evaluations", |m| m.stats.force_evaluations.to_string()),
+    ("steps", |m| m.stats.steps.to_string()),
     ("ns_per_impact", |m| format!("{:.1}", m.ns_per_impact)),
 ];
 
-fn error(value: f64) -> String {
+fn format_error(value: f64) -> String {
     format!("{value:.3e}")
 }
 
 /// Every setting on every problem.
-pub fn settings(all: &[Measured]) -> Result<OutputFile, Error> {
+pub fn settings_csv(all: &[ProblemTimings]) -> Result<OutputFile, Error> {
     let rows = all.iter().flat_map(|(problem, measurements)| {
         measurements.iter().map(|m| {
             let cells = COLUMNS.map(|(_, cell)| cell(m));
@@ -45,7 +48,7 @@ pub fn settings(all: &[Measured]) -> Result<OutputFile, Error> {
 }
 
 /// The time of a row, and of a contact, by law.
-pub fn laws(rates: &[Rate]) -> Result<OutputFile, Error> {
+pub fn laws_csv(rates: &[LawTiming]) -> Result<OutputFile, Error> {
     let rows = rates
         .iter()
         .map(|rate| vec![rate.law.clone(), format!("{:.1}", rate.ns_per_row), format!("{:.1}", rate.ns_per_contact)]);
@@ -67,10 +70,10 @@ fn csv<'a>(
 
 /// The page, as Markdown, with the times of the problems as its table. `rates` are rows a second of a table with `columns` columns,
 /// computed and made into lines of CSV.
-pub fn page(all: &[Measured], laws: &[Rate], (columns, rates): (usize, [f64; 2])) -> String {
+pub fn page(all: &[ProblemTimings], laws: &[LawTiming], (columns, rates): (usize, [f64; 2])) -> String {
     let [computed, csv] = rates.map(|rate| format!("{:.1}", 1e-6 * rate));
-    let slowest = |time: fn(&Rate) -> f64| microseconds(laws.iter().map(time).fold(0.0, f64::max));
-    let fastest = |time: fn(&Rate) -> f64| microseconds(laws.iter().map(time).fold(f64::INFINITY, f64::min));
+    let slowest = |time: fn(&LawTiming) -> f64| microseconds(laws.iter().map(time).fold(0.0, f64::max));
+    let fastest = |time: fn(&LawTiming) -> f64| microseconds(laws.iter().map(time).fold(f64::INFINITY, f64::min));
     format!(
         include_str!("page.md"),
         times = time_table(all),
@@ -89,8 +92,8 @@ pub fn page(all: &[Measured], laws: &[Rate], (columns, rates): (usize, [f64; 2])
 const ROUNDING: f64 = 1e-16;
 
 /// The picture of a problem: time of one impact against the larger of its errors.
-pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, Error> {
-    let series = METHODS.into_iter().filter(|method| serves(*method, problem)).map(|method| {
+pub fn picture((problem, measurements): &ProblemTimings) -> Result<OutputFile, Error> {
+    let series = METHODS.into_iter().filter(|method| is_applicable(*method, problem)).map(|method| {
         let points = measurements
             .iter()
             .filter(|m| m.method == method)
@@ -100,14 +103,14 @@ pub fn picture((problem, measurements): &Measured) -> Result<OutputFile, Error> 
     });
     let x = Axis::log("Larger relative error of restitution and contact time", "").with_range(ROUNDING, 1.0);
     let y = Axis::log("Time per impact, one core", "µs");
-    let lines = Chart::new(problem.name, [x, y], series.collect()).with_caption(problem.about);
+    let lines = Chart::new(problem.name, [x, y], series.collect()).with_caption(problem.description);
     let name = format!("{}.png", problem.name.to_lowercase().replace(' ', "-"));
     Ok(OutputFile { name, bytes: lines.to_png()? })
 }
 
 /// The shortest time of a setting that keeps within a threshold \[ns\].
-fn time_to_reach(measurements: &[Measurement], method: Method, threshold: f64) -> Option<f64> {
-    let reaching = measurements.iter().filter(|m| m.method == method && m.reaches(threshold));
+fn time_to_reach(measurements: &[Timing], method: Method, threshold: f64) -> Option<f64> {
+    let reaching = measurements.iter().filter(|m| m.method == method && m.is_within(threshold));
     reaching.map(|m| m.ns_per_impact).min_by(f64::total_cmp)
 }
 
@@ -124,7 +127,7 @@ fn microseconds(ns: f64) -> String {
 
 /// Time of one impact \[µs\] by method and threshold. Behind that of a library method stands how many times as long as rk8 it
 /// takes.
-fn time_table(all: &[Measured]) -> String {
+fn time_table(all: &[ProblemTimings]) -> String {
     let names = [
         "problem",
         "closed form",
@@ -138,7 +141,7 @@ fn time_table(all: &[Measured]) -> String {
         "verlet, 1e-3",
         "steps of verlet for e within 1 %",
     ];
-    let row = |(problem, measurements): &Measured| {
+    let row = |(problem, measurements): &ProblemTimings| {
         let time = |method, threshold| time_to_reach(measurements, method, threshold);
         let alone = |method, threshold| time(method, threshold).map_or_else(|| "–".into(), microseconds);
         let with_ratio = |method, threshold| match (time(method, threshold), time(Method::Rk8, threshold)) {
@@ -156,14 +159,14 @@ fn time_table(all: &[Measured]) -> String {
             with_ratio(Method::Dopri5, 1e-6),
             with_ratio(Method::Dopri5, 1e-9),
             with_ratio(Method::Verlet, 1e-3),
-            steps_of_verlet(measurements),
+            verlet_steps_for_one_percent(measurements),
         ]
     };
     markdown_table(&std::iter::once(names.map(str::to_owned).into()).chain(all.iter().map(row)).collect::<Vec<_>>())
 }
 
 /// Steps per contact from which on velocity Verlet keeps e within 1 %. A number of steps serves if all finer settings do too.
-fn steps_of_verlet(measurements: &[Measurement]) -> String {
+fn verlet_steps_for_one_percent(measurements: &[Timing]) -> String {
     let ladder = || {
         measurements.iter().filter_map(|m| if let Setting::Steps(steps) = m.setting { Some((steps, m)) } else { None })
     };

@@ -53,20 +53,20 @@ fn measured(is_quick: bool) -> Result<(String, Vec<OutputFile>), Error> {
     let (rounds, burst) = if is_quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
     for problem in problems::problems().map_err(other("problems"))? {
-        super::terminal::note(format_args!("measuring {}: {}", problem.name, problem.about));
+        super::terminal::note(format_args!("measuring {}: {}", problem.name, problem.description));
         let measurements = measure::measure(&problem, is_quick, rounds, burst);
         all.push((problem, measurements));
     }
     super::terminal::note(format_args!("measuring laws"));
-    let laws = laws::rates(rounds).map_err(other("laws"))?;
+    let laws = laws::law_timings(rounds).map_err(other("laws"))?;
     super::terminal::note(format_args!("measuring tables"));
     let table = table_rates(is_quick)?;
     let text = report::page(&all, &laws, table);
-    let mut files = vec![report::laws(&laws)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
+    let mut files = vec![report::laws_csv(&laws)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
         files.push(report::picture(measured)?);
     }
-    files.push(report::settings(&all)?);
+    files.push(report::settings_csv(&all)?);
     Ok((text, files))
 }
 

@@ -27,7 +27,7 @@ fn every_case_has_its_reference_value() {
         assert_eq!(case.name, name);
         let exact = closed_form::solve(&case.law, case.speed);
         let listed = case.exact.restitution;
-        assert!(off(listed, restitution) < 1e-14, "{name}: {listed} ({})", case.about);
+        assert!(off(listed, restitution) < 1e-14, "{name}: {listed} ({})", case.description);
         assert!(off(exact.restitution, restitution) < 1e-14, "{name}: {}", exact.restitution);
         // at 1e-100, x_m = (…)^0.4 has an error of 1e-14: 0.4 is rounded by 2e-17, times ln of 1e-200
         let allowed = match name.as_str() {

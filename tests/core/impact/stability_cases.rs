@@ -58,7 +58,7 @@ impl Extreme {
 fn balanced(name: &'static str, law: Law, speed: f64) -> Problem {
     let exact = closed_form::solve(&law, speed);
     let about = if exact.restitution == 1.0 { ELASTIC } else { BALANCE };
-    Problem { name, about, law, speed, forces: ScaledForces::NONE, exact }
+    Problem { name, description: about, law, speed, forces: ScaledForces::NONE, exact }
 }
 
 /// A law of `count` straight pieces, the knots spaced by the factor `ratio`, close to f = x^1.2 beyond x = 1.7.
@@ -123,7 +123,7 @@ pub fn hard_cases() -> Vec<Problem> {
     // in SI units other programs fail on these three; the restitution of the first is an independent 30-digit value
     let first = balanced("P4a: 1 um at 10 m/s", kinked_law(), steel_speed_ratio(10.0));
     let exact = ScaledResult { restitution: 0.301_220_801_577_325_58, ..first.exact };
-    cases.push(Problem { about: PRINTED, exact, ..first });
+    cases.push(Problem { description: PRINTED, exact, ..first });
     cases.push(balanced("P4b: 1 m at 1e-6 m/s", kinked_law(), steel_speed_ratio(1e-6)));
     cases.push(balanced("P4c: 1 nm at 100 m/s, Hertz alone", hertz, steel_speed_ratio(100.0)));
     cases
