@@ -190,7 +190,7 @@ pub unsafe extern "C" fn plm_contact_friction(
     let step = FrictionStep { previous_indentation: before, indentation, force, slip: *slip };
     // SAFETY: as the caller promises
     let friction = unsafe {
-        read(contact, memory, None, |contact, memory| {
+        with_contact(contact, memory, None, |contact, memory| {
             let mut after = *history;
             contact.friction(coefficient, &step, memory, &mut after).then_some(after)
         })
@@ -212,7 +212,7 @@ pub unsafe extern "C" fn plm_contact_stiffness(
     memory: *const f64,
 ) -> f64 {
     // SAFETY: as the caller promises
-    unsafe { read(contact, memory, f64::NAN, |contact, memory| contact.stiffness(indentation, memory)) }
+    unsafe { with_contact(contact, memory, f64::NAN, |contact, memory| contact.stiffness(indentation, memory)) }
 }
 
 /// Energies of a contact [J], after `plm_contact_force` gave this force and memory at this indentation. Returns the
@@ -231,7 +231,7 @@ pub unsafe extern "C" fn plm_contact_energy(
     let nothing = ContactEnergy { stored: f64::NAN, plastic: f64::NAN };
     // SAFETY: as the caller promises
     let energy =
-        unsafe { read(contact, memory, nothing, |contact, memory| contact.energy(indentation, force, memory)) };
+        unsafe { with_contact(contact, memory, nothing, |contact, memory| contact.energy(indentation, force, memory)) };
     // SAFETY: as the caller promises
     if let Some(plastic) = unsafe { plastic.as_mut() } {
         *plastic = energy.plastic;
@@ -354,7 +354,7 @@ unsafe fn number(contact: *const plm_contact, question: impl Fn(&Contact) -> f64
 ///
 /// # Safety
 /// As `plm_contact_stiffness`.
-unsafe fn read<T>(
+unsafe fn with_contact<T>(
     contact: *const plm_contact,
     memory: *const f64,
     nothing: T,

@@ -11,7 +11,7 @@ use plm_impact::files::{OutputDirectory, OutputFile, ResultOrigin};
 use plm_impact::scenario::Scenario;
 
 use super::output::note_replaced;
-use super::terminal::other;
+use super::terminal::failed_with;
 use super::watch::{Signals, Watch};
 
 /// For maintainers: measure speed against error of every method (CSV, pictures, a page)
@@ -32,7 +32,7 @@ pub struct Arguments {
 }
 
 /// The report in Markdown.
-const PAGE: &str = "README.md";
+const REPORT_PAGE: &str = "README.md";
 
 pub fn bench(arguments: &Arguments) -> Result<(), Error> {
     let signals = Signals::listen()?;
@@ -52,17 +52,18 @@ pub fn bench(arguments: &Arguments) -> Result<(), Error> {
 fn measured(is_quick: bool) -> Result<(String, Vec<OutputFile>), Error> {
     let (rounds, burst) = if is_quick { (3, Duration::from_micros(200)) } else { (60, Duration::from_micros(500)) };
     let mut all = Vec::new();
-    for problem in problems::problems().map_err(other("problems"))? {
+    for problem in problems::problems().map_err(failed_with("problems"))? {
         super::terminal::note(format_args!("measuring {}: {}", problem.name, problem.description));
         let measurements = measure::measure(&problem, is_quick, rounds, burst);
         all.push((problem, measurements));
     }
     super::terminal::note(format_args!("measuring laws"));
-    let laws = laws::law_timings(rounds).map_err(other("laws"))?;
+    let laws = laws::law_timings(rounds).map_err(failed_with("laws"))?;
     super::terminal::note(format_args!("measuring tables"));
-    let table = table_rates(is_quick)?;
+    let table = table_throughput(is_quick)?;
     let text = report::page(&all, &laws, table);
-    let mut files = vec![report::laws_csv(&laws)?, OutputFile { name: PAGE.into(), bytes: text.clone().into_bytes() }];
+    let mut files =
+        vec![report::laws_csv(&laws)?, OutputFile { name: REPORT_PAGE.into(), bytes: text.clone().into_bytes() }];
     for measured in &all {
         files.push(report::picture(measured)?);
     }
@@ -71,13 +72,13 @@ fn measured(is_quick: bool) -> Result<(String, Vec<OutputFile>), Error> {
 }
 
 /// Measures how fast a table is made: speed × strength, with enough rows. Gives its number of columns, and rows a second.
-fn table_rates(is_quick: bool) -> Result<(usize, [f64; 2]), Error> {
+fn table_throughput(is_quick: bool) -> Result<(usize, [f64; 2]), Error> {
     let (points, rounds) = if is_quick { (5000, 1) } else { (500_000, 7) };
     let points = format!("sweep.\"impact.speed\".points={points}");
-    let plan = Scenario::from_text("bench table", TABLE, &[points])?.plan()?;
+    let plan = Scenario::from_text("bench table", TABLE_SCENARIO, &[points])?.plan()?;
     let rates = super::table::with_threads(None, || throughput(&plan, rounds))??;
     Ok((plan.column_names().len(), rates))
 }
 
 /// The scenario of that table.
-const TABLE: &str = include_str!("../../../scenarios/restitution-vs-speed.toml");
+const TABLE_SCENARIO: &str = include_str!("../../../scenarios/restitution-vs-speed.toml");

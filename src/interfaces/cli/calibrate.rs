@@ -6,9 +6,9 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::keys::words::LAWS;
 
-use super::output::Output;
+use super::output::OutputArguments;
 use super::scenario::{ScenarioArguments, at_options};
-use super::terminal::other;
+use super::terminal::failed_with;
 
 /// Find keys of a scenario from measurements: yield strength from rebounds, with intervals
 ///
@@ -52,13 +52,14 @@ pub struct Arguments {
     #[arg(long)]
     all_laws: bool,
     #[command(flatten)]
-    output: Output,
+    output: OutputArguments,
 }
 
 pub fn calibrate(arguments: &Arguments) -> Result<(), Error> {
-    let scenario = arguments.scenario.load_with(&arguments.settings()?).map_err(|error| at_options(error, &OPTIONS))?;
+    let scenario =
+        arguments.scenario.load_with(&arguments.overrides()?).map_err(|error| at_options(error, &OPTIONS))?;
     scenario.calibration_request().map_err(|error| at_options(error, &OPTIONS))?;
-    arguments.output.once(arguments.scenario.name(), scenario)
+    arguments.output.run_and_write(arguments.scenario.name(), scenario)
 }
 
 /// The keys of the scenario that options give, in the order of [`Arguments::numbers`].
@@ -87,19 +88,19 @@ impl Arguments {
     }
 
     /// The options as keys of the scenario.
-    fn settings(&self) -> Result<Vec<String>, Error> {
+    fn overrides(&self) -> Result<Vec<String>, Error> {
         let mut settings = Vec::new();
         if let Some(data) = &self.data {
             // a path of the command line is not relative to the scenario
-            let path = absolute(data).map_err(other(data.display()))?;
-            settings.push(format!("calibrate.data={}", quoted(&path.to_string_lossy())));
+            let path = absolute(data).map_err(failed_with(data.display()))?;
+            settings.push(format!("calibrate.data={}", toml_quote(&path.to_string_lossy())));
         }
         let numbers: Vec<_> = OPTIONS.iter().zip(self.numbers()).map(|((key, _), value)| (key, value)).collect();
         settings.extend(numbers.iter().filter_map(|(key, value)| Some(format!("{key}={}", value.as_ref()?))));
         if self.all_laws {
             // under the law of Hertz nothing yields
             let laws = (LAWS.values)().into_iter().filter(|law| law != "hertz");
-            let laws: Vec<String> = laws.map(|law| quoted(&law)).collect();
+            let laws: Vec<String> = laws.map(|law| toml_quote(&law)).collect();
             settings.push(format!("calibrate.laws=[{}]", laws.join(",")));
         }
         Ok(settings)
@@ -107,6 +108,6 @@ impl Arguments {
 }
 
 /// As TOML.
-fn quoted(text: &str) -> String {
+fn toml_quote(text: &str) -> String {
     toml::Value::from(text).to_string()
 }

@@ -12,7 +12,7 @@ use plm_impact::report::run::{RunOptions, refuse_warnings};
 use plm_impact::report::text::Detail;
 use plm_impact::scenario::Scenario;
 
-use super::scenario::write_new;
+use super::scenario::write_new_scenario;
 
 /// One impact of a ball by the names of two materials: its e with an interval, rebound height, dent, force and time
 ///
@@ -84,16 +84,16 @@ pub fn drop(arguments: &Arguments) -> Result<(), Error> {
         pictures: PictureFormat::None,
         progress: &Progress::default(),
     };
-    let outcome = super::output::outcome(&scenario, &options).map_err(at_options)?;
+    let outcome = super::output::run_scenario(&scenario, &options).map_err(at_options)?;
     let warnings: Vec<String> = outcome.warnings.iter().map(|text| with_options(text)).collect();
-    super::output::warn(&warnings);
+    super::output::print_warnings(&warnings);
     refuse_warnings(&scenario, outcome.warnings.len(), arguments.strict)?;
     if arguments.json {
         super::output::print_summary(&outcome.files)?;
     } else {
         super::terminal::print(&with_options(&outcome.text))?;
     }
-    arguments.save.as_ref().map_or(Ok(()), |path| write_new(path, &text, "--save"))
+    arguments.save.as_ref().map_or(Ok(()), |path| write_new_scenario(path, &text, "--save"))
 }
 
 /// The keys of the scenario that options give.

@@ -2,10 +2,10 @@
 
 use clap::Args;
 use plm_impact::error::Error;
-use plm_impact::interfaces::export::{Request, Target, export as lines};
+use plm_impact::interfaces::export::{ExportRequest, TargetCode, export as lines};
 use plm_impact::scenario::keys::quantity::SPEED;
 
-use super::output::one_of;
+use super::output::parse_choice;
 use super::scenario::ScenarioArguments;
 
 /// Print the lines that give another code the same rebound: its e, springs, time step, or a table e(v)
@@ -17,8 +17,8 @@ pub struct Arguments {
     #[command(flatten)]
     scenario: ScenarioArguments,
     /// The code
-    #[arg(long, value_name = "CODE", value_parser = one_of(Target::ALL, Target::name))]
-    to: Target,
+    #[arg(long, value_name = "CODE", value_parser = parse_choice(TargetCode::ALL, TargetCode::name))]
+    to: TargetCode,
     /// Impact speed [default: that of the scenario]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
@@ -28,7 +28,7 @@ pub struct Arguments {
 }
 
 pub fn export(arguments: &Arguments) -> Result<(), Error> {
-    let request = Request {
+    let request = ExportRequest {
         target: arguments.to,
         speed: arguments.speed.as_deref().map(|text| speed("--speed", text)).transpose()?,
         speeds: arguments.speeds.as_deref().map(speeds).transpose()?,

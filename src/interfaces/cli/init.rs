@@ -6,8 +6,8 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::TEMPLATES;
 
-use super::output::one_of;
-use super::scenario::{STANDARD_INPUT, write_new};
+use super::output::parse_choice;
+use super::scenario::{STANDARD_INPUT, write_new_scenario};
 
 /// Write a scenario to begin with, in which a comment explains every key
 ///
@@ -18,7 +18,7 @@ use super::scenario::{STANDARD_INPUT, write_new};
   plm-impact init --out - | plm-impact run - --json")]
 pub struct Arguments {
     /// Kind of the scenario
-    #[arg(value_name = "KIND", default_value = "impact", value_parser = one_of(TEMPLATES, |(name, _)| name))]
+    #[arg(value_name = "KIND", default_value = "impact", value_parser = parse_choice(TEMPLATES, |(name, _)| name))]
     template: (&'static str, &'static str),
     /// File to write; - is standard output [default: KIND.toml]
     #[arg(long, value_name = "FILE")]
@@ -30,5 +30,5 @@ pub fn init(Arguments { template: (name, text), out }: &Arguments) -> Result<(),
     if out == Path::new(STANDARD_INPUT) {
         return super::terminal::print(text);
     }
-    write_new(&out, text, "--out")
+    write_new_scenario(&out, text, "--out")
 }

@@ -83,8 +83,8 @@ enum Command {
 /// Runs the command that the command line names.
 pub fn run() -> Result<(), Error> {
     let Cli { command, licenses, error_format } = parse()?;
-    error_format.begin();
-    watch::when_signalled();
+    error_format.install();
+    watch::install_test_signal();
     if licenses {
         return terminal::print(concat!(include_str!("../../../LICENSE"), "\n", include_str!("../licenses.txt")));
     }
@@ -114,7 +114,7 @@ fn parse() -> Result<Cli, Error> {
         let asks = words.windows(2).any(|pair| pair[0] == "--error-format" && pair[1] == "json");
         let is_json = asks || words.iter().any(|word| word == "--error-format=json");
         if is_json && error.use_stderr() {
-            ErrorFormat::Json.begin();
+            ErrorFormat::Json.install();
             return Error::input(error.to_string().trim_start_matches("error: ").trim_end().to_owned());
         }
         if error.kind() == ErrorKind::InvalidSubcommand

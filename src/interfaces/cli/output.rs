@@ -20,7 +20,7 @@ use super::watch::{Signals, Watch};
 /// The options that say which files are written, and where.
 #[derive(Debug, Args)]
 #[allow(clippy::struct_excessive_bools)] // each is an option
-pub struct Output {
+pub struct OutputArguments {
     /// Output directory [default: plots/<scenario name>, with the settings of the command line at its end]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -50,27 +50,28 @@ pub fn print_summary(files: &[OutputFile]) -> Result<(), Error> {
 }
 
 /// Warnings to standard error.
-pub fn warn(warnings: &[String]) {
+pub fn print_warnings(warnings: &[String]) {
     for warning in warnings {
         super::terminal::warning(warning);
     }
 }
 
-impl Output {
+impl OutputArguments {
     /// Runs a scenario at once. The files go to the directory, the table to standard output, and warnings and the names
     /// of the files to standard error.
-    pub fn once(&self, file: &Path, mut scenario: Scenario) -> Result<(), Error> {
+    pub fn run_and_write(&self, file: &Path, mut scenario: Scenario) -> Result<(), Error> {
         let signals = Signals::listen()?;
-        let directory = self.prepare(file, &mut scenario)?;
+        let directory = self.prepare_directory(file, &mut scenario)?;
         clear_parts(&directory)?;
         let pictures = self.pictures.format;
         let detail = if self.verbose { Detail::Full } else { Detail::Normal };
         let (scenario, outcome) = Watch::without_files(self.quiet).watch(signals, move |progress| {
-            let outcome = outcome(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
+            let outcome =
+                run_scenario(&scenario, &RunOptions { command: &command_line(), detail, pictures, progress })?;
             Ok((scenario, outcome))
         })?;
         let Outcome { warnings, text, files, contradiction, .. } = outcome;
-        warn(&warnings);
+        print_warnings(&warnings);
         refuse_warnings(&scenario, warnings.len(), self.strict)?;
         let out = directory.path().to_owned();
         let removed = directory.write(&files)?;
@@ -93,7 +94,7 @@ impl Output {
     }
 
     /// Refuses one directory for the results of several files.
-    pub fn refuse_one_directory(&self) -> Result<(), Error> {
+    pub fn refuse_shared_directory(&self) -> Result<(), Error> {
         let Some(one) = &self.out else { return Ok(()) };
         Err(Error::input(format!(
             "--out {}: several files have a directory each; leave --out out, and they go to plots/NAME, or run one file at a time",
@@ -107,7 +108,7 @@ impl Output {
     }
 
     /// Prepares the output directory, and notes for the results how the scenario's file is found from there.
-    pub fn prepare(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
+    pub fn prepare_directory(&self, file: &Path, scenario: &mut Scenario) -> Result<OutputDirectory, Error> {
         let reads: Vec<&Path> = scenario.files().map(|(_, path)| path).collect();
         let (sha256, overrides_sha256) = (scenario.sha256(), scenario.overrides_sha256());
         let origin = ResultOrigin::File {
@@ -156,7 +157,7 @@ fn in_file_name(setting: &str) -> String {
 }
 
 /// The outcome of a scenario that is not a table.
-pub fn outcome(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
+pub fn run_scenario(scenario: &Scenario, options: &RunOptions) -> Result<Outcome, Error> {
     run(scenario, Some(options))?.ok_or_else(|| Error::input("a table is made row after row".to_owned()))
 }
 
@@ -176,12 +177,12 @@ pub fn note_replaced(directory: &OutputDirectory, removed: &[String]) {
 
 /// The command line as typed, without the directory of the program.
 pub fn command_line() -> String {
-    let arguments = std::env::args_os().skip(1).map(|argument| quoted(&argument.to_string_lossy()));
+    let arguments = std::env::args_os().skip(1).map(|argument| shell_quote(&argument.to_string_lossy()));
     std::iter::once(env!("CARGO_PKG_NAME").to_owned()).chain(arguments).collect::<Vec<_>>().join(" ")
 }
 
 /// Quoted for a shell where it has to be.
-fn quoted(argument: &str) -> String {
+fn shell_quote(argument: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:+@%".contains(c);
     if !argument.is_empty() && argument.chars().all(is_plain) {
         argument.to_owned()
@@ -191,7 +192,7 @@ fn quoted(argument: &str) -> String {
 }
 
 /// Takes the name of one of `all`.
-pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+pub fn parse_choice<T: Copy + Send + Sync + 'static, const N: usize>(
     all: [T; N],
     name: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {
@@ -203,6 +204,6 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
 #[derive(Debug, Clone, Copy, Args)]
 pub struct PictureArguments {
     /// Format of the pictures: svg stays sharp in any size, and its text can be searched; narrow-svg fits a column of a paper
-    #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = one_of(PictureFormat::ALL, PictureFormat::name))]
+    #[arg(id = "pictures", long, value_name = "FORMAT", default_value = "png", value_parser = parse_choice(PictureFormat::ALL, PictureFormat::name))]
     pub format: PictureFormat,
 }

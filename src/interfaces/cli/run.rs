@@ -7,7 +7,7 @@ use plm_impact::error::{Error, ErrorKind};
 use plm_impact::report::run::Outcome;
 use serde_json::Value;
 
-use super::output::Output;
+use super::output::OutputArguments;
 use super::scenario::{ScenarioArguments, at_options};
 
 /// Run a scenario: summary, trace and pictures into a directory, a table to the terminal
@@ -25,22 +25,22 @@ pub struct Arguments {
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
     #[command(flatten)]
-    output: Output,
+    output: OutputArguments,
     #[command(flatten)]
     sweep: super::table::Options,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
     if arguments.more.is_empty() {
-        return one(arguments, &arguments.scenario);
+        return run_file(arguments, &arguments.scenario);
     }
-    arguments.output.refuse_one_directory()?;
+    arguments.output.refuse_shared_directory()?;
     let mut files = vec![arguments.scenario.clone()];
     files.extend(arguments.more.iter().map(|file| arguments.scenario.with_file(file)));
     refuse_same_names(&files)?;
     let mut failed: Vec<(String, ErrorKind, u8)> = Vec::new();
     for file in &files {
-        match one(arguments, file) {
+        match run_file(arguments, file) {
             Ok(()) => {}
             // a signal is meant for all files
             Err(error) if matches!(error.kind, ErrorKind::Stopped(_)) => return Err(error),
@@ -69,7 +69,7 @@ fn refuse_same_names(files: &[ScenarioArguments]) -> Result<(), Error> {
 }
 
 /// Runs one of the files.
-fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
+fn run_file(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
     let speed = arguments.speed.as_ref().map(|speed| format!("impact.speed={speed}"));
     let options = [("impact.speed", "--speed")];
     let mut scenario =
@@ -79,7 +79,7 @@ fn one(arguments: &Arguments, file: &ScenarioArguments) -> Result<(), Error> {
         return super::table::run(&arguments.sweep, &arguments.output, file.name(), &mut scenario);
     }
     arguments.sweep.refuse_for(kind.description())?;
-    arguments.output.once(file.name(), scenario)
+    arguments.output.run_and_write(file.name(), scenario)
 }
 
 /// Print what is understood of a scenario, its yield point and the warnings of a run; write nothing
@@ -98,7 +98,7 @@ pub struct CheckArguments {
 pub fn check(arguments: &CheckArguments) -> Result<(), Error> {
     let scenario = arguments.scenario.load()?;
     let Outcome { warnings, text, mut checked, .. } = plm_impact::report::run::check(&scenario)?;
-    super::output::warn(&warnings);
+    super::output::print_warnings(&warnings);
     if !arguments.json {
         return super::terminal::print(&text);
     }

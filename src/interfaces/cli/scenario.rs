@@ -8,20 +8,20 @@ use clap::Args;
 use plm_impact::error::Error;
 use plm_impact::scenario::{MAX_SCENARIO_MIB, Scenario, read_open_file};
 
-use super::terminal::other;
+use super::terminal::failed_with;
 
 /// In place of a file it stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
 
 /// Writes a scenario to a file, never over one that is there. `option` is the one that names another file.
-pub fn write_new(path: &Path, text: &str, option: &str) -> Result<(), Error> {
+pub fn write_new_scenario(path: &Path, text: &str, option: &str) -> Result<(), Error> {
     let name = path.display();
     let mut file = File::create_new(path).map_err(|reason| match reason.kind() {
         ErrorKind::AlreadyExists => Error::input(format!("{name}: is there already; name another file with {option}")),
         _ => Error::input(format!("{name}: cannot be written: {reason}; name another file with {option}")),
     })?;
     let written = file.write_all(text.as_bytes()).inspect_err(|_| drop(std::fs::remove_file(path)));
-    written.map_err(other(format!("{name}: cannot be written")))?;
+    written.map_err(failed_with(format!("{name}: cannot be written")))?;
     super::terminal::note(format_args!("wrote {name}; go on with `plm-impact run {name}`"));
     Ok(())
 }

@@ -12,11 +12,11 @@ use plm_impact::scenario::Scenario;
 use plm_impact::table::{Format, PartLayout, Shard, TableJob, Tally};
 use rayon::ThreadPoolBuilder;
 
-use super::output::{Output, note_replaced, one_of, warn};
+use super::output::{OutputArguments, note_replaced, parse_choice, print_warnings};
 use super::watch::{Signals, Watch};
 
 /// More threads could stop a machine.
-const MOST_THREADS: u16 = 1024;
+const MAX_THREADS: u16 = 1024;
 /// The variable with the number of threads, where no option gives it.
 const THREADS_VARIABLE: &str = "RAYON_NUM_THREADS";
 
@@ -24,14 +24,14 @@ const THREADS_VARIABLE: &str = "RAYON_NUM_THREADS";
 #[derive(Debug, Args)]
 pub struct Options {
     /// Sweeps: format of the table [default: csv]
-    #[arg(long, value_parser = one_of(Format::ALL, Format::name))]
+    #[arg(long, value_parser = parse_choice(Format::ALL, Format::name))]
     format: Option<Format>,
     /// Sweeps: compute only each N-th part of the table, from the I-th, counted from 0; without it the rest is computed; auto
     /// takes I and N from a Slurm array job
     #[arg(long, value_name = "I/N|auto")]
     shard: Option<String>,
     /// Sweeps: threads [default: one a core]; the table is the same whatever their number
-    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=i64::from(MOST_THREADS)))]
+    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=i64::from(MAX_THREADS)))]
     threads: Option<u16>,
 }
 
@@ -53,15 +53,15 @@ impl Options {
 }
 
 /// Time that a table has to stop by itself after a signal.
-const PATIENCE: Duration = Duration::from_millis(700);
+const GRACE_PERIOD: Duration = Duration::from_millis(700);
 /// Rows of a part, for tests of small tables.
-const ROWS_PER_PART: &str = "PLM_IMPACT_ROWS_PER_PART";
+const ROWS_PER_PART_VARIABLE: &str = "PLM_IMPACT_ROWS_PER_PART";
 
 /// Writes the table of a scenario, or a shard of it; with a whole table also summary and pictures.
-pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
+pub fn run(options: &Options, output: &OutputArguments, file: &Path, scenario: &mut Scenario) -> Result<(), Error> {
     let plan = scenario.plan()?;
     let cautions = table::cautions(&plan, None);
-    warn(&cautions.warnings);
+    print_warnings(&cautions.warnings);
     refuse_warnings(scenario, cautions.warnings.len(), output.strict)?;
     let shard = options.shard.as_deref().map(parse_shard).transpose()?;
     let pictures = output.pictures.format;
@@ -70,11 +70,11 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         return Err(Error::input(message.to_owned()));
     }
     let signals = Signals::listen()?;
-    let directory = output.prepare(file, scenario)?;
+    let directory = output.prepare_directory(file, scenario)?;
     let (source, mut provenance) = (scenario.source(), scenario.provenance(&super::output::command_line()));
     let Options { format, threads, .. } = *options;
     let mut layout = PartLayout::new(&plan);
-    if let Some(rows) = std::env::var(ROWS_PER_PART).ok().and_then(|rows| rows.parse::<NonZeroU64>().ok()) {
+    if let Some(rows) = std::env::var(ROWS_PER_PART_VARIABLE).ok().and_then(|rows| rows.parse::<NonZeroU64>().ok()) {
         layout.rows_per_part = rows.get();
     }
     let leaves = if layout.is_split(shard, &directory) {
@@ -82,7 +82,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
     } else {
         "nothing was written; the same command starts anew"
     };
-    let watch = Watch { is_quiet: output.quiet, counted: "rows", patience: PATIENCE, leaves };
+    let watch = Watch { is_quiet: output.quiet, counted: "rows", grace_period: GRACE_PERIOD, on_abandon: leaves };
     let (directory, plan, written) = watch.watch(signals, move |progress| {
         let job = TableJob {
             plan: &plan,
@@ -105,7 +105,7 @@ pub fn run(options: &Options, output: &Output, file: &Path, scenario: &mut Scena
         let table = written.table.file_name().filter(|_| written.table.is_file());
         provenance.files.extend(table.map(|name| name.to_string_lossy().into_owned()));
         provenance.files.extend(other_table(&directory, &provenance.files));
-        files = Watch { leaves, ..Watch::without_files(output.quiet) }
+        files = Watch { on_abandon: leaves, ..Watch::without_files(output.quiet) }
             .watch(signals, move |_| table::files(&plan, &tally, &cautions, provenance, pictures))?;
         removed = directory.write(&files)?;
     }
@@ -155,9 +155,9 @@ pub fn with_threads<R: Send>(option: Option<u16>, work: impl FnOnce() -> R + Sen
 /// The number of threads by the environment; 0 is one per core.
 fn threads_from_environment() -> Result<u16, Error> {
     let Some(text) = std::env::var_os(THREADS_VARIABLE).filter(|text| !text.is_empty()) else { return Ok(0) };
-    let threads = text.to_str().and_then(|text| text.parse().ok()).filter(|threads| *threads <= MOST_THREADS);
+    let threads = text.to_str().and_then(|text| text.parse().ok()).filter(|threads| *threads <= MAX_THREADS);
     threads.ok_or_else(|| {
         let text = text.to_string_lossy();
-        Error::input(format!("{THREADS_VARIABLE}={}: a number of threads is 0 to {MOST_THREADS}", text.escape_debug()))
+        Error::input(format!("{THREADS_VARIABLE}={}: a number of threads is 0 to {MAX_THREADS}", text.escape_debug()))
     })
 }

@@ -22,7 +22,7 @@ static IS_JSON: AtomicBool = AtomicBool::new(false);
 
 impl ErrorFormat {
     /// Errors are written in this format from now on.
-    pub fn begin(self) {
+    pub fn install(self) {
         IS_JSON.store(self == Self::Json, Ordering::Relaxed);
     }
 }
@@ -35,7 +35,7 @@ pub fn error(error: &Error) -> u8 {
 }
 
 /// Makes an error of the system into one that says what failed, for `map_err`.
-pub fn other<E: Display>(failure: impl Display) -> impl FnOnce(E) -> Error {
+pub fn failed_with<E: Display>(failure: impl Display) -> impl FnOnce(E) -> Error {
     move |reason| Error::failed(format!("{failure}: {reason}"))
 }
 
@@ -55,7 +55,7 @@ pub fn is_json() -> bool {
 
 /// An object for a program.
 #[derive(Serialize)]
-struct Said<'a> {
+struct Diagnostic<'a> {
     level: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     exit_code: Option<u8>,
@@ -69,24 +69,24 @@ fn write_line(level: &str, color: Option<AnsiColor>, exit_code: Option<u8>, text
     if is_json() {
         details.message.get_or_insert(text);
         // texts and numbers are always JSON
-        let object = serde_json::to_string(&Said { level, exit_code, details }).unwrap_or_default();
-        drop(writeln!(io::stderr().lock(), "{}", harmless_json(&object)));
+        let object = serde_json::to_string(&Diagnostic { level, exit_code, details }).unwrap_or_default();
+        drop(writeln!(io::stderr().lock(), "{}", escape_control_json(&object)));
         return;
     }
     let begin = color.map_or_else(String::new, |color| {
         let style = Style::new().bold().fg_color(Some(color.into()));
         format!("{style}{level}:{style:#} ")
     });
-    drop(writeln!(anstream::stderr().lock(), "{begin}{}", harmless(&text)));
+    drop(writeln!(anstream::stderr().lock(), "{begin}{}", escape_control(&text)));
 }
 
 /// The text without control characters, which names of files and keys may hold and which a terminal obeys.
-fn harmless(text: &str) -> String {
+fn escape_control(text: &str) -> String {
     escaped(text, |c| c.escape_default().to_string())
 }
 
 /// Escapes control characters of JSON, where they stand in texts alone.
-fn harmless_json(text: &str) -> String {
+fn escape_control_json(text: &str) -> String {
     escaped(text, |c| format!("\\u{:04x}", u32::from(c)))
 }
 
@@ -97,17 +97,17 @@ fn escaped(text: &str, escape: fn(char) -> String) -> String {
 
 /// Prints a result; a reader that has seen enough (`| head`) is no failure.
 pub fn print(text: &str) -> Result<(), Error> {
-    put(&harmless(text))
+    write_stdout(&escape_control(text))
 }
 
 pub fn print_json(text: &str) -> Result<(), Error> {
-    put(&harmless_json(text))
+    write_stdout(&escape_control_json(text))
 }
 
-fn put(text: &str) -> Result<(), Error> {
+fn write_stdout(text: &str) -> Result<(), Error> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result.map_err(other("standard output")),
+        result => result.map_err(failed_with("standard output")),
     }
 }

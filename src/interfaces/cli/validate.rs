@@ -36,7 +36,7 @@ pub struct Arguments {
 }
 
 pub fn validate(arguments: &Arguments) -> Result<(), Error> {
-    let own = arguments.coefficients.as_deref().map(load).transpose()?;
+    let own = arguments.coefficients.as_deref().map(load_coefficients).transpose()?;
     let is_built_in = own.is_none();
     let coefficients = own.unwrap_or_else(|| PlmCoefficients::built_in().clone());
     let signals = Signals::listen()?;
@@ -50,7 +50,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
         let pictures = super::table::with_threads(None, draw)??;
         Ok((compared, laws, pictures))
     })?;
-    let page = shown(&report::page(&compared, &laws, &name, is_built_in), format);
+    let page = with_pictures(&report::page(&compared, &laws, &name, is_built_in), format);
     let mut files = vec![
         OutputFile { name: "validation.csv".into(), bytes: report::csv(&compared)? },
         OutputFile { name: "README.md".into(), bytes: page.into_bytes() },
@@ -66,7 +66,7 @@ pub fn validate(arguments: &Arguments) -> Result<(), Error> {
 }
 
 /// The page with the pictures of this format, or without pictures.
-fn shown(page: &str, format: PictureFormat) -> String {
+fn with_pictures(page: &str, format: PictureFormat) -> String {
     match format {
         PictureFormat::Png => page.to_owned(),
         PictureFormat::Svg | PictureFormat::NarrowSvg => page.replace(".png", ".svg"),
@@ -76,7 +76,7 @@ fn shown(page: &str, format: PictureFormat) -> String {
     }
 }
 
-fn load(path: &Path) -> Result<PlmCoefficients, Error> {
+fn load_coefficients(path: &Path) -> Result<PlmCoefficients, Error> {
     let text = read_text(path, MAX_SCENARIO_MIB)?;
     PlmCoefficients::from_toml(&text)
         .map_err(|error| Error::for_file(ErrorKind::Input, &path.display().to_string(), error.to_string().trim_end()))

@@ -17,12 +17,12 @@ use signal_hook::flag;
 use signal_hook::low_level::raise;
 
 use super::pace::Pace;
-use super::terminal::other;
+use super::terminal::failed_with;
 
 /// Bytes of the stack of a thread, as many as that of a program.
-const STACK: usize = 8 << 20;
+const STACK_BYTES: usize = 8 << 20;
 /// Time between two looks for a signal.
-const LOOK: Duration = Duration::from_millis(50);
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 /// A bar is shown for work that takes longer than this.
 const BAR_DELAY: Duration = Duration::from_millis(500);
 /// Another delay in milliseconds, for tests.
@@ -34,9 +34,9 @@ const LOG_INTERVAL_VARIABLE: &str = "PLM_IMPACT_LOG_EVERY_MS";
 /// Another patience in milliseconds, for tests.
 const PATIENCE_VARIABLE: &str = "PLM_IMPACT_PATIENCE_MS";
 /// A signal for tests, and the change of the disk at which it comes: `9@12` kills at the twelfth.
-const SIGNAL: &str = "PLM_IMPACT_SIGNAL";
+const SIGNAL_VARIABLE: &str = "PLM_IMPACT_SIGNAL";
 /// A shell adds the number of the signal to this for the exit code.
-const ENDED_BY: usize = 128;
+const SIGNAL_EXIT_BASE: usize = 128;
 
 /// Ctrl-C and SIGTERM. Once they are listened to they do not end the process but stop the work that is watched.
 pub struct Signals {
@@ -55,7 +55,7 @@ impl Signals {
         let signals = if let Some(signals) = SIGNALS.get() {
             signals
         } else {
-            let registered = Self::register().map_err(other("signals"))?;
+            let registered = Self::register().map_err(failed_with("signals"))?;
             SIGNALS.get_or_init(|| registered)
         };
         signals.is_off.store(false, Ordering::Relaxed);
@@ -65,7 +65,7 @@ impl Signals {
     fn register() -> io::Result<Self> {
         let (is_set, code, is_off) = (Arc::default(), Arc::default(), Arc::new(AtomicBool::new(true)));
         for signal in [SIGINT, SIGTERM] {
-            let exit_code = ENDED_BY + signal.unsigned_abs() as usize;
+            let exit_code = SIGNAL_EXIT_BASE + signal.unsigned_abs() as usize;
             flag::register_conditional_default(signal, Arc::clone(&is_off))?;
             flag::register_usize(signal, Arc::clone(&code), exit_code)?;
             flag::register(signal, Arc::clone(&is_set))?;
@@ -79,15 +79,15 @@ pub struct Watch {
     /// The things that are counted, such as rows.
     pub counted: &'static str,
     /// Time that the work has to stop by itself after a signal; then it is abandoned.
-    pub patience: Duration,
+    pub grace_period: Duration,
     /// Tells what abandoned work leaves, and what to do then.
-    pub leaves: &'static str,
+    pub on_abandon: &'static str,
 }
 
 impl Watch {
     /// The watch of work that writes no files.
     pub fn without_files(is_quiet: bool) -> Self {
-        Self { is_quiet, counted: "done", patience: Duration::ZERO, leaves: "nothing was written" }
+        Self { is_quiet, counted: "done", grace_period: Duration::ZERO, on_abandon: "nothing was written" }
     }
 
     /// Does the work on a thread of its own. A signal asks it to stop.
@@ -104,8 +104,8 @@ impl Watch {
         let progress = Arc::new(Progress::with_stop_flag(Arc::clone(&signals.is_set)));
         let (sender, receiver) = channel();
         let counter = Arc::clone(&progress);
-        let worker = thread::Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work(&counter))));
-        let worker = worker.map_err(other("thread"))?;
+        let worker = thread::Builder::new().stack_size(STACK_BYTES).spawn(move || drop(sender.send(work(&counter))));
+        let worker = worker.map_err(failed_with("thread"))?;
         let done = self.wait(&receiver, &progress);
         // signals end the process from now on, as they do by default
         signals.is_off.store(true, Ordering::Relaxed);
@@ -117,32 +117,32 @@ impl Watch {
         done.map_err(|error| match (error.kind, u8::try_from(signals.code.load(Ordering::Relaxed))) {
             (ErrorKind::Stopped(_), Ok(code @ 1..)) => {
                 // abandoned work may see the signal first; its message is then the same
-                let message = if self.patience.is_zero() { self.interrupted() } else { error.to_string() };
+                let message = if self.grace_period.is_zero() { self.interruption_message() } else { error.to_string() };
                 Error::new(ErrorKind::Stopped(code), message)
             }
             _ => error,
         })
     }
 
-    fn interrupted(&self) -> String {
-        format!("interrupted; {}", self.leaves)
+    fn interruption_message(&self) -> String {
+        format!("interrupted; {}", self.on_abandon)
     }
 
     /// The result of the work; `None` if the worker ended without a result (it panicked).
     fn wait<T>(&self, receiver: &Receiver<Result<T, Error>>, progress: &Progress) -> Option<Result<T, Error>> {
         let (begun, mut signalled) = (Instant::now(), None);
-        let bar = self.bar();
+        let bar = self.progress_bar();
         let (bar_delay, log_interval) =
             (duration(BAR_DELAY_VARIABLE, BAR_DELAY), duration(LOG_INTERVAL_VARIABLE, LOG_INTERVAL));
-        let patience = duration(PATIENCE_VARIABLE, self.patience).min(self.patience);
+        let patience = duration(PATIENCE_VARIABLE, self.grace_period).min(self.grace_period);
         let (mut pace, mut logged) = (Pace::default(), begun);
         let done = loop {
             if progress.is_stopped() && signalled.get_or_insert_with(Instant::now).elapsed() >= patience {
                 // the files of the work are on its thread, which ends with the process
                 abandon();
-                break Some(Err(Error::new(ErrorKind::Stopped(0), self.interrupted())));
+                break Some(Err(Error::new(ErrorKind::Stopped(0), self.interruption_message())));
             }
-            let received = receiver.recv_timeout(LOOK);
+            let received = receiver.recv_timeout(POLL_INTERVAL);
             let (done, total) = progress.counts();
             if total > 1 {
                 pace.add(begun.elapsed(), done);
@@ -172,7 +172,7 @@ impl Watch {
     }
 
     /// A bar, which a terminal shows as soon as it moves.
-    fn bar(&self) -> ProgressBar {
+    fn progress_bar(&self) -> ProgressBar {
         if self.is_quiet || super::terminal::is_json() || !io::stderr().is_terminal() {
             return ProgressBar::hidden();
         }
@@ -188,8 +188,8 @@ fn duration(variable: &str, default: Duration) -> Duration {
 }
 
 /// For tests: the process sends itself the signal that the environment names.
-pub fn when_signalled() {
-    let Some((signal, change)) = std::env::var(SIGNAL).ok().and_then(|text| parse(&text)) else { return };
+pub fn install_test_signal() {
+    let Some((signal, change)) = std::env::var(SIGNAL_VARIABLE).ok().and_then(|text| parse(&text)) else { return };
     let changes = AtomicU64::new(0);
     on_disk_change(move || {
         if changes.fetch_add(1, Ordering::Relaxed) + 1 == change {

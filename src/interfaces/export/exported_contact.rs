@@ -10,7 +10,7 @@ use crate::scenario::keys::key;
 use crate::scenario::{Kind, Scenario};
 
 /// The contact of a scenario without the motion around it.
-pub(super) struct Bare {
+pub(super) struct ExportedContact {
     pub contact: Contact,
     /// Impact speed normal to the surface \[m/s\]; `None` without one, and where it varies.
     pub speed: Option<f64>,
@@ -19,10 +19,10 @@ pub(super) struct Bare {
     /// The coefficient of friction, if the scenario has one.
     pub friction: Option<f64>,
     /// A sentence for every other part of the scenario: it says that the part is left out, or what replaces it.
-    pub left_out: Vec<String>,
+    pub omitted: Vec<String>,
 }
 
-impl Bare {
+impl ExportedContact {
     pub fn new(scenario: &Scenario) -> Result<Self, Error> {
         let kind = scenario.kind()?;
         let refuse = |message| Err(scenario.document.refusal(kind.name(), message));
@@ -41,7 +41,7 @@ impl Bare {
         let is_single = !paths.iter().any(|path| ["impact.speed", "impact.drop_height", "impact.angle"].contains(path));
         let angle = input.number(key!("impact.angle")).unwrap_or(0.0);
         let speed = Some(input.speed() * cos(angle)).filter(|speed| is_single && *speed > 0.0);
-        let mut left_out = left_out(&input);
+        let mut left_out = omitted_parts(&input);
         let table = match kind {
             Kind::Repeat => Some("[repeat] is left out: this is the first impact, on a fresh surface".to_owned()),
             Kind::Sweep | Kind::MonteCarlo => Some(first_case(&input, kind, &paths)),
@@ -68,12 +68,12 @@ impl Bare {
                 return Err(scenario.document.refusal("half_space.mass", message));
             }
         };
-        Ok(Self { contact, speed, ball, friction, left_out })
+        Ok(Self { contact, speed, ball, friction, omitted: left_out })
     }
 }
 
 /// The parts of the motion that the other code has itself.
-fn left_out(input: &Input) -> Vec<String> {
+fn omitted_parts(input: &Input) -> Vec<String> {
     let has = |at| input.number(at).is_some();
     let by_itself = |name: &str| format!("{name} is left out: the simulation has it itself");
     let mut left_out = Vec::new();

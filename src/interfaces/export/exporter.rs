@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::exported_contact::Bare;
-use super::springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
+use super::exported_contact::ExportedContact;
+use super::springs::{
+    MAX_RESTITUTION_ERROR, constant_restitution_range, damped_spring, non_cohesive_spring, steps_per_contact,
+};
 use crate::error::Error;
 use crate::files::PROGRAM;
 use crate::impact::flight::free_flight::FreeFlight;
@@ -15,7 +17,7 @@ use crate::units::{Dimension, format_four_digits, format_input};
 
 named_enum! {
     /// Which code the lines are for.
-    pub enum Target {
+    pub enum TargetCode {
         /// LAMMPS, `fix wall/gran`; for two spheres `pair_style granular`.
         Lammps = "lammps",
         /// LIGGGHTS, `fix wall/gran model hooke`; for two spheres `pair_style gran`.
@@ -29,9 +31,9 @@ named_enum! {
     }
 }
 
-impl Target {
+impl TargetCode {
     /// The note above lines that no test of this program runs in the other code.
-    fn untested(self) -> Option<&'static str> {
+    fn untested_note(self) -> Option<&'static str> {
         match self {
             Self::Lammps | Self::Csv => None,
             Self::Liggghts | Self::Yade => Some(
@@ -42,15 +44,15 @@ impl Target {
     }
 
     /// True if the code reads a table e(v).
-    pub(super) fn takes_table(self) -> bool {
+    pub(super) fn accepts_table(self) -> bool {
         self == Self::Csv
     }
 }
 
 /// The request of a user.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Request {
-    pub target: Target,
+pub struct ExportRequest {
+    pub target: TargetCode,
     /// Impact speed \[m/s\]; `None` for the speed of the scenario.
     pub speed: Option<f64>,
     /// First and last speed of a table \[m/s\]; `None` for a tenth to ten times the impact speed.
@@ -58,41 +60,41 @@ pub struct Request {
 }
 
 /// Stiffness of a tangential spring over that of the normal one: both swing alike for a solid sphere.
-const TANGENTIAL: f64 = 2.0 / 7.0;
+const TANGENTIAL_STIFFNESS_RATIO: f64 = 2.0 / 7.0;
 
 /// The data that the lines of all codes are made from.
-pub(super) struct Head<'a> {
+pub(super) struct Exporter<'a> {
     pub scenario: &'a Scenario,
-    pub bare: &'a Bare,
+    pub contact: &'a ExportedContact,
     pub impact: &'a Impact,
     /// The restitution that belongs into the code: with elastic waves, if the half-space has a density and is no plate.
     pub e: f64,
     pub command: &'a str,
 }
 
-impl Head<'_> {
+impl Exporter<'_> {
     /// All lines for a code; `table` holds the impacts of a table e(v).
-    pub fn lines(&self, request: &Request, table: &[Impact]) -> Result<String, Error> {
+    pub fn lines(&self, request: &ExportRequest, table: &[Impact]) -> Result<String, Error> {
         let comment = match request.target {
-            Target::Mercury => "//",
+            TargetCode::Mercury => "//",
             _ => "#",
         };
         let mut text = String::new();
-        for line in self.about(request) {
+        for line in self.header_lines(request) {
             let _ = writeln!(text, "{comment} {line}");
         }
         text += &match request.target {
-            Target::Lammps => self.lammps(),
-            Target::Liggghts => self.liggghts()?,
-            Target::Yade => self.yade()?,
-            Target::Mercury => self.mercury(),
-            Target::Csv => pairs(table),
+            TargetCode::Lammps => self.lammps(),
+            TargetCode::Liggghts => self.liggghts()?,
+            TargetCode::Yade => self.yade()?,
+            TargetCode::Mercury => self.mercury(),
+            TargetCode::Csv => table_csv(table),
         };
         Ok(text)
     }
 
     /// Where the numbers come from, and in which range they hold.
-    fn about(&self, request: &Request) -> Vec<String> {
+    fn header_lines(&self, request: &ExportRequest) -> Vec<String> {
         let speed = self.impact.speed;
         let (restitution, ImpactRow { contact_time, peak_force, .. }) = (self.e, self.impact.essentials);
         let mut about: Vec<String> = self.impact.warnings.iter().map(|warning| format!("warning: {warning}")).collect();
@@ -103,7 +105,7 @@ impl Head<'_> {
                 "impact at {speed} m/s: e {restitution:.6}, contact time {contact_time:.6e} s, peak force {peak_force:.6e} N"
             ),
         ]);
-        about.extend(self.on_the_bench());
+        about.extend(self.drop_test_line());
         if let Some(StrainRateResult { strain_rate, factor, .. }) = self.impact.strain_rate_result {
             about.push(format!(
                 "the strength is that of the strain rate of each speed; at this one {} 1/s, where it is {} times that of the test",
@@ -111,14 +113,14 @@ impl Head<'_> {
                 format_four_digits(factor)
             ));
         }
-        about.extend(self.bare.left_out.iter().cloned());
-        about.push(self.which_e());
-        if request.target.takes_table() {
+        about.extend(self.contact.omitted.iter().cloned());
+        about.push(self.restitution_note());
+        if request.target.accepts_table() {
             about.push("all units are SI; linear between the speeds".to_owned());
         } else {
-            let [from, to] =
-                range_of_constant(&self.bare.contact, speed, restitution).map(|end| end.map(format_four_digits));
-            let percent = 100.0 * E_WITHIN;
+            let [from, to] = constant_restitution_range(&self.contact.contact, speed, restitution)
+                .map(|end| end.map(format_four_digits));
+            let percent = 100.0 * MAX_RESTITUTION_ERROR;
             let range = match (from, to) {
                 (Some(from), Some(to)) => format!("from {from} to {to} m/s"),
                 (None, Some(to)) => format!("up to {to} m/s"),
@@ -135,19 +137,19 @@ impl Head<'_> {
                 "damped linear spring: e and contact time are those of the law, the peak force is not".to_owned(),
             );
         }
-        if self.bare.friction.is_some() && !request.target.takes_table() {
+        if self.contact.friction.is_some() && !request.target.accepts_table() {
             about.push(
                 "friction: Coulomb's, with a tangential spring of 2/7 of the normal one; plots/validate has what springs cost".to_owned(),
             );
         }
-        about.extend(request.target.untested().map(str::to_owned));
+        about.extend(request.target.untested_note().map(str::to_owned));
         about
     }
 
     /// Dent, and heights of a fall in vacuum: numbers that a test measures.
-    fn on_the_bench(&self) -> Option<String> {
+    fn drop_test_line(&self) -> Option<String> {
         let impact = &self.impact;
-        if !impact.has_dent() || impact.has_flat() || self.bare.contact.target_mass().is_some() {
+        if !impact.has_dent() || impact.has_flat() || self.contact.contact.target_mass().is_some() {
             return None;
         }
         let flight = FreeFlight::in_vacuum(STANDARD_GRAVITY);
@@ -158,9 +160,9 @@ impl Head<'_> {
 
     /// The spheres that these lines are for.
     fn bodies(&self) -> String {
-        let contact = &self.bare.contact;
+        let contact = &self.contact.contact;
         let sphere = format!("radius {} m and mass {:.6e} kg", contact.sphere().radius, contact.mass());
-        match (self.bare.ball, contact.target_mass()) {
+        match (self.contact.ball, contact.target_mass()) {
             (Some(radius), Some(mass)) => {
                 format!(
                     "{sphere} on another of radius {radius} m and mass {mass:.6e} kg; the speed is the closing speed"
@@ -171,8 +173,8 @@ impl Head<'_> {
     }
 
     /// Which of the numbers that are called e these lines have.
-    fn which_e(&self) -> String {
-        let contact = &self.bare.contact;
+    fn restitution_note(&self) -> String {
+        let contact = &self.contact.contact;
         let damped = if contact.forces().damping.is_some() { " and its [damping]" } else { "" };
         if let Some(plate) = contact.forces().plate {
             let thickness = format_input(plate.thickness, Dimension::Length);
@@ -184,7 +186,7 @@ impl Head<'_> {
             let alone = self.impact.restitution;
             return format!("this e is for a thick wall: elastic waves are in it, and it is {alone:.6} without them");
         }
-        if self.bare.ball.is_some() && damped.is_empty() {
+        if self.contact.ball.is_some() && damped.is_empty() {
             return "this e is that of the closing speed of two spheres, without elastic waves in them".to_owned();
         }
         if !damped.is_empty() {
@@ -200,15 +202,17 @@ impl Head<'_> {
 
     /// Stiffness of the damped linear spring \[N/m\].
     fn stiffness(&self) -> f64 {
-        damped_spring(self.bare.contact.reduced_mass(), self.e, self.impact.contact_time)
+        damped_spring(self.contact.contact.reduced_mass(), self.e, self.impact.contact_time)
     }
 
     fn lammps(&self) -> String {
-        let tangential = match self.bare.friction {
+        let tangential = match self.contact.friction {
             None => "linear_nohistory 0.0 0.0".to_owned(),
-            Some(friction) => format!("linear_history {:.9e} 0.0 {friction}", TANGENTIAL * self.stiffness()),
+            Some(friction) => {
+                format!("linear_history {:.9e} 0.0 {friction}", TANGENTIAL_STIFFNESS_RATIO * self.stiffness())
+            }
         };
-        let [contact, end] = match self.bare.ball {
+        let [contact, end] = match self.contact.ball {
             None => ["fix wall all wall/gran granular", " zplane 0.0 NULL"],
             Some(_) => ["comm_modify vel yes\npair_style granular\npair_coeff * *", ""],
         };
@@ -233,21 +237,21 @@ impl Head<'_> {
                 self.e, self.impact.speed
             )));
         }
-        let (mass, speed) = (self.bare.contact.reduced_mass(), self.impact.speed);
+        let (mass, speed) = (self.contact.contact.reduced_mass(), self.impact.speed);
         let scaled = pow(self.stiffness() / pow(mass * speed * speed, 0.2), 1.25);
         // the wall of these lines is flat
-        let radius = match self.bare.ball {
-            None => self.bare.contact.sphere().radius,
-            Some(_) => self.bare.contact.pair().radius,
+        let radius = match self.contact.ball {
+            None => self.contact.contact.sphere().radius,
+            Some(_) => self.contact.contact.pair().radius,
         };
         let effective = 15.0 * scaled / (16.0 * radius.sqrt());
         // without these words the tangential spring is as stiff as the normal one, and has damping
         let (friction, history) = self
-            .bare
+            .contact
             .friction
             .map_or((0.0, "no_history"), |friction| (friction, "history tangential_damping off ktToKnUser on"));
         let modulus = 2.0 * (1.0 - POISSONS_RATIO * POISSONS_RATIO) * effective;
-        let wall = match self.bare.ball {
+        let wall = match self.contact.ball {
             None => format!("fix wall all wall/gran model hooke tangential {history} primitive type 1 zplane 0.0\n"),
             Some(_) => String::new(),
         };
@@ -267,22 +271,22 @@ impl Head<'_> {
 
     /// Density of the second ball \[kg/m³\], where it is another one than that of the first.
     fn second_density(&self) -> Option<f64> {
-        let contact = &self.bare.contact;
-        let density = self.bare.ball.and(contact.half_space().density);
+        let contact = &self.contact.contact;
+        let density = self.contact.ball.and(contact.half_space().density);
         density.filter(|density| *density != contact.sphere().density)
     }
 
     /// Yade puts the springs of the two materials in series, and its damped springs never pull.
     fn yade(&self) -> Result<String, Error> {
         let (restitution, contact_time) = (self.e, self.impact.contact_time);
-        let (stiffness, damping) = spring_without_pull(self.bare.contact.reduced_mass(), restitution, contact_time)
+        let (stiffness, damping) = non_cohesive_spring(self.contact.contact.reduced_mass(), restitution, contact_time)
             .ok_or_else(|| {
                 Error::input(format!(
                     "--to yade: a damped spring of Yade has e above exp(-2) = 0.135, and e is {restitution:.4}"
                 ))
             })?;
-        let friction = self.bare.friction.unwrap_or(0.0);
-        let tangential = if friction > 0.0 { TANGENTIAL * 2.0 * stiffness } else { 0.0 };
+        let friction = self.contact.friction.unwrap_or(0.0);
+        let tangential = if friction > 0.0 { TANGENTIAL_STIFFNESS_RATIO * 2.0 * stiffness } else { 0.0 };
         let angle = atan(friction);
         let material = |name: &str, density: f64| {
             format!(
@@ -295,19 +299,19 @@ impl Head<'_> {
         let second = self.second_density().map_or_else(String::new, |density| material("second_material", density));
         Ok(format!(
             "{}{second}functors = [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]\nO.dt = {:.3e}\n",
-            material("material", self.bare.contact.sphere().density),
+            material("material", self.contact.contact.sphere().density),
             self.time_step()
         ))
     }
 
     fn mercury(&self) -> String {
-        let (kind, friction) = match self.bare.friction {
+        let (kind, friction) = match self.contact.friction {
             None => ("", String::new()),
             Some(friction) => (
                 "SlidingFriction",
                 format!(
                     "species.setSlidingStiffness({:.9e});\nspecies.setSlidingFrictionCoefficient({friction});\n",
-                    TANGENTIAL * self.stiffness()
+                    TANGENTIAL_STIFFNESS_RATIO * self.stiffness()
                 ),
             ),
         };
@@ -318,7 +322,7 @@ impl Head<'_> {
                  second_species.setDensity({density:.9e});\n"
             )
         });
-        let of_mass = match self.bare.ball {
+        let of_mass = match self.contact.ball {
             None => "2 m: a wall has no mass",
             Some(_) => "twice the effective mass of the two spheres",
         };
@@ -326,17 +330,17 @@ impl Head<'_> {
             "LinearViscoelastic{kind}Species species; // then speciesHandler.copyAndAddObject(species)\nspecies.setDensity({:.9e});\n\
              species.setCollisionTimeAndRestitutionCoefficient({:.9e}, {:.9}, 2.0*{:.9e}); // {of_mass}\n\
              {friction}{second}setTimeStep({:.3e});\n",
-            self.bare.contact.sphere().density,
+            self.contact.contact.sphere().density,
             self.impact.contact_time,
             self.e,
-            self.bare.contact.reduced_mass(),
+            self.contact.contact.reduced_mass(),
             self.time_step()
         )
     }
 }
 
 /// A table e(v) as CSV.
-fn pairs(table: &[Impact]) -> String {
+fn table_csv(table: &[Impact]) -> String {
     let mut text = "speed_m_per_s,restitution\n".to_owned();
     for impact in table {
         let _ = writeln!(text, "{:e},{:.9}", impact.speed, impact.measured_restitution());

@@ -17,9 +17,11 @@ use crate::error::{Error, ErrorKind};
 use crate::impact::Solver;
 use crate::numerics::functions::pow;
 use crate::scenario::Scenario;
-use exported_contact::Bare;
-pub use exporter::{Request, Target};
-pub use springs::{E_WITHIN, damped_spring, range_of_constant, spring_without_pull, steps_per_contact};
+use exported_contact::ExportedContact;
+pub use exporter::{ExportRequest, TargetCode};
+pub use springs::{
+    MAX_RESTITUTION_ERROR, constant_restitution_range, damped_spring, non_cohesive_spring, steps_per_contact,
+};
 
 /// Rows of a table e(v).
 const POINTS: u32 = 41;
@@ -29,8 +31,8 @@ const POINTS: u32 = 41;
 ///
 /// # Errors
 /// [`Error`] for a bad scenario, one without impacts, a missing speed, or a speed without a result or a rebound.
-pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<String, Error> {
-    let bare = Bare::new(scenario)?;
+pub fn export(scenario: &Scenario, request: &ExportRequest, command: &str) -> Result<String, Error> {
+    let bare = ExportedContact::new(scenario)?;
     let speed = request.speed.or(bare.speed).or(request.speeds.map(|(from, _)| from)).ok_or_else(|| {
         Error::input("the scenario has no single impact speed: give --speed, such as --speed \"3 m/s\"".to_owned())
     })?;
@@ -43,7 +45,7 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         return Err(Error::input(format!("at {speed} m/s the sphere does not rebound, and no spring has e = 0")));
     }
     let mut table = Vec::new();
-    if request.target.takes_table() {
+    if request.target.accepts_table() {
         let (from, to) = request.speeds.unwrap_or((speed / 10.0, 10.0 * speed));
         for i in 0..POINTS {
             let share = f64::from(i) / f64::from(POINTS - 1);
@@ -55,6 +57,6 @@ pub fn export(scenario: &Scenario, request: &Request, command: &str) -> Result<S
         let message = "--speeds: this code takes one constant e; give --speed, or --to csv";
         return Err(Error::input(message.to_owned()));
     }
-    exporter::Head { scenario, bare: &bare, impact: &impact, e: impact.measured_restitution(), command }
+    exporter::Exporter { scenario, contact: &bare, impact: &impact, e: impact.measured_restitution(), command }
         .lines(request, &table)
 }

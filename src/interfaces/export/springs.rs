@@ -7,7 +7,7 @@ use crate::numerics::functions::{cos, exp, ln, sin};
 use crate::numerics::root::bisect;
 
 /// Largest relative error of a constant e within its range of speeds.
-pub const E_WITHIN: f64 = 0.02;
+pub const MAX_RESTITUTION_ERROR: f64 = 0.02;
 
 /// The number of steps of velocity Verlet in a contact at which e of a damped spring is accurate to 1 %, wherever in a step
 /// the contact begins. The damping uses the speed half a step earlier, and the first and the last step are partly out of contact:
@@ -25,19 +25,19 @@ pub fn damped_spring(mass: f64, e: f64, time: f64) -> f64 {
 
 /// Stiffness \[N/m\] and damping \[N s/m\] of a damped spring that never pulls and has this e and this duration of the
 /// force. `None` if no such spring below critical damping has this e.
-pub fn spring_without_pull(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
+pub fn non_cohesive_spring(mass: f64, e: f64, time: f64) -> Option<(f64, f64)> {
     let loss = -ln(e);
     let (angle, _) = bisect(0.0, 0.5 * PI, |angle| sin(angle) / cos(angle) * (PI - 2.0 * angle) < loss);
     let frequency = (PI - 2.0 * angle) / (time * cos(angle));
     (loss < 2.0).then(|| (mass * frequency * frequency, 2.0 * mass * frequency * sin(angle)))
 }
 
-/// The lowest and the highest speed between which e differs from its value at `speed` by at most [`E_WITHIN`]; `None` if an
+/// The lowest and the highest speed between which e differs from its value at `speed` by at most [`MAX_RESTITUTION_ERROR`]; `None` if an
 /// end is farther than a factor of 1000.
-pub fn range_of_constant(contact: &Contact, speed: f64, e: f64) -> [Option<f64>; 2] {
+pub fn constant_restitution_range(contact: &Contact, speed: f64, e: f64) -> [Option<f64>; 2] {
     let is_near = |factor: f64| {
         let other = contact.row(speed * factor, &Solver::AUTO).map_or(f64::NAN, |row| row.measured_restitution());
-        (other / e - 1.0).abs() <= E_WITHIN
+        (other / e - 1.0).abs() <= MAX_RESTITUTION_ERROR
     };
     [-1.0, 1.0].map(|sign| {
         let end = ln(1000.0);

@@ -7,9 +7,9 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
-use super::convert::{Numbers, exception, numbers, warn, with};
-use super::rows::{Named, failures, listed, without_axes};
-use super::table::of_values;
+use super::convert::{Numbers, exception, numbers, warn, with_overrides};
+use super::rows::{NamedColumns, evaluate, failures, result_columns};
+use super::table::value_columns;
 use super::workers;
 use crate::impact::{self, Method, Solver};
 use crate::report::run::table;
@@ -50,18 +50,18 @@ pub struct Contact {
 }
 
 /// A key and its values in SI units. Numbers may be NaN or out of the allowed range: such a row has no result.
-pub struct Given {
+pub struct KeyValues {
     pub key: &'static NumericKey,
     pub numbers: Numbers,
 }
 
-impl Given {
+impl KeyValues {
     /// A number, an array of numbers, or a text with a unit.
     pub fn new(key: &'static NumericKey, value: &Bound<'_, PyAny>) -> PyResult<Self> {
         let numbers = match value.cast::<PyString>() {
             Ok(text) => {
-                let value = key.quantity.parse(&text.to_cow()?).map_err(|text| refused(key, "", &text))?;
-                key.quantity.check(value).map_err(|error| refused(key, "", &error))?;
+                let value = key.quantity.parse(&text.to_cow()?).map_err(|text| key_error(key, "", &text))?;
+                key.quantity.check(value).map_err(|error| key_error(key, "", &error))?;
                 Numbers::one(value)
             }
             Err(_) => numbers(value, key.path)?,
@@ -72,7 +72,7 @@ impl Given {
     /// Refuses numbers that are not allowed.
     pub fn check(self) -> PyResult<Self> {
         match self.numbers.values.iter().find_map(|value| self.key.quantity.check(*value).err()) {
-            Some(error) => Err(refused(self.key, "", &error)),
+            Some(error) => Err(key_error(self.key, "", &error)),
             None => Ok(self),
         }
     }
@@ -87,7 +87,7 @@ impl Given {
     }
 
     /// The smallest and the largest of the allowed values, or one where they are the same; none if there are no such values.
-    fn ends(&self) -> Vec<f64> {
+    fn value_range(&self) -> Vec<f64> {
         let values = || self.numbers.values.iter().copied().filter(|value| self.is_allowed(*value));
         let mut ends: Vec<f64> =
             values().min_by(f64::total_cmp).into_iter().chain(values().max_by(f64::total_cmp)).collect();
@@ -96,21 +96,21 @@ impl Given {
     }
 }
 
-fn refused(key: &NumericKey, place: &str, message: &str) -> PyErr {
+fn key_error(key: &NumericKey, place: &str, message: &str) -> PyErr {
     PyValueError::new_err(format!("{}{place}: {message}", key.path))
 }
 
 /// The plan of a table in which these keys vary, each between its smallest and its largest value. It is refused for the
 /// same reasons as a scenario with these axes. What does not depend on the values is found once for the same keys.
-fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
-    let ends: Vec<Vec<f64>> = given.iter().map(Given::ends).collect();
+fn plan(contact: &Contact, given: &[KeyValues]) -> PyResult<Plan> {
+    let ends: Vec<Vec<f64>> = given.iter().map(KeyValues::value_range).collect();
     let keys: Vec<_> =
         given.iter().zip(&ends).map(|(given, ends)| (given.key.path, ends.first() == Some(&0.0))).collect();
     let mut plans = contact.plans.lock().unwrap_or_else(PoisonError::into_inner);
     let mut plan = if let Some(known) = plans.get(&keys) {
         known.clone()
     } else {
-        let axes = given.iter().zip(&ends).map(|(Given { key, .. }, ends)| {
+        let axes = given.iter().zip(&ends).map(|(KeyValues { key, .. }, ends)| {
             // an array is in SI; in the text of a scenario an angle carries its unit
             let written = |low: &f64| match key.quantity.dimension {
                 Dimension::Angle => format!("\"{low:?} rad\""),
@@ -119,13 +119,13 @@ fn plan(contact: &Contact, given: &[Given]) -> PyResult<Plan> {
             let value = ends.first().map_or_else(|| key.quantity.example.to_owned(), written);
             format!("sweep.\"{}\"=[{value}]", key.path)
         });
-        let scenario = with(&contact.scenario, axes).map_err(exception)?;
+        let scenario = with_overrides(&contact.scenario, axes).map_err(exception)?;
         let plan = scenario.plan().map_err(exception)?;
         plans.insert(keys, plan.clone());
         plan
     };
     if ends.iter().all(|ends| !ends.is_empty()) {
-        let axis = |(given, ends): (&Given, Vec<f64>)| Axis::from_numbers(given.key, AxisValues::List(ends));
+        let axis = |(given, ends): (&KeyValues, Vec<f64>)| Axis::from_numbers(given.key, AxisValues::List(ends));
         plan.cases = Cases::Grid(given.iter().zip(ends).map(axis).collect());
     }
     Ok(plan)
@@ -139,13 +139,13 @@ pub fn numeric_keys() -> Vec<&'static str> {
 
 /// The values of a numeric key in SI units: a number, or an array in the shape of `value`.
 #[pyfunction]
-pub fn checked<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+pub fn validated<'py>(contact: &Contact, path: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let Some(key) = NumericKey::find(path) else {
         // a scenario refuses it with a suggestion
-        let refusal = with(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(path))]);
+        let refusal = with_overrides(&contact.scenario, [format!("sweep.{}=[1]", serde_json::Value::from(path))]);
         return Err(refusal.err().map_or_else(|| PyValueError::new_err(path.to_owned()), exception));
     };
-    Given::new(key, value)?.numbers.numpy(value.py())
+    KeyValues::new(key, value)?.numbers.numpy(value.py())
 }
 
 /// The columns of a table of impacts, by name. Each key comes with checked values, in arrays of one shape and in the order of
@@ -159,21 +159,26 @@ pub fn rows<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let given = keys.iter().map(|(path, values)| {
         let key = NumericKey::find(path).ok_or_else(|| PyValueError::new_err(path.clone()))?;
-        Ok(Given { key, numbers: numbers(values, path)? })
+        Ok(KeyValues { key, numbers: numbers(values, path)? })
     });
-    let given: Vec<Given> = given.collect::<PyResult<_>>()?;
+    let given: Vec<KeyValues> = given.collect::<PyResult<_>>()?;
     let plan = plan(contact, &given)?;
     let count = given.first().map_or(0, |given| given.numbers.values.len());
-    let named = without_axes(&plan);
+    let named = result_columns(&plan);
     let (values, mut warnings) = listed_if_allowed(py, contact, &plan, &given, count, &named)?;
     warnings.extend(failures(values.last().map_or(&[], Vec::as_slice)));
     warn(py, 2, &warnings)?;
-    of_values(py, given.into_iter().map(|Given { key, numbers }| (key.column_name(), numbers.values)), named, values)
+    value_columns(
+        py,
+        given.into_iter().map(|KeyValues { key, numbers }| (key.column_name(), numbers.values)),
+        named,
+        values,
+    )
 }
 
 /// Why a row without allowed values has no result: its first such value, with its index in the array.
-fn not_allowed(given: &[Given], row: usize) -> Option<String> {
-    given.iter().find_map(|Given { key, numbers: Numbers { shape, values } }| {
+fn not_allowed(given: &[KeyValues], row: usize) -> Option<String> {
+    given.iter().find_map(|KeyValues { key, numbers: Numbers { shape, values } }| {
         let error = key.quantity.check(*values.get(row)?).err()?;
         let mut rest = row;
         let mut indices: Vec<String> = Vec::new();
@@ -190,14 +195,14 @@ fn not_allowed(given: &[Given], row: usize) -> Option<String> {
     })
 }
 
-/// The columns of [`listed`], and the warnings. Rows with a value that is not allowed have NaN, and the status says so.
+/// The columns of [`evaluate`], and the warnings. Rows with a value that is not allowed have NaN, and the status says so.
 fn listed_if_allowed(
     py: Python<'_>,
     contact: &Contact,
     plan: &Plan,
-    given: &[Given],
+    given: &[KeyValues],
     count: usize,
-    named: &Named,
+    named: &NamedColumns,
 ) -> PyResult<(Vec<Vec<f64>>, Vec<String>)> {
     let is_allowed = |row: &usize| given.iter().all(|given| given.is_allowed(given.numbers.values[*row]));
     let allowed: Vec<usize> = (0..count).filter(is_allowed).collect();
@@ -208,13 +213,13 @@ fn listed_if_allowed(
     };
     if allowed.len() == count {
         let keys: Vec<_> = given.iter().map(|given| (given.key, given.numbers.values.as_slice())).collect();
-        return Ok((listed(py, plan, &contact.inner, &keys, count, named)?, warnings));
+        return Ok((evaluate(py, plan, &contact.inner, &keys, count, named)?, warnings));
     }
     warnings.extend((0..count).find(|row| !is_allowed(row)).and_then(|row| not_allowed(given, row)));
-    let values = |given: &Given| allowed.iter().map(|row| given.numbers.values[*row]).collect();
+    let values = |given: &KeyValues| allowed.iter().map(|row| given.numbers.values[*row]).collect();
     let kept: Vec<Vec<f64>> = given.iter().map(values).collect();
     let keys: Vec<_> = given.iter().zip(&kept).map(|(given, values)| (given.key, values.as_slice())).collect();
-    let computed = listed(py, plan, &contact.inner, &keys, allowed.len(), named)?;
+    let computed = evaluate(py, plan, &contact.inner, &keys, allowed.len(), named)?;
     let status = arrow::failure_code(RowFailure::NotAllowed);
     let empty = named.iter().map(|(_, column)| if matches!(column, TableColumn::Status) { status } else { f64::NAN });
     let columns = computed.into_iter().zip(empty).map(|(column, empty)| {
@@ -228,7 +233,7 @@ fn listed_if_allowed(
 /// Restitution at these speeds, in an array of their shape, or as a number for one speed.
 pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let py = speed.py();
-    let given = [Given::speed(speed)?];
+    let given = [KeyValues::speed(speed)?];
     let plan = plan(contact, &given)?;
     let speeds = &given[0].numbers.values;
     let mut warnings = Vec::new();
@@ -255,7 +260,7 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
             Ok(vec![restitutions, status])
         })?
     } else {
-        let mut named = without_axes(&plan);
+        let mut named = result_columns(&plan);
         named.retain(|(name, _)| ["restitution", "status"].contains(&name.as_str()));
         let (values, of_table) = listed_if_allowed(py, contact, &plan, &given, speeds.len(), &named)?;
         warnings = of_table;
@@ -264,6 +269,6 @@ pub fn restitution<'py>(contact: &Contact, speed: &Bound<'py, PyAny>) -> PyResul
     let [restitutions, status]: [Vec<f64>; 2] = computed.try_into().unwrap_or_default();
     warnings.extend(failures(&status));
     warn(py, 1, &warnings)?;
-    let [Given { numbers: Numbers { shape, .. }, .. }] = given;
+    let [KeyValues { numbers: Numbers { shape, .. }, .. }] = given;
     Numbers { shape, values: restitutions }.numpy(py)
 }

@@ -8,8 +8,8 @@ use pyo3::exceptions::{PyAttributeError, PyOverflowError, PyTypeError, PyValueEr
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 
-use super::cases::{self, Contact, Given, SPEED};
-use super::convert::{Numbers, Reduced, exception, from_json, html, source_of, warn, with};
+use super::cases::{self, Contact, KeyValues, SPEED};
+use super::convert::{Numbers, Reduced, exception, from_json, html, source_of, warn, with_overrides};
 use super::force::force;
 use super::table::table_of_csv;
 use crate::error::Error;
@@ -42,7 +42,7 @@ impl Contact {
             scenario.resolve()
         } else {
             // the scenario needs a speed; any speed is right, because it is not used
-            with(&scenario, [format!("{SPEED}=1")]).and_then(|any| any.resolve()).map(|mut input| {
+            with_overrides(&scenario, [format!("{SPEED}=1")]).and_then(|any| any.resolve()).map(|mut input| {
                 input.set(key!("impact.speed"), None);
                 input
             })
@@ -57,7 +57,7 @@ impl Contact {
     fn speed(&self, speed: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
         // without a speed the error says what is missing
         let Some(speed) = speed else { return Ok(self.scenario.resolve().map_err(exception)?.speed()) };
-        match Given::speed(speed)?.check()?.numbers {
+        match KeyValues::speed(speed)?.check()?.numbers {
             Numbers { shape, values } if shape.is_empty() && values.len() == 1 => Ok(values[0]),
             _ => Err(PyTypeError::new_err(format!(
                 "{SPEED}: found {}, expected one number or text; restitution and plm_impact.impacts take arrays",
@@ -67,19 +67,19 @@ impl Contact {
     }
 
     /// The contact, with the strength of its own speed if it depends on one.
-    fn of_one_strength(&self) -> PyResult<Cow<'_, impact::Contact>> {
+    fn at_own_rate(&self) -> PyResult<Cow<'_, impact::Contact>> {
         let own = at_scenario_speed(&self.scenario, &self.input, &self.inner).map_err(exception)?;
         Ok(own.map_or(Cow::Borrowed(&self.inner), Cow::Owned))
     }
 
     /// The contact with the strength of an impact at this speed; `None` where it does not depend on the speed.
-    fn own(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
+    fn at_rate_of(&self, speed: f64) -> Result<Option<impact::Contact>, Error> {
         let [normal, _] = self.input.approach_at(speed).components();
         let own = self.inner.has_rate().then(|| self.inner.at_speed(normal)).transpose();
         own.map_err(|reason| no_result_error(&self.scenario, &reason))
     }
 
-    fn computed(
+    fn compute_impact(
         &self,
         own: Option<&impact::Contact>,
         speed: f64,
@@ -163,26 +163,26 @@ impl Contact {
         indentation: &Bound<'py, PyAny>,
         memory: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
-        force(self.of_one_strength()?.as_ref(), indentation, memory)
+        force(self.at_own_rate()?.as_ref(), indentation, memory)
     }
 
     /// Impact speed above which the half-space yields (m/s); `None` if it cannot yield.
     #[getter]
     fn yield_speed_m_per_s(&self) -> PyResult<Option<f64>> {
-        Ok(self.of_one_strength()?.yield_speed())
+        Ok(self.at_own_rate()?.yield_speed())
     }
 
     /// Indentation at first yield (m); `None` if it cannot yield.
     #[getter]
     fn yield_indentation_m(&self) -> PyResult<Option<f64>> {
-        Ok(self.of_one_strength()?.yield_indentation_and_force().map(|(indentation, _)| indentation))
+        Ok(self.at_own_rate()?.yield_indentation_and_force().map(|(indentation, _)| indentation))
     }
 
     /// Force at first yield (N); `None` if it cannot yield.
     #[getter]
     #[pyo3(name = "yield_force_N")]
     fn yield_force(&self) -> PyResult<Option<f64>> {
-        Ok(self.of_one_strength()?.yield_indentation_and_force().map(|(_, force)| force))
+        Ok(self.at_own_rate()?.yield_indentation_and_force().map(|(_, force)| force))
     }
 
     /// The name of the law.

@@ -17,7 +17,7 @@ use crate::scenario::{Scenario, ScenarioSource};
 pub type Reduced<'py, Arguments> = PyResult<(Bound<'py, PyAny>, Arguments)>;
 
 /// A function of `plm_impact._convert`.
-pub fn python<'py>(py: Python<'py>, function: &str) -> PyResult<Bound<'py, PyAny>> {
+pub fn helper<'py>(py: Python<'py>, function: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import("plm_impact._convert")?.getattr(function)
 }
 
@@ -28,14 +28,14 @@ pub fn html<'py>(shown: &Bound<'py, PyAny>, picture: Option<Bound<'py, PyBytes>>
 
 /// A scenario that is given as a dict.
 pub fn source_of(tables: &Bound<'_, PyMapping>) -> PyResult<ScenarioSource> {
-    let (text, overrides) = python(tables.py(), "scenario_of")?.call1((tables,))?.extract()?;
+    let (text, overrides) = helper(tables.py(), "scenario_of")?.call1((tables,))?.extract()?;
     Ok(ScenarioSource { text, overrides, ..ScenarioSource::default() })
 }
 
 /// `key=value` for every entry of `set`.
 pub fn overrides(set: Option<&Bound<'_, PyMapping>>) -> PyResult<Vec<String>> {
     let Some(set) = set else { return Ok(Vec::new()) };
-    let toml = python(set.py(), "toml")?;
+    let toml = helper(set.py(), "toml")?;
     let text = |pair: Bound<'_, PyAny>| {
         let (key, value): (String, Bound<'_, PyAny>) = pair.extract()?;
         Ok(format!("{key}={}", toml.call1((value, &key))?))
@@ -78,7 +78,7 @@ pub fn numbers(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Numbers> {
     // as it comes from NumPy; a subclass may have units or a mask, and data from another process may not be aligned
     let array = match value.cast_exact::<PyArrayDyn<f64>>() {
         Ok(array) if array.is_c_contiguous() && array.data().is_aligned() => array.clone(),
-        _ => python(value.py(), "numbers")?.call1((value, place))?.cast_into()?,
+        _ => helper(value.py(), "numbers")?.call1((value, place))?.cast_into()?,
     };
     Ok(Numbers { shape: array.shape().to_vec(), values: array.readonly().as_slice()?.to_vec() })
 }
@@ -89,7 +89,7 @@ pub fn from_json<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyA
 }
 
 /// The exception of a scenario that cannot be read; for a missing file it is a `FileNotFoundError` too.
-pub fn unreadable(py: Python<'_>, error: Error) -> PyErr {
+pub fn unreadable_exception(py: Python<'_>, error: Error) -> PyErr {
     static NO_SUCH_FILE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let (true, Some(reason), Some(file)) = (error.is_not_found(), &error.io_error, &error.details.file) else {
         return exception(error);
@@ -119,7 +119,7 @@ pub fn exception(error: impl Into<Error>) -> PyErr {
 }
 
 /// A scenario with `key=value` set.
-pub fn with(scenario: &Scenario, overrides: impl IntoIterator<Item = String>) -> Result<Scenario, Error> {
+pub fn with_overrides(scenario: &Scenario, overrides: impl IntoIterator<Item = String>) -> Result<Scenario, Error> {
     let mut source = scenario.source();
     source.overrides.extend(overrides);
     Scenario::from_source(scenario.document.name(), &source)

@@ -29,7 +29,7 @@ pub fn force<'py>(
         let mut memories = memories[3 * contacts.start..3 * contacts.end].to_vec();
         let rows = contacts.zip(memories.chunks_mut(3));
         let forces = rows.map(|(row, memory)| {
-            respond(contact, indentations[row], memory).map_err(|message| format!("contact {row}: {message}"))
+            force_and_update(contact, indentations[row], memory).map_err(|message| format!("contact {row}: {message}"))
         });
         Ok(vec![forces.collect::<Result<_, _>>()?, memories])
     })?;
@@ -41,7 +41,7 @@ pub fn force<'py>(
 const ROUNDING: f64 = 1e-6;
 
 /// The force of one contact. Updates its memory `row`.
-fn respond(contact: &impact::Contact, indentation: f64, row: &mut [f64]) -> Result<f64, String> {
+fn force_and_update(contact: &impact::Contact, indentation: f64, row: &mut [f64]) -> Result<f64, String> {
     if !indentation.is_finite() {
         return Err(format!("an indentation of {indentation} m is not allowed: it must be finite"));
     }

@@ -21,7 +21,7 @@ mod _core {
     use super::convert::from_json;
     #[pymodule_export]
     use super::{
-        cases::{Contact, checked, numeric_keys, rows},
+        cases::{Contact, numeric_keys, rows, validated},
         contact::Impact,
         outcome::{calibrate, run},
         table::{Column, arrow_stream, table_of_csv},

@@ -7,10 +7,10 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBytes, PyDict, PyMapping, PyType};
 
-use super::convert::{exception, overrides, python, source_of, unreadable, warn};
-use super::rows::{failures, of_plan, values};
-use super::table::{of_values, table as table_of};
-use super::workers::{append, interruptible, reserved};
+use super::convert::{exception, helper, overrides, source_of, unreadable_exception, warn};
+use super::rows::{failures, plan_columns, values};
+use super::table::{table as table_of, value_columns};
+use super::workers::{append, interruptible, with_capacity};
 use crate::files::{OutputFile, Progress};
 use crate::report::chart::PictureFormat;
 use crate::report::run::{Outcome, RunOptions, run, table};
@@ -59,9 +59,9 @@ pub fn calibrate<'py>(
     let mut overrides = overrides(set)?;
     let Some(data) = data else { return run_scenario(py, &scenario_of(scenario, overrides)?, pictures) };
     overrides.push(format!("calibrate.data={DATA}"));
-    let csv = python(py, "csv_of")?.call1((data,))?.extract()?;
+    let csv = helper(py, "csv_of")?.call1((data,))?.extract()?;
     let scenario = scenario_of(scenario, overrides)?.with_data(csv);
-    run_scenario(py, &scenario, pictures).map_err(|error| of_element(py, error))
+    run_scenario(py, &scenario, pictures).map_err(|error| element_error(py, error))
 }
 
 /// A scenario that is given as a path or a dict.
@@ -73,11 +73,11 @@ fn scenario_of(path_or_tables: &Bound<'_, PyAny>, overrides: Vec<String>) -> PyR
         }
         Err(_) => Scenario::load(&path_or_tables.extract::<PathBuf>()?, &overrides),
     };
-    scenario.map_err(|error| unreadable(path_or_tables.py(), error))
+    scenario.map_err(|error| unreadable_exception(path_or_tables.py(), error))
 }
 
 /// The error of a line of measurements that are arrays: it names the element.
-fn of_element(py: Python<'_>, error: PyErr) -> PyErr {
+fn element_error(py: Python<'_>, error: PyErr) -> PyErr {
     let text = error.value(py).to_string();
     let parts = text.strip_prefix(DATA).and_then(|rest| rest.strip_prefix(':')?.split_once(':'));
     match parts.and_then(|(line, rest)| Some((line.parse::<usize>().ok()?, rest))) {
@@ -98,8 +98,8 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
     }
     let plan = scenario.plan().map_err(exception)?;
     let rows = usize::try_from(plan.n_cases()).unwrap_or(usize::MAX);
-    let named = of_plan(&plan);
-    let mut columns = reserved(rows, &vec![1; named.len()])?;
+    let named = plan_columns(&plan);
+    let mut columns = with_capacity(rows, &vec![1; named.len()])?;
     let made = interruptible(py, |progress| {
         let take = |piece| append(&mut columns, piece);
         let tally = table::compute_rows(&plan, progress, |rows| values(&named, rows), take)?;
@@ -108,7 +108,7 @@ fn run_scenario<'py>(py: Python<'py>, scenario: &Scenario, pictures: bool) -> Py
     let made = made?.map_err(exception)?;
     let failed = failures(columns.last().map_or(&[], Vec::as_slice));
     warn(py, 1, &made.warnings.iter().chain(&made.notes).cloned().chain(failed).collect::<Vec<_>>())?;
-    outcome(py, made, Some(table_of(&of_values(py, [], named, columns)?, rows)?))
+    outcome(py, made, Some(table_of(&value_columns(py, [], named, columns)?, rows)?))
 }
 
 fn options<'a>(command: &'a str, pictures: bool, progress: &'a Progress) -> RunOptions<'a> {

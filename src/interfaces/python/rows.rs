@@ -11,16 +11,16 @@ use crate::table::format::column::{TableColumn, table_columns};
 use crate::table::{Evaluator, RowFailure, Rows};
 
 /// The columns of a table, and their names. The last is the status.
-pub type Named = Vec<(String, TableColumn)>;
+pub type NamedColumns = Vec<(String, TableColumn)>;
 
 /// All columns of a plan but the case number.
-pub fn of_plan(plan: &Plan) -> Named {
+pub fn plan_columns(plan: &Plan) -> NamedColumns {
     plan.column_names().into_iter().zip(table_columns(plan)).skip(1).collect()
 }
 
 /// The columns that are no axis: yield strengths that follow from the axes, and results.
-pub fn without_axes(plan: &Plan) -> Named {
-    let mut named = of_plan(plan).split_off(plan.axes().len());
+pub fn result_columns(plan: &Plan) -> NamedColumns {
+    let mut named = plan_columns(plan).split_off(plan.axes().len());
     for (place, _) in plan.derived_bodies().enumerate() {
         named[place].1 = TableColumn::Value(place);
     }
@@ -29,13 +29,13 @@ pub fn without_axes(plan: &Plan) -> Named {
 
 /// Rows of a plan at listed values of these keys, without the columns of its axes. `contact` is that of the plan, which the
 /// keys may change.
-pub fn listed(
+pub fn evaluate(
     py: Python<'_>,
     plan: &Plan,
     contact: &Contact,
     keys: &[(&NumericKey, &[f64])],
     rows: usize,
-    named: &Named,
+    named: &NamedColumns,
 ) -> PyResult<Vec<Vec<f64>>> {
     let is_known = !keys.iter().any(|(key, _)| key.part.changes_contact());
     let evaluator = Evaluator::with_contact(plan, is_known.then_some(contact));
@@ -49,7 +49,7 @@ pub fn listed(
 }
 
 /// The values of these columns.
-pub fn values(named: &Named, rows: &Rows) -> Vec<Vec<f64>> {
+pub fn values(named: &NamedColumns, rows: &Rows) -> Vec<Vec<f64>> {
     named.iter().map(|(_, column)| column.values(rows)).collect()
 }
 

@@ -14,7 +14,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyCapsule, PyDict, PyType};
 
 use super::convert::{Reduced, numbers};
-use super::rows::Named;
+use super::rows::NamedColumns;
 use crate::table::format::arrow;
 
 /// A column of a table: numbers, NaN where a row has none; or words.
@@ -81,7 +81,7 @@ impl Column {
         match data.extract::<(Vec<String>, Vec<i32>)>() {
             Ok((words, places)) => {
                 let places: Vec<f64> = places.into_iter().map(f64::from).collect();
-                arrow::word_array(&places, &Arc::new(words.into())).map(Self).map_err(failed)
+                arrow::word_array(&places, &Arc::new(words.into())).map(Self).map_err(arrow_error)
             }
             Err(_) => Ok(Self(arrow::number_array(numbers(data, "column")?.values))),
         }
@@ -89,7 +89,7 @@ impl Column {
 }
 
 #[allow(clippy::needless_pass_by_value)] // for map_err
-fn failed(error: ArrowError) -> PyErr {
+fn arrow_error(error: ArrowError) -> PyErr {
     PyRuntimeError::new_err(error.to_string())
 }
 
@@ -101,7 +101,7 @@ pub fn arrow_stream<'py>(
     columns: Vec<(String, Bound<'py, Column>)>,
 ) -> PyResult<Bound<'py, PyCapsule>> {
     let arrays = columns.iter().map(|(name, column)| (name, Arc::clone(&column.get().0), true));
-    let batch = RecordBatch::try_from_iter_with_nullable(arrays).map_err(failed)?;
+    let batch = RecordBatch::try_from_iter_with_nullable(arrays).map_err(arrow_error)?;
     let schema = batch.schema();
     let reader = RecordBatchIterator::new([Ok(batch)], schema);
     PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(reader)), c"arrow_array_stream")
@@ -123,17 +123,17 @@ fn columns(py: Python<'_>, columns: impl IntoIterator<Item = (String, ArrayRef)>
 }
 
 /// Columns of numbers, which are `given`, and the named columns with these values.
-pub fn of_values(
+pub fn value_columns(
     py: Python<'_>,
     given: impl IntoIterator<Item = (String, Vec<f64>)>,
-    named: Named,
+    named: NamedColumns,
     values: Vec<Vec<f64>>,
 ) -> PyResult<Bound<'_, PyDict>> {
     let array = |((name, column), values): ((String, crate::table::format::column::TableColumn), Vec<f64>)| match column
         .categories()
     {
         None => Ok((name, arrow::number_array(values))),
-        Some(words) => Ok((name, arrow::word_array(&values, &Arc::new(words.into())).map_err(failed)?)),
+        Some(words) => Ok((name, arrow::word_array(&values, &Arc::new(words.into())).map_err(arrow_error)?)),
     };
     let computed = named.into_iter().zip(values).map(array).collect::<PyResult<Vec<_>>>()?;
     columns(py, given.into_iter().map(|(name, values)| (name, arrow::number_array(values))).chain(computed))

@@ -16,11 +16,11 @@ use crate::files::Progress;
 use crate::table::job::ordered_parallel;
 
 /// Number of rows that a thread computes at a time: of usual rows, and of slow ones. Ctrl-C stops a computation between them.
-const TOGETHER: [usize; 2] = [1024, 16];
+const CHUNK_ROWS: [usize; 2] = [1024, 16];
 /// With so few rows the calling thread is done before another has begun.
-const FEW: usize = 1000;
+const MAX_INLINE_ROWS: usize = 1000;
 /// Time between two checks for signals.
-const SOON: Duration = Duration::from_millis(50);
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
 /// The thread pool and the id of its process. A process made by `fork` does not have the threads of its parent, and
 /// gets a pool of its own.
@@ -55,7 +55,8 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Progress) -> T 
             drop(done.map(|done| sender.send(done)));
         });
         loop {
-            let waited = py.detach(|| receiver.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(SOON));
+            let waited =
+                py.detach(|| receiver.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(POLL_INTERVAL));
             match waited {
                 Ok(done) => return Ok(done),
                 Err(RecvTimeoutError::Timeout) => {
@@ -84,11 +85,11 @@ pub fn columns(
     is_slow: bool,
     make: impl Fn(Range<usize>) -> Result<Vec<Vec<f64>>, String> + Sync + Send,
 ) -> PyResult<Vec<Vec<f64>>> {
-    if rows == 0 || rows <= FEW && !is_slow {
+    if rows == 0 || rows <= MAX_INLINE_ROWS && !is_slow {
         return py.detach(|| make(0..rows)).map_err(PyValueError::new_err);
     }
-    let mut columns = reserved(rows, widths)?;
-    let together = TOGETHER[usize::from(is_slow)];
+    let mut columns = with_capacity(rows, widths)?;
+    let together = CHUNK_ROWS[usize::from(is_slow)];
     let pieces = (0..rows).step_by(together).map(|start| start..rows.min(start + together));
     let done = interruptible(py, |progress| {
         let make = |piece| if progress.is_stopped() { Err(String::new()) } else { make(piece) };
@@ -101,7 +102,7 @@ pub fn columns(
 }
 
 /// Empty columns with memory for `rows` rows; see [`columns`].
-pub fn reserved(rows: usize, widths: &[usize]) -> PyResult<Vec<Vec<f64>>> {
+pub fn with_capacity(rows: usize, widths: &[usize]) -> PyResult<Vec<Vec<f64>>> {
     let reserved = |width: usize| {
         let mut column = Vec::new();
         column.try_reserve_exact(rows.saturating_mul(width)).map(|()| column)

@@ -5,7 +5,8 @@ use std::process::Output;
 
 use crate::common::prelude::*;
 use plm_impact::interfaces::export::{
-    E_WITHIN, Target, damped_spring, range_of_constant, spring_without_pull, steps_per_contact,
+    MAX_RESTITUTION_ERROR, TargetCode, constant_restitution_range, damped_spring, non_cohesive_spring,
+    steps_per_contact,
 };
 
 const STEEL: &str = "scenarios/steel-on-steel.toml";
@@ -67,7 +68,7 @@ fn the_springs_rebound_as_the_law_does() {
         let (rebound, lasted) = integrated((m, speed, time), spring, |x, _| x <= 0.0);
         near(rebound, lasted);
 
-        let (stiffness, damping) = spring_without_pull(m, e, time).unwrap();
+        let (stiffness, damping) = non_cohesive_spring(m, e, time).unwrap();
         let spring = |x: f64, v: f64| (stiffness * x + damping * v).max(0.0);
         let (rebound, lasted) = integrated((m, speed, time), spring, |_, pushed| pushed <= 0.0);
         near(rebound, lasted);
@@ -123,10 +124,10 @@ fn time_step_keeps_restitution_within_one_percent() {
 fn constant_e_has_its_speed_range() {
     let contact = steel();
     let e = |speed| contact.closed_form(speed).unwrap().restitution;
-    let [from, to] = range_of_constant(&contact, 3.0, e(3.0)).map(Option::unwrap);
+    let [from, to] = constant_restitution_range(&contact, 3.0, e(3.0)).map(Option::unwrap);
     for (end, beyond) in [(from, 0.999 * from), (to, 1.001 * to)] {
-        assert!((e(end) / e(3.0) - 1.0).abs() <= E_WITHIN * (1.0 + 1e-9));
-        assert!((e(beyond) / e(3.0) - 1.0).abs() > E_WITHIN);
+        assert!((e(end) / e(3.0) - 1.0).abs() <= MAX_RESTITUTION_ERROR * (1.0 + 1e-9));
+        assert!((e(beyond) / e(3.0) - 1.0).abs() > MAX_RESTITUTION_ERROR);
     }
     let [from, to] = [from, to].map(plm_impact::units::format_four_digits);
     assert!(printed(&[STEEL, "--to", "lammps"]).contains(&format!("from {from} to {to} m/s")));
@@ -172,15 +173,15 @@ fn tables_are_those_of_the_closed_form() {
 
 #[test]
 fn every_code_gets_its_lines_with_their_origin() {
-    for (name, target) in Target::ALL.map(|target| (target.name(), target)) {
+    for (name, target) in TargetCode::ALL.map(|target| (target.name(), target)) {
         let text = printed(&[STEEL, "--to", name, "--set", "law=thornton"]);
         assert!(text.contains("plm-impact 0.1.0: plm-impact export") && text.contains("--set law=thornton"), "{text}");
         assert!(text.contains("SHA-256") && text.contains("impact at 3 m/s: e "), "{text}");
         // tests/lammps runs the lines of LAMMPS; those of LIGGGHTS and Yade only where somebody has these codes
         let said = match target {
-            Target::Lammps | Target::Csv => [false, false],
-            Target::Liggghts | Target::Yade => [true, false],
-            Target::Mercury => [false, true],
+            TargetCode::Lammps | TargetCode::Csv => [false, false],
+            TargetCode::Liggghts | TargetCode::Yade => [true, false],
+            TargetCode::Mercury => [false, true],
         };
         let words = ["no test runs these lines in that code", "these lines were never run in that code"];
         assert_eq!(words.map(|words| text.contains(words)), said, "{text}");
@@ -257,7 +258,7 @@ fn lines_of_two_spheres_separate_like_law() {
     // MercuryDPM divides the mass by two for two equal spheres
     assert_relative_eq!(number(&lines("mercury"), "2.0*"), mass, max_relative = 1e-8);
     // Yade's spring never pulls, and its two materials are in series
-    let (stiffness, damping) = spring_without_pull(mass, e, time).unwrap();
+    let (stiffness, damping) = non_cohesive_spring(mass, e, time).unwrap();
     assert_relative_eq!(number(&lines("yade"), "kn="), 2.0 * stiffness, max_relative = 1e-8);
     assert_relative_eq!(number(&lines("yade"), "cn="), 2.0 * damping, max_relative = 1e-8);
 }
